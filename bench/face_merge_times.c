@@ -147,10 +147,10 @@ enum { SPHERE, BELT, PAIRS, CUBE };
 
 /* Each run has a solid of its own. */
 static void
-measure(const char *name, int runs, int shape, sg_crew *crew)
+measure(const char *name, int runs, int shape, sg_pool *pool)
 {
   double times[MOST_RUNS];
-  sg_merge_options options = {.tolerance = 1e-10, .crew = crew};
+  sg_merge_options options = {.tolerance = 1e-10, .pool = pool};
   sg_merge_counts counts = {0};
 
   for (int i = 0; i < runs; i++) {
@@ -180,17 +180,17 @@ int
 main(int argc, char **argv)
 {
   int runs = argc > 1 ? atoi(argv[1]) : 9;
-  sg_crew *crew = sg_crew_open(0);
+  sg_pool *pool = sg_pool_open(0);
 
   runs = runs < 1 ? 1 : runs > MOST_RUNS ? MOST_RUNS : runs;
   measure("sphere, one thread", runs, SPHERE, NULL);
-  measure("sphere, all threads", runs, SPHERE, crew);
+  measure("sphere, all threads", runs, SPHERE, pool);
   measure("sphere with a belt, one thread", runs, BELT, NULL);
-  measure("sphere with a belt, all threads", runs, BELT, crew);
+  measure("sphere with a belt, all threads", runs, BELT, pool);
   measure("sphere of pairs, one thread", runs, PAIRS, NULL);
-  measure("sphere of pairs, all threads", runs, PAIRS, crew);
+  measure("sphere of pairs, all threads", runs, PAIRS, pool);
   measure("cube, one thread", runs, CUBE, NULL);
-  measure("cube, all threads", runs, CUBE, crew);
-  sg_crew_close(crew);
+  measure("cube, all threads", runs, CUBE, pool);
+  sg_pool_close(pool);
   return 0;
 }

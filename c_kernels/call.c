@@ -17,15 +17,16 @@ ask_host(void *data)
 {
   sg_call *call = data;
 
-  call->stopped = call->stopped || sg_poll_stop(call->host);
+  call->stopped = call->stopped || sg_cancelled(call->host);
   return call->stopped;
 }
 
 void
-sg_call_open(sg_call *call, const sg_poll *host, sg_world *(*find_world)(void))
+sg_call_open(sg_call *call, const sg_cancel *host,
+             sg_world *(*find_world)(void))
 {
   *call = (sg_call){
-      .poll = {ask_host, call}, .host = host, .find_world = find_world};
+      .cancel = {ask_host, call}, .host = host, .find_world = find_world};
 }
 
 sg_world *
@@ -42,7 +43,7 @@ sg_call_claim(sg_call *call)
 {
   sg_world *world = sg_call_world(call);
 
-  return world && sg_world_claim(world, &call->poll) ? world : NULL;
+  return world && sg_world_claim(world, &call->cancel) ? world : NULL;
 }
 
 const sg_version *
@@ -56,13 +57,13 @@ sg_call_version(sg_call *call)
   return call->version;
 }
 
-sg_crew *
-sg_call_crew(sg_call *call)
+sg_pool *
+sg_call_pool(sg_call *call)
 {
-  if (!call->crew && !(call->crew = sg_crew_open(0))) {
+  if (!call->pool && !(call->pool = sg_pool_open(0))) {
     sg_call_no_memory(call);
   }
-  return call->crew;
+  return call->pool;
 }
 
 /* ---- refusals ---- */
@@ -289,7 +290,7 @@ sg_call_term(sg_call *call, sg_term_builder *builder)
 size_t
 sg_call_read(sg_call *call, const sg_input *in, char *to, size_t n)
 {
-  size_t got = sg_poll_stop(&call->poll) ? 0 : in->read(in->data, to, n);
+  size_t got = sg_cancelled(&call->cancel) ? 0 : in->read(in->data, to, n);
 
   call->stopped = call->stopped || got == SIZE_MAX;
   return call->stopped ? 0 : got;
@@ -299,7 +300,7 @@ bool
 sg_call_read_all(sg_call *call, const sg_input *in, size_t most, char **out,
                  size_t *n)
 {
-  enum { CHUNK = 1 << 18 }; /* between polls */
+  enum { CHUNK = 1 << 18 }; /* between cancellations */
   size_t room = 0, got = 0;
 
   *out = NULL;
@@ -329,9 +330,9 @@ void
 sg_call_rest(sg_call *call)
 {
   sg_version_drop(call->version);
-  sg_crew_close(call->crew);
+  sg_pool_close(call->pool);
   call->version = NULL;
-  call->crew = NULL;
+  call->pool = NULL;
 }
 
 void

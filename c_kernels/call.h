@@ -8,14 +8,14 @@
  *   bool sg_door_NAME(sg_call *call, IN in, ..., OUT *out, ...);
  *
  * True: the answer is yes, and all of `out` is filled. False: the answer is no,
- * or `call` says what was refused, or its poll said stop; what was allocated
+ * or `call` says what was refused, or its cancel said stop; what was allocated
  * is freed with the call. A test makes a sg_call of its own, with a world.
  */
 #ifndef SG_CALL_H
 #define SG_CALL_H
 
-#include "crew.h"
-#include "engine/poll.h"
+#include "engine/cancel.h"
+#include "thread_pool.h"
 
 #include "engine/store.h"
 #include "engine/term.h"
@@ -51,21 +51,21 @@ typedef struct sg_refusal {
 } sg_refusal;
 
 typedef struct sg_call {
-  sg_poll poll;                  /* remembers that it said stop */
-  const sg_poll *host;           /* what it asks */
+  sg_cancel cancel;              /* remembers that it said stop */
+  const sg_cancel *host;         /* what it asks */
   bool stopped;                  /* it said stop */
   sg_world *(*find_world)(void); /* a world that is whole; null: refused */
   sg_world *world;               /* borrowed; null: not asked for yet */
   const sg_version *version;     /* held; null: the same */
-  sg_crew *crew;                 /* the same */
+  sg_pool *pool;                 /* the same */
   sg_refusal refusal;
   struct sg_call_block *blocks; /* private */
 } sg_call;
 
 /* A call of nothing yet; `find_world` may be null if call->world is set. */
-void sg_call_open(sg_call *call, const sg_poll *host,
+void sg_call_open(sg_call *call, const sg_cancel *host,
                   sg_world *(*find_world)(void));
-/* Lets the version and the crew go: the memory is still good. */
+/* Lets the version and the thread pool go: the memory is still good. */
 void sg_call_rest(sg_call *call);
 /* The same, and frees what it has. */
 void sg_call_close(sg_call *call);
@@ -75,7 +75,7 @@ sg_world *sg_call_world(sg_call *call);
 /* Its version when this was asked first, and threads to work with; both until
  * the call rests or is closed. Null: refused. */
 const sg_version *sg_call_version(sg_call *call);
-sg_crew *sg_call_crew(sg_call *call);
+sg_pool *sg_call_pool(sg_call *call);
 /* The world, claimed for writing: sg_world_release() it. Null: also a stop. */
 sg_world *sg_call_claim(sg_call *call);
 

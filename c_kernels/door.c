@@ -12,7 +12,7 @@
 void
 sg_door_open(sg_call *call)
 {
-  sg_call_open(call, &sg_prolog_poll, sg_current_world_ex);
+  sg_call_open(call, &sg_prolog_cancel, sg_current_world_ex);
 }
 
 /* What sg_call_at() says of an argument. */

@@ -3,9 +3,9 @@
  *
  * Layer: engine, beside main.c. The handlers only say that there was a signal.
  * A thread hears that and tells Prolog's main thread, which ends what it does
- * at its next poll; no handler of Prolog runs in the middle of anything. Where
- * the work does not end in time, the thread removes the files that are under
- * way and ends the process.
+ * at its next cancel; no handler of Prolog runs in the middle of anything.
+ * Where the work does not end in time, the thread removes the files that are
+ * under way and ends the process.
  */
 #ifndef SG_SIGNALS_H
 #define SG_SIGNALS_H

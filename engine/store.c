@@ -372,13 +372,13 @@ unclaim(sg_world *world)
 }
 
 bool
-sg_world_claim(sg_world *world, const sg_poll *poll)
+sg_world_claim(sg_world *world, const sg_cancel *cancel)
 {
   pthread_mutex_lock(&world->lock);
   while (!my_turn(world)) {
     wait_a_little(world);
     pthread_mutex_unlock(&world->lock);
-    if (sg_poll_stop(poll)) {
+    if (sg_cancelled(cancel)) {
       return false;
     }
     pthread_mutex_lock(&world->lock);

@@ -19,8 +19,8 @@
 #ifndef SG_STORE_H
 #define SG_STORE_H
 
+#include "cancel.h"
 #include "column.h"
-#include "poll.h"
 #include "sheet.h"
 
 #include <stdbool.h>
@@ -255,10 +255,10 @@ sg_status sg_world_add_edit(sg_world *world, sg_relation relation,
 int32_t sg_world_fresh(sg_world *world, sg_relation relation, int32_t s);
 
 /* Waits until no other thread has a transaction open or the world claimed,
- * asking `poll` meanwhile; then this thread alone may write until it releases
- * (claims nest). False: the poll said stop. Without a claim, a change simply
- * waits, deaf, until it is its turn. */
-bool sg_world_claim(sg_world *world, const sg_poll *poll);
+ * asking `cancel` meanwhile; then this thread alone may write until it releases
+ * (claims nest). False: the cancellation said stop. Without a claim, a change
+ * simply waits, deaf, until it is its turn. */
+bool sg_world_claim(sg_world *world, const sg_cancel *cancel);
 void sg_world_release(sg_world *world);
 
 /* Transactions nest. They belong to the thread that began them: others see
@@ -323,10 +323,10 @@ void sg_view_clear(sg_view *view);
  * the version: the caller does. */
 typedef struct sg_walk sg_walk;
 /* Builds the index that a walk by `mask` will look into (0: a member walk) if
- * that would take long, asking the poll every few ms, without the lock. False:
- * it said stop. Not needed, but for the poll. */
+ * that would take long, asking the cancellation every few ms, without the lock.
+ * False: it said stop. Not needed, but for the cancellation. */
 bool sg_index_ready(const sg_version *version, sg_relation relation,
-                    uint16_t mask, const sg_poll *poll);
+                    uint16_t mask, const sg_cancel *cancel);
 bool sg_walk_open(sg_walk *walk, const sg_version *version,
                   sg_relation relation, uint16_t mask, const sg_value *row);
 bool sg_walk_open_member(sg_walk *walk, const sg_version *version,

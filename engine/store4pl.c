@@ -85,8 +85,8 @@ asking_open(asking *a, term_t args)
   }
   if (bound != SG_NOWHERE) {
     a->version = sg_world_version(world);
-    bool ready = mask == 0 ||
-                 sg_index_ready(a->version, a->relation, mask, &sg_prolog_poll);
+    bool ready = mask == 0 || sg_index_ready(a->version, a->relation, mask,
+                                             &sg_prolog_cancel);
 
     if (ready && sg_walk_open(&a->walk, a->version, a->relation, mask, row)) {
       return TRUE;
@@ -493,7 +493,7 @@ member_open(asking *a, term_t args, unsigned column)
   a->first = 2 - (int)column;
   a->strict = !PL_is_variable(args + 2);
   a->version = sg_world_version(world);
-  bool ready = sg_index_ready(a->version, a->relation, 0, &sg_prolog_poll);
+  bool ready = sg_index_ready(a->version, a->relation, 0, &sg_prolog_cancel);
 
   if (ready &&
       sg_walk_open_member(&a->walk, a->version, a->relation, s.i, id.i)) {

@@ -291,7 +291,7 @@ member_index(sg_table *table)
 
 bool
 sg_index_ready(const sg_version *version, sg_relation relation, uint16_t mask,
-               const sg_poll *poll)
+               const sg_cancel *cancel)
 {
   sg_world *world = version->world;
   sg_table *table = &world->table[relation];
@@ -306,7 +306,7 @@ sg_index_ready(const sg_version *version, sg_relation relation, uint16_t mask,
            !sg_index_build_some(index, table, SOME_ROWS) ||
            sg_index_is_whole(index, table);
     pthread_mutex_unlock(&world->lock);
-    if (!done && sg_poll_stop(poll)) {
+    if (!done && sg_cancelled(cancel)) {
       return false;
     }
   }

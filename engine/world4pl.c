@@ -184,12 +184,12 @@ ask_prolog(void *unused)
   return PL_handle_signals() < 0;
 }
 
-const sg_poll sg_prolog_poll = {.ask = ask_prolog};
+const sg_cancel sg_prolog_cancel = {.ask = ask_prolog};
 
 int
 sg_claim_ex(sg_world *world)
 {
-  return sg_world_claim(world, &sg_prolog_poll);
+  return sg_world_claim(world, &sg_prolog_cancel);
 }
 
 static int

@@ -9,7 +9,7 @@
 #include "store.h"
 #include "term.h"
 
-#include "poll.h"
+#include "cancel.h"
 
 #include <gmp.h>
 
@@ -37,9 +37,9 @@ int sg_raise_status(sg_status status, sg_relation relation,
 /* sg_world_fresh(); 0: an exception is pending. */
 int32_t sg_fresh_ex(sg_world *world, sg_relation relation, int32_t s);
 
-/* The poll that asks Prolog for signals; after a stop return FALSE from the
+/* The cancel that asks Prolog for signals; after a stop return FALSE from the
  * foreign predicate, the exception is pending. */
-extern const sg_poll sg_prolog_poll;
+extern const sg_cancel sg_prolog_cancel;
 
 /* The relation of this name and arity, SG_NONE: there is none. */
 sg_relation sg_relation_named(atom_t name, size_t arity);

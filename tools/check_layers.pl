@@ -204,7 +204,7 @@ layer(c_kernels, _, call,          rows).
 layer(c_kernels, _, Name,          rows) :-
     sub_atom(Name, _, _, 0, '_rows').
 layer(doors,     _, _,             rows).
-layer(engine,    _, poll,          shared).
+layer(engine,    _, cancel,        shared).
 layer(engine,    _, column,        shared).
 layer(engine,    _, sheet,         shared).
 
@@ -220,7 +220,7 @@ prolog_side(host).
 %   kernels see whole worlds only, not those being edited. Glue by hand in
 %   c_kernels includes neither kernels nor rows, so it computes nothing.
 %   Kernels know no store and the store no geometry; what a kernel asks of its
-%   caller (poll.h), the view of a column (column.h) and rows being written
+%   caller (cancel.h), the view of a column (column.h) and rows being written
 %   (sheet.h) are the engine's, for both. The host side knows neither: it goes
 %   through the predicates.
 

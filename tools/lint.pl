@@ -97,6 +97,44 @@ finding(What) :-
     Most > 127,
     format(atom(What), '~w: not ASCII, and without :- encoding(utf8)', [File]).
 
+%   The names of files are made of words of the glossary and of plain ones, in
+%   the singular or the plural.
+
+finding(What) :-
+    known_words(Known),
+    member(Pattern, ['rules/*.pl', 'rules/*/*.pl', 'engine/*.[ch]',
+                     'c_kernels/*.[ch]', 'c_kernels/*/*.[ch]']),
+    expand_file_name(Pattern, Files),
+    member(File, Files),
+    file_base_name(File, Base),
+    file_name_extension(Name, _, Base),
+    split_string(Name, "_", "0123456789", Words),
+    member(Word, Words),
+    \+ known_word(Word, Known),
+    format(atom(What), '~w: ~w is neither in GLOSSARY.md nor in \c
+                        tools/plain_words.txt', [File, Word]).
+
+known_word(Word, Known) :-
+    memberchk(Word, Known),
+    !.
+known_word(Word, Known) :-
+    string_concat(One, "s", Word),
+    memberchk(One, Known).
+
+known_words(Known) :-
+    read_file_to_string('tools/plain_words.txt', Text, []),
+    split_string(Text, "\n", " ", Plain),
+    read_file_to_string('GLOSSARY.md', Glossary, [encoding(utf8)]),
+    split_string(Glossary, "\n", "", Lines),
+    findall(Word,
+            ( member(Line, Lines),
+              split_string(Line, "|", " ", [_,Term|_]),
+              split_string(Term, " ,-", " ,-", Words),
+              member(Word, Words)
+            ),
+            Terms),
+    append(Plain, Terms, Known).
+
 %   What is less is rounding of one operation, what is more a size.
 
 between_tolerances(Number) :-

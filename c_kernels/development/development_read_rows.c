@@ -23,7 +23,7 @@ bool
 sg_door_flattening_bent(sg_call *call, sg_development *d, sg_int_list *out)
 {
   for (size_t p = 0; d->faces.bents > 0 && p < d->dense.polygons; p++) {
-    if (sg_poll_every(&call->poll, p) ||
+    if (sg_cancel_every(&call->cancel, p) ||
         (d->faces.bent[p] &&
          !sg_int_list_add(call, out, d->dense.polygon_id[p]))) {
       return false;
@@ -40,7 +40,7 @@ sg_door_flattening_invalid(sg_call *call, sg_development *d, sg_int_list *out)
   for (uint32_t face = 0; face < f->faces; face++) {
     bool invalid = f->area[face] > 0 &&
                    f->triangle_begin[face] == f->triangle_begin[face + 1];
-    if (sg_poll_every(&call->poll, face) ||
+    if (sg_cancel_every(&call->cancel, face) ||
         (invalid &&
          !sg_int_list_add(call, out, sg_development_polygon(d, face)))) {
       return false;
@@ -63,7 +63,7 @@ bool
 sg_door_flattening_borders(sg_call *call, sg_development *d, sg_int_list *out)
 {
   for (uint32_t k = 0; k < d->faces.sides; k++) {
-    if (sg_poll_every(&call->poll, k) ||
+    if (sg_cancel_every(&call->cancel, k) ||
         (is_border(d, k) &&
          !sg_int_list_add(call, out, sg_development_edge(d, k)))) {
       return false;

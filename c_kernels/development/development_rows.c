@@ -62,7 +62,7 @@ find_removed(sg_call *call, const sg_int_list *list, const sg_dense *d,
     return false;
   }
   for (size_t p = 0; p < d->polygons; p++) {
-    if (sg_poll_every(&call->poll, p)) {
+    if (sg_cancel_every(&call->cancel, p)) {
       return false;
     }
     (*out)[p] = sg_find_id(list->at, list->n, d->polygon_id[p]) != SIZE_MAX;
@@ -92,11 +92,11 @@ make(sg_call *call, sg_development *d, const sg_int_list *removed_ids)
       !find_removed(call, removed_ids, &d->dense, &removed)) {
     return false;
   }
-  return (sg_flat_faces_make(&d->dense, removed, d->tolerance, &call->poll,
+  return (sg_flat_faces_make(&d->dense, removed, d->tolerance, &call->cancel,
                              &d->faces, &stopped) &&
-          sg_joints_make(&d->faces, &d->dense, d->tolerance, &call->poll,
+          sg_joints_make(&d->faces, &d->dense, d->tolerance, &call->cancel,
                          &d->joints, &stopped) &&
-          sg_flattening_make(&d->dense, &d->faces, &d->joints, &call->poll,
+          sg_flattening_make(&d->dense, &d->faces, &d->joints, &call->cancel,
                              &d->flattening, &stopped))
              ? are_numbers_left(call, d)
              : sg_call_ended(call);
@@ -136,7 +136,7 @@ sg_development_joints(sg_call *call, const uint32_t *joint, size_t n,
                       sg_int_list *out)
 {
   for (size_t i = 0; i < n; i++) {
-    if (sg_poll_every(&call->poll, i) ||
+    if (sg_cancel_every(&call->cancel, i) ||
         !sg_int_list_add(call, out, (int32_t)joint[i] + 1)) {
       return false;
     }
@@ -172,7 +172,7 @@ sg_door_join_faces(sg_call *call, sg_development *d, int32_t number,
   if (!sg_development_joint(call, d, number, 2, &j)) {
     return false;
   }
-  if (!sg_flattening_join(&d->flattening, j, &call->poll, &state, &stopped)) {
+  if (!sg_flattening_join(&d->flattening, j, &call->cancel, &state, &stopped)) {
     return sg_call_ended(call);
   }
   result->is = (unsigned)state;
@@ -191,7 +191,7 @@ make_order(sg_call *call, const sg_development *d, size_t number)
 {
   bool stopped;
   uint32_t *order =
-      sg_joint_order(&d->flattening, (unsigned)number, &call->poll, &stopped);
+      sg_joint_order(&d->flattening, (unsigned)number, &call->cancel, &stopped);
 
   if (!order) {
     sg_call_ended(call);
@@ -222,11 +222,11 @@ join(sg_call *call, sg_development *d, size_t number, uint32_t end)
     return false;
   }
   while (n < d->joints.n && order[n] != end &&
-         !sg_poll_every(&call->poll, n + 1)) {
+         !sg_cancel_every(&call->cancel, n + 1)) {
     n++;
   }
   bool good = !call->stopped && sg_flattening_join_all(&d->flattening, order, n,
-                                                       &call->poll, &stopped);
+                                                       &call->cancel, &stopped);
   free(order);
   return good || sg_call_ended(call);
 }
@@ -268,7 +268,7 @@ sg_development_path(sg_call *call, sg_development *d, uint32_t from,
   size_t n;
   bool stopped;
   uint32_t *path =
-      sg_flattening_path(&d->flattening, from, to, &call->poll, &n, &stopped);
+      sg_flattening_path(&d->flattening, from, to, &call->cancel, &n, &stopped);
   bool good =
       path ? sg_development_joints(call, path, n, joints) : sg_call_ended(call);
 
@@ -284,7 +284,7 @@ find_root(sg_call *call, const sg_development *d, int32_t p, uint32_t *out)
 {
   *out = SG_NO_FACE;
   for (uint32_t face = 0; face < d->faces.faces && p != 0; face++) {
-    if (sg_poll_every(&call->poll, face)) {
+    if (sg_cancel_every(&call->cancel, face)) {
       return false;
     }
     if (d->dense.polygon_id[d->faces.polygon[face]] == p) {
@@ -307,7 +307,7 @@ sg_door_flattening_lay(sg_call *call, sg_development *d, int32_t root)
   in.flattening = &d->flattening;
   in.touch = SG_LAY_TOUCH * d->flattening.size;
   sg_layout_clear(&d->layout);
-  d->laid = sg_lay(&in, &call->poll, &d->layout, &stopped);
+  d->laid = sg_lay(&in, &call->cancel, &d->layout, &stopped);
   return d->laid || sg_call_ended(call);
 }
 
@@ -327,7 +327,7 @@ sg_door_flattening_measures(sg_call *call, sg_development *d,
   if (!sg_development_is_laid(call, d)) {
     return false;
   }
-  if (!sg_measure(&d->flattening, &d->layout, &call->poll, &m, &stopped)) {
+  if (!sg_measure(&d->flattening, &d->layout, &call->cancel, &m, &stopped)) {
     return sg_call_ended(call);
   }
   *out = (sg_flat_measures){.seam = m.seam,
@@ -344,5 +344,5 @@ bool
 sg_door_flattening_restart(sg_call *call, sg_development *d)
 {
   d->laid = false;
-  return sg_flattening_restart(&d->flattening, &call->poll);
+  return sg_flattening_restart(&d->flattening, &call->cancel);
 }

@@ -203,7 +203,7 @@ write_relation(sg_call *call, sg_world *world, const writer *w, int relation)
       page->column[0].i[i] = w->to;
       write_of[relation](w, page->from + i, page->column, i);
     }
-    good = good && !sg_poll_stop(&call->poll);
+    good = good && !sg_cancelled(&call->cancel);
   }
   good = good && (sg_append_commit(&a) || sg_call_no_memory(call));
   sg_append_close(&a);
@@ -222,7 +222,7 @@ sort_sides(sg_call *call, writer *w)
     return false;
   }
   for (size_t e = 0; e < edges; e++) {
-    if (sg_poll_every(&call->poll, e)) {
+    if (sg_cancel_every(&call->cancel, e)) {
       return false;
     }
     if (f->side_of[e] != SG_NO_SIDE_OF) {

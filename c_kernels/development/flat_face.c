@@ -76,14 +76,14 @@ sg_flat_faces_clear(sg_flat_faces *f)
   *f = (sg_flat_faces){0};
 }
 
-/* Triangles by polygon, in each by id. False: stopped by the poll. */
+/* Triangles by polygon, in each by id. False: stopped by the cancellation. */
 static bool
-group_triangles(maker *m, const sg_poll *poll)
+group_triangles(maker *m, const sg_cancel *cancel)
 {
   const sg_dense *d = m->dense;
 
   for (size_t t = 0; t < d->triangles; t++) {
-    if (sg_poll_every(poll, t)) {
+    if (sg_cancel_every(cancel, t)) {
       return false;
     }
     m->begin[d->polygon_of[t] + 1]++;
@@ -92,7 +92,7 @@ group_triangles(maker *m, const sg_poll *poll)
     m->begin[p + 1] += m->begin[p];
   }
   for (size_t t = 0; t < d->triangles; t++) {
-    if (sg_poll_every(poll, t)) {
+    if (sg_cancel_every(cancel, t)) {
       return false;
     }
     m->triangle[m->begin[d->polygon_of[t]]++] = (uint32_t)t;
@@ -415,10 +415,10 @@ add_polygon(maker *m, size_t p)
 }
 
 static bool
-make_all(maker *m, const bool *removed, const sg_poll *poll, bool *stopped)
+make_all(maker *m, const bool *removed, const sg_cancel *cancel, bool *stopped)
 {
   for (size_t p = 0; p < m->dense->polygons; p++) {
-    if (sg_poll_every(poll, p)) {
+    if (sg_cancel_every(cancel, p)) {
       *stopped = true;
       return false;
     }
@@ -430,8 +430,8 @@ make_all(maker *m, const bool *removed, const sg_poll *poll, bool *stopped)
 }
 
 static bool
-find_sides_of_edges(sg_flat_faces *f, const sg_dense *d, const sg_poll *poll,
-                    bool *stopped)
+find_sides_of_edges(sg_flat_faces *f, const sg_dense *d,
+                    const sg_cancel *cancel, bool *stopped)
 {
   size_t edges = d->edges + f->chords + 1;
 
@@ -441,7 +441,7 @@ find_sides_of_edges(sg_flat_faces *f, const sg_dense *d, const sg_poll *poll,
   }
   memset(f->side_of, 0xff, edges * sizeof *f->side_of);
   for (uint32_t k = 0; k < f->sides && !*stopped; k++) {
-    *stopped = sg_poll_every(poll, k);
+    *stopped = sg_cancel_every(cancel, k);
     f->side_of[f->side[k].edge] = k;
   }
   return !*stopped;
@@ -449,7 +449,7 @@ find_sides_of_edges(sg_flat_faces *f, const sg_dense *d, const sg_poll *poll,
 
 bool
 sg_flat_faces_make(const sg_dense *dense, const bool *removed, double tolerance,
-                   const sg_poll *poll, sg_flat_faces *out, bool *stopped)
+                   const sg_cancel *cancel, sg_flat_faces *out, bool *stopped)
 {
   maker m = {.dense = dense, .out = out, .tolerance = tolerance};
   bool made;
@@ -464,10 +464,10 @@ sg_flat_faces_make(const sg_dense *dense, const bool *removed, double tolerance,
          take_room(out, dense, 2 * dense->list_begin[dense->polygons]);
   if (made) {
     memset(m.corner, 0xff, (dense->vertices + 1) * sizeof *m.corner);
-    *stopped = !group_triangles(&m, poll);
+    *stopped = !group_triangles(&m, cancel);
     begin_face(&m);
-    made = !*stopped && make_all(&m, removed, poll, stopped) &&
-           find_sides_of_edges(out, dense, poll, stopped);
+    made = !*stopped && make_all(&m, removed, cancel, stopped) &&
+           find_sides_of_edges(out, dense, cancel, stopped);
   }
   free(m.begin);
   free(m.triangle);

@@ -70,10 +70,10 @@ sg_flat_side_to(const sg_flat_faces *f, uint32_t side)
  * from its plane than `tolerance`. One that has no triangles (it has no area)
  * is a face without any.
  *
- * Returns: false: no memory, or (*stopped) stopped by the poll.
+ * Returns: false: no memory, or (*stopped) stopped by the cancellation.
  * Owner:   sg_flat_faces_clear() in any case. */
 bool sg_flat_faces_make(const sg_dense *dense, const bool *removed,
-                        double tolerance, const sg_poll *poll,
+                        double tolerance, const sg_cancel *cancel,
                         sg_flat_faces *out, bool *stopped);
 void sg_flat_faces_clear(sg_flat_faces *faces);
 

@@ -10,7 +10,7 @@
 enum {
   LINE = 64,       /* bytes of memory that come together */
   FEW = 6,         /* triangles that are looked at one by one */
-  ISLANDS = 16384, /* begun from one poll to the next */
+  ISLANDS = 16384, /* begun from one cancel to the next */
   AHEAD = 8        /* joints from one step of fetching to the next */
 };
 
@@ -54,10 +54,10 @@ sg_flattening_loosen(sg_flattening *fl, uint32_t face)
 }
 
 static bool
-begin_islands(sg_flattening *fl, const sg_poll *poll)
+begin_islands(sg_flattening *fl, const sg_cancel *cancel)
 {
   for (uint32_t face = 0; face < fl->faces->faces; face++) {
-    if (face % ISLANDS == 0 && sg_poll_stop(poll)) {
+    if (face % ISLANDS == 0 && sg_cancelled(cancel)) {
       return false;
     }
     begin_island(fl, face);
@@ -66,13 +66,13 @@ begin_islands(sg_flattening *fl, const sg_poll *poll)
 }
 
 bool
-sg_flattening_restart(sg_flattening *fl, const sg_poll *poll)
+sg_flattening_restart(sg_flattening *fl, const sg_cancel *cancel)
 {
   if (!fl->tried) {
     return true;
   }
   for (size_t j = 0; j < fl->joints->n; j++) {
-    if (sg_poll_every(poll, j)) {
+    if (sg_cancel_every(cancel, j)) {
       return false;
     }
     if (fl->state[j] != SG_JOINT_FORBIDDEN) {
@@ -80,7 +80,7 @@ sg_flattening_restart(sg_flattening *fl, const sg_poll *poll)
     }
   }
   fl->tests = fl->refused = fl->joins = fl->placed = 0;
-  fl->tried = !begin_islands(fl, poll);
+  fl->tried = !begin_islands(fl, cancel);
   return !fl->tried;
 }
 
@@ -115,7 +115,7 @@ longest_side_in_solid(const sg_dense *dense, const sg_flat_faces *faces)
 
 bool
 sg_flattening_make(const sg_dense *dense, const sg_flat_faces *faces,
-                   const sg_joints *joints, const sg_poll *poll,
+                   const sg_joints *joints, const sg_cancel *cancel,
                    sg_flattening *out, bool *stopped)
 {
   double area = 0;
@@ -141,7 +141,7 @@ sg_flattening_make(const sg_dense *dense, const sg_flat_faces *faces,
       !out->at) {
     return false;
   }
-  *stopped = !begin_islands(out, poll);
+  *stopped = !begin_islands(out, cancel);
   return !*stopped;
 }
 
@@ -258,7 +258,7 @@ move_face(sg_flattening *fl, const sg_motion *m, uint32_t face, uint32_t into)
  * then everything is as it was at first. */
 static bool
 merge(sg_flattening *fl, const sg_motion *m, sg_island *moving, sg_island *onto,
-      const sg_poll *poll, bool *stopped)
+      const sg_cancel *cancel, bool *stopped)
 {
   uint32_t into = fl->island_of[onto->head];
   bool good = index_island(fl, onto, moving->triangles);
@@ -266,7 +266,7 @@ merge(sg_flattening *fl, const sg_motion *m, sg_island *moving, sg_island *onto,
 
   for (uint32_t face = moving->head; good && face != UINT32_MAX;
        face = fl->next_face[face]) {
-    *stopped = sg_poll_every(poll, ++n);
+    *stopped = sg_cancel_every(cancel, ++n);
     good = !*stopped && move_face(fl, m, face, into);
   }
   if (!good) {
@@ -309,7 +309,7 @@ holds(const sg_joint *j, const sg_island *a, const sg_island *b)
 
 /* Faces of two islands. */
 static bool
-join_islands(sg_flattening *fl, const sg_joint *j, const sg_poll *poll,
+join_islands(sg_flattening *fl, const sg_joint *j, const sg_cancel *cancel,
              sg_joint_state *state, bool *stopped)
 {
   sg_island *a = &fl->island[fl->island_of[j->face[0]]];
@@ -324,7 +324,7 @@ join_islands(sg_flattening *fl, const sg_joint *j, const sg_poll *poll,
   const sg_island_attempt of = {moving, onto, j->side[!second],
                                 motion_onto(fl, j, second)};
 
-  if (!sg_island_overlaps(fl, &of, poll, &overlap)) {
+  if (!sg_island_overlaps(fl, &of, cancel, &overlap)) {
     *stopped = true;
     return false;
   }
@@ -336,7 +336,7 @@ join_islands(sg_flattening *fl, const sg_joint *j, const sg_poll *poll,
   fl->refused += overlap;
   fl->joins += !overlap;
   fl->moves += overlap ? 0 : moving->faces;
-  return overlap || merge(fl, &of.motion, moving, onto, poll, stopped);
+  return overlap || merge(fl, &of.motion, moving, onto, cancel, stopped);
 }
 
 bool
@@ -353,7 +353,7 @@ sg_flattening_rejoin(sg_flattening *fl, uint32_t j)
 }
 
 bool
-sg_flattening_join(sg_flattening *fl, uint32_t j, const sg_poll *poll,
+sg_flattening_join(sg_flattening *fl, uint32_t j, const sg_cancel *cancel,
                    sg_joint_state *state, bool *stopped)
 {
   const sg_joint *joint = &fl->joints->joint[j];
@@ -366,7 +366,7 @@ sg_flattening_join(sg_flattening *fl, uint32_t j, const sg_poll *poll,
   fl->tried = true;
   if (fl->island_of[joint->face[0]] == fl->island_of[joint->face[1]]) {
     *state = SG_JOINT_SAME;
-  } else if (!join_islands(fl, joint, poll, state, stopped)) {
+  } else if (!join_islands(fl, joint, cancel, state, stopped)) {
     return false;
   }
   fl->state[j] = (unsigned char)*state;
@@ -400,19 +400,19 @@ fetch_ahead(const sg_flattening *fl, const uint32_t *order, size_t i, size_t n)
 
 bool
 sg_flattening_join_all(sg_flattening *fl, const uint32_t *order, size_t n,
-                       const sg_poll *poll, bool *stopped)
+                       const sg_cancel *cancel, bool *stopped)
 {
   sg_joint_state state;
 
   for (size_t i = 0; i < n; i++) {
     fl->moves++;
-    if (sg_flattening_stops(fl, poll)) {
+    if (sg_flattening_stops(fl, cancel)) {
       *stopped = true;
       return false;
     }
     fetch_ahead(fl, order, i, n);
     if (fl->state[order[i]] == SG_JOINT_OPEN &&
-        !sg_flattening_join(fl, order[i], poll, &state, stopped)) {
+        !sg_flattening_join(fl, order[i], cancel, &state, stopped)) {
       return false;
     }
   }

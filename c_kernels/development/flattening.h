@@ -61,22 +61,22 @@ typedef struct sg_flattening {
  * when folded back, by more than 1e-12. What is flat is not turned. */
 #define SG_FLAT_HOLDS 2048
 
-/* Every face an island. False: no memory, or (*stopped) stopped by the poll.
- * Owner: sg_flattening_clear() in any case. */
+/* Every face an island. False: no memory, or (*stopped) stopped by the
+ * cancellation. Owner: sg_flattening_clear() in any case. */
 bool sg_flattening_make(const sg_dense *dense, const sg_flat_faces *faces,
-                        const sg_joints *joints, const sg_poll *poll,
+                        const sg_joints *joints, const sg_cancel *cancel,
                         sg_flattening *out, bool *stopped);
 void sg_flattening_clear(sg_flattening *flattening);
 
-/* As it was at first, but for what is forbidden. False: stopped by the poll,
- * to be called again. */
-bool sg_flattening_restart(sg_flattening *flattening, const sg_poll *poll);
+/* As it was at first, but for what is forbidden. False: stopped by the
+ * cancellation, to be called again. */
+bool sg_flattening_restart(sg_flattening *flattening, const sg_cancel *cancel);
 
 /* Tries joint j, whose new state is *state: JOINED, SAME, OVERLAP (or
- * FORBIDDEN, as it was). False: no memory, or (*stopped) stopped by the poll;
- * then everything may be as it was at first. */
+ * FORBIDDEN, as it was). False: no memory, or (*stopped) stopped by the
+ * cancellation; then everything may be as it was at first. */
 bool sg_flattening_join(sg_flattening *flattening, uint32_t j,
-                        const sg_poll *poll, sg_joint_state *state,
+                        const sg_cancel *cancel, sg_joint_state *state,
                         bool *stopped);
 
 /* Makes a face an island of its own again, in its own frame. To be done with
@@ -90,7 +90,7 @@ bool sg_flattening_rejoin(sg_flattening *flattening, uint32_t j);
 /* All joints that are open, in this order. The fused kernel of the rule in
  * rules/development/development.pl. */
 bool sg_flattening_join_all(sg_flattening *flattening, const uint32_t *order,
-                            size_t n, const sg_poll *poll, bool *stopped);
+                            size_t n, const sg_cancel *cancel, bool *stopped);
 
 /* Orders in which joints are tried; flat joints always come first. */
 typedef enum sg_order {
@@ -105,22 +105,23 @@ typedef enum sg_order {
  * chance). Equal ones by the middle of the edge (the higher z, y, x first),
  * then by edge. Lengths and places are rounded to steps, so that what is equal
  * but for rounding is equal. Null: no memory, or (*stopped) stopped by the
- * poll. Owner: the caller, free(). */
+ * cancel. Owner: the caller, free(). */
 uint32_t *sg_joint_order(const sg_flattening *flattening, unsigned order,
-                         const sg_poll *poll, bool *stopped);
+                         const sg_cancel *cancel, bool *stopped);
 
 /* The joints that were joined on the way from one face to another, in order; *n
- * is 0 if there is no way. Null: no memory, or (*stopped) stopped by the poll.
- * Owner: the caller, free(). */
+ * is 0 if there is no way. Null: no memory, or (*stopped) stopped by the
+ * cancellation. Owner: the caller, free(). */
 uint32_t *sg_flattening_path(const sg_flattening *flattening, uint32_t from,
-                             uint32_t to, const sg_poll *poll, size_t *n,
+                             uint32_t to, const sg_cancel *cancel, size_t *n,
                              bool *stopped);
 
 /* Starts anew and joins just these joints, as they were joined before: what
- * overlaps is not asked. False: no memory, or (*stopped) stopped by the poll.
+ * overlaps is not asked. False: no memory, or (*stopped) stopped by the
+ * cancellation.
  */
 bool sg_flattening_join_folds(sg_flattening *flattening, const uint32_t *joint,
-                              size_t n, const sg_poll *poll, bool *stopped);
+                              size_t n, const sg_cancel *cancel, bool *stopped);
 
 /* A step: 2^-32 of the sheet, as a power of two; model units. */
 double sg_joint_step(const sg_flattening *flattening);

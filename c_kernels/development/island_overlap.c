@@ -2,10 +2,10 @@
 #include "island_overlap.h"
 
 enum {
-  SOME = 8,         /* faces, of which those near the joint are tried first */
-  FAN = 16,         /* faces round a vertex that are */
-  NEAR = 12,        /* faces round one that overlapped before */
-  POLL_EVERY = 2048 /* triangles moved and joints tried */
+  SOME = 8,        /* faces, of which those near the joint are tried first */
+  FAN = 16,        /* faces round a vertex that are */
+  NEAR = 12,       /* faces round one that overlapped before */
+  ASK_EVERY = 2048 /* triangles moved and joints tried */
 };
 
 /* An attempt under way: triangles are moved one by one, and what they may
@@ -17,7 +17,7 @@ typedef struct trial {
   double corner[3][2];       /* of the triangle that is tried, moved */
   sg_flat_question question; /* what is near it */
   uint32_t hit;              /* the triangle that it overlaps */
-  const sg_poll *poll;
+  const sg_cancel *cancel;
   bool stopped;
 } trial;
 
@@ -100,7 +100,7 @@ face_overlaps(trial *t, uint32_t face)
 
   for (uint32_t k = f->triangle_begin[face]; k < f->triangle_begin[face + 1];
        k++) {
-    t->stopped = sg_flattening_stops(t->fl, t->poll);
+    t->stopped = sg_flattening_stops(t->fl, t->cancel);
     if (t->stopped || triangle_overlaps(t, k)) {
       return true;
     }
@@ -231,7 +231,7 @@ overlaps_or_stops(void *data, uint32_t triangle)
 {
   trial *t = data;
 
-  t->stopped = sg_flattening_stops(t->fl, t->poll);
+  t->stopped = sg_flattening_stops(t->fl, t->cancel);
   return t->stopped || triangle_overlaps(t, triangle);
 }
 
@@ -255,9 +255,10 @@ all_overlap(trial *t, const sg_island *moving)
 
 bool
 sg_island_overlaps(sg_flattening *fl, const sg_island_attempt *of,
-                   const sg_poll *poll, bool *overlap)
+                   const sg_cancel *cancel, bool *overlap)
 {
-  trial t = {.fl = fl, .onto = of->onto, .motion = of->motion, .poll = poll};
+  trial t = {
+      .fl = fl, .onto = of->onto, .motion = of->motion, .cancel = cancel};
 
   t.question = (sg_flat_question){.corner = (const double(*)[2])t.corner,
                                   .corners = 3,
@@ -273,11 +274,11 @@ sg_island_overlaps(sg_flattening *fl, const sg_island_attempt *of,
 }
 
 bool
-sg_flattening_stops(sg_flattening *fl, const sg_poll *poll)
+sg_flattening_stops(sg_flattening *fl, const sg_cancel *cancel)
 {
-  if (fl->moves < POLL_EVERY) {
+  if (fl->moves < ASK_EVERY) {
     return false;
   }
   fl->moves = 0;
-  return sg_poll_stop(poll);
+  return sg_cancelled(cancel);
 }

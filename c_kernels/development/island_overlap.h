@@ -33,12 +33,12 @@ typedef struct sg_island_attempt {
 /* Whether a triangle of one island, moved, overlaps one of the other deeper
  * than is allowed: then fl->overlap has their faces. An attempt that fails
  * should fail soon: what is likely to overlap is tried first. False: stopped by
- * the poll. */
+ * the cancellation. */
 bool sg_island_overlaps(sg_flattening *fl, const sg_island_attempt *attempt,
-                        const sg_poll *poll, bool *overlap);
+                        const sg_cancel *cancel, bool *overlap);
 
-/* True: the poll says stop. It is asked after many triangles were moved,
- * whichever joints they were moved for (fl->moves). */
-bool sg_flattening_stops(sg_flattening *fl, const sg_poll *poll);
+/* True: the cancellation says stop. It is asked after many triangles were
+ * moved, whichever joints they were moved for (fl->moves). */
+bool sg_flattening_stops(sg_flattening *fl, const sg_cancel *cancel);
 
 #endif

@@ -206,7 +206,7 @@ typedef struct ends {
 } ends;
 
 static bool
-take_ends(const pairing *p, const sg_poll *poll, ends *out, bool *stopped)
+take_ends(const pairing *p, const sg_cancel *cancel, ends *out, bool *stopped)
 {
   const sg_flat_faces *f = p->faces;
 
@@ -217,7 +217,7 @@ take_ends(const pairing *p, const sg_poll *poll, ends *out, bool *stopped)
     return false;
   }
   for (uint32_t k = 0; k < f->sides && !*stopped; k++) {
-    *stopped = sg_poll_every(poll, k);
+    *stopped = sg_cancel_every(cancel, k);
     if (is_real(p, k)) {
       out->side[out->n] = k;
       out->from[out->n] = sg_flat_side_from(f, k);
@@ -229,7 +229,7 @@ take_ends(const pairing *p, const sg_poll *poll, ends *out, bool *stopped)
 
 /* Joints in the order of their first edges. False: no memory, or stopped. */
 static bool
-sort_joints(const pairing *p, const sg_poll *poll, bool *stopped)
+sort_joints(const pairing *p, const sg_cancel *cancel, bool *stopped)
 {
   const sg_flat_faces *f = p->faces;
   uint32_t *of_side = p->out->of_side;
@@ -240,7 +240,7 @@ sort_joints(const pairing *p, const sg_poll *poll, bool *stopped)
     return false;
   }
   for (size_t e = 0; e < p->dense->edges + f->chords && !*stopped; e++) {
-    *stopped = sg_poll_every(poll, e);
+    *stopped = sg_cancel_every(cancel, e);
     uint32_t side = f->side_of[e];
     uint32_t j = side == SG_NO_SIDE_OF ? SG_NO_JOINT : of_side[side];
     if (j != SG_NO_JOINT && p->out->joint[j].side[0] == side) {
@@ -258,17 +258,17 @@ sort_joints(const pairing *p, const sg_poll *poll, bool *stopped)
 }
 
 static bool
-pair_sides(pairing *p, const sg_poll *poll, bool *stopped)
+pair_sides(pairing *p, const sg_cancel *cancel, bool *stopped)
 {
   sg_edge_pairs pairs = {0};
   sg_edge_group group = {0};
   ends e;
-  bool good = take_ends(p, poll, &e, stopped) &&
-              sg_edge_pairs_make(e.n, e.from, e.to, p->dense->vertices, poll,
+  bool good = take_ends(p, cancel, &e, stopped) &&
+              sg_edge_pairs_make(e.n, e.from, e.to, p->dense->vertices, cancel,
                                  &pairs, stopped);
 
   for (size_t n = 1; good && sg_edge_group_next(&pairs, &group); n++) {
-    *stopped = sg_poll_every(poll, n);
+    *stopped = sg_cancel_every(cancel, n);
     good = !*stopped && pair_group(p, &pairs, &group, e.side);
   }
   sg_edge_pairs_clear(&pairs);
@@ -326,10 +326,10 @@ measure(const pairing *p, sg_joint *j, double tolerance)
 
 /* A face without area folds flat on its neighbour. False: stopped. */
 static bool
-lean(pairing *p, sg_flat_faces *faces, const sg_poll *poll)
+lean(pairing *p, sg_flat_faces *faces, const sg_cancel *cancel)
 {
   for (uint32_t a = 0; a < faces->faces; a++) {
-    if (sg_poll_every(poll, a)) {
+    if (sg_cancel_every(cancel, a)) {
       return false;
     }
     uint32_t j =
@@ -346,7 +346,7 @@ lean(pairing *p, sg_flat_faces *faces, const sg_poll *poll)
 
 bool
 sg_joints_make(sg_flat_faces *faces, const sg_dense *dense, double tolerance,
-               const sg_poll *poll, sg_joints *out, bool *stopped)
+               const sg_cancel *cancel, sg_joints *out, bool *stopped)
 {
   pairing p = {.faces = faces, .dense = dense, .out = out};
 
@@ -358,12 +358,12 @@ sg_joints_make(sg_flat_faces *faces, const sg_dense *dense, double tolerance,
     return false;
   }
   memset(out->of_side, 0xff, (faces->sides + 1) * sizeof *out->of_side);
-  if (!pair_sides(&p, poll, stopped) || !sort_joints(&p, poll, stopped)) {
+  if (!pair_sides(&p, cancel, stopped) || !sort_joints(&p, cancel, stopped)) {
     return false;
   }
-  *stopped = !lean(&p, faces, poll);
+  *stopped = !lean(&p, faces, cancel);
   for (size_t j = 0; j < out->n && !*stopped; j++) {
-    *stopped = sg_poll_every(poll, j);
+    *stopped = sg_cancel_every(cancel, j);
     measure(&p, &out->joint[j], tolerance);
   }
   return !*stopped;

@@ -34,10 +34,10 @@ typedef struct sg_joints {
  * faces meet it looks at angles. Faces without area take the normal of the face
  * at their longest side. `tolerance`: how far a vertex may be off a plane.
  *
- * Returns: false: no memory, or (*stopped) stopped by the poll.
+ * Returns: false: no memory, or (*stopped) stopped by the cancellation.
  * Owner:   sg_joints_clear() in any case. */
 bool sg_joints_make(sg_flat_faces *faces, const sg_dense *dense,
-                    double tolerance, const sg_poll *poll, sg_joints *out,
+                    double tolerance, const sg_cancel *cancel, sg_joints *out,
                     bool *stopped);
 void sg_joints_clear(sg_joints *joints);
 

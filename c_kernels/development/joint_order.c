@@ -64,7 +64,7 @@ merit(const sg_flattening *fl, uint32_t j, unsigned order, double step)
 
 enum {
   MANY = 4096,  /* equal ones: to be sorted so that it can be stopped */
-  ASKED = 16384 /* sorted from one poll to the next */
+  ASKED = 16384 /* sorted from one cancel to the next */
 };
 
 typedef struct tied {
@@ -88,7 +88,7 @@ compare_tied(const void *a, const void *b)
 /* An order under way. */
 typedef struct sorter {
   const sg_flattening *fl;
-  const sg_poll *poll;
+  const sg_cancel *cancel;
   sg_measured *item;   /* [joints] */
   double (*middle)[3]; /* [joints] steps; joints in turn, as memory likes it */
   tied *room;          /* [joints] */
@@ -106,7 +106,7 @@ sort_tied(const sorter *s, sg_measured *item, size_t n)
   if (n < MANY) {
     qsort(s->room, n, sizeof *s->room, compare_tied);
   } else {
-    end = sg_sort(s->room, n, sizeof *s->room, compare_tied, s->poll);
+    end = sg_sort(s->room, n, sizeof *s->room, compare_tied, s->cancel);
   }
   for (size_t i = 0; i < n; i++) {
     item[i].of = s->room[i].joint;
@@ -118,7 +118,7 @@ static sg_sort_end
 sort_items(const sorter *s)
 {
   size_t n = s->fl->joints->n, asked = 0;
-  sg_sort_end sorted = sg_sort_measured(s->item, n, s->poll);
+  sg_sort_end sorted = sg_sort_measured(s->item, n, s->cancel);
 
   for (size_t i = 0, end; sorted == SG_SORTED && i < n; i = end) {
     for (end = i + 1; end < n && s->item[end].value == s->item[i].value;
@@ -127,7 +127,7 @@ sort_items(const sorter *s)
     if (end > i + 1) {
       sorted = sort_tied(s, s->item + i, end - i);
     }
-    if (end - asked >= ASKED && sg_poll_stop(s->poll)) {
+    if (end - asked >= ASKED && sg_cancelled(s->cancel)) {
       return SG_SORT_STOPPED;
     }
     asked = end - asked >= ASKED ? end : asked;
@@ -135,14 +135,14 @@ sort_items(const sorter *s)
   return sorted;
 }
 
-/* What joints are sorted by. False: stopped by the poll. */
+/* What joints are sorted by. False: stopped by the cancellation. */
 static bool
 measure_joints(const sorter *s, unsigned order)
 {
   double step = sg_joint_step(s->fl);
 
   for (uint32_t j = 0; j < s->fl->joints->n; j++) {
-    if (sg_poll_every(s->poll, j)) {
+    if (sg_cancel_every(s->cancel, j)) {
       return false;
     }
     s->item[j] = (sg_measured){-merit(s->fl, j, order, step) -
@@ -157,12 +157,12 @@ measure_joints(const sorter *s, unsigned order)
 }
 
 uint32_t *
-sg_joint_order(const sg_flattening *fl, unsigned order, const sg_poll *poll,
+sg_joint_order(const sg_flattening *fl, unsigned order, const sg_cancel *cancel,
                bool *stopped)
 {
   size_t n = fl->joints->n + 1;
   sorter s = {.fl = fl,
-              .poll = poll,
+              .cancel = cancel,
               .item = malloc(n * sizeof *s.item),
               .middle = malloc(n * sizeof *s.middle),
               .room = malloc(n * sizeof *s.room)};
@@ -193,10 +193,10 @@ typedef struct walk {
   uint32_t *by, *queue; /* [faces] */
 } walk;
 
-/* Until `to` is reached. False: stopped by the poll. */
+/* Until `to` is reached. False: stopped by the cancellation. */
 static bool
 spread(const sg_flattening *fl, walk *w, uint32_t from, uint32_t to,
-       const sg_poll *poll)
+       const sg_cancel *cancel)
 {
   const sg_flat_faces *f = fl->faces;
   size_t n = 0, next = 0;
@@ -204,7 +204,7 @@ spread(const sg_flattening *fl, walk *w, uint32_t from, uint32_t to,
   w->queue[n++] = from;
   w->by[from] = SG_NO_JOINT - 1;
   while (next < n && w->by[to] == SG_NO_JOINT) {
-    if (sg_poll_every(poll, next)) {
+    if (sg_cancel_every(cancel, next)) {
       return false;
     }
     uint32_t face = w->queue[next++];
@@ -225,7 +225,7 @@ spread(const sg_flattening *fl, walk *w, uint32_t from, uint32_t to,
 
 uint32_t *
 sg_flattening_path(const sg_flattening *fl, uint32_t from, uint32_t to,
-                   const sg_poll *poll, size_t *n, bool *stopped)
+                   const sg_cancel *cancel, size_t *n, bool *stopped)
 {
   const sg_flat_faces *f = fl->faces;
   walk w = {malloc((f->faces + 1) * sizeof *w.by),
@@ -236,7 +236,7 @@ sg_flattening_path(const sg_flattening *fl, uint32_t from, uint32_t to,
   *stopped = false;
   if (w.by && w.queue && path) {
     memset(w.by, 0xff, (f->faces + 1) * sizeof *w.by);
-    *stopped = !spread(fl, &w, from, to, poll);
+    *stopped = !spread(fl, &w, from, to, cancel);
     for (uint32_t face = to; w.by[to] != SG_NO_JOINT && face != from;
          face = f->face_of[w.by[face]]) {
       path[(*n)++] = fl->joints->of_side[w.by[face]];
@@ -253,12 +253,12 @@ sg_flattening_path(const sg_flattening *fl, uint32_t from, uint32_t to,
 
 bool
 sg_flattening_join_folds(sg_flattening *fl, const uint32_t *joint, size_t n,
-                         const sg_poll *poll, bool *stopped)
+                         const sg_cancel *cancel, bool *stopped)
 {
-  *stopped = !sg_flattening_restart(fl, poll);
+  *stopped = !sg_flattening_restart(fl, cancel);
   for (size_t i = 0; i < n && !*stopped; i++) {
     const uint32_t *face = fl->joints->joint[joint[i]].face;
-    *stopped = sg_poll_every(poll, i);
+    *stopped = sg_cancel_every(cancel, i);
     fl->tried = true;
     if (fl->island_of[face[0]] != fl->island_of[face[1]]) {
       if (!sg_flattening_rejoin(fl, joint[i])) {

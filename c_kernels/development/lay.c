@@ -1,7 +1,7 @@
 /* lay.c -- see lay.h. */
 #include "lay.h"
 
-#include "number/twin.h"
+#include "number/double_double.h"
 #include "polygon/flat_fit.h"
 #include "rows/disjoint.h"
 #include "rows/sort.h"
@@ -11,7 +11,7 @@
 #include <string.h>
 
 typedef struct place {
-  sg_twin x, y;
+  sg_dd x, y;
 } place;
 
 /* ---- laying out --------------------------------------------------------- */
@@ -54,10 +54,10 @@ corner_at(const layer *l, uint32_t corner)
 /* A face, of which the side from corner a to b is laid. */
 typedef struct hanging {
   uint32_t a, b;
-  sg_twin_vector side;   /* from a to b in the solid */
-  sg_twin_vector normal; /* of the face, a unit vector to twice the digits */
-  sg_twin square;        /* of the side */
-  place at, up;          /* a in the pattern, and b from there */
+  sg_dd_vector side;   /* from a to b in the solid */
+  sg_dd_vector normal; /* of the face, a unit vector to twice the digits */
+  sg_dd square;        /* of the side */
+  place at, up;        /* a in the pattern, and b from there */
 } hanging;
 
 static hanging
@@ -67,13 +67,13 @@ hang(const layer *l, uint32_t face, uint32_t a, uint32_t b)
   const place *la = &l->at[l->spot[a]], *lb = &l->at[l->spot[b]];
   hanging out = {.a = a, .b = b, .at = *la};
 
-  out.side = sg_twin_difference(corner_at(l, a), corner_at(l, b));
-  out.square = sg_twin_dot(&out.side, &out.side);
-  out.up = (place){sg_twin_minus(lb->x, la->x), sg_twin_minus(lb->y, la->y)};
-  out.normal = sg_twin_difference(zero, l->faces->normal[face]);
-  sg_twin scale = sg_twin_unit_scale(sg_twin_dot(&out.normal, &out.normal));
+  out.side = sg_dd_difference(corner_at(l, a), corner_at(l, b));
+  out.square = sg_dd_dot(&out.side, &out.side);
+  out.up = (place){sg_dd_minus(lb->x, la->x), sg_dd_minus(lb->y, la->y)};
+  out.normal = sg_dd_difference(zero, l->faces->normal[face]);
+  sg_dd scale = sg_dd_unit_scale(sg_dd_dot(&out.normal, &out.normal));
   for (int k = 0; k < 3; k++) {
-    out.normal.k[k] = sg_twin_times(out.normal.k[k], scale);
+    out.normal.k[k] = sg_dd_times(out.normal.k[k], scale);
   }
   return out;
 }
@@ -85,17 +85,17 @@ static void
 lay_corner(layer *l, const hanging *on, uint32_t c)
 {
   place *out = new_spot(l, c);
-  sg_twin_vector way = sg_twin_difference(corner_at(l, on->a), corner_at(l, c));
-  sg_twin_vector area = sg_twin_cross(&on->side, &way);
+  sg_dd_vector way = sg_dd_difference(corner_at(l, on->a), corner_at(l, c));
+  sg_dd_vector area = sg_dd_cross(&on->side, &way);
 
   *out = on->at;
   if (on->square.hi > 0) {
-    sg_twin u = sg_twin_quotient(sg_twin_dot(&on->side, &way), on->square);
-    sg_twin v = sg_twin_quotient(sg_twin_dot(&on->normal, &area), on->square);
-    out->x = sg_twin_plus(out->x, sg_twin_minus(sg_twin_times(u, on->up.x),
-                                                sg_twin_times(v, on->up.y)));
-    out->y = sg_twin_plus(out->y, sg_twin_plus(sg_twin_times(u, on->up.y),
-                                               sg_twin_times(v, on->up.x)));
+    sg_dd u = sg_dd_quotient(sg_dd_dot(&on->side, &way), on->square);
+    sg_dd v = sg_dd_quotient(sg_dd_dot(&on->normal, &area), on->square);
+    out->x = sg_dd_plus(out->x, sg_dd_minus(sg_dd_times(u, on->up.x),
+                                            sg_dd_times(v, on->up.y)));
+    out->y = sg_dd_plus(
+        out->y, sg_dd_plus(sg_dd_times(u, on->up.y), sg_dd_times(v, on->up.x)));
   }
 }
 
@@ -129,11 +129,11 @@ lay_root(layer *l, uint32_t face)
   uint32_t b = has_side          ? f->side[f->longest[face]].to
                : first + 1 < end ? first + 1
                                  : first;
-  sg_twin_vector side = sg_twin_difference(corner_at(l, a), corner_at(l, b));
+  sg_dd_vector side = sg_dd_difference(corner_at(l, a), corner_at(l, b));
 
   *new_spot(l, a) = (place){{0, 0}, {0, 0}};
   if (b != a) {
-    *new_spot(l, b) = (place){{0, 0}, sg_twin_root(sg_twin_dot(&side, &side))};
+    *new_spot(l, b) = (place){{0, 0}, sg_dd_root(sg_dd_dot(&side, &side))};
   }
   lay_others(l, face, a, b);
 }
@@ -178,7 +178,7 @@ lay_children(layer *l, uint32_t face, uint32_t piece, size_t top)
 }
 
 static bool
-lay_piece(layer *l, uint32_t root, uint32_t piece, const sg_poll *poll,
+lay_piece(layer *l, uint32_t root, uint32_t piece, const sg_cancel *cancel,
           bool *stopped)
 {
   size_t top = 0, n = 0;
@@ -188,7 +188,7 @@ lay_piece(layer *l, uint32_t root, uint32_t piece, const sg_poll *poll,
   l->stack[top++] = root;
   while (top > 0 && !*stopped) {
     top = lay_children(l, l->stack[top - 1], piece, top - 1);
-    *stopped = sg_poll_every(poll, ++n);
+    *stopped = sg_cancel_every(cancel, ++n);
   }
   return !*stopped;
 }
@@ -230,7 +230,7 @@ piece_of(const sg_flattening *fl, uint32_t face, uint32_t *number, ranked *rank,
  * is all SG_NO_FACE before and after. Null: no memory, or stopped. */
 static ranked *
 rank_pieces(const sg_lay_input *in, uint32_t *number, size_t *pieces,
-            const sg_poll *poll, bool *stopped)
+            const sg_cancel *cancel, bool *stopped)
 {
   const sg_flattening *fl = in->flattening;
   const double *area = fl->faces->area;
@@ -240,7 +240,7 @@ rank_pieces(const sg_lay_input *in, uint32_t *number, size_t *pieces,
 
   *pieces = 0;
   for (uint32_t face = 0; rank && face < faces && !*stopped; face++) {
-    *stopped = sg_poll_every(poll, face);
+    *stopped = sg_cancel_every(cancel, face);
     ranked *piece = piece_of(fl, face, number, rank, pieces);
     piece->area += area[face];
     piece->root = area[face] > area[piece->root] ? face : piece->root;
@@ -253,7 +253,7 @@ rank_pieces(const sg_lay_input *in, uint32_t *number, size_t *pieces,
   }
   memset(number, 0xff, faces * sizeof *number);
   sg_sort_end end =
-      rank ? sg_sort(rank, *pieces, sizeof *rank, compare_ranked, poll)
+      rank ? sg_sort(rank, *pieces, sizeof *rank, compare_ranked, cancel)
            : SG_SORT_NO_MEMORY;
 
   *stopped = *stopped || end == SG_SORT_STOPPED;
@@ -265,10 +265,11 @@ rank_pieces(const sg_lay_input *in, uint32_t *number, size_t *pieces,
 }
 
 static bool
-lay_pieces(layer *l, const sg_lay_input *in, const sg_poll *poll, bool *stopped)
+lay_pieces(layer *l, const sg_lay_input *in, const sg_cancel *cancel,
+           bool *stopped)
 {
   size_t *pieces = &l->out->pieces;
-  ranked *rank = rank_pieces(in, l->out->piece, pieces, poll, stopped);
+  ranked *rank = rank_pieces(in, l->out->piece, pieces, cancel, stopped);
   bool good = rank != NULL;
 
   l->out->root = malloc((*pieces + 1) * sizeof *l->out->root);
@@ -278,7 +279,7 @@ lay_pieces(layer *l, const sg_lay_input *in, const sg_poll *poll, bool *stopped)
   for (uint32_t k = 0; good && k < *pieces; k++) {
     l->out->root[k] = rank[k].root;
     l->begin[k] = (uint32_t)l->spots;
-    good = lay_piece(l, rank[k].root, k, poll, stopped);
+    good = lay_piece(l, rank[k].root, k, cancel, stopped);
   }
   if (good) {
     l->begin[*pieces] = (uint32_t)l->spots;
@@ -298,10 +299,10 @@ is_near(const layer *l, uint32_t a, uint32_t b)
 }
 
 static bool
-close_joints(layer *l, unsigned char *state, const sg_poll *poll)
+close_joints(layer *l, unsigned char *state, const sg_cancel *cancel)
 {
   for (size_t k = 0; k < l->fl->joints->n; k++) {
-    if (sg_poll_every(poll, k)) {
+    if (sg_cancel_every(cancel, k)) {
       return false;
     }
     const sg_joint *j = &l->fl->joints->joint[k];
@@ -324,8 +325,8 @@ typedef struct turner {
 } turner;
 
 static sg_flat_fit
-fit_piece(const layer *l, uint32_t piece, const turner *t, const sg_poll *poll,
-          bool *stopped)
+fit_piece(const layer *l, uint32_t piece, const turner *t,
+          const sg_cancel *cancel, bool *stopped)
 {
   size_t points = 0;
 
@@ -335,23 +336,23 @@ fit_piece(const layer *l, uint32_t piece, const turner *t, const sg_poll *poll,
       t->point[points++][1] = l->at[s].y.hi;
     }
   }
-  return sg_flat_fit_find(t->point, points, t->room, poll, stopped);
+  return sg_flat_fit_find(t->point, points, t->room, cancel, stopped);
 }
 
 /* A direction as unit numbers of twice the digits. */
 static void
 make_unit(double x, double y, place *out)
 {
-  sg_twin scale = sg_twin_unit_scale(
-      sg_twin_plus(sg_twin_times(sg_twin_of(x), sg_twin_of(x)),
-                   sg_twin_times(sg_twin_of(y), sg_twin_of(y))));
+  sg_dd scale =
+      sg_dd_unit_scale(sg_dd_plus(sg_dd_times(sg_dd_of(x), sg_dd_of(x)),
+                                  sg_dd_times(sg_dd_of(y), sg_dd_of(y))));
 
-  out->x = sg_twin_times(sg_twin_of(x), scale);
-  out->y = sg_twin_times(sg_twin_of(y), scale);
+  out->x = sg_dd_times(sg_dd_of(x), scale);
+  out->y = sg_dd_times(sg_dd_of(y), scale);
 }
 
 static void
-turn_piece(layer *l, uint32_t piece, sg_flat_fit to, const sg_poll *poll,
+turn_piece(layer *l, uint32_t piece, sg_flat_fit to, const sg_cancel *cancel,
            bool *stopped)
 {
   sg_flat_box *box = &l->out->box[piece];
@@ -362,10 +363,9 @@ turn_piece(layer *l, uint32_t piece, sg_flat_fit to, const sg_poll *poll,
   for (uint32_t s = l->begin[piece]; s < l->begin[piece + 1] && !*stopped;
        s++) {
     place p = l->at[s];
-    *stopped = sg_poll_every(poll, s);
-    l->at[s].x = sg_twin_plus(sg_twin_times(p.x, d.x), sg_twin_times(p.y, d.y));
-    l->at[s].y =
-        sg_twin_minus(sg_twin_times(p.y, d.x), sg_twin_times(p.x, d.y));
+    *stopped = sg_cancel_every(cancel, s);
+    l->at[s].x = sg_dd_plus(sg_dd_times(p.x, d.x), sg_dd_times(p.y, d.y));
+    l->at[s].y = sg_dd_minus(sg_dd_times(p.y, d.x), sg_dd_times(p.x, d.y));
     const double at[2] = {l->at[s].x.hi, l->at[s].y.hi};
     for (int k = 0; k < 2; k++) {
       box->low[k] = at[k] < box->low[k] ? at[k] : box->low[k];
@@ -376,7 +376,7 @@ turn_piece(layer *l, uint32_t piece, sg_flat_fit to, const sg_poll *poll,
 
 /* Piece by piece; one with the root that was asked for stays as it is. */
 static bool
-turn_pieces(layer *l, uint32_t root, const sg_poll *poll, bool *stopped)
+turn_pieces(layer *l, uint32_t root, const sg_cancel *cancel, bool *stopped)
 {
   turner t = {malloc((l->spots + 1) * sizeof *t.point),
               malloc((l->spots + 2) * sizeof *t.room)};
@@ -385,8 +385,8 @@ turn_pieces(layer *l, uint32_t root, const sg_poll *poll, bool *stopped)
   for (uint32_t k = 0; good && k < l->out->pieces; k++) {
     bool still = root != SG_NO_FACE && k == 0;
     sg_flat_fit to =
-        still ? (sg_flat_fit){1, 0} : fit_piece(l, k, &t, poll, stopped);
-    turn_piece(l, k, to, poll, stopped);
+        still ? (sg_flat_fit){1, 0} : fit_piece(l, k, &t, cancel, stopped);
+    turn_piece(l, k, to, cancel, stopped);
     good = !*stopped;
   }
   free(t.point);
@@ -433,7 +433,7 @@ arrange(sg_layout *out, bool still, double (*to)[2])
 
 /* In the order of their first corners; a vertex lies where that does. */
 static bool
-number_vertices(layer *l, const sg_poll *poll, bool *stopped)
+number_vertices(layer *l, const sg_cancel *cancel, bool *stopped)
 {
   size_t corners = l->faces->corners;
   sg_layout *out = l->out;
@@ -453,24 +453,24 @@ number_vertices(layer *l, const sg_poll *poll, bool *stopped)
       *number = l->of_spot[l->spot[c]] = (uint32_t)out->vertices++;
     }
     out->vertex[c] = *number;
-    *stopped = sg_poll_every(poll, c);
+    *stopped = sg_cancel_every(cancel, c);
   }
   return !*stopped;
 }
 
 static void
-shift_piece(layer *l, uint32_t piece, const double to[2], const sg_poll *poll,
-            bool *stopped)
+shift_piece(layer *l, uint32_t piece, const double to[2],
+            const sg_cancel *cancel, bool *stopped)
 {
   sg_layout *out = l->out;
-  const sg_twin x = sg_twin_of(to[0]), y = sg_twin_of(to[1]);
+  const sg_dd x = sg_dd_of(to[0]), y = sg_dd_of(to[1]);
 
   for (uint32_t s = l->begin[piece]; s < l->begin[piece + 1] && !*stopped;
        s++) {
-    *stopped = sg_poll_every(poll, s);
+    *stopped = sg_cancel_every(cancel, s);
     if (l->of_spot[s] != NO_VERTEX) {
-      out->at[l->of_spot[s]][0] = sg_twin_plus(l->at[s].x, x).hi + 0.0;
-      out->at[l->of_spot[s]][1] = sg_twin_plus(l->at[s].y, y).hi + 0.0;
+      out->at[l->of_spot[s]][0] = sg_dd_plus(l->at[s].x, x).hi + 0.0;
+      out->at[l->of_spot[s]][1] = sg_dd_plus(l->at[s].y, y).hi + 0.0;
     }
   }
   for (int c = 0; c < 2; c++) {
@@ -481,7 +481,7 @@ shift_piece(layer *l, uint32_t piece, const double to[2], const sg_poll *poll,
 
 /* Where the vertices lie in rows of pieces. */
 static bool
-place_vertices(layer *l, bool still, const sg_poll *poll, bool *stopped)
+place_vertices(layer *l, bool still, const sg_cancel *cancel, bool *stopped)
 {
   double(*to)[2] = malloc((l->out->pieces + 1) * sizeof *to);
   bool good = to != NULL;
@@ -490,7 +490,7 @@ place_vertices(layer *l, bool still, const sg_poll *poll, bool *stopped)
     arrange(l->out, still, to);
   }
   for (uint32_t k = 0; good && k < l->out->pieces; k++) {
-    shift_piece(l, k, to[k], poll, stopped);
+    shift_piece(l, k, to[k], cancel, stopped);
     good = !*stopped;
   }
   free(to);
@@ -537,21 +537,21 @@ clear_layer(layer *l)
 }
 
 bool
-sg_lay(const sg_lay_input *in, const sg_poll *poll, sg_layout *out,
+sg_lay(const sg_lay_input *in, const sg_cancel *cancel, sg_layout *out,
        bool *stopped)
 {
   layer l;
   bool good = make_layer(&l, in, out);
 
   *stopped = false;
-  good = good && lay_pieces(&l, in, poll, stopped);
+  good = good && lay_pieces(&l, in, cancel, stopped);
   if (good) {
-    *stopped = !close_joints(&l, in->flattening->state, poll);
+    *stopped = !close_joints(&l, in->flattening->state, cancel);
     good = !*stopped;
   }
-  good = good && number_vertices(&l, poll, stopped) &&
-         turn_pieces(&l, in->root, poll, stopped) &&
-         place_vertices(&l, in->root != SG_NO_FACE, poll, stopped);
+  good = good && number_vertices(&l, cancel, stopped) &&
+         turn_pieces(&l, in->root, cancel, stopped) &&
+         place_vertices(&l, in->root != SG_NO_FACE, cancel, stopped);
   clear_layer(&l);
   return good;
 }

@@ -45,9 +45,9 @@ typedef struct sg_layout {
 /* Lays out what is joined. Joints whose sides lie on each other become
  * SG_JOINT_CLOSED.
  *
- * Returns: false: no memory, or (*stopped) stopped by the poll.
+ * Returns: false: no memory, or (*stopped) stopped by the cancellation.
  * Owner:   sg_layout_clear() in any case. */
-bool sg_lay(const sg_lay_input *input, const sg_poll *poll, sg_layout *out,
+bool sg_lay(const sg_lay_input *input, const sg_cancel *cancel, sg_layout *out,
             bool *stopped);
 void sg_layout_clear(sg_layout *layout);
 

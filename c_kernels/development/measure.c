@@ -5,11 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Asked for every i; true: the poll says stop. */
+/* Asked for every i; true: the cancellation says stop. */
 static bool
-stops(size_t i, const sg_poll *poll, bool *stopped)
+stops(size_t i, const sg_cancel *cancel, bool *stopped)
 {
-  *stopped = *stopped || sg_poll_every(poll, i);
+  *stopped = *stopped || sg_cancel_every(cancel, i);
   return *stopped;
 }
 
@@ -35,7 +35,7 @@ typedef struct welds {
 } welds;
 
 static bool
-find_welds(const sg_flattening *fl, const sg_poll *poll, welds *w,
+find_welds(const sg_flattening *fl, const sg_cancel *cancel, welds *w,
            bool *stopped)
 {
   size_t n = fl->joints->n, vertices = fl->dense->vertices;
@@ -47,7 +47,7 @@ find_welds(const sg_flattening *fl, const sg_poll *poll, welds *w,
     return false;
   }
   for (int pass = 0; pass < 2; pass++) {
-    for (uint32_t j = 0; j < n && !stops(j, poll, stopped); j++) {
+    for (uint32_t j = 0; j < n && !stops(j, cancel, stopped); j++) {
       for (int end = 0; is_seam(fl, j) && end < 2; end++) {
         int32_t v = end_of(fl, j, end);
         if (pass == 0) {
@@ -93,14 +93,14 @@ follow(const sg_flattening *fl, welds *w, uint32_t j, int32_t v)
 }
 
 static bool
-measure_seams(const sg_flattening *fl, welds *w, const sg_poll *poll,
+measure_seams(const sg_flattening *fl, welds *w, const sg_cancel *cancel,
               sg_measures *out, bool *stopped)
 {
-  for (uint32_t j = 0; j < fl->joints->n && !stops(j, poll, stopped); j++) {
+  for (uint32_t j = 0; j < fl->joints->n && !stops(j, cancel, stopped); j++) {
     out->seam += is_seam(fl, j) ? fl->joints->joint[j].length : 0;
   }
   for (int rings = 0; rings < 2; rings++) { /* at last those without an end */
-    for (uint32_t j = 0; j < fl->joints->n && !stops(j, poll, stopped); j++) {
+    for (uint32_t j = 0; j < fl->joints->n && !stops(j, cancel, stopped); j++) {
       for (int end = 0; end < 2 && is_seam(fl, j); end++) {
         int32_t v = end_of(fl, j, end);
         if (!w->done[j] && (rings || seams_at(w, v) != 2)) {
@@ -131,15 +131,15 @@ sheet_area(const sg_layout *layout)
 
 bool
 sg_measure(const sg_flattening *fl, const sg_layout *layout,
-           const sg_poll *poll, sg_measures *out, bool *stopped)
+           const sg_cancel *cancel, sg_measures *out, bool *stopped)
 {
   welds w = {0};
 
   *out = (sg_measures){.area = fl->sheet * fl->sheet};
   *stopped = false;
   out->sheet = sheet_area(layout);
-  bool good = find_welds(fl, poll, &w, stopped) &&
-              measure_seams(fl, &w, poll, out, stopped);
+  bool good = find_welds(fl, cancel, &w, stopped) &&
+              measure_seams(fl, &w, cancel, out, stopped);
 
   free(w.begin);
   free(w.seam);

@@ -17,6 +17,6 @@ typedef struct sg_measures {
 
 /* What lies as in `layout`. False: no memory, or (*stopped) stopped. */
 bool sg_measure(const sg_flattening *flattening, const sg_layout *layout,
-                const sg_poll *poll, sg_measures *out, bool *stopped);
+                const sg_cancel *cancel, sg_measures *out, bool *stopped);
 
 #endif

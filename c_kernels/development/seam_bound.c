@@ -10,12 +10,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { POLL_EVERY = 16384 };
+enum { ASK_EVERY = 16384 };
 
 /* What is known of the vertices of a development. */
 typedef struct finder {
   const sg_flattening *fl;
-  const sg_poll *poll;
+  const sg_cancel *cancel;
   sg_bent_vertices of;
   uint32_t *class;   /* [vertices + 1] */
   sg_measured *edge; /* [edges] of the minimum spanning tree, shortest first */
@@ -27,7 +27,7 @@ typedef struct finder {
 static bool
 stops(const finder *x, size_t i, bool *stopped)
 {
-  *stopped = *stopped || (i % POLL_EVERY == 0 && sg_poll_stop(x->poll));
+  *stopped = *stopped || (i % ASK_EVERY == 0 && sg_cancelled(x->cancel));
   return *stopped;
 }
 
@@ -208,7 +208,7 @@ find_tree(finder *x, double *length, bool *stopped)
       x->edge[n++] = (sg_measured){js->joint[j].length, j};
     }
   }
-  sg_sort_end sorted = sg_sort_measured(x->edge, n, x->poll);
+  sg_sort_end sorted = sg_sort_measured(x->edge, n, x->cancel);
 
   *stopped = sorted == SG_SORT_STOPPED;
   begin_classes(x);
@@ -271,7 +271,7 @@ find_forest(const finder *x, double *length, bool *stopped)
   size_t parts;
   double *bend = sorted_bends(x);
   bool good =
-      bend && sg_seam_parts_most(bend, x->inside, x->poll, &parts, stopped);
+      bend && sg_seam_parts_most(bend, x->inside, x->cancel, &parts, stopped);
 
   *length = 0;
   for (size_t i = 0; good && i < x->edges && i + parts < x->inside; i++) {
@@ -311,7 +311,7 @@ find_bounds(finder *x, sg_seam_bound *out, bool *stopped)
     return true;
   }
   if (!sg_moats_grow(&x->of, x->fl->joints, x->fl->joints->n <= SG_BOUND_JOINTS,
-                     x->poll, &length, stopped)) {
+                     x->cancel, &length, stopped)) {
     return false;
   }
   take(out, length, SG_BOUND_MOATS);
@@ -325,12 +325,12 @@ find_bounds(finder *x, sg_seam_bound *out, bool *stopped)
 }
 
 bool
-sg_seam_bound_find(const sg_flattening *fl, const sg_poll *poll,
+sg_seam_bound_find(const sg_flattening *fl, const sg_cancel *cancel,
                    sg_seam_bound *out, bool *stopped)
 {
   size_t n = fl->dense->vertices;
   finder x = {.fl = fl,
-              .poll = poll,
+              .cancel = cancel,
               .of = {.vertices = n,
                      .bent = calloc(n + 1, sizeof *x.of.bent),
                      .border = calloc(n + 1, sizeof *x.of.border)},

@@ -51,8 +51,9 @@ typedef struct sg_seam_bound {
  * vertex. */
 #define SG_BOUND_JOINTS 10000
 
-/* False: no memory, or (*stopped) stopped by the poll. */
-bool sg_seam_bound_find(const sg_flattening *flattening, const sg_poll *poll,
-                        sg_seam_bound *out, bool *stopped);
+/* False: no memory, or (*stopped) stopped by the cancellation. */
+bool sg_seam_bound_find(const sg_flattening *flattening,
+                        const sg_cancel *cancel, sg_seam_bound *out,
+                        bool *stopped);
 
 #endif

@@ -8,8 +8,8 @@
 #include <string.h>
 
 enum {
-  POLL_EVERY = 4096, /* faces laid or moved */
-  TESTS = 4          /* of two triangles take as long as laying a face */
+  ASK_EVERY = 4096, /* faces laid or moved */
+  TESTS = 4         /* of two triangles take as long as laying a face */
 };
 
 /* Sides nearer than this part of the sheet lie on each other, in places that
@@ -20,7 +20,7 @@ enum {
 typedef struct exchange {
   const sg_exchange_input *in;
   sg_flattening *fl;
-  const sg_poll *poll;
+  const sg_cancel *cancel;
   double step;    /* gains that are less are none */
   uint32_t *rank; /* [joints] the place in the order */
   bool *stays;    /* [joints] a fold that is not taken back */
@@ -112,9 +112,9 @@ effort(const exchange *x)
 static bool
 is_stopped(exchange *x, bool *stopped)
 {
-  if (effort(x) - x->asked >= POLL_EVERY) {
+  if (effort(x) - x->asked >= ASK_EVERY) {
     x->asked = effort(x);
-    *stopped = sg_poll_stop(x->poll);
+    *stopped = sg_cancelled(x->cancel);
   }
   return *stopped;
 }
@@ -172,7 +172,7 @@ regroup(exchange *x, const uint32_t *face, size_t faces, bool *stopped)
     }
     size_t n = spread(x, face[i], 0);
     for (size_t k = 1; k < n; k++) {
-      if ((k % POLL_EVERY == 0 && is_stopped(x, stopped)) ||
+      if ((k % ASK_EVERY == 0 && is_stopped(x, stopped)) ||
           !sg_flattening_rejoin(x->fl, x->by[x->queue[k]])) {
         return false;
       }
@@ -262,7 +262,7 @@ static bool
 try_joint(exchange *x, uint32_t j, sg_joint_state *state, bool *stopped)
 {
   note_state(x, j);
-  if (!sg_flattening_join(x->fl, j, x->poll, state, stopped)) {
+  if (!sg_flattening_join(x->fl, j, x->cancel, state, stopped)) {
     return false;
   }
   if (*state == SG_JOINT_JOINED) {
@@ -365,7 +365,7 @@ find_again(exchange *x, size_t *count, bool *stopped)
     }
   }
   sg_sort_end end =
-      sg_sort(x->again, n, sizeof *x->again, compare_ranks, x->poll);
+      sg_sort(x->again, n, sizeof *x->again, compare_ranks, x->cancel);
 
   *count = n;
   *stopped = end == SG_SORT_STOPPED;
@@ -562,14 +562,14 @@ end(exchange *x)
 }
 
 bool
-sg_seam_exchange(const sg_exchange_input *in, const sg_poll *poll,
+sg_seam_exchange(const sg_exchange_input *in, const sg_cancel *cancel,
                  sg_exchange_end *out, bool *stopped)
 {
   sg_flattening *fl = in->flattening;
   size_t refused = fl->refused;
   exchange x = {.in = in,
                 .fl = fl,
-                .poll = poll,
+                .cancel = cancel,
                 .step = sg_joint_step(fl),
                 .before = moves_and_tests(fl)};
 

@@ -44,9 +44,9 @@ typedef struct sg_exchange_end {
 /* Exchanges what can be; joints that are not joined become
  * SG_JOINT_SAME, SG_JOINT_OVERLAP or SG_JOINT_SHORT, as they are in the end.
  *
- * Returns: false: no memory, or (*stopped) stopped by the poll; then the
- *          flattening is to be restarted. */
-bool sg_seam_exchange(const sg_exchange_input *in, const sg_poll *poll,
+ * Returns: false: no memory, or (*stopped) stopped by the cancellation; then
+ * the flattening is to be restarted. */
+bool sg_seam_exchange(const sg_exchange_input *in, const sg_cancel *cancel,
                       sg_exchange_end *out, bool *stopped);
 
 /* The length of all joints that are neither folds nor have sides that lie on

@@ -59,10 +59,10 @@ sg_door_exchange_seams(sg_call *call, sg_development *d, size_t order,
     return false;
   }
   uint32_t *joint =
-      sg_joint_order(&d->flattening, (unsigned)order, &call->poll, &stopped);
+      sg_joint_order(&d->flattening, (unsigned)order, &call->cancel, &stopped);
 
   in.order = joint;
-  bool good = joint && sg_seam_exchange(&in, &call->poll, &end, &stopped);
+  bool good = joint && sg_seam_exchange(&in, &call->cancel, &end, &stopped);
 
   free(joint);
   *exchanges = good ? end.exchanges : 0;
@@ -79,8 +79,8 @@ sg_door_join_folds(sg_call *call, sg_development *d, const sg_int_list *joints)
     return false;
   }
   d->laid = false;
-  return sg_flattening_join_folds(&d->flattening, place, joints->n, &call->poll,
-                                  &stopped) ||
+  return sg_flattening_join_folds(&d->flattening, place, joints->n,
+                                  &call->cancel, &stopped) ||
          sg_call_ended(call);
 }
 
@@ -97,7 +97,7 @@ sg_door_flattening_bound(sg_call *call, sg_development *d, sg_seam_bound *out)
 {
   bool stopped;
 
-  return sg_seam_bound_find(&d->flattening, &call->poll, out, &stopped) ||
+  return sg_seam_bound_find(&d->flattening, &call->cancel, out, &stopped) ||
          sg_call_ended(call);
 }
 

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { POLL_EVERY = 4096 };
+enum { ASK_EVERY = 4096 };
 
 /* When the moats at the ends of a joint meet, as known when it was written. */
 typedef struct meeting {
@@ -275,7 +275,7 @@ clear(moats *m)
 }
 
 static bool
-grow(moats *m, const sg_poll *poll, bool *stopped)
+grow(moats *m, const sg_cancel *cancel, bool *stopped)
 {
   for (uint32_t j = 0; j < m->joints->n; j++) {
     if (!m->joints->joint[j].line && !expect(m, j, 0)) {
@@ -283,7 +283,7 @@ grow(moats *m, const sg_poll *poll, bool *stopped)
     }
   }
   for (size_t i = 1; m->n > 0; i++) {
-    *stopped = i % POLL_EVERY == 0 && sg_poll_stop(poll);
+    *stopped = i % ASK_EVERY == 0 && sg_cancelled(cancel);
     if (*stopped || !meet(m, pop(m))) {
       return false;
     }
@@ -306,14 +306,14 @@ grow_alone(moats *m)
 
 bool
 sg_moats_grow(const sg_bent_vertices *of, const sg_joints *joints, bool on,
-              const sg_poll *poll, double *width, bool *stopped)
+              const sg_cancel *cancel, double *width, bool *stopped)
 {
   moats m = {.of = of, .joints = joints};
   bool good = make(&m);
 
   *stopped = false;
   if (good && on) {
-    good = grow(&m, poll, stopped);
+    good = grow(&m, cancel, stopped);
   } else if (good) {
     grow_alone(&m);
   }

@@ -26,8 +26,8 @@ bool sg_bends_balance(double sum);
  * the sets are one. Not `on`: only until they first meet, each vertex for
  * itself.
  *
- * Returns: false: no memory, or (*stopped) stopped by the poll. */
+ * Returns: false: no memory, or (*stopped) stopped by the cancellation. */
 bool sg_moats_grow(const sg_bent_vertices *of, const sg_joints *joints, bool on,
-                   const sg_poll *poll, double *width, bool *stopped);
+                   const sg_cancel *cancel, double *width, bool *stopped);
 
 #endif

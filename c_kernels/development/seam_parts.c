@@ -25,12 +25,12 @@ mark_pairs(const double *bend, size_t n, double wanted, bool *paired)
 
 /* The same for two others. */
 static bool
-mark_triples(const double *bend, size_t n, double wanted, const sg_poll *poll,
-             bool *tripled, bool *stopped)
+mark_triples(const double *bend, size_t n, double wanted,
+             const sg_cancel *cancel, bool *tripled, bool *stopped)
 {
   for (size_t i = 0; i < n && !*stopped; i++) {
     size_t a = i + 1, b = n;
-    *stopped = i % 64 == 0 && sg_poll_stop(poll);
+    *stopped = i % 64 == 0 && sg_cancelled(cancel);
     while (a + 1 < b) {
       double sum = bend[i] + bend[a] + bend[b - 1] - wanted;
       if (fabs(sum) <= 4 * SG_BENT_LEAST) {
@@ -61,7 +61,7 @@ mark_equal(const double *bend, size_t n, bool *mark)
 }
 
 bool
-sg_seam_parts_most(const double *bend, size_t n, const sg_poll *poll,
+sg_seam_parts_most(const double *bend, size_t n, const sg_cancel *cancel,
                    size_t *parts, bool *stopped)
 {
   const double turns = 4 * acos(-1.0);
@@ -77,7 +77,7 @@ sg_seam_parts_most(const double *bend, size_t n, const sg_poll *poll,
   for (double k = least; good && k <= 1; k++) {
     mark_pairs(bend, n, k * turns, paired);
     good = n > SG_TRIPLES ||
-           mark_triples(bend, n, k * turns, poll, tripled, stopped);
+           mark_triples(bend, n, k * turns, cancel, tripled, stopped);
   }
   if (good) {
     mark_equal(bend, n, tripled);

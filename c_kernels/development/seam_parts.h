@@ -12,7 +12,7 @@
 #ifndef SG_SEAM_PARTS_H
 #define SG_SEAM_PARTS_H
 
-#include "engine/poll.h"
+#include "engine/cancel.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -23,8 +23,8 @@ enum { SG_TRIPLES = 1000 };
 /* *parts: no more parts than this have n vertices that are bent by
  * bend[0] <= ... <= bend[n - 1], radians, each less than a whole turn and none
  * of them balanced alone. Time: n squared at most. False: no memory, or
- * (*stopped) stopped by the poll. */
-bool sg_seam_parts_most(const double *bend, size_t n, const sg_poll *poll,
+ * (*stopped) stopped by the cancellation. */
+bool sg_seam_parts_most(const double *bend, size_t n, const sg_cancel *cancel,
                         size_t *parts, bool *stopped);
 
 #endif

@@ -9,8 +9,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Dots looked at between two polls; a piece counts as some. */
-enum { POLL_EVERY = 1 << 16, A_PIECE = 256 };
+/* Dots looked at between two cancellations; a piece counts as some. */
+enum { ASK_EVERY = 1 << 16, A_PIECE = 256 };
 
 /* Rows and columns from low up to, not with, high. */
 typedef struct box {
@@ -114,22 +114,23 @@ row_box(const sg_canvas *canvas, const piece *p, double reach, int32_t y)
                clamped(ceil(fmax(xa, xb) + reach) + 1, canvas->width), y + 1};
 }
 
-/* True when so many dots more have been looked at and the poll says stop. */
+/* True when so many dots more have been looked at and the cancellation says
+ * stop. */
 static bool
-stop_after(size_t dots, size_t *looked_at, const sg_poll *poll)
+stop_after(size_t dots, size_t *looked_at, const sg_cancel *cancel)
 {
   *looked_at += dots;
-  if (*looked_at < POLL_EVERY) {
+  if (*looked_at < ASK_EVERY) {
     return false;
   }
   *looked_at = 0;
-  return sg_poll_stop(poll);
+  return sg_cancelled(cancel);
 }
 
 /* False: stopped. */
 static bool
 cover_piece(sg_canvas *canvas, const piece *p, double half, box *touched,
-            size_t *looked_at, const sg_poll *poll)
+            size_t *looked_at, const sg_cancel *cancel)
 {
   double reach = half + 1;
   double yb = p->ay + p->length * p->dy;
@@ -150,22 +151,23 @@ cover_piece(sg_canvas *canvas, const piece *p, double half, box *touched,
     }
     grow(touched, row);
     if (stop_after(row.x1 > row.x0 ? (size_t)(row.x1 - row.x0) : 0, looked_at,
-                   poll)) {
+                   cancel)) {
       return false;
     }
   }
-  return !stop_after(A_PIECE, looked_at, poll);
+  return !stop_after(A_PIECE, looked_at, cancel);
 }
 
 /* Lays what is covered on the picture, and wipes the cover off. False:
  * stopped. */
 static bool
-lay(sg_canvas *canvas, const sg_colour colour, box where, const sg_poll *poll)
+lay(sg_canvas *canvas, const sg_colour colour, box where,
+    const sg_cancel *cancel)
 {
   size_t looked_at = 0;
 
   for (int32_t y = where.y0; y < where.y1 && where.x0 < where.x1; y++) {
-    if (stop_after((size_t)(where.x1 - where.x0), &looked_at, poll)) {
+    if (stop_after((size_t)(where.x1 - where.x0), &looked_at, cancel)) {
       return false;
     }
     size_t row = (size_t)y * (size_t)canvas->width;
@@ -200,12 +202,12 @@ piece_between(const double a[2], const double b[2])
 
 bool
 sg_canvas_line(sg_canvas *canvas, const sg_brush *brush, size_t n,
-               const double (*point)[2], const sg_poll *poll)
+               const double (*point)[2], const sg_cancel *cancel)
 {
   box touched = {canvas->width, canvas->height, 0, 0};
   size_t pieces = n > 1 ? n - 1 : 1, looked_at = 0;
 
-  if (sg_poll_stop(poll)) {
+  if (sg_cancelled(cancel)) {
     return false;
   }
   for (size_t i = 0; i < pieces; i++) {
@@ -214,9 +216,9 @@ sg_canvas_line(sg_canvas *canvas, const sg_brush *brush, size_t n,
     p.flat_a = !brush->round && i == 0;
     p.flat_b = !brush->round && i == pieces - 1;
     if (!cover_piece(canvas, &p, brush->width / 2, &touched, &looked_at,
-                     poll)) {
+                     cancel)) {
       return false;
     }
   }
-  return lay(canvas, brush->colour, touched, poll);
+  return lay(canvas, brush->colour, touched, cancel);
 }

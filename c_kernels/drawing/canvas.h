@@ -11,7 +11,7 @@
 #ifndef SG_CANVAS_H
 #define SG_CANVAS_H
 
-#include "engine/poll.h"
+#include "engine/cancel.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -45,8 +45,8 @@ void sg_canvas_clear(sg_canvas *canvas);
 /* Draws the line point[0], point[1], ... point[n - 1], in dots, over what is
  * there; joints are round, and a dot covered by several pieces counts once.
  * What is outside is left out. Requires: finite coordinates; n >= 1.
- * Returns false if `poll` said stop: then the canvas is of no use. */
+ * Returns false if `cancel` said stop: then the canvas is of no use. */
 bool sg_canvas_line(sg_canvas *canvas, const sg_brush *brush, size_t n,
-                    const double (*point)[2], const sg_poll *poll);
+                    const double (*point)[2], const sg_cancel *cancel);
 
 #endif

@@ -45,7 +45,7 @@ draw_line(sg_call *call, sg_canvas *canvas, const sg_canvas_line_fact *line,
   double(*at)[2] = scaled(call, &line->points, scale);
 
   return at && sg_canvas_line(canvas, &brush, line->points.n,
-                              (const double(*)[2])at, &call->poll);
+                              (const double(*)[2])at, &call->cancel);
 }
 
 static bool
@@ -79,10 +79,11 @@ sg_door_canvas_png(sg_call *call, int32_t width, int32_t height, double scale,
   if (!sg_canvas_open(&canvas, width, height, blank)) {
     return sg_call_no_memory(call);
   }
-  bool good = draw_lines(call, &canvas, lines, scale) &&
-              (sg_png_write_canvas(&canvas, (uint32_t)(scale * 1e6 + 0.5),
-                                   &call->poll, &file, &out->n) == SG_PNG_OK ||
-               sg_call_ended(call));
+  bool good =
+      draw_lines(call, &canvas, lines, scale) &&
+      (sg_png_write_canvas(&canvas, (uint32_t)(scale * 1e6 + 0.5),
+                           &call->cancel, &file, &out->n) == SG_PNG_OK ||
+       sg_call_ended(call));
 
   sg_canvas_clear(&canvas);
   out->at = file;

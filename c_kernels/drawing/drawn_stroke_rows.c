@@ -89,7 +89,7 @@ each_row(sg_call *call, const sg_version *version, use_drawn *use, void *data)
 
       good = row.e < 0 || !place_drawn(version, &row) || use(call, data, &row);
     }
-    good = good && !sg_poll_stop(&call->poll);
+    good = good && !sg_cancelled(&call->cancel);
   }
   sg_view_clear(&view);
   return good;
@@ -101,8 +101,8 @@ each_drawn(sg_call *call, use_drawn *use, void *data)
   const sg_version *version = sg_call_version(call);
 
   return version &&
-         ((sg_index_ready(version, SG_E, 0x03, &call->poll) &&
-           sg_index_ready(version, SG_SCREEN, 0x03, &call->poll)) ||
+         ((sg_index_ready(version, SG_E, 0x03, &call->cancel) &&
+           sg_index_ready(version, SG_SCREEN, 0x03, &call->cancel)) ||
           sg_call_ended(call)) &&
          each_row(call, version, use, data);
 }

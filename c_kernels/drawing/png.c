@@ -16,7 +16,7 @@ enum {
   PHYSICAL = 9,   /* data bytes of pHYs */
   TRUECOLOUR = 2, /* colour types */
   INDEXED = 3,
-  POLL_LINES = 64 /* lines packed between two polls */
+  POLL_LINES = 64 /* lines packed between two cancellations */
 };
 
 /* What is written: dots as numbers in a palette, or, without one, as three
@@ -128,7 +128,7 @@ pack_any_line(const image *in, int32_t y, uint8_t *line)
 
 /* All lines through deflate, into `zip`'s room, which is large enough. */
 static sg_png_status
-pack(const image *in, const sg_poll *poll, z_stream *zip, uint8_t *line)
+pack(const image *in, const sg_cancel *cancel, z_stream *zip, uint8_t *line)
 {
   for (int32_t y = 0; y < in->height; y++) {
     sg_png_status status = pack_any_line(in, y, line);
@@ -136,7 +136,7 @@ pack(const image *in, const sg_poll *poll, z_stream *zip, uint8_t *line)
     if (status != SG_PNG_OK) {
       return status;
     }
-    if (y % POLL_LINES == 0 && sg_poll_stop(poll)) {
+    if (y % POLL_LINES == 0 && sg_cancelled(cancel)) {
       return SG_PNG_STOPPED;
     }
     zip->next_in = line;
@@ -151,7 +151,8 @@ pack(const image *in, const sg_poll *poll, z_stream *zip, uint8_t *line)
 
 /* Deflates the image to `room`; *n is how much there is, then the length. */
 static sg_png_status
-deflate_image(const image *in, const sg_poll *poll, uint8_t *room, size_t *n)
+deflate_image(const image *in, const sg_cancel *cancel, uint8_t *room,
+              size_t *n)
 {
   z_stream zip = {0};
   uint8_t *line = malloc(line_bytes(in));
@@ -160,7 +161,7 @@ deflate_image(const image *in, const sg_poll *poll, uint8_t *room, size_t *n)
   if (line && deflateInit(&zip, Z_BEST_COMPRESSION) == Z_OK) {
     zip.next_out = room;
     zip.avail_out = (uInt)*n;
-    status = pack(in, poll, &zip, line);
+    status = pack(in, cancel, &zip, line);
     *n = zip.total_out;
     (void)deflateEnd(&zip);
   }
@@ -197,7 +198,8 @@ put_physical(buffer *out, uint32_t per_metre)
 }
 
 static sg_png_status
-write_image(const image *in, const sg_poll *poll, uint8_t **bytes, size_t *n)
+write_image(const image *in, const sg_cancel *cancel, uint8_t **bytes,
+            size_t *n)
 {
   size_t raw = line_bytes(in) * (size_t)in->height;
   size_t packed = compressBound(raw) + 64;
@@ -216,7 +218,7 @@ write_image(const image *in, const sg_poll *poll, uint8_t **bytes, size_t *n)
   if (in->colours > 0) {
     put_chunk(&out, "PLTE", (const uint8_t *)in->palette, 3 * in->colours);
   }
-  status = deflate_image(in, poll, out.byte + out.n + 8, &packed);
+  status = deflate_image(in, cancel, out.byte + out.n + 8, &packed);
   if (status != SG_PNG_OK) {
     free(out.byte);
     return status;
@@ -230,20 +232,20 @@ write_image(const image *in, const sg_poll *poll, uint8_t **bytes, size_t *n)
 
 sg_png_status
 sg_png_write(const sg_raster *raster, size_t colours, const sg_colour *palette,
-             const sg_poll *poll, uint8_t **bytes, size_t *n)
+             const sg_cancel *cancel, uint8_t **bytes, size_t *n)
 {
   image in = {raster->width, raster->height, raster->dot, colours, palette, 0};
 
   assert(colours >= 1 && colours <= 256);
-  return write_image(&in, poll, bytes, n);
+  return write_image(&in, cancel, bytes, n);
 }
 
 sg_png_status
 sg_png_write_canvas(const sg_canvas *canvas, uint32_t per_metre,
-                    const sg_poll *poll, uint8_t **bytes, size_t *n)
+                    const sg_cancel *cancel, uint8_t **bytes, size_t *n)
 {
   image in = {canvas->width, canvas->height, (const uint8_t *)canvas->dot, 0,
               NULL,          per_metre};
 
-  return write_image(&in, poll, bytes, n);
+  return write_image(&in, cancel, bytes, n);
 }

@@ -17,7 +17,7 @@ typedef struct stroke {
   sg_raster *raster;
   const sg_pen *pen;
   phase phase;
-  uint32_t dots; /* since the last poll */
+  uint32_t dots; /* since the last cancel */
 } stroke;
 
 bool
@@ -131,7 +131,7 @@ piece(stroke *s, const int32_t a[2], const int32_t b[2])
 
 bool
 sg_raster_chain(sg_raster *raster, const sg_pen *pen, size_t n,
-                const int32_t (*point)[2], const sg_poll *poll)
+                const int32_t (*point)[2], const sg_cancel *cancel)
 {
   stroke s = {raster, pen, {0, pen->runs > 0 ? pen->run[0] : 0}, 0};
 
@@ -143,7 +143,7 @@ sg_raster_chain(sg_raster *raster, const sg_pen *pen, size_t n,
     piece(&s, point[i - 1], point[i]);
     if (s.dots >= POLL_DOTS) {
       s.dots = 0;
-      if (sg_poll_stop(poll)) {
+      if (sg_cancelled(cancel)) {
         return false;
       }
     }

@@ -6,7 +6,7 @@
 #ifndef SG_RASTER_H
 #define SG_RASTER_H
 
-#include "engine/poll.h"
+#include "engine/cancel.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -48,8 +48,8 @@ void sg_raster_clear(sg_raster *raster);
  * across the joints, and a dot common to two pieces counts once. Dots outside
  * the raster count, but are not drawn. One point is one dot.
  * Requires: a valid pen, coordinates within SG_RASTER_FAR.
- * Returns false if `poll` said stop. */
+ * Returns false if `cancel` said stop. */
 bool sg_raster_chain(sg_raster *raster, const sg_pen *pen, size_t n,
-                     const int32_t (*point)[2], const sg_poll *poll);
+                     const int32_t (*point)[2], const sg_cancel *cancel);
 
 #endif

@@ -59,7 +59,7 @@ draw_stroke(sg_call *call, sg_raster *raster, const sg_dot_stroke *stroke)
     }
   }
   return sg_raster_chain(raster, &pen, points->n,
-                         (const int32_t(*)[2])points->at, &call->poll);
+                         (const int32_t(*)[2])points->at, &call->cancel);
 }
 
 bool
@@ -118,7 +118,7 @@ sg_door_raster_png(sg_call *call, int32_t width, int32_t height,
     return sg_call_domain(call, "raster_dots", 3);
   }
   switch (sg_png_write(&raster, list->n, (const sg_colour *)palette,
-                       &call->poll, &file, &out->n)) {
+                       &call->cancel, &file, &out->n)) {
   case SG_PNG_OK:
     out->at = file;
     return sg_call_adopt(call, file);

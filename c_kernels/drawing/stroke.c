@@ -16,7 +16,7 @@
 
 #define NONE SIZE_MAX
 
-enum { POLL_EVERY = 4096 };
+enum { ASK_EVERY = 4096 };
 
 /* End 2i is the start of part i, 2i + 1 its end; dx, dy point away from it. The
  * part is of edge e of segment s. */
@@ -35,7 +35,7 @@ typedef struct work {
   size_t *mate;  /* [2n], of an end: another end, or NONE */
   uint8_t *kind; /* [2n], of an end without a mate: sg_stroke_end */
   bool *used;    /* [n] */
-  const sg_poll *poll;
+  const sg_cancel *cancel;
   bool memory;
 } work;
 
@@ -141,7 +141,7 @@ by_paint(const void *x, const void *y)
 static bool
 sorted(work *w, void *base, size_t n, size_t size, sg_sort_compare *compare)
 {
-  sg_sort_end how = sg_sort(base, n, size, compare, w->poll);
+  sg_sort_end how = sg_sort(base, n, size, compare, w->cancel);
 
   w->memory = how != SG_SORT_NO_MEMORY;
   return how == SG_SORTED;
@@ -432,7 +432,7 @@ find_mates(work *w)
     return false;
   }
   for (size_t i = 0, j, nodes = 0; i < 2 * w->n; i = j) {
-    if (nodes++ % POLL_EVERY == 0 && sg_poll_stop(w->poll)) {
+    if (nodes++ % ASK_EVERY == 0 && sg_cancelled(w->cancel)) {
       return false;
     }
     for (j = i + 1;
@@ -524,9 +524,10 @@ make_room(work *w, sg_strokes *out)
 
 bool
 sg_strokes_make(sg_stroke_part *part, size_t n, const sg_stroke_look *look,
-                const sg_poll *poll, sg_strokes *out, bool *memory)
+                const sg_cancel *cancel, sg_strokes *out, bool *memory)
 {
-  work w = {.look = look, .part = part, .n = n, .poll = poll, .memory = true};
+  work w = {
+      .look = look, .part = part, .n = n, .cancel = cancel, .memory = true};
   bool done;
 
   *out = (sg_strokes){0};

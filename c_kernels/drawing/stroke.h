@@ -5,7 +5,7 @@
  * the two together. n log n time.
  *
  *   sg_strokes strokes;
- *   if (!sg_strokes_make(part, n, look, poll, &strokes, &memory)) ...
+ *   if (!sg_strokes_make(part, n, look, cancel, &strokes, &memory)) ...
  *   for (size_t i = 0; i < strokes.n; i++)
  *     draw(&strokes.item[i], &strokes.step[strokes.item[i].first]);
  *   sg_strokes_clear(&strokes);
@@ -13,7 +13,7 @@
 #ifndef SG_STROKE_H
 #define SG_STROKE_H
 
-#include "engine/poll.h"
+#include "engine/cancel.h"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -54,11 +54,11 @@ typedef struct sg_strokes {
 
 /* The strokes of the parts. Takes part[n], sorts it in place and leaves out
  * what is not drawn; look[] in the order of the names, so that equal ranks are
- * told apart by place. |x|, |y| < 2^52. False: stopped by the poll, or no
- * memory (then *memory is false). Owner: part stays the caller's and must
+ * told apart by place. |x|, |y| < 2^52. False: stopped by the cancellation, or
+ * no memory (then *memory is false). Owner: part stays the caller's and must
  * live as long; the rest is freed by sg_strokes_clear(). */
 bool sg_strokes_make(sg_stroke_part *part, size_t n, const sg_stroke_look *look,
-                     const sg_poll *poll, sg_strokes *out, bool *memory);
+                     const sg_cancel *cancel, sg_strokes *out, bool *memory);
 void sg_strokes_clear(sg_strokes *strokes);
 
 #endif

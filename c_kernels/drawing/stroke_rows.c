@@ -178,7 +178,7 @@ sg_strokes_of(sg_call *call, const sg_ranked_look_list *looks,
   if (!look) {
     return false;
   }
-  if (!sg_strokes_make(parts->at, parts->n, look, &call->poll, &strokes,
+  if (!sg_strokes_make(parts->at, parts->n, look, &call->cancel, &strokes,
                        &memory)) {
     return sg_call_ended(call);
   }

@@ -12,7 +12,7 @@
 #include <float.h>
 #include <stdlib.h>
 
-enum { BLOCK = 8, POLL_EVERY = 1024 };
+enum { BLOCK = 8, ASK_EVERY = 1024 };
 
 typedef struct point {
   double at[2];
@@ -123,8 +123,8 @@ set_nodes(tree *t)
 }
 
 static bool
-tree_init(tree *t, const sg_travel_line *line, size_t n, const sg_poll *poll,
-          bool *memory)
+tree_init(tree *t, const sg_travel_line *line, size_t n,
+          const sg_cancel *cancel, bool *memory)
 {
   sg_sort_end end;
 
@@ -145,7 +145,7 @@ tree_init(tree *t, const sg_travel_line *line, size_t n, const sg_poll *poll,
     t->point[i] = (point){{(double)at[0], (double)at[1]}, 0, i};
   }
   set_codes(t);
-  end = sg_sort(t->point, t->points, sizeof *t->point, compare_codes, poll);
+  end = sg_sort(t->point, t->points, sizeof *t->point, compare_codes, cancel);
   *memory = end != SG_SORT_NO_MEMORY;
   if (end == SG_SORTED) {
     set_nodes(t);
@@ -236,14 +236,14 @@ take(tree *t, size_t end)
 
 bool
 sg_travel_order(const sg_travel_line *line, size_t n, const int64_t from[2],
-                int64_t *order, const sg_poll *poll, bool *memory)
+                int64_t *order, const sg_cancel *cancel, bool *memory)
 {
   nearest q = {{(double)from[0], (double)from[1]}, 0.0, 0};
   tree t;
-  bool going = tree_init(&t, line, n, poll, memory);
+  bool going = tree_init(&t, line, n, cancel, memory);
 
   for (size_t i = 0; going && i < n; i++) {
-    if (i % POLL_EVERY == 0 && sg_poll_stop(poll)) {
+    if (i % ASK_EVERY == 0 && sg_cancelled(cancel)) {
       going = false;
       break;
     }

@@ -8,7 +8,7 @@
 #ifndef SG_TRAVEL_H
 #define SG_TRAVEL_H
 
-#include "engine/poll.h"
+#include "engine/cancel.h"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -19,10 +19,10 @@ typedef struct sg_travel_line {
 } sg_travel_line;
 
 /* The order of n lines for a pen that begins at `from`: order[n] are their
- * numbers, from 1; below zero: from end to start. False: stopped by the poll,
- * or no memory (then *memory is false). */
+ * numbers, from 1; below zero: from end to start. False: stopped by the
+ * cancellation, or no memory (then *memory is false). */
 bool sg_travel_order(const sg_travel_line *line, size_t n,
-                     const int64_t from[2], int64_t *order, const sg_poll *poll,
-                     bool *memory);
+                     const int64_t from[2], int64_t *order,
+                     const sg_cancel *cancel, bool *memory);
 
 #endif

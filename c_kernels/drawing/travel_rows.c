@@ -26,7 +26,7 @@ sg_door_travel_order(sg_call *call, const sg_sheet_point *start,
       return false;
     }
   }
-  if (!sg_travel_order(line, n, from, order, &call->poll, &memory)) {
+  if (!sg_travel_order(line, n, from, order, &call->cancel, &memory)) {
     return sg_call_ended(call);
   }
   *out = (sg_integer_list){order, n, n};

@@ -21,7 +21,7 @@ number_roots(uint32_t *of, size_t places)
 
 bool
 sg_bodies_find(const sg_leaf_tree *tree, const sg_leaf_views *views,
-               const sg_poll *poll, sg_bodies *out)
+               const sg_cancel *cancel, sg_bodies *out)
 {
   const sg_id_rows *vertex = &tree->vertex;
   uint32_t *of = malloc((vertex->places + 1) * sizeof *of);
@@ -34,7 +34,7 @@ sg_bodies_find(const sg_leaf_tree *tree, const sg_leaf_views *views,
     sg_leaf leaf = sg_leaf_at(tree, views, tree->boxes->item[i]);
     uint32_t at[3];
 
-    if (i % ASKED == ASKED - 1 && sg_poll_stop(poll)) {
+    if (i % ASKED == ASKED - 1 && sg_cancelled(cancel)) {
       return false;
     }
     for (int k = 0; k < 3; k++) {

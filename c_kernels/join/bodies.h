@@ -18,10 +18,10 @@ typedef struct sg_bodies {
 
 /* The bodies of the triangles of a tree, which must stay.
  *
- * Returns: false: no memory, or the poll said stop.
+ * Returns: false: no memory, or the cancellation said stop.
  * Owner:   sg_bodies_clear() in any case. */
 bool sg_bodies_find(const sg_leaf_tree *tree, const sg_leaf_views *views,
-                    const sg_poll *poll, sg_bodies *out);
+                    const sg_cancel *cancel, sg_bodies *out);
 void sg_bodies_clear(sg_bodies *bodies);
 
 /* The body of vertex v (an id), which is one of the tree's. */

@@ -386,21 +386,21 @@ swap_keys(grower *g)
 /* Stable radix sort by the high half of the codes, from the last digit to the
  * first; then by the low half, where that is the same. */
 static bool
-sort_codes(grower *g, sg_crew *crew, const sg_poll *poll)
+sort_codes(grower *g, sg_pool *pool, const sg_cancel *cancel)
 {
   for (unsigned digit = 0; digit < DIGITS; digit++) {
     g->shift = 32 + digit * DIGIT_BITS;
-    if (!sg_crew_run(crew, g->blocks, count_digits, g, poll)) {
+    if (!sg_pool_run(pool, g->blocks, count_digits, g, cancel)) {
       return false;
     }
     if (find_starts(g)) {
-      if (!sg_crew_run(crew, g->blocks, scatter, g, poll)) {
+      if (!sg_pool_run(pool, g->blocks, scatter, g, cancel)) {
         return false;
       }
       swap_keys(g);
     }
   }
-  if (!sg_crew_run(crew, g->blocks, order_runs, g, poll)) {
+  if (!sg_pool_run(pool, g->blocks, order_runs, g, cancel)) {
     return false;
   }
   swap_keys(g);
@@ -408,13 +408,13 @@ sort_codes(grower *g, sg_crew *crew, const sg_poll *poll)
 }
 
 static bool
-lay_levels(grower *g, sg_crew *crew, const sg_poll *poll)
+lay_levels(grower *g, sg_pool *pool, const sg_cancel *cancel)
 {
   g->group = groups_of(g->block) / SG_BVH_WIDTH * SG_BVH_WIDTH;
   for (g->level = 1; g->level < g->tree->levels; g->level++) {
     size_t tasks = (g->tree->count[g->level] + g->group - 1) / g->group;
 
-    if (!sg_crew_run(crew, tasks, lay_boxes, g, poll)) {
+    if (!sg_pool_run(pool, tasks, lay_boxes, g, cancel)) {
       return false;
     }
   }
@@ -453,7 +453,7 @@ make_room(sg_bvh *tree, size_t n)
 }
 
 static bool
-grow(grower *g, sg_crew *crew, const sg_poll *poll)
+grow(grower *g, sg_pool *pool, const sg_cancel *cancel)
 {
   size_t n = g->tree->n;
   uint64_t *keys = malloc(3 * (n + 1) * sizeof *keys);
@@ -464,14 +464,14 @@ grow(grower *g, sg_crew *crew, const sg_poll *poll)
   g->blocks = (n + g->block - 1) / g->block;
   g->box = malloc((n + 1) * sizeof *g->box);
   g->start = malloc((g->blocks + 1) * BUCKETS * sizeof *g->start);
-  if (keys && g->box && g->start && !sg_poll_stop(poll)) {
+  if (keys && g->box && g->start && !sg_cancelled(cancel)) {
     g->from = keys;
     g->to = keys + n;
     g->code = g->to + n;
-    done = sg_crew_run(crew, g->blocks, take_boxes, g, poll) &&
-           sort_codes(g, crew, poll) &&
-           sg_crew_run(crew, g->blocks, place_boxes, g, poll) &&
-           lay_levels(g, crew, poll);
+    done = sg_pool_run(pool, g->blocks, take_boxes, g, cancel) &&
+           sort_codes(g, pool, cancel) &&
+           sg_pool_run(pool, g->blocks, place_boxes, g, cancel) &&
+           lay_levels(g, pool, cancel);
   }
   free(keys);
   free(g->box);
@@ -480,8 +480,8 @@ grow(grower *g, sg_crew *crew, const sg_poll *poll)
 }
 
 static sg_bvh *
-grow_tree(grower *g, size_t n, const sg_box *all, sg_crew *crew,
-          const sg_poll *poll)
+grow_tree(grower *g, size_t n, const sg_box *all, sg_pool *pool,
+          const sg_cancel *cancel)
 {
   sg_bvh *tree = calloc(1, sizeof *tree);
 
@@ -496,7 +496,7 @@ grow_tree(grower *g, size_t n, const sg_box *all, sg_crew *crew,
   }
   g->tree = tree;
   set_frame(g, all);
-  if (!make_room(tree, n) || !grow(g, crew, poll)) {
+  if (!make_room(tree, n) || !grow(g, pool, cancel)) {
     sg_bvh_close(tree);
     return NULL;
   }
@@ -505,20 +505,20 @@ grow_tree(grower *g, size_t n, const sg_box *all, sg_crew *crew,
 
 sg_bvh *
 sg_bvh_grow(size_t n, sg_bvh_boxes *boxes, const void *data,
-            const uint32_t *name, const sg_box *all, sg_crew *crew,
-            const sg_poll *poll)
+            const uint32_t *name, const sg_box *all, sg_pool *pool,
+            const sg_cancel *cancel)
 {
   return grow_tree(&(grower){.boxes = boxes, .data = data, .name = name}, n,
-                   all, crew, poll);
+                   all, pool, cancel);
 }
 
 sg_bvh *
 sg_bvh_grow_let_out(size_t n, sg_bvh_boxes32 *boxes, const void *data,
-                    const uint32_t *name, const sg_box *all, sg_crew *crew,
-                    const sg_poll *poll)
+                    const uint32_t *name, const sg_box *all, sg_pool *pool,
+                    const sg_cancel *cancel)
 {
   return grow_tree(&(grower){.let_out = boxes, .data = data, .name = name}, n,
-                   all, crew, poll);
+                   all, pool, cancel);
 }
 
 static void
@@ -530,14 +530,14 @@ copy_boxes(const void *data, size_t begin, size_t end, sg_box *out)
 }
 
 sg_bvh *
-sg_bvh_open(const sg_box *box, size_t n, const sg_poll *poll)
+sg_bvh_open(const sg_box *box, size_t n, const sg_cancel *cancel)
 {
   sg_box all = sg_box_none();
 
   for (size_t i = 0; i < n; i++) {
     sg_box_join(&all, &box[i]);
   }
-  return sg_bvh_grow(n, copy_boxes, box, NULL, &all, NULL, poll);
+  return sg_bvh_grow(n, copy_boxes, box, NULL, &all, NULL, cancel);
 }
 
 void

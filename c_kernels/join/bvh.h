@@ -13,7 +13,7 @@
 #ifndef SG_BVH_H
 #define SG_BVH_H
 
-#include "crew.h"
+#include "thread_pool.h"
 
 #include <stdint.h>
 
@@ -76,26 +76,27 @@ sg_bvh_frame sg_bvh_frame_of(const sg_box *all);
 sg_box32 sg_box_let_out(const sg_bvh_frame *frame, const sg_box *box);
 
 /* Fills out[0 .. end - begin - 1] with boxes begin .. end - 1. Called by any
- * thread of the crew, several at a time. An empty box overlaps nothing. */
+ * thread of the thread pool, several at a time. An empty box overlaps nothing.
+ */
 typedef void sg_bvh_boxes(const void *data, size_t begin, size_t end,
                           sg_box *out);
 typedef void sg_bvh_boxes32(const void *data, size_t begin, size_t end,
                             sg_box32 *out);
 
 /* A tree over n boxes, all inside `all` (which need not be tight). Item i is
- * called name[i], or i if `name` is null. Null: no memory, or the poll said
- * stop. Owner: the caller, until sg_bvh_close(). Requires n < 2^32. */
+ * called name[i], or i if `name` is null. Null: no memory, or the cancellation
+ * said stop. Owner: the caller, until sg_bvh_close(). Requires n < 2^32. */
 sg_bvh *sg_bvh_grow(size_t n, sg_bvh_boxes *boxes, const void *data,
-                    const uint32_t *name, const sg_box *all, sg_crew *crew,
-                    const sg_poll *poll);
+                    const uint32_t *name, const sg_box *all, sg_pool *pool,
+                    const sg_cancel *cancel);
 
 /* The same of boxes that are already in sg_bvh_frame_of(all), let out. */
 sg_bvh *sg_bvh_grow_let_out(size_t n, sg_bvh_boxes32 *boxes, const void *data,
                             const uint32_t *name, const sg_box *all,
-                            sg_crew *crew, const sg_poll *poll);
+                            sg_pool *pool, const sg_cancel *cancel);
 
 /* The same over an array, by the caller alone. */
-sg_bvh *sg_bvh_open(const sg_box *box, size_t n, const sg_poll *poll);
+sg_bvh *sg_bvh_open(const sg_box *box, size_t n, const sg_cancel *cancel);
 
 void sg_bvh_close(sg_bvh *tree);
 

@@ -172,7 +172,7 @@ add_hit(hit_list *list, sg_bvh_hit hit)
 static void
 count_step(descent *d)
 {
-  if (++d->steps % STEPS_ASKED == 0 && sg_crew_stopping()) {
+  if (++d->steps % STEPS_ASKED == 0 && sg_pool_stopping()) {
     d->stopped = true;
   }
 }
@@ -365,7 +365,7 @@ is_small(const joiner *join, size_t n)
 }
 
 static bool
-join_all(joiner join, size_t n, sg_crew *crew, const sg_poll *poll,
+join_all(joiner join, size_t n, sg_pool *pool, const sg_cancel *cancel,
          sg_bvh_hits *out)
 {
   group_list front = {0};
@@ -381,8 +381,8 @@ join_all(joiner join, size_t n, sg_crew *crew, const sg_poll *poll,
   join.fronts = front.n;
   join.found = calloc(tasks + 1, sizeof *join.found);
   good = good && join.found &&
-         sg_crew_run(is_small(&join, n) ? NULL : crew, tasks, do_share, &join,
-                     poll) &&
+         sg_pool_run(is_small(&join, n) ? NULL : pool, tasks, do_share, &join,
+                     cancel) &&
          collect(&join, tasks, out);
   for (size_t k = 0; join.found && k < tasks; k++) {
     free(join.found[k].hit);
@@ -394,18 +394,18 @@ join_all(joiner join, size_t n, sg_crew *crew, const sg_poll *poll,
 
 bool
 sg_bvh_join_wanted(const sg_bvh_pair *pair, size_t n, double reach,
-                   sg_bvh_wants *wants, void *data, sg_crew *crew,
-                   const sg_poll *poll, sg_bvh_hits *out)
+                   sg_bvh_wants *wants, void *data, sg_pool *pool,
+                   const sg_cancel *cancel, sg_bvh_hits *out)
 {
   joiner join = {.pair = pair, .reach = reach, .wants = wants, .data = data};
 
-  return join_all(join, n, crew, poll, out);
+  return join_all(join, n, pool, cancel, out);
 }
 
 bool
 sg_bvh_join_itself(const sg_bvh *tree, double reach, sg_bvh_wants *wants,
                    void *data, sg_bvh_apart *apart, const void *fans,
-                   sg_crew *crew, const sg_poll *poll, sg_bvh_hits *out)
+                   sg_pool *pool, const sg_cancel *cancel, sg_bvh_hits *out)
 {
   const sg_bvh_pair pair = {tree, tree};
   joiner join = {.pair = &pair,
@@ -415,12 +415,12 @@ sg_bvh_join_itself(const sg_bvh *tree, double reach, sg_bvh_wants *wants,
                  .apart = apart,
                  .fans = fans};
 
-  return join_all(join, 1, crew, poll, out);
+  return join_all(join, 1, pool, cancel, out);
 }
 
 bool
-sg_bvh_join(const sg_bvh_pair *pair, size_t n, double reach, sg_crew *crew,
-            const sg_poll *poll, sg_bvh_hits *out)
+sg_bvh_join(const sg_bvh_pair *pair, size_t n, double reach, sg_pool *pool,
+            const sg_cancel *cancel, sg_bvh_hits *out)
 {
-  return sg_bvh_join_wanted(pair, n, reach, NULL, NULL, crew, poll, out);
+  return sg_bvh_join_wanted(pair, n, reach, NULL, NULL, pool, cancel, out);
 }

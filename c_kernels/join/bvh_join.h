@@ -29,20 +29,20 @@ typedef struct sg_bvh_hits {
 /* All hits of n pairs of trees: boxes that overlap, or are not farther apart
  * than `reach` along each axis, and a few that nearly do.
  *
- * Returns: false: no memory, or the poll said stop; *out is empty then.
+ * Returns: false: no memory, or the cancellation said stop; *out is empty then.
  * Owner:   out->hit is the caller's, to free().
  * Requires n < 2^32, reach >= 0. */
-bool sg_bvh_join(const sg_bvh_pair *pair, size_t n, double reach, sg_crew *crew,
-                 const sg_poll *poll, sg_bvh_hits *out);
+bool sg_bvh_join(const sg_bvh_pair *pair, size_t n, double reach, sg_pool *pool,
+                 const sg_cancel *cancel, sg_bvh_hits *out);
 
-/* Whether a hit is wanted. Called by any thread of the crew, several at a time;
- * the answer may depend on the hit alone. */
+/* Whether a hit is wanted. Called by any thread of the thread pool, several at
+ * a time; the answer may depend on the hit alone. */
 typedef bool sg_bvh_wants(void *data, const sg_bvh_hit *hit);
 
 /* The same, but for those that nobody wants: they take no memory. */
 bool sg_bvh_join_wanted(const sg_bvh_pair *pair, size_t n, double reach,
-                        sg_bvh_wants *wants, void *data, sg_crew *crew,
-                        const sg_poll *poll, sg_bvh_hits *out);
+                        sg_bvh_wants *wants, void *data, sg_pool *pool,
+                        const sg_cancel *cancel, sg_bvh_hits *out);
 
 /* Whether nothing is wanted of what is below boxes a and b of a level (1 or
  * more) of a tree that is joined with itself. As sg_bvh_wants. */
@@ -52,6 +52,7 @@ typedef bool sg_bvh_apart(const void *data, unsigned level, size_t a, size_t b);
  */
 bool sg_bvh_join_itself(const sg_bvh *tree, double reach, sg_bvh_wants *wants,
                         void *data, sg_bvh_apart *apart, const void *fans,
-                        sg_crew *crew, const sg_poll *poll, sg_bvh_hits *out);
+                        sg_pool *pool, const sg_cancel *cancel,
+                        sg_bvh_hits *out);
 
 #endif

@@ -16,7 +16,7 @@ typedef struct forest {
   size_t *edge_place; /* which rows of `edges`; only of curves */
   sg_leaf_tree **tree;
   size_t n;
-  const sg_poll *poll;
+  const sg_cancel *cancel;
 } forest;
 
 static void
@@ -61,13 +61,14 @@ point_blocks(const sg_leaf_tree *tree)
 }
 
 double (*sg_leaf_points(const sg_leaf_tree *tree, const sg_leaf_views *views,
-                        const double from[3], sg_crew *crew,
-                        const sg_poll *poll))[3]
+                        const double from[3], sg_pool *pool,
+                        const sg_cancel *cancel))[3]
 {
   placing p = {tree, &views->v, from,
                malloc((tree->vertex.places + 1) * sizeof *p.out)};
 
-  if (p.out && !sg_crew_run(crew, point_blocks(tree), place_points, &p, poll)) {
+  if (p.out &&
+      !sg_pool_run(pool, point_blocks(tree), place_points, &p, cancel)) {
     free(p.out);
     p.out = NULL;
   }
@@ -152,8 +153,8 @@ leaf_rows(const forest *f, size_t i, const uint32_t **row)
   return from->begin[k + 1] - from->begin[k];
 }
 
-/* The box round n rows of v/5. When the crew is stopping it is of no use, and
- * nothing comes of it. */
+/* The box round n rows of v/5. When the thread pool is stopping it is of no
+ * use, and nothing comes of it. */
 static sg_box
 box_round(const sg_view *v, const uint32_t *row, size_t n)
 {
@@ -161,7 +162,7 @@ box_round(const sg_view *v, const uint32_t *row, size_t n)
 
   for (size_t k = 0; k < n; k++) {
     double p[3];
-    if (k % ASKED == ASKED - 1 && sg_crew_stopping()) {
+    if (k % ASKED == ASKED - 1 && sg_pool_stopping()) {
       break;
     }
     read_point(v, row[k], p);
@@ -185,7 +186,7 @@ take_vertices(const forest *f, size_t i)
 
 /* Makes tree i but for its vertices. What is left null tells of a failure. */
 static void
-grow_one(const forest *f, size_t i, sg_crew *crew, const sg_poll *poll)
+grow_one(const forest *f, size_t i, sg_pool *pool, const sg_cancel *cancel)
 {
   sg_leaf_tree *tree = f->tree[i];
   leaves l = {.forest = f, .tree = tree};
@@ -196,9 +197,9 @@ grow_one(const forest *f, size_t i, sg_crew *crew, const sg_poll *poll)
   l.frame = sg_bvh_frame_of(&tree->box);
   l.point = malloc((tree->vertex.places + 1) * sizeof *l.point);
   if (l.point &&
-      sg_crew_run(crew, point_blocks(tree), let_points_out, &l, poll)) {
+      sg_pool_run(pool, point_blocks(tree), let_points_out, &l, cancel)) {
     tree->boxes =
-        sg_bvh_grow_let_out(n, leaf_boxes, &l, l.row, &tree->box, crew, poll);
+        sg_bvh_grow_let_out(n, leaf_boxes, &l, l.row, &tree->box, pool, cancel);
   }
   free(l.point);
 }
@@ -227,9 +228,10 @@ small_task(void *data, size_t i)
   }
 }
 
-/* Trees that are still without boxes, one after another by the whole crew. */
+/* Trees that are still without boxes, one after another by the whole thread
+ * pool. */
 static bool
-grow_large(const forest *f, sg_crew *crew)
+grow_large(const forest *f, sg_pool *pool)
 {
   bool good = true;
 
@@ -237,7 +239,7 @@ grow_large(const forest *f, sg_crew *crew)
     const uint32_t *row;
 
     if (!f->tree[i]->boxes && leaf_rows(f, i, &row) >= SMALL) {
-      grow_one(f, i, crew, f->poll);
+      grow_one(f, i, pool, f->cancel);
     }
     good = f->tree[i]->boxes != NULL;
   }
@@ -264,7 +266,7 @@ find_edges(forest *f, const int32_t *wanted)
     }
   }
   bool good = curves == 0 || sg_segment_rows_find(&f->views->e, curve, curves,
-                                                  f->poll, &f->edges);
+                                                  f->cancel, &f->edges);
 
   free(curve);
   return good;
@@ -278,7 +280,7 @@ rows_of(const sg_segment_rows *rows, size_t n)
 }
 
 static bool
-grow_all(forest *f, const int32_t *wanted, sg_crew *crew)
+grow_all(forest *f, const int32_t *wanted, sg_pool *pool)
 {
   for (size_t i = 0; i < f->n; i++) {
     if (!(f->tree[i] = calloc(1, sizeof *f->tree[i]))) {
@@ -286,17 +288,17 @@ grow_all(forest *f, const int32_t *wanted, sg_crew *crew)
     }
     f->tree[i]->s = wanted[i];
   }
-  if (!sg_segment_rows_find(&f->views->v, wanted, f->n, f->poll,
+  if (!sg_segment_rows_find(&f->views->v, wanted, f->n, f->cancel,
                             &f->vertices) ||
-      !sg_segment_rows_find(&f->views->t, wanted, f->n, f->poll,
+      !sg_segment_rows_find(&f->views->t, wanted, f->n, f->cancel,
                             &f->triangles) ||
       !find_edges(f, wanted)) {
     return false;
   }
   if (rows_of(&f->vertices, f->n) + rows_of(&f->triangles, f->n) < SMALL) {
-    crew = NULL;
+    pool = NULL;
   }
-  if (!sg_crew_run(crew, f->n, vertices_task, f, f->poll)) {
+  if (!sg_pool_run(pool, f->n, vertices_task, f, f->cancel)) {
     return false;
   }
   for (size_t i = 0; i < f->n; i++) {
@@ -304,20 +306,21 @@ grow_all(forest *f, const int32_t *wanted, sg_crew *crew)
       return false;
     }
   }
-  return sg_crew_run(crew, f->n, small_task, f, f->poll) && grow_large(f, crew);
+  return sg_pool_run(pool, f->n, small_task, f, f->cancel) &&
+         grow_large(f, pool);
 }
 
 bool
 sg_leaf_trees_grow(const sg_leaf_views *views, const int32_t *wanted, size_t n,
-                   sg_crew *crew, const sg_poll *poll, sg_leaf_tree **out)
+                   sg_pool *pool, const sg_cancel *cancel, sg_leaf_tree **out)
 {
-  forest f = {.views = views, .tree = out, .n = n, .poll = poll};
+  forest f = {.views = views, .tree = out, .n = n, .cancel = cancel};
   bool good;
 
   for (size_t i = 0; i < n; i++) {
     out[i] = NULL;
   }
-  good = n == 0 || grow_all(&f, wanted, crew);
+  good = n == 0 || grow_all(&f, wanted, pool);
   for (size_t i = 0; i < n && !good; i++) {
     sg_leaf_tree_close(out[i]);
     out[i] = NULL;
@@ -385,29 +388,31 @@ box_task(void *data, size_t i)
 }
 
 static bool
-find_boxes(box_job *job, const int32_t *wanted, size_t n, sg_crew *crew,
-           const sg_poll *poll)
+find_boxes(box_job *job, const int32_t *wanted, size_t n, sg_pool *pool,
+           const sg_cancel *cancel)
 {
-  bool good = sg_segment_rows_find(job->vertices, wanted, n, poll, &job->rows);
+  bool good =
+      sg_segment_rows_find(job->vertices, wanted, n, cancel, &job->rows);
 
-  good = good && sg_crew_run(rows_of(&job->rows, n) < SMALL ? NULL : crew, n,
-                             box_task, job, poll);
+  good = good && sg_pool_run(rows_of(&job->rows, n) < SMALL ? NULL : pool, n,
+                             box_task, job, cancel);
   sg_segment_rows_clear(&job->rows);
   return good;
 }
 
 bool
 sg_leaf_boxes(const sg_view *vertices, const int32_t *wanted, size_t n,
-              sg_crew *crew, const sg_poll *poll, sg_box *out)
+              sg_pool *pool, const sg_cancel *cancel, sg_box *out)
 {
   return find_boxes(&(box_job){.vertices = vertices, .box = out}, wanted, n,
-                    crew, poll);
+                    pool, cancel);
 }
 
 bool
 sg_leaf_oriented_boxes(const sg_view *vertices, const int32_t *wanted, size_t n,
-                       sg_crew *crew, const sg_poll *poll, sg_oriented_box *out)
+                       sg_pool *pool, const sg_cancel *cancel,
+                       sg_oriented_box *out)
 {
   return find_boxes(&(box_job){.vertices = vertices, .oriented = out}, wanted,
-                    n, crew, poll);
+                    n, pool, cancel);
 }

@@ -31,34 +31,34 @@ typedef struct sg_leaf_tree {
  * without triangles is a curve (and may have no edges either). Edges and
  * triangles with a vertex that is not there are left out.
  *
- * Returns: false: no memory, or the poll said stop; out is all null then.
- * Owner:   the caller, each to be closed. */
+ * Returns: false: no memory, or the cancellation said stop; out is all null
+ * then. Owner:   the caller, each to be closed. */
 bool sg_leaf_trees_grow(const sg_leaf_views *views, const int32_t *wanted,
-                        size_t n, sg_crew *crew, const sg_poll *poll,
+                        size_t n, sg_pool *pool, const sg_cancel *cancel,
                         sg_leaf_tree **out);
 void sg_leaf_tree_close(sg_leaf_tree *tree);
 
 /* The boxes round the vertices of n segments (ascending numbers), which is all
  * that is needed to see which of them are near each other. False: no memory,
- * or the poll said stop. */
+ * or the cancellation said stop. */
 bool sg_leaf_boxes(const sg_view *vertices, const int32_t *wanted, size_t n,
-                   sg_crew *crew, const sg_poll *poll, sg_box *out);
+                   sg_pool *pool, const sg_cancel *cancel, sg_box *out);
 
 /* The boxes along their own axes of n segments (ascending numbers) that have
  * vertices. The same. */
 bool sg_leaf_oriented_boxes(const sg_view *vertices, const int32_t *wanted,
-                            size_t n, sg_crew *crew, const sg_poll *poll,
+                            size_t n, sg_pool *pool, const sg_cancel *cancel,
                             sg_oriented_box *out);
 
 size_t sg_leaf_tree_bytes(const sg_leaf_tree *tree);
 
 /* Where the vertices of a tree are, less `from`, by their places in its table:
  * one look in memory where the columns take three, for those who go over all
- * triangles. NaN: no vertex has this place. Null: no memory, or the poll said
- * stop. Owner: the caller, free(). */
+ * triangles. NaN: no vertex has this place. Null: no memory, or the
+ * cancellation said stop. Owner: the caller, free(). */
 double (*sg_leaf_points(const sg_leaf_tree *tree, const sg_leaf_views *views,
-                        const double from[3], sg_crew *crew,
-                        const sg_poll *poll))[3];
+                        const double from[3], sg_pool *pool,
+                        const sg_cancel *cancel))[3];
 
 /* What a row of t/6 or e/5 says. */
 typedef struct sg_leaf {

@@ -69,11 +69,11 @@ find_boxes(sg_call *call, boxed *out)
 {
   int32_t *missing = sg_call_alloc(call, out->n * sizeof *missing);
   sg_box *box = sg_call_alloc(call, out->n * sizeof *box);
-  sg_crew *crew = sg_call_crew(call);
+  sg_pool *pool = sg_call_pool(call);
   size_t m = 0;
   sg_view vertices = {0};
 
-  if (!missing || !box || !crew) {
+  if (!missing || !box || !pool) {
     return false;
   }
   for (size_t i = 0; i < out->n; i++) {
@@ -81,9 +81,9 @@ find_boxes(sg_call *call, boxed *out)
       missing[m++] = out->s[i];
     }
   }
-  bool good =
-      m == 0 || (sg_version_view(out->version, SG_V, &vertices) &&
-                 sg_leaf_boxes(&vertices, missing, m, crew, &call->poll, box));
+  bool good = m == 0 ||
+              (sg_version_view(out->version, SG_V, &vertices) &&
+               sg_leaf_boxes(&vertices, missing, m, pool, &call->cancel, box));
 
   for (size_t i = 0, k = 0; k < m && good; i++) {
     if (out->s[i] == missing[k]) {
@@ -98,9 +98,9 @@ find_boxes(sg_call *call, boxed *out)
 static bool
 join_boxes(sg_call *call, const boxed *all, sg_bvh_hits *hits)
 {
-  sg_bvh *tree = sg_bvh_open(all->box, all->n, &call->poll);
+  sg_bvh *tree = sg_bvh_open(all->box, all->n, &call->cancel);
   bool good = tree && sg_bvh_join(&(sg_bvh_pair){tree, tree}, 1, all->reach,
-                                  NULL, &call->poll, hits);
+                                  NULL, &call->cancel, hits);
   size_t n = 0;
 
   for (size_t k = 0; good && k < hits->n; k++) {
@@ -169,8 +169,8 @@ drop_apart(sg_call *call, const boxed *all, sg_bvh_hits *hits)
     return where && crowded && box;
   }
   bool good = sg_version_view(all->version, SG_V, &vertices) &&
-              sg_leaf_oriented_boxes(&vertices, crowded, n, sg_call_crew(call),
-                                     &call->poll, box);
+              sg_leaf_oriented_boxes(&vertices, crowded, n, sg_call_pool(call),
+                                     &call->cancel, box);
   if (good) {
     drop_hits(hits, where, box, 2 * all->reach); /* it is along each axis */
   }

@@ -106,13 +106,13 @@ sum_edges(void *data, size_t task)
 }
 
 static bool
-see_edges(const sg_view *e, int32_t s, sg_crew *crew, const sg_poll *poll,
+see_edges(const sg_view *e, int32_t s, sg_pool *pool, const sg_cancel *cancel,
           sg_operand *out)
 {
   size_t tasks = (e->pages + EDGE_PAGES - 1) / EDGE_PAGES;
   balance b = {e, s, calloc(tasks + 1, sizeof *b.sum)};
   uint64_t sum = 0;
-  bool done = b.sum && sg_crew_run(crew, tasks, sum_edges, &b, poll);
+  bool done = b.sum && sg_pool_run(pool, tasks, sum_edges, &b, cancel);
 
   for (size_t i = 0; i < tasks && done; i++) {
     sum += b.sum[i].sum;
@@ -268,8 +268,8 @@ is_star(const faces *f, size_t tasks)
 }
 
 static bool
-see_faces(const sg_leaf_tree *tree, const sg_leaf_views *views, sg_crew *crew,
-          const sg_poll *poll, sg_operand *out)
+see_faces(const sg_leaf_tree *tree, const sg_leaf_views *views, sg_pool *pool,
+          const sg_cancel *cancel, sg_operand *out)
 {
   size_t pages =
       (tree->end - 1) / SG_PAGE_ROWS - tree->begin / SG_PAGE_ROWS + 1;
@@ -281,9 +281,10 @@ see_faces(const sg_leaf_tree *tree, const sg_leaf_views *views, sg_crew *crew,
   }
   faces f = {.tree = tree,
              .views = views,
-             .point = sg_leaf_points(tree, views, middle, crew, poll),
+             .point = sg_leaf_points(tree, views, middle, pool, cancel),
              .sum = calloc(tasks + 1, sizeof *f.sum)};
-  bool done = f.point && f.sum && sg_crew_run(crew, tasks, see_pages, &f, poll);
+  bool done =
+      f.point && f.sum && sg_pool_run(pool, tasks, see_pages, &f, cancel);
 
   for (size_t i = 0; i < tasks && done; i++) {
     out->volume += f.sum[i].volume / 6;
@@ -297,11 +298,11 @@ see_faces(const sg_leaf_tree *tree, const sg_leaf_views *views, sg_crew *crew,
 
 bool
 sg_operand_see(const sg_leaf_tree *tree, const sg_leaf_views *views,
-               sg_crew *crew, const sg_poll *poll, sg_operand *out)
+               sg_pool *pool, const sg_cancel *cancel, sg_operand *out)
 {
   *out = (sg_operand){.triangles = tree->curve ? 0 : tree->boxes->n};
-  return see_edges(&views->e, tree->s, crew, poll, out) &&
-         (out->triangles == 0 || see_faces(tree, views, crew, poll, out));
+  return see_edges(&views->e, tree->s, pool, cancel, out) &&
+         (out->triangles == 0 || see_faces(tree, views, pool, cancel, out));
 }
 
 /* ---- which edges ----------------------------------------------------------
@@ -322,10 +323,10 @@ int_at(const sg_view *view, unsigned column, uint32_t row)
 
 /* Reads the edges of one segment by the places of their vertices. */
 static bool
-read_edges(const sg_view *e, int32_t s, const sg_poll *poll, half_edges *h)
+read_edges(const sg_view *e, int32_t s, const sg_cancel *cancel, half_edges *h)
 {
   sg_segment_rows rows;
-  bool done = sg_segment_rows_find(e, &s, 1, poll, &rows);
+  bool done = sg_segment_rows_find(e, &s, 1, cancel, &rows);
   size_t n = done ? rows.begin[1] : 0;
 
   h->n = n;
@@ -370,7 +371,7 @@ note_group(const half_edges *h, const sg_edge_group *group, size_t most,
 
 bool
 sg_operand_edges_find(const sg_leaf_views *views, int32_t s, size_t most,
-                      const sg_poll *poll, sg_operand_edges *out)
+                      const sg_cancel *cancel, sg_operand_edges *out)
 {
   half_edges h = {0};
   sg_edge_pairs pairs = {0};
@@ -378,9 +379,9 @@ sg_operand_edges_find(const sg_leaf_views *views, int32_t s, size_t most,
   bool stopped;
 
   *out = (sg_operand_edges){.first = malloc((most + 1) * sizeof *out->first)};
-  bool done =
-      out->first && read_edges(&views->e, s, poll, &h) &&
-      sg_edge_pairs_make(h.n, h.from, h.to, h.vertices, poll, &pairs, &stopped);
+  bool done = out->first && read_edges(&views->e, s, cancel, &h) &&
+              sg_edge_pairs_make(h.n, h.from, h.to, h.vertices, cancel, &pairs,
+                                 &stopped);
 
   while (done && sg_edge_group_next(&pairs, &group)) {
     note_group(&h, &group, most, out);

@@ -24,10 +24,10 @@ typedef struct sg_operand {
   bool star;
 } sg_operand;
 
-/* Of the segment of a tree. False: no memory, or the poll said stop. The same
- * for any crew. */
+/* Of the segment of a tree. False: no memory, or the cancellation said stop.
+ * The same for any thread pool. */
 bool sg_operand_see(const sg_leaf_tree *tree, const sg_leaf_views *views,
-                    sg_crew *crew, const sg_poll *poll, sg_operand *out);
+                    sg_pool *pool, const sg_cancel *cancel, sg_operand *out);
 
 /* The half-edges between two vertices, v[0] < v[1]. */
 typedef struct sg_operand_edge {
@@ -44,10 +44,10 @@ typedef struct sg_operand_edges {
 } sg_operand_edges;
 
 /* The edges of segment s that are no pairs; the first `most` that are not
- * balanced are listed. False: no memory, or the poll said stop. Owner:
+ * balanced are listed. False: no memory, or the cancellation said stop. Owner:
  * sg_operand_edges_clear() in any case. */
 bool sg_operand_edges_find(const sg_leaf_views *views, int32_t s, size_t most,
-                           const sg_poll *poll, sg_operand_edges *out);
+                           const sg_cancel *cancel, sg_operand_edges *out);
 void sg_operand_edges_clear(sg_operand_edges *edges);
 
 #endif

@@ -52,9 +52,9 @@ sg_kept_operand_of(sg_call *call, sg_kept_tree *kept, const sg_version *version,
     *out = there->operand;
     return true;
   }
-  sg_crew *crew = sg_call_crew(call);
+  sg_pool *pool = sg_call_pool(call);
 
-  if (!crew || !sg_operand_see(kept->tree, views, crew, &call->poll, out)) {
+  if (!pool || !sg_operand_see(kept->tree, views, pool, &call->cancel, out)) {
     return sg_call_ended(call);
   }
   if (!there && (fresh = malloc(sizeof *fresh))) {
@@ -66,12 +66,13 @@ sg_kept_operand_of(sg_call *call, sg_kept_tree *kept, const sg_version *version,
   return true;
 }
 
-/* The knots of a tree; none where it is seen to be one sheet. Null: refused. */
-static sg_knots *
-make_knots(sg_call *call, sg_kept_tree *kept, const sg_version *version,
-           const sg_leaf_views *views)
+/* The non-manifold parts of a tree; none where it is seen to be one sheet.
+ * Null: refused. */
+static sg_nonmanifold *
+make_nonmanifold(sg_call *call, sg_kept_tree *kept, const sg_version *version,
+                 const sg_leaf_views *views)
 {
-  sg_knots *fresh = NULL;
+  sg_nonmanifold *fresh = NULL;
   sg_operand operand;
 
   if (!sg_kept_operand_of(call, kept, version, views, &operand)) {
@@ -79,10 +80,10 @@ make_knots(sg_call *call, sg_kept_tree *kept, const sg_version *version,
   }
   if (!(fresh = calloc(1, sizeof *fresh)) ||
       (!operand.star &&
-       !sg_knots_find(kept->tree, views, &call->poll, fresh))) {
+       !sg_nonmanifold_find(kept->tree, views, &call->cancel, fresh))) {
     sg_call_ended(call);
     if (fresh) {
-      sg_knots_clear(fresh);
+      sg_nonmanifold_clear(fresh);
     }
     free(fresh);
     return NULL;
@@ -91,19 +92,20 @@ make_knots(sg_call *call, sg_kept_tree *kept, const sg_version *version,
 }
 
 bool
-sg_kept_knots(sg_call *call, sg_kept_tree *kept, const sg_version *version,
-              const sg_leaf_views *views, const sg_knots **out)
+sg_kept_nonmanifold(sg_call *call, sg_kept_tree *kept,
+                    const sg_version *version, const sg_leaf_views *views,
+                    const sg_nonmanifold **out)
 {
-  sg_knots *there = atomic_load(&kept->knots), *fresh;
+  sg_nonmanifold *there = atomic_load(&kept->nonmanifold), *fresh;
 
   if (!there) {
-    if (!(fresh = make_knots(call, kept, version, views))) {
+    if (!(fresh = make_nonmanifold(call, kept, version, views))) {
       return false;
     }
-    if (atomic_compare_exchange_strong(&kept->knots, &there, fresh)) {
+    if (atomic_compare_exchange_strong(&kept->nonmanifold, &there, fresh)) {
       there = fresh;
     } else { /* another thread was first */
-      sg_knots_clear(fresh);
+      sg_nonmanifold_clear(fresh);
       free(fresh);
     }
   }
@@ -127,10 +129,10 @@ find_self(asking *a, size_t i, bool *out)
     *out = false;
     if (!operand.star) {
       double grain = sg_grain_of(a->version, kept->s);
-      sg_crew *crew = sg_call_crew(a->call);
+      sg_pool *pool = sg_call_pool(a->call);
 
-      if (!crew || !sg_self_leaf_meets(kept->tree, &a->views, grain, crew,
-                                       &a->call->poll, out)) {
+      if (!pool || !sg_self_leaf_meets(kept->tree, &a->views, grain, pool,
+                                       &a->call->cancel, out)) {
         return sg_call_ended(a->call);
       }
     }
@@ -190,7 +192,7 @@ sg_door_segment_edges(sg_call *call, int32_t s, int32_t most,
   sg_leaf_views views = {0};
   bool good = version && sg_leaf_views_open(call, version, &views) &&
               (sg_operand_edges_find(&views, s, most < 0 ? 0 : (size_t)most,
-                                     &call->poll, counts) ||
+                                     &call->cancel, counts) ||
                sg_call_ended(call));
 
   sg_leaf_views_clear(&views);

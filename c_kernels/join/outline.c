@@ -163,7 +163,7 @@ add_point(sg_box *box, const double p[2])
 }
 
 static bool
-lay_out(flat *f, const sg_poll *poll)
+lay_out(flat *f, const sg_cancel *cancel)
 {
   const sg_flat_loops *loops = f->loops;
   size_t points = loops->begin[loops->n];
@@ -192,8 +192,8 @@ lay_out(flat *f, const sg_poll *poll)
     add_point(&f->ray[k], loops->at[loops->begin[k]]);
     f->ray[k].hi[0] = all.hi[0];
   }
-  f->edges = sg_bvh_open(f->box, points, poll);
-  f->rays = sg_bvh_open(f->ray, loops->n, poll);
+  f->edges = sg_bvh_open(f->box, points, cancel);
+  f->rays = sg_bvh_open(f->ray, loops->n, cancel);
   return f->edges && f->rays;
 }
 
@@ -210,19 +210,19 @@ clear(flat *f)
 }
 
 bool
-sg_flat_loops_are_sound(const sg_flat_loops *loops, const sg_poll *poll,
+sg_flat_loops_are_sound(const sg_flat_loops *loops, const sg_cancel *cancel,
                         bool *sound)
 {
   flat f = {.loops = loops};
-  bool done = lay_out(&f, poll) &&
+  bool done = lay_out(&f, cancel) &&
               sg_bvh_join_wanted(&(sg_bvh_pair){f.edges, f.edges}, 1, 0,
-                                 note_meeting, &f, NULL, poll, &f.hits);
+                                 note_meeting, &f, NULL, cancel, &f.hits);
 
   free(f.hits.hit);
   f.hits = (sg_bvh_hits){0};
   done = done &&
          (f.meet || sg_bvh_join_wanted(&(sg_bvh_pair){f.rays, f.edges}, 1, 0,
-                                       crosses, &f, NULL, poll, &f.hits));
+                                       crosses, &f, NULL, cancel, &f.hits));
   *sound = done && !f.meet && are_holes(&f);
   clear(&f);
   return done;

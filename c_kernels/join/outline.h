@@ -7,7 +7,7 @@
 #ifndef SG_OUTLINE_H
 #define SG_OUTLINE_H
 
-#include "engine/poll.h"
+#include "engine/cancel.h"
 
 #include <stddef.h>
 
@@ -21,9 +21,9 @@ typedef struct sg_flat_loops {
 
 /* Whether the loops are sound. Exact.
  *
- * Returns: false: no memory, or the poll said stop.
+ * Returns: false: no memory, or the cancellation said stop.
  * Cost:    by trees of boxes; as the number of edges, where few overlap. */
-bool sg_flat_loops_are_sound(const sg_flat_loops *loops, const sg_poll *poll,
-                             bool *sound);
+bool sg_flat_loops_are_sound(const sg_flat_loops *loops,
+                             const sg_cancel *cancel, bool *sound);
 
 #endif

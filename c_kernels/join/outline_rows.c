@@ -50,7 +50,7 @@ sg_door_loops_are_sound(sg_call *call, const sg_list_paper_point_list *loops)
   const sg_flat_loops flat = {loops->n, (const double(*)[2])at, begin};
 
   return join_loops(call, loops, at, begin) &&
-         (sg_flat_loops_are_sound(&flat, &call->poll, &sound) ||
+         (sg_flat_loops_are_sound(&flat, &call->cancel, &sound) ||
           sg_call_ended(call)) &&
          sound;
 }

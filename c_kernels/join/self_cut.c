@@ -59,7 +59,7 @@ may_meet(void *data, const sg_fan_triangle *a, const sg_fan_triangle *b)
 }
 
 static bool
-find_candidates(joiner *j, sg_crew *crew, const sg_poll *poll)
+find_candidates(joiner *j, sg_pool *pool, const sg_cancel *cancel)
 {
   const sg_self_joining joining = {.n = j->triangles,
                                    .read = read_triangle,
@@ -68,7 +68,7 @@ find_candidates(joiner *j, sg_crew *crew, const sg_poll *poll)
                                    .in_polygons = true,
                                    .changed = j->changed};
 
-  return sg_self_join(&joining, crew, poll, &j->hits);
+  return sg_self_join(&joining, pool, cancel, &j->hits);
 }
 
 static void
@@ -98,18 +98,18 @@ test_block(void *data, size_t task)
                      &item.meeting, &item.edge)) {
       keep(b, &item);
     }
-    if (i % 256 == 0 && sg_crew_stopping()) {
+    if (i % 256 == 0 && sg_pool_stopping()) {
       return;
     }
   }
 }
 
 static bool
-test_candidates(joiner *j, sg_crew *crew, const sg_poll *poll)
+test_candidates(joiner *j, sg_pool *pool, const sg_cancel *cancel)
 {
   j->blocks = (j->hits.n + BLOCK - 1) / BLOCK;
   j->block = calloc(j->blocks + 1, sizeof *j->block);
-  if (!j->block || !sg_crew_run(crew, j->blocks, test_block, j, poll)) {
+  if (!j->block || !sg_pool_run(pool, j->blocks, test_block, j, cancel)) {
     return false;
   }
   for (size_t i = 0; i < j->blocks; i++) {
@@ -219,11 +219,11 @@ clear(joiner *j)
 }
 
 static bool
-find_places(joiner *j, size_t vertices, const sg_poll *poll)
+find_places(joiner *j, size_t vertices, const sg_cancel *cancel)
 {
   const double(*at)[3] = (const double(*)[3])j->model.d->at + j->model.first;
 
-  j->model.place = j->place = sg_places_of(at, vertices, poll);
+  j->model.place = j->place = sg_places_of(at, vertices, cancel);
   return j->place != NULL;
 }
 
@@ -238,16 +238,17 @@ any_changed(const joiner *j)
 }
 
 bool
-sg_self_cut(const sg_dense *dense, size_t s, double tolerance, sg_crew *crew,
-            const sg_poll *poll, sg_self_meetings *out)
+sg_self_cut(const sg_dense *dense, size_t s, double tolerance, sg_pool *pool,
+            const sg_cancel *cancel, sg_self_meetings *out)
 {
-  return sg_self_cut_changed(dense, s, NULL, tolerance, crew, poll, out);
+  return sg_self_cut_changed(dense, s, NULL, tolerance, pool, cancel, out);
 }
 
 bool
 sg_self_cut_changed(const sg_dense *dense, size_t s,
                     const unsigned char *changed, double tolerance,
-                    sg_crew *crew, const sg_poll *poll, sg_self_meetings *out)
+                    sg_pool *pool, const sg_cancel *cancel,
+                    sg_self_meetings *out)
 {
   size_t vertices = dense->vertex_begin[s + 1] - dense->vertex_begin[s];
   joiner j = {.model = {dense, dense->vertex_begin[s], NULL, tolerance},
@@ -259,8 +260,8 @@ sg_self_cut_changed(const sg_dense *dense, size_t s,
   *out = (sg_self_meetings){0};
   bool done =
       j.triangles == 0 || !any_changed(&j) ||
-      (find_places(&j, vertices, poll) && find_candidates(&j, crew, poll) &&
-       test_candidates(&j, crew, poll) && gather(&j, out));
+      (find_places(&j, vertices, cancel) && find_candidates(&j, pool, cancel) &&
+       test_candidates(&j, pool, cancel) && gather(&j, out));
 
   clear(&j);
   return done;

@@ -15,8 +15,8 @@
 #ifndef SG_SELF_CUT_H
 #define SG_SELF_CUT_H
 
-#include "crew.h"
 #include "rows/dense.h"
+#include "thread_pool.h"
 
 typedef enum sg_self_kind {
   SG_SELF_PENETRATION, /* they go through each other */
@@ -41,17 +41,17 @@ typedef struct sg_self_meetings {
 /* The meetings of the triangles of segment s (a place). A tolerance of 0 makes
  * the kinds exact too.
  *
- * Returns: false: no memory, or the poll said stop; *out is empty.
+ * Returns: false: no memory, or the cancellation said stop; *out is empty.
  * Owner:   out->item is the caller's, to free().
- * Cost:    about linear, plus the meetings; the same for any crew. */
+ * Cost:    about linear, plus the meetings; the same for any thread pool. */
 bool sg_self_cut(const sg_dense *dense, size_t s, double tolerance,
-                 sg_crew *crew, const sg_poll *poll, sg_self_meetings *out);
+                 sg_pool *pool, const sg_cancel *cancel, sg_self_meetings *out);
 
 /* Those of them that a triangle has part in that is `changed` (of the triangles
  * of s): for a segment whose other triangles are known not to meet. */
 bool sg_self_cut_changed(const sg_dense *dense, size_t s,
                          const unsigned char *changed, double tolerance,
-                         sg_crew *crew, const sg_poll *poll,
+                         sg_pool *pool, const sg_cancel *cancel,
                          sg_self_meetings *out);
 
 /* Keeps one meeting of each two polygons, of the first kind there is, in the

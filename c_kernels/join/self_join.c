@@ -54,8 +54,8 @@ find_run(sg_self_joiner *j)
 
 /* The tree over a list of triangles. */
 static sg_bvh *
-grow(sg_self_joiner *j, const uint32_t *list, size_t n, sg_crew *crew,
-     const sg_poll *poll)
+grow(sg_self_joiner *j, const uint32_t *list, size_t n, sg_pool *pool,
+     const sg_cancel *cancel)
 {
   sg_box all = sg_box_none();
 
@@ -64,7 +64,7 @@ grow(sg_self_joiner *j, const uint32_t *list, size_t n, sg_crew *crew,
     sg_box_join(&all, &box);
   }
   j->filling = list;
-  return sg_bvh_grow(n, fill_boxes, j, list, &all, crew, poll);
+  return sg_bvh_grow(n, fill_boxes, j, list, &all, pool, cancel);
 }
 
 /* ---- pairs ---- */
@@ -170,14 +170,14 @@ take(sg_self_joiner *j, const sg_bvh_hits *found, const sg_bvh_pair *pair)
 
 static bool
 join(sg_self_joiner *j, const sg_bvh_pair *pair, size_t n, sg_bvh_wants *wants,
-     sg_crew *crew, const sg_poll *poll)
+     sg_pool *pool, const sg_cancel *cancel)
 {
   sg_bvh_hits found;
 
   j->pair = pair;
-  bool good =
-      sg_bvh_join_wanted(pair, n, j->of->reach, wants, j, crew, poll, &found) &&
-      take(j, &found, pair);
+  bool good = sg_bvh_join_wanted(pair, n, j->of->reach, wants, j, pool, cancel,
+                                 &found) &&
+              take(j, &found, pair);
 
   free(found.hit);
   return good;
@@ -218,8 +218,8 @@ are_apart(const void *data, unsigned level, size_t a, size_t b)
 
 /* All triangles of a tree with all. */
 static bool
-join_itself(sg_self_joiner *j, const sg_bvh *tree, sg_crew *crew,
-            const sg_poll *poll)
+join_itself(sg_self_joiner *j, const sg_bvh *tree, sg_pool *pool,
+            const sg_cancel *cancel)
 {
   rooted r = {.j = j, .tree = tree};
   sg_bvh_hits found = {0};
@@ -231,8 +231,8 @@ join_itself(sg_self_joiner *j, const sg_bvh *tree, sg_crew *crew,
       (j->of->reach > 0 ||
        sg_spines_open(tree, read_place, &r, j->of->by_place, &r.spines)) &&
       sg_bvh_join_itself(tree, j->of->reach, wants_pair, j,
-                         r.fans || r.spines ? are_apart : NULL, &r, crew, poll,
-                         &found) &&
+                         r.fans || r.spines ? are_apart : NULL, &r, pool,
+                         cancel, &found) &&
       take(j, &found, j->pair);
 
   sg_fans_close(r.fans);
@@ -244,7 +244,7 @@ join_itself(sg_self_joiner *j, const sg_bvh *tree, sg_crew *crew,
 /* All pairs of a list, one of which is changed. */
 static bool
 join_list(sg_self_joiner *j, const uint32_t *list, size_t n, const sg_bvh *tree,
-          sg_crew *crew, const sg_poll *poll)
+          sg_pool *pool, const sg_cancel *cancel)
 {
   uint32_t *some = NULL;
   size_t found = 0;
@@ -258,10 +258,10 @@ join_list(sg_self_joiner *j, const uint32_t *list, size_t n, const sg_bvh *tree,
     some[found] = t;
     found += is_changed(j, t);
   }
-  sg_bvh *of = found > n / FEW ? NULL : grow(j, some, found, crew, poll);
-  bool good = found > n / FEW ? join_itself(j, tree, crew, poll)
+  sg_bvh *of = found > n / FEW ? NULL : grow(j, some, found, pool, cancel);
+  bool good = found > n / FEW ? join_itself(j, tree, pool, cancel)
                               : of && join(j, &(sg_bvh_pair){of, tree}, 1,
-                                           wants_pair, crew, poll);
+                                           wants_pair, pool, cancel);
 
   sg_bvh_close(of);
   free(some);
@@ -269,10 +269,10 @@ join_list(sg_self_joiner *j, const uint32_t *list, size_t n, const sg_bvh *tree,
 }
 
 static bool
-join_singles(sg_self_joiner *j, sg_crew *crew, const sg_poll *poll)
+join_singles(sg_self_joiner *j, sg_pool *pool, const sg_cancel *cancel)
 {
-  sg_bvh *tree = grow(j, j->single, j->singles, crew, poll);
-  bool good = tree && join_list(j, j->single, j->singles, tree, crew, poll);
+  sg_bvh *tree = grow(j, j->single, j->singles, pool, cancel);
+  bool good = tree && join_list(j, j->single, j->singles, tree, pool, cancel);
 
   sg_bvh_close(tree);
   return good;
@@ -289,8 +289,8 @@ by_pair(const void *x, const void *y)
 
 /* The faces (a) and the triangles (b) that may meet them, in order. */
 static bool
-meet_faces(sg_self_joiner *j, const sg_bvh *tree, sg_crew *crew,
-           const sg_poll *poll, sg_bvh_hits *out)
+meet_faces(sg_self_joiner *j, const sg_bvh *tree, sg_pool *pool,
+           const sg_cancel *cancel, sg_bvh_hits *out)
 {
   sg_box *box = malloc((j->faces + 1) * sizeof *box);
 
@@ -298,12 +298,12 @@ meet_faces(sg_self_joiner *j, const sg_bvh *tree, sg_crew *crew,
   for (size_t f = 0; box && f < j->faces; f++) {
     box[f] = j->face[f].box;
   }
-  sg_bvh *faces = box ? sg_bvh_open(box, j->faces, poll) : NULL;
+  sg_bvh *faces = box ? sg_bvh_open(box, j->faces, cancel) : NULL;
 
   j->only = (sg_bvh_pair){faces, tree};
   j->pair = &j->only;
-  bool good = faces &&
-              sg_bvh_join_wanted(j->pair, 1, 0, wants_face, j, crew, poll, out);
+  bool good = faces && sg_bvh_join_wanted(j->pair, 1, 0, wants_face, j, pool,
+                                          cancel, out);
 
   for (size_t i = 0; i < out->n; i++) {
     sg_bvh_hit *hit = &out->hit[i];
@@ -320,25 +320,25 @@ meet_faces(sg_self_joiner *j, const sg_bvh *tree, sg_crew *crew,
 /* The trees of a face and of the n triangles of hits that may meet it. */
 static bool
 grow_pair(sg_self_joiner *j, const sg_bvh_hit *hit, size_t n, uint32_t *list,
-          sg_bvh_pair *out, sg_crew *crew, const sg_poll *poll)
+          sg_bvh_pair *out, sg_pool *pool, const sg_cancel *cancel)
 {
   const sg_self_face *f = &j->face[hit->a];
 
   for (size_t i = 0; i < n; i++) {
     list[i] = hit[i].b;
   }
-  out->a = grow(j, list, n, crew, poll);
-  out->b = grow(j, j->in_face + f->first, f->n, crew, poll);
+  out->a = grow(j, list, n, pool, cancel);
+  out->b = grow(j, j->in_face + f->first, f->n, pool, cancel);
   return out->a && out->b;
 }
 
 static bool
-join_faces(sg_self_joiner *j, const sg_bvh *tree, sg_crew *crew,
-           const sg_poll *poll)
+join_faces(sg_self_joiner *j, const sg_bvh *tree, sg_pool *pool,
+           const sg_cancel *cancel)
 {
   sg_bvh_hits met = {0};
   sg_bvh_pair *pair = calloc(j->faces + 1, sizeof *pair);
-  bool good = pair && meet_faces(j, tree, crew, poll, &met);
+  bool good = pair && meet_faces(j, tree, pool, cancel, &met);
   uint32_t *list = good ? malloc((met.n + 1) * sizeof *list) : NULL;
   size_t pairs = 0;
 
@@ -346,9 +346,9 @@ join_faces(sg_self_joiner *j, const sg_bvh *tree, sg_crew *crew,
   for (size_t i = 0, end; good && i < met.n; i = end, pairs++) {
     for (end = i; end < met.n && met.hit[end].a == met.hit[i].a; end++) {
     }
-    good = grow_pair(j, &met.hit[i], end - i, list, &pair[pairs], crew, poll);
+    good = grow_pair(j, &met.hit[i], end - i, list, &pair[pairs], pool, cancel);
   }
-  good = good && join(j, pair, pairs, wants_of_face, crew, poll);
+  good = good && join(j, pair, pairs, wants_of_face, pool, cancel);
   for (size_t f = 0; pair && f < j->faces; f++) {
     sg_bvh_close((sg_bvh *)pair[f].a);
     sg_bvh_close((sg_bvh *)pair[f].b);
@@ -391,8 +391,8 @@ put_in_order(sg_self_joiner *j)
 }
 
 bool
-sg_self_join(const sg_self_joining *joining, sg_crew *crew, const sg_poll *poll,
-             sg_bvh_hits *out)
+sg_self_join(const sg_self_joining *joining, sg_pool *pool,
+             const sg_cancel *cancel, sg_bvh_hits *out)
 {
   sg_self_joiner j = {.of = joining};
 
@@ -402,15 +402,15 @@ sg_self_join(const sg_self_joining *joining, sg_crew *crew, const sg_poll *poll,
   bool good = sg_self_find_faces(&j);
 
   if (good && (!joining->tree || j.run.askew)) {
-    j.tree = grow(&j, NULL, joining->n, crew, poll);
+    j.tree = grow(&j, NULL, joining->n, pool, cancel);
     good = j.tree != NULL;
   }
   const sg_bvh *tree = j.tree ? j.tree : joining->tree;
 
   good = good &&
-         (j.faces > 0
-              ? join_singles(&j, crew, poll) && join_faces(&j, tree, crew, poll)
-              : join_list(&j, NULL, joining->n, tree, crew, poll));
+         (j.faces > 0 ? join_singles(&j, pool, cancel) &&
+                            join_faces(&j, tree, pool, cancel)
+                      : join_list(&j, NULL, joining->n, tree, pool, cancel));
   put_in_order(&j);
   sg_bvh_close(j.tree);
   sg_self_clear_faces(&j);

@@ -38,11 +38,11 @@ typedef struct sg_self_joining {
 
 /* The pairs that are wanted, as places a < b of hits. With a tree they come in
  * the order of its join, or if boxes were turned by a and b; without one, in
- * any order that is the same for any crew.
+ * any order that is the same for any thread pool.
  *
- * Returns: false: no memory, or the poll said stop; *out is empty then.
+ * Returns: false: no memory, or the cancellation said stop; *out is empty then.
  * Owner:   out->hit is the caller's, to free(). */
-bool sg_self_join(const sg_self_joining *joining, sg_crew *crew,
-                  const sg_poll *poll, sg_bvh_hits *out);
+bool sg_self_join(const sg_self_joining *joining, sg_pool *pool,
+                  const sg_cancel *cancel, sg_bvh_hits *out);
 
 #endif

@@ -106,17 +106,17 @@ has_none(const sg_leaf_tree *tree)
 }
 
 static bool
-read_leaves(joiner *j, sg_crew *crew, const sg_poll *poll)
+read_leaves(joiner *j, sg_pool *pool, const sg_cancel *cancel)
 {
   size_t n = j->tree->boxes->n;
 
   j->leaf = calloc(n, sizeof *j->leaf);
-  return j->leaf && sg_crew_run(crew, blocks(n), read_block, j, poll);
+  return j->leaf && sg_pool_run(pool, blocks(n), read_block, j, cancel);
 }
 
 static bool
-join(joiner *j, sg_self_wants *wants, bool by_place, sg_crew *crew,
-     const sg_poll *poll)
+join(joiner *j, sg_self_wants *wants, bool by_place, sg_pool *pool,
+     const sg_cancel *cancel)
 {
   const sg_self_joining joining = {.n = j->tree->boxes->n,
                                    .read = read_leaf,
@@ -127,17 +127,17 @@ join(joiner *j, sg_self_wants *wants, bool by_place, sg_crew *crew,
                                    .tree = j->tree->boxes,
                                    .done = &j->met};
 
-  return sg_self_join(&joining, crew, poll, &j->hits);
+  return sg_self_join(&joining, pool, cancel, &j->hits);
 }
 
 bool
 sg_self_leaf_join(const sg_leaf_tree *tree, const sg_leaf_views *views,
-                  double reach, sg_crew *crew, const sg_poll *poll,
+                  double reach, sg_pool *pool, const sg_cancel *cancel,
                   sg_bvh_hits *out)
 {
   joiner j = {.tree = tree, .views = views, .reach = reach};
-  bool done = has_none(tree) || (read_leaves(&j, crew, poll) &&
-                                 join(&j, may_meet, false, crew, poll));
+  bool done = has_none(tree) || (read_leaves(&j, pool, cancel) &&
+                                 join(&j, may_meet, false, pool, cancel));
 
   free(j.leaf);
   *out = j.hits;
@@ -160,14 +160,15 @@ tolerance_of(const joiner *j, double grain)
 
 bool
 sg_self_leaf_meets(const sg_leaf_tree *tree, const sg_leaf_views *views,
-                   double grain, sg_crew *crew, const sg_poll *poll, bool *out)
+                   double grain, sg_pool *pool, const sg_cancel *cancel,
+                   bool *out)
 {
   joiner j = {.tree = tree, .views = views};
-  bool done = has_none(tree) || read_leaves(&j, crew, poll);
+  bool done = has_none(tree) || read_leaves(&j, pool, cancel);
 
   if (done && j.leaf) {
     j.tolerance = tolerance_of(&j, grain);
-    done = join(&j, goes_through, true, crew, poll);
+    done = join(&j, goes_through, true, pool, cancel);
   }
   free(j.leaf);
   free(j.hits.hit);

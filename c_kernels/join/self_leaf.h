@@ -14,22 +14,22 @@
 /* Pairs of leaves (places in the tree) that may have more in common than the
  * corners and the edge they share: what is left out has not, exactly. With a
  * reach above 0 also pairs that share no corner and whose boxes are not farther
- * apart than that. In the order of the join, the same for any crew.
+ * apart than that. In the order of the join, the same for any thread pool.
  *
- * Returns: false: no memory, or the poll said stop; *out is empty then.
+ * Returns: false: no memory, or the cancellation said stop; *out is empty then.
  * Owner:   out->hit is the caller's, to free(). */
 bool sg_self_leaf_join(const sg_leaf_tree *tree, const sg_leaf_views *views,
-                       double reach, sg_crew *crew, const sg_poll *poll,
+                       double reach, sg_pool *pool, const sg_cancel *cancel,
                        sg_bvh_hits *out);
 
 /* Whether the segment goes through itself or lies on itself, by more than the
  * tolerance of its source (flatness.h), whose grain is given. What only touches
  * in points does not.
  *
- * Returns: false: no memory, or the poll said stop.
+ * Returns: false: no memory, or the cancellation said stop.
  * Cost:    as the join; it ends at the first such pair. */
 bool sg_self_leaf_meets(const sg_leaf_tree *tree, const sg_leaf_views *views,
-                        double grain, sg_crew *crew, const sg_poll *poll,
+                        double grain, sg_pool *pool, const sg_cancel *cancel,
                         bool *out);
 
 #endif

@@ -34,11 +34,11 @@ add_segment(sg_call *call, const sg_dense *dense, size_t s, int64_t most,
             sg_self_segment_list *out)
 {
   sg_self_segment segment = {.s = dense->segment[s]};
-  sg_crew *crew = sg_call_crew(call);
+  sg_pool *pool = sg_call_pool(call);
   sg_self_meetings found = {0};
 
-  if (!crew || !sg_self_cut(dense, s, sg_self_tolerance(dense, s), crew,
-                            &call->poll, &found)) {
+  if (!pool || !sg_self_cut(dense, s, sg_self_tolerance(dense, s), pool,
+                            &call->cancel, &found)) {
     return sg_call_ended(call);
   }
   sg_self_by_polygon(&found);

@@ -27,7 +27,7 @@ typedef struct walker {
   const sg_tour *walk;
   const sg_point *const *at;
   const sg_bvh *points;
-  const sg_poll *poll;
+  const sg_cancel *cancel;
   sg_bvh_frame frame; /* of the triangles */
   double here[3];
   unsigned steps;
@@ -253,7 +253,7 @@ points_of(const double t[3][3], sg_point out[3])
 static bool
 is_stopped(walker *k)
 {
-  k->failed = k->failed || (++k->steps % ASKED == 0 && sg_poll_stop(k->poll));
+  k->failed = k->failed || (++k->steps % ASKED == 0 && sg_cancelled(k->cancel));
   return k->failed;
 }
 
@@ -470,7 +470,7 @@ visit(walker *k, list above, unsigned level, uint32_t at)
 }
 
 static sg_bvh *
-plant(const sg_point *const *at, size_t n, const sg_poll *poll)
+plant(const sg_point *const *at, size_t n, const sg_cancel *cancel)
 {
   sg_box *box = malloc((n + 1) * sizeof *box);
   sg_bvh *tree = NULL;
@@ -482,7 +482,7 @@ plant(const sg_point *const *at, size_t n, const sg_poll *poll)
     }
   }
   if (box) {
-    tree = sg_bvh_open(box, n, poll);
+    tree = sg_bvh_open(box, n, cancel);
   }
   free(box);
   return tree;
@@ -490,13 +490,13 @@ plant(const sg_point *const *at, size_t n, const sg_poll *poll)
 
 bool
 sg_tour_over(const sg_tour *walk, const sg_point *const *at, size_t n,
-             const sg_poll *poll)
+             const sg_cancel *cancel)
 {
   const sg_bvh *tree = walk->tree;
-  walker k = {.walk = walk, .at = at, .poll = poll};
+  walker k = {.walk = walk, .at = at, .cancel = cancel};
   node top;
 
-  if (n == 0 || !(k.points = plant(at, n, poll))) {
+  if (n == 0 || !(k.points = plant(at, n, cancel))) {
     return n == 0;
   }
   for (int c = 0; c < 3; c++) {

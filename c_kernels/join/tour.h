@@ -30,10 +30,10 @@ typedef struct sg_tour {
 /* Goes to the n points, all inside the tree's box but for rounding. Where
  * triangles are not closed, what has been passed at a point means nothing.
  *
- * Returns: false: no memory, or the poll said stop.
+ * Returns: false: no memory, or the cancellation said stop.
  * Cost:    about (points + triangles) log points, if no triangle is near many
  *          of the points. */
 bool sg_tour_over(const sg_tour *walk, const sg_point *const *at, size_t n,
-                  const sg_poll *poll);
+                  const sg_cancel *cancel);
 
 #endif

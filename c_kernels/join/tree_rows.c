@@ -41,9 +41,9 @@ sg_kept_tree_drop(sg_kept_tree *kept)
   if (kept && atomic_fetch_sub(&kept->holders, 1) == 1) {
     sg_leaf_tree_close(kept->tree);
     free(atomic_load(&kept->operand));
-    if (atomic_load(&kept->knots)) {
-      sg_knots_clear(atomic_load(&kept->knots));
-      free(atomic_load(&kept->knots));
+    if (atomic_load(&kept->nonmanifold)) {
+      sg_nonmanifold_clear(atomic_load(&kept->nonmanifold));
+      free(atomic_load(&kept->nonmanifold));
     }
     free(kept);
   }
@@ -260,10 +260,10 @@ grow_missing(sg_call *call, tree_store *store, const sg_version *version,
       missing[m++] = s[i];
     }
   }
-  sg_crew *crew = m > 0 ? sg_call_crew(call) : NULL;
+  sg_pool *pool = m > 0 ? sg_call_pool(call) : NULL;
 
-  if (m > 0 && (!crew || !sg_leaf_trees_grow(views, missing, m, crew,
-                                             &call->poll, tree))) {
+  if (m > 0 && (!pool || !sg_leaf_trees_grow(views, missing, m, pool,
+                                             &call->cancel, tree))) {
     return sg_call_ended(call);
   }
   for (size_t i = 0, k = 0; i < n; i++) {

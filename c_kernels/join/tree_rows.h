@@ -9,8 +9,8 @@
 #define SG_TREE_ROWS_H
 
 #include "call.h"
-#include "knots.h"
 #include "leaf_tree.h"
+#include "nonmanifold.h"
 #include "operand.h"
 
 #include <stdatomic.h>
@@ -38,8 +38,8 @@ typedef struct sg_kept_tree {
   int32_t s;
   uint64_t stamp[SG_TREE_STAMPS];
   sg_leaf_tree *tree;
-  _Atomic(sg_kept_operand *) operand; /* null: not asked yet */
-  _Atomic(sg_knots *) knots;          /* the same */
+  _Atomic(sg_kept_operand *) operand;    /* null: not asked yet */
+  _Atomic(sg_nonmanifold *) nonmanifold; /* the same */
 } sg_kept_tree;
 
 /* The trees of n segments (ascending numbers) as `version` shows them, kept
@@ -61,8 +61,9 @@ bool sg_kept_operand_of(sg_call *call, sg_kept_tree *kept,
                         const sg_version *version, const sg_leaf_views *views,
                         sg_operand *out);
 /* Where its surface is not one sheet; good as long as the tree is held. */
-bool sg_kept_knots(sg_call *call, sg_kept_tree *kept, const sg_version *version,
-                   const sg_leaf_views *views, const sg_knots **out);
+bool sg_kept_nonmanifold(sg_call *call, sg_kept_tree *kept,
+                         const sg_version *version, const sg_leaf_views *views,
+                         const sg_nonmanifold **out);
 
 /* The box round the vertices of segment s, if its tree is kept. */
 bool sg_kept_box(const sg_version *version, int32_t s, sg_box *out);

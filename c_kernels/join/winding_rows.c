@@ -77,7 +77,8 @@ clear_asked(asked *a)
 /* ---- rays ---- */
 
 /* A tree of the rays, each from its point to the far end of the segment. Null:
- * no memory, or the poll said stop. Doubles are the nearest to the point. */
+ * no memory, or the cancellation said stop. Doubles are the nearest to the
+ * point. */
 static sg_bvh *
 plant_rays(sg_call *call, const asked *a, const sg_box *all)
 {
@@ -91,7 +92,7 @@ plant_rays(sg_call *call, const asked *a, const sg_box *all)
     }
     box[i].hi[0] = fmax(box[i].hi[0], all->hi[0]);
   }
-  return box ? sg_bvh_open(box, a->n, &call->poll) : NULL;
+  return box ? sg_bvh_open(box, a->n, &call->cancel) : NULL;
 }
 
 static void
@@ -120,10 +121,10 @@ count_all(sg_call *call, asked *a, const sg_leaf_tree *tree,
   sg_bvh *rays = plant_rays(call, a, &tree->box);
   sg_bvh_hits hits = {0};
   bool good = rays != NULL && sg_bvh_join(&(sg_bvh_pair){rays, tree->boxes}, 1,
-                                          0, NULL, &call->poll, &hits);
+                                          0, NULL, &call->cancel, &hits);
 
   for (size_t i = 0; i < hits.n && good; i++) {
-    good = !sg_poll_every(&call->poll, i);
+    good = !sg_cancel_every(&call->cancel, i);
     count(a, rays->item[hits.hit[i].a], tree, views,
           tree->boxes->item[hits.hit[i].b]);
   }

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { POLL_EVERY = 65536 };
+enum { ASK_EVERY = 65536 };
 
 /* A vertex on its way to its number. */
 typedef struct placed {
@@ -98,7 +98,7 @@ number_vertices(const placed *sorted, size_t n, const double (*was)[3],
 
 static sg_boundary_end
 make_vertices(const sg_boundary_source *source, const sg_rounding *rounding,
-              const sg_poll *poll, uint32_t *number, sg_boundary *out)
+              const sg_cancel *cancel, uint32_t *number, sg_boundary *out)
 {
   const sg_dense *d = source->dense;
   size_t first = d->vertex_begin[source->s];
@@ -116,7 +116,7 @@ make_vertices(const sg_boundary_source *source, const sg_rounding *rounding,
     free(sorted);
     return SG_BOUNDARY_TOO_FAR;
   }
-  sg_sort_end end = sg_sort(sorted, n, sizeof *sorted, compare_placed, poll);
+  sg_sort_end end = sg_sort(sorted, n, sizeof *sorted, compare_placed, cancel);
   if (end == SG_SORTED) {
     number_vertices(sorted, n, (const double(*)[3])d->at + first, number, out);
   }
@@ -327,8 +327,8 @@ face_room(const sg_dense *d, size_t s, const sg_touched *touched,
 }
 
 static sg_boundary_end
-take_faces(const face_maker *m, const sg_touched *touched, const sg_poll *poll,
-           outline *o)
+take_faces(const face_maker *m, const sg_touched *touched,
+           const sg_cancel *cancel, outline *o)
 {
   const sg_dense *d = m->source->dense;
   size_t first = d->polygon_begin[m->source->s];
@@ -339,7 +339,7 @@ take_faces(const face_maker *m, const sg_touched *touched, const sg_poll *poll,
     const uint32_t *begin =
         touched->begin ? touched->begin + (p - first) : NULL;
 
-    if (p % POLL_EVERY == 0 && sg_poll_stop(poll)) {
+    if (p % ASK_EVERY == 0 && sg_cancelled(cancel)) {
       return SG_BOUNDARY_STOPPED;
     }
     if (!begin || begin[0] == begin[1]) {
@@ -355,7 +355,7 @@ take_faces(const face_maker *m, const sg_touched *touched, const sg_poll *poll,
 
 static sg_boundary_end
 make_faces(const sg_boundary_source *source, const uint32_t *number,
-           const sg_poll *poll, sg_boundary *out)
+           const sg_cancel *cancel, sg_boundary *out)
 {
   const sg_dense *d = source->dense;
   const face_maker m = {source, d->vertex_begin[source->s], number, out};
@@ -363,15 +363,16 @@ make_faces(const sg_boundary_source *source, const uint32_t *number,
   sg_touched touched;
   bool stopped;
 
-  if (!sg_touched_find(d, source->s, number, source->divided, poll, &touched,
+  if (!sg_touched_find(d, source->s, number, source->divided, cancel, &touched,
                        &stopped)) {
     return stopped ? SG_BOUNDARY_STOPPED : SG_BOUNDARY_NO_MEMORY;
   }
   size_t most = face_room(d, source->s, &touched, out);
 
   o.side = malloc((most + 1) * sizeof *o.side);
-  sg_boundary_end end = most > 0 && o.side ? take_faces(&m, &touched, poll, &o)
-                                           : SG_BOUNDARY_NO_MEMORY;
+  sg_boundary_end end = most > 0 && o.side
+                            ? take_faces(&m, &touched, cancel, &o)
+                            : SG_BOUNDARY_NO_MEMORY;
   free(o.side);
   sg_touched_clear(&touched);
   return end;
@@ -395,18 +396,18 @@ grain_of(const sg_boundary_source *source, const sg_rounding *rounding,
 
 sg_boundary_end
 sg_boundary_make(const sg_boundary_source *source, const sg_rounding *rounding,
-                 const sg_poll *poll, sg_boundary *out)
+                 const sg_cancel *cancel, sg_boundary *out)
 {
   const uint32_t *begin = source->dense->vertex_begin + source->s;
   uint32_t *number = malloc((begin[1] - begin[0] + 1u) * sizeof *number);
 
   *out = (sg_boundary){0};
-  sg_boundary_end end = number
-                            ? make_vertices(source, rounding, poll, number, out)
-                            : SG_BOUNDARY_NO_MEMORY;
+  sg_boundary_end end =
+      number ? make_vertices(source, rounding, cancel, number, out)
+             : SG_BOUNDARY_NO_MEMORY;
   if (end == SG_BOUNDARY_DONE) {
     out->grain = grain_of(source, rounding, out);
-    end = make_faces(source, number, poll, out);
+    end = make_faces(source, number, cancel, out);
   }
   free(number);
   return end;

@@ -71,7 +71,7 @@ typedef struct sg_boundary_source {
  * Owner: sg_boundary_clear() in any case. */
 sg_boundary_end sg_boundary_make(const sg_boundary_source *source,
                                  const sg_rounding *rounding,
-                                 const sg_poll *poll, sg_boundary *out);
+                                 const sg_cancel *cancel, sg_boundary *out);
 void sg_boundary_clear(sg_boundary *boundary);
 
 /* Takes out the faces whose vertices are all on one line (exact), those of

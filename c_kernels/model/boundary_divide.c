@@ -97,7 +97,7 @@ try_to_divide(sg_boundary_maker *m, const double (*at)[3], size_t n,
   return fill_work(m, at, n, plane.n) && sg_work_resolve(m->work, reach) &&
                  note_splits(m)
              ? sg_work_triangulate_moved(m->work, moved, &m->found, &edge,
-                                         m->poll)
+                                         m->cancel)
              : SG_NO_SPACE;
 }
 

@@ -191,14 +191,14 @@ add_group(fans *x, const sg_edge_pairs *pairs, const sg_edge_group *group)
 }
 
 static sg_boundary_end
-find_mates(fans *x, const sg_poll *poll)
+find_mates(fans *x, const sg_cancel *cancel)
 {
   sg_edge_pairs pairs;
   sg_edge_group group = {0};
   bool stopped, done;
 
   done = sg_edge_pairs_make(x->corners, x->from, x->to, x->out->mesh.vertices,
-                            poll, &pairs, &stopped);
+                            cancel, &pairs, &stopped);
   while (done && sg_edge_group_next(&pairs, &group)) {
     done = add_group(x, &pairs, &group);
   }
@@ -408,7 +408,8 @@ close_fans(fans *x)
 }
 
 sg_boundary_end
-sg_boundary_mesh_pair(sg_boundary_mesh *mesh, bool copies, const sg_poll *poll)
+sg_boundary_mesh_pair(sg_boundary_mesh *mesh, bool copies,
+                      const sg_cancel *cancel)
 {
   fans x = {.out = mesh,
             .corners = mesh->mesh.face.corners,
@@ -420,7 +421,7 @@ sg_boundary_mesh_pair(sg_boundary_mesh *mesh, bool copies, const sg_poll *poll)
   }
   if (open_fans(&x)) {
     link_corners(&x);
-    end = find_mates(&x, poll);
+    end = find_mates(&x, cancel);
     if (end == SG_BOUNDARY_DONE && copies &&
         (!find_manifold_fans(&x) || !make_copies(&x))) {
       end = SG_BOUNDARY_NO_MEMORY;

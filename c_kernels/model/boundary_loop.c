@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { POLL_EVERY = 65536 };
+enum { ASK_EVERY = 65536 };
 
 bool
 sg_boundary_no_memory(sg_boundary_maker *m)
@@ -191,7 +191,7 @@ bool
 sg_boundary_add_faces(sg_boundary_maker *m)
 {
   for (size_t f = 0; f < m->b->faces; f++) {
-    if (f % POLL_EVERY == 0 && sg_poll_stop(m->poll)) {
+    if (f % ASK_EVERY == 0 && sg_cancelled(m->cancel)) {
       m->end = SG_BOUNDARY_STOPPED;
       return false;
     }

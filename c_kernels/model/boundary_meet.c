@@ -67,17 +67,17 @@ close_segment(as_segment *s)
 }
 
 bool
-sg_boundary_mesh_meetings(const sg_boundary_mesh *mesh, bool all, sg_crew *crew,
-                          const sg_poll *poll, sg_self_meetings *out)
+sg_boundary_mesh_meetings(const sg_boundary_mesh *mesh, bool all, sg_pool *pool,
+                          const sg_cancel *cancel, sg_self_meetings *out)
 {
   as_segment s;
   bool done = open_segment(mesh, &s);
 
   *out = (sg_self_meetings){0};
   if (done && mesh->mesh.face.count > 0) {
-    done = all ? sg_self_cut(&s.dense, 0, 0, crew, poll, out)
-               : sg_self_cut_changed(&s.dense, 0, mesh->changed, 0, crew, poll,
-                                     out);
+    done = all ? sg_self_cut(&s.dense, 0, 0, pool, cancel, out)
+               : sg_self_cut_changed(&s.dense, 0, mesh->changed, 0, pool,
+                                     cancel, out);
   }
   close_segment(&s);
   return done;
@@ -86,12 +86,12 @@ sg_boundary_mesh_meetings(const sg_boundary_mesh *mesh, bool all, sg_crew *crew,
 /* Marks the vertices of triangles that go through each other, and of edges
  * along which they do. */
 static bool
-find_coarse(const sg_boundary_mesh *mesh, sg_crew *crew, const sg_poll *poll,
-            unsigned char *coarse)
+find_coarse(const sg_boundary_mesh *mesh, sg_pool *pool,
+            const sg_cancel *cancel, unsigned char *coarse)
 {
   sg_self_meetings met;
 
-  if (!sg_boundary_mesh_meetings(mesh, true, crew, poll, &met)) {
+  if (!sg_boundary_mesh_meetings(mesh, true, pool, cancel, &met)) {
     return false;
   }
   for (size_t v = 0; mesh->crossed && v < mesh->mesh.vertices; v++) {
@@ -161,15 +161,15 @@ spread_coarse(const sg_boundary_mesh *mesh, double grid, unsigned char *coarse)
 
 static sg_boundary_end
 coarsen(const sg_boundary_source *source, const sg_rounding *rounding,
-        const sg_form *form, bool turned, const sg_poll *poll,
+        const sg_form *form, bool turned, const sg_cancel *cancel,
         sg_boundary_mesh *out)
 {
   sg_boundary boundary;
-  sg_boundary_end end = sg_boundary_make(source, rounding, poll, &boundary);
+  sg_boundary_end end = sg_boundary_make(source, rounding, cancel, &boundary);
 
   if (end == SG_BOUNDARY_DONE) {
     end = sg_boundary_drop_flat(&boundary, turned)
-              ? sg_boundary_mesh_make(&boundary, form, poll, out)
+              ? sg_boundary_mesh_make(&boundary, form, cancel, out)
               : SG_BOUNDARY_NO_MEMORY;
   }
   sg_boundary_clear(&boundary);
@@ -181,7 +181,7 @@ coarsen(const sg_boundary_source *source, const sg_rounding *rounding,
 sg_boundary_end
 sg_boundary_mesh_coarsen(const sg_boundary_mesh *mesh,
                          const sg_rounding *rounding, const sg_form *form,
-                         sg_crew *crew, const sg_poll *poll,
+                         sg_pool *pool, const sg_cancel *cancel,
                          sg_boundary_mesh *out)
 {
   unsigned char *coarse = calloc(mesh->mesh.vertices + 1, 1);
@@ -194,13 +194,13 @@ sg_boundary_mesh_coarsen(const sg_boundary_mesh *mesh,
     return SG_BOUNDARY_DONE;
   }
   if (coarse && open_segment(mesh, &s) &&
-      find_coarse(mesh, crew, poll, coarse) &&
+      find_coarse(mesh, pool, cancel, coarse) &&
       (rounding->grid == 0 || spread_coarse(mesh, rounding->grid, coarse))) {
     sg_boundary_source source = {.dense = &s.dense, .coarse = coarse};
-    end = coarsen(&source, rounding, form, true, poll, out);
+    end = coarsen(&source, rounding, form, true, cancel, out);
     if (end == SG_BOUNDARY_DONE && (out->stuck > 0 || out->open > 0)) {
       sg_boundary_mesh_clear(out);
-      end = coarsen(&source, rounding, form, false, poll, out);
+      end = coarsen(&source, rounding, form, false, cancel, out);
     }
   }
   close_segment(&s);

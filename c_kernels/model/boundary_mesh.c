@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { POLL_EVERY = 65536, SMALL = 12, MOST_SPLITS = 5 };
+enum { ASK_EVERY = 65536, SMALL = 12, MOST_SPLITS = 5 };
 
 /* ---- in order ---------------------------------------------------------------
  */
@@ -70,7 +70,7 @@ order_loops(sg_boundary_maker *m)
     m->order[m->begin[m->loop.corner[m->loop.start[f]] + 1]++] = (uint32_t)f;
   }
   for (size_t v = 0; v < vertices; v++) {
-    if (v % POLL_EVERY == 0 && sg_poll_stop(m->poll)) {
+    if (v % ASK_EVERY == 0 && sg_cancelled(m->cancel)) {
       m->end = SG_BOUNDARY_STOPPED;
       return false;
     }
@@ -306,17 +306,17 @@ close_maker(sg_boundary_maker *m)
 
 sg_boundary_end
 sg_boundary_mesh_make(sg_boundary *boundary, const sg_form *form,
-                      const sg_poll *poll, sg_boundary_mesh *out)
+                      const sg_cancel *cancel, sg_boundary_mesh *out)
 {
   sg_boundary_maker m = {
-      .b = boundary, .form = form, .poll = poll, .out = out, .reach = -1};
+      .b = boundary, .form = form, .cancel = cancel, .out = out, .reach = -1};
 
   *out = (sg_boundary_mesh){.mesh.grain = boundary->grain};
   bool done = open_maker(&m) && add_and_split(&m) && order_loops(&m) &&
               cancel_all(&m) && put_vertices(&m) && put_faces(&m) &&
               put_triangles(&m);
   close_maker(&m);
-  return done ? sg_boundary_mesh_pair(out, form->copies, poll) : m.end;
+  return done ? sg_boundary_mesh_pair(out, form->copies, cancel) : m.end;
 }
 
 void

@@ -16,9 +16,9 @@
 #define SG_BOUNDARY_MESH_H
 
 #include "boundary.h"
-#include "crew.h"
 #include "join/self_cut.h"
 #include "mesh.h"
+#include "thread_pool.h"
 
 typedef struct sg_form {
   bool triangles; /* no face has more than three corners */
@@ -51,7 +51,8 @@ typedef struct sg_boundary_mesh {
  * boundary, in all its faces. Returns: DONE, NO_MEMORY or STOPPED. Owner:
  * sg_boundary_mesh_clear() in any case. */
 sg_boundary_end sg_boundary_mesh_make(sg_boundary *boundary,
-                                      const sg_form *form, const sg_poll *poll,
+                                      const sg_form *form,
+                                      const sg_cancel *cancel,
                                       sg_boundary_mesh *out);
 /* The triangles of a mesh without copies as a boundary again, if some of them
  * have no area that doubles can tell (else *any is false, and *out empty): for
@@ -63,7 +64,7 @@ void sg_boundary_mesh_clear(sg_boundary_mesh *mesh);
 /* Where it goes through itself: meetings of its triangles with those that are
  * changed, or of all, exactly. False: no memory, or stopped. See self_cut.h. */
 bool sg_boundary_mesh_meetings(const sg_boundary_mesh *mesh, bool all,
-                               sg_crew *crew, const sg_poll *poll,
+                               sg_pool *pool, const sg_cancel *cancel,
                                sg_self_meetings *out);
 
 /* The mesh with the vertices of those triangles that go through each other, by
@@ -71,8 +72,8 @@ bool sg_boundary_mesh_meetings(const sg_boundary_mesh *mesh, bool all,
  * a cell of it; then in the same form. */
 sg_boundary_end sg_boundary_mesh_coarsen(const sg_boundary_mesh *mesh,
                                          const sg_rounding *rounding,
-                                         const sg_form *form, sg_crew *crew,
-                                         const sg_poll *poll,
+                                         const sg_form *form, sg_pool *pool,
+                                         const sg_cancel *cancel,
                                          sg_boundary_mesh *out);
 
 #endif

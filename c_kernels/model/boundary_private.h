@@ -24,7 +24,7 @@ typedef struct sg_edge_splits {
 typedef struct sg_boundary_maker {
   sg_boundary *b;
   const sg_form *form;
-  const sg_poll *poll;
+  const sg_cancel *cancel;
   sg_boundary_mesh *out;
   sg_boundary_end end;    /* what went wrong */
   sg_mesh_lists loop;     /* the faces as they come */
@@ -71,7 +71,7 @@ bool sg_boundary_add_faces(sg_boundary_maker *m);
 /* Counts open, touching and crossing edges of a mesh whose faces and triangles
  * are there; makes copies if asked to. */
 sg_boundary_end sg_boundary_mesh_pair(sg_boundary_mesh *mesh, bool copies,
-                                      const sg_poll *poll);
+                                      const sg_cancel *cancel);
 
 /* Faces at one edge, from `u` to `w`: the directed edge `edge` of a face that
  * has a point beside it at `beside`. */

@@ -134,7 +134,7 @@ enum { MOST_AGAIN = 4 };
 
 /* Dividing faces may leave triangles without area: these go like others. */
 static sg_boundary_end
-make_again(const manner *how, const sg_poll *poll, sg_boundary_mesh *mesh)
+make_again(const manner *how, const sg_cancel *cancel, sg_boundary_mesh *mesh)
 {
   sg_boundary_end end = SG_BOUNDARY_DONE;
   bool any = how->form.triangles;
@@ -149,7 +149,7 @@ make_again(const manner *how, const sg_poll *poll, sg_boundary_mesh *mesh)
     if (any && end == SG_BOUNDARY_DONE) {
       sg_boundary_mesh_clear(mesh);
       end = sg_boundary_drop_flat(&boundary, false)
-                ? sg_boundary_mesh_make(&boundary, &how->form, poll, mesh)
+                ? sg_boundary_mesh_make(&boundary, &how->form, cancel, mesh)
                 : SG_BOUNDARY_NO_MEMORY;
     }
     sg_boundary_clear(&boundary);
@@ -159,19 +159,19 @@ make_again(const manner *how, const sg_poll *poll, sg_boundary_mesh *mesh)
 
 static sg_boundary_end
 make_part(const sg_boundary_source *source, const manner *how,
-          const sg_poll *poll, sg_boundary_mesh *out)
+          const sg_cancel *cancel, sg_boundary_mesh *out)
 {
   sg_boundary boundary;
   sg_boundary_end end =
-      sg_boundary_make(source, &how->rounding, poll, &boundary);
+      sg_boundary_make(source, &how->rounding, cancel, &boundary);
 
   if (end == SG_BOUNDARY_DONE) {
     end = sg_boundary_drop_flat(&boundary, !how->keep_turned)
-              ? sg_boundary_mesh_make(&boundary, &how->form, poll, out)
+              ? sg_boundary_mesh_make(&boundary, &how->form, cancel, out)
               : SG_BOUNDARY_NO_MEMORY;
   }
   sg_boundary_clear(&boundary);
-  return end == SG_BOUNDARY_DONE ? make_again(how, poll, out) : end;
+  return end == SG_BOUNDARY_DONE ? make_again(how, cancel, out) : end;
 }
 
 static bool
@@ -214,8 +214,8 @@ open_parts(sg_call *call, const sg_dense *d, const sg_id_pair_list *list,
     sg_call_ended(call);
   }
   for (source.s = 0; done && source.s < d->segments; source.s++) {
-    done =
-        is_done(call, make_part(&source, how, &call->poll, &b->part[source.s]));
+    done = is_done(call,
+                   make_part(&source, how, &call->cancel, &b->part[source.s]));
   }
   free(made);
   free(normal);
@@ -247,18 +247,18 @@ sg_door_boundary_coarsen(sg_call *call, sg_boundaries *from, double grid,
                          sg_boundaries **out)
 {
   const manner how = {.rounding = {grid, from->single}, .form = from->form};
-  sg_crew *crew = sg_call_crew(call);
+  sg_pool *pool = sg_call_pool(call);
   sg_boundaries *b =
-      crew ? make_boundaries(call, from->segments, from->form, from->single)
+      pool ? make_boundaries(call, from->segments, from->form, from->single)
            : NULL;
   bool done = b != NULL;
 
   for (size_t i = 0; done && i < b->segments; i++) {
     sg_boundary_end end =
-        sg_boundary_mesh_coarsen(&from->part[i], &how.rounding, &how.form, crew,
-                                 &call->poll, &b->part[i]);
+        sg_boundary_mesh_coarsen(&from->part[i], &how.rounding, &how.form, pool,
+                                 &call->cancel, &b->part[i]);
     done = is_done(call, end == SG_BOUNDARY_DONE
-                             ? make_again(&how, &call->poll, &b->part[i])
+                             ? make_again(&how, &call->cancel, &b->part[i])
                              : end);
   }
   return give(b, done, out);
@@ -309,13 +309,13 @@ bool
 sg_door_boundary_meetings(sg_call *call, sg_boundaries *b, bool all,
                           sg_boundary_meeting_list *out)
 {
-  sg_crew *crew = sg_call_crew(call);
-  bool good = crew != NULL;
+  sg_pool *pool = sg_call_pool(call);
+  bool good = pool != NULL;
 
   for (size_t i = 0; good && i < b->segments; i++) {
     sg_self_meetings found;
 
-    if (!sg_boundary_mesh_meetings(&b->part[i], all, crew, &call->poll,
+    if (!sg_boundary_mesh_meetings(&b->part[i], all, pool, &call->cancel,
                                    &found)) {
       return sg_call_ended(call);
     }

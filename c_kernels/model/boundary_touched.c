@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { POLL_EVERY = 65536 };
+enum { ASK_EVERY = 65536 };
 
 /* A side of two triangles of one polygon. */
 typedef struct chord {
@@ -20,7 +20,7 @@ typedef struct chord {
 typedef struct finder {
   const sg_dense *d;
   const uint32_t *number;
-  const sg_poll *poll;
+  const sg_cancel *cancel;
   bool stopped;
   size_t vertex, polygon, polygons; /* the first vertex and polygon */
   size_t triangle, triangles;
@@ -38,7 +38,7 @@ typedef struct finder {
 static bool
 stops(finder *f)
 {
-  return f->stopped = sg_poll_stop(f->poll);
+  return f->stopped = sg_cancelled(f->cancel);
 }
 
 static uint32_t
@@ -185,7 +185,7 @@ static bool
 find_inside(finder *f)
 {
   for (size_t p = 0; p < f->polygons; p++) {
-    if (p % POLL_EVERY == 0 && stops(f)) {
+    if (p % ASK_EVERY == 0 && stops(f)) {
       return false;
     }
     if (f->begin[p + 1] - f->begin[p] < 2) {
@@ -223,7 +223,7 @@ find_edges_inside(finder *f)
   for (size_t p = 0; f->n > 0 && p < f->polygons; p++) {
     size_t place = f->polygon + p;
 
-    if (p % POLL_EVERY == 0 && stops(f)) {
+    if (p % ASK_EVERY == 0 && stops(f)) {
       return false;
     }
     for (size_t k = d->list_begin[place]; k < d->list_begin[place + 1]; k++) {
@@ -257,12 +257,13 @@ keep_touched(finder *f)
 
 bool
 sg_touched_find(const sg_dense *dense, size_t s, const uint32_t *number,
-                bool all, const sg_poll *poll, sg_touched *out, bool *stopped)
+                bool all, const sg_cancel *cancel, sg_touched *out,
+                bool *stopped)
 {
   finder f = {
       .d = dense,
       .number = number,
-      .poll = poll,
+      .cancel = cancel,
       .vertex = dense->vertex_begin[s],
       .polygon = dense->polygon_begin[s],
       .polygons = dense->polygon_begin[s + 1] - dense->polygon_begin[s],

@@ -22,11 +22,11 @@ typedef struct sg_touched {
 /* number[v] is that of the place of vertex v of s: vertices in one place are
  * one. If `all`, every polygon that has triangles is taken for touched.
  *
- * Returns: false: no memory, or (*stopped) stopped by the poll.
+ * Returns: false: no memory, or (*stopped) stopped by the cancellation.
  * Owner:   sg_touched_clear() in any case.
  * Cost:    linear. */
 bool sg_touched_find(const sg_dense *dense, size_t s, const uint32_t *number,
-                     bool all, const sg_poll *poll, sg_touched *out,
+                     bool all, const sg_cancel *cancel, sg_touched *out,
                      bool *stopped);
 void sg_touched_clear(sg_touched *touched);
 

@@ -150,10 +150,10 @@ pair_edges(sg_counting *c)
     from[i] = d->from[edge[i]] - base;
     to[i] = d->to[edge[i]] - base;
   }
-  done =
-      done &&
-      sg_edge_pairs_make(n, from, to, vertices, c->poll, &pairs, &c->stopped) &&
-      note_groups(c, &pairs, edge);
+  done = done &&
+         sg_edge_pairs_make(n, from, to, vertices, c->cancel, &pairs,
+                            &c->stopped) &&
+         note_groups(c, &pairs, edge);
   sg_edge_pairs_clear(&pairs);
   free(edge);
   free(from);
@@ -342,7 +342,7 @@ count_segment(sg_counting *c)
   part->polygons = d->polygon_begin[c->s + 1] - d->polygon_begin[c->s];
   part->triangles = d->triangle_begin[c->s + 1] - d->triangle_begin[c->s];
   for (size_t p = d->polygon_begin[c->s]; p < d->polygon_begin[c->s + 1]; p++) {
-    if (p % 65536 == 0 && (c->stopped = sg_poll_stop(c->poll))) {
+    if (p % 65536 == 0 && (c->stopped = sg_cancelled(c->cancel))) {
       return false;
     }
     if (!own_edges(c, p) || !join_loops(c, p)) {
@@ -411,9 +411,9 @@ close_counting(sg_counting *c)
 
 bool
 sg_census_make(const sg_dense *dense, const double (*plane)[4],
-               const sg_poll *poll, sg_census *out, bool *stopped)
+               const sg_cancel *cancel, sg_census *out, bool *stopped)
 {
-  sg_counting c = {.d = dense, .plane = plane, .out = out, .poll = poll};
+  sg_counting c = {.d = dense, .plane = plane, .out = out, .cancel = cancel};
 
   *out = (sg_census){0};
   bool done = open_counting(&c);

@@ -68,11 +68,11 @@ typedef struct sg_census {
 /* `plane`: [polygons] A, B, C, D as the model has them, NaN where it has none;
  * null: none at all.
  *
- * Returns: false: no memory, or (*stopped) stopped by the poll.
+ * Returns: false: no memory, or (*stopped) stopped by the cancellation.
  * Cost:    about linear.
  * Owner:   sg_census_clear() in any case. */
 bool sg_census_make(const sg_dense *dense, const double (*plane)[4],
-                    const sg_poll *poll, sg_census *out, bool *stopped);
+                    const sg_cancel *cancel, sg_census *out, bool *stopped);
 void sg_census_clear(sg_census *census);
 
 #endif

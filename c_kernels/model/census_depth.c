@@ -125,7 +125,7 @@ set_depths(const depths *d, sg_shell *shell)
 
 /* A tree of the triangles. */
 static sg_bvh *
-plant(const depths *d, const sg_poll *poll)
+plant(const depths *d, const sg_cancel *cancel)
 {
   sg_box *box = malloc((d->triangles + 1) * sizeof *box);
   sg_bvh *tree = NULL;
@@ -140,18 +140,18 @@ plant(const depths *d, const sg_poll *poll)
     }
   }
   if (box) {
-    tree = sg_bvh_open(box, d->triangles, poll);
+    tree = sg_bvh_open(box, d->triangles, cancel);
   }
   free(box);
   return tree;
 }
 
 static bool
-walk(depths *d, const sg_poll *poll)
+walk(depths *d, const sg_cancel *cancel)
 {
   size_t n = d->shells * TRIED;
   const sg_point **at = malloc(n * sizeof *at);
-  sg_bvh *tree = at ? plant(d, poll) : NULL;
+  sg_bvh *tree = at ? plant(d, cancel) : NULL;
   sg_tour way = {.tree = tree,
                  .data = d,
                  .corners = corners,
@@ -162,7 +162,7 @@ walk(depths *d, const sg_poll *poll)
   for (size_t i = 0; at && i < n; i++) {
     at[i] = &d->at[i];
   }
-  bool done = tree && sg_tour_over(&way, at, n, poll);
+  bool done = tree && sg_tour_over(&way, at, n, cancel);
 
   free(at);
   sg_bvh_close(tree);
@@ -192,7 +192,7 @@ sg_census_depths(sg_counting *c)
 
   if (done) {
     choose(&d);
-    done = walk(&d, c->poll);
+    done = walk(&d, c->cancel);
   }
   if (done) {
     set_depths(&d, c->out->shell);

@@ -10,7 +10,7 @@ typedef struct sg_counting {
   const sg_dense *d;
   const double (*plane)[4]; /* [polygons] or null */
   sg_census *out;
-  const sg_poll *poll;
+  const sg_cancel *cancel;
   bool stopped;
   size_t s; /* the segment at work */
   sg_part *part;

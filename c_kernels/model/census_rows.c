@@ -46,7 +46,7 @@ make_census(sg_call *call, sg_census *out)
 
   *out = (sg_census){0};
   good = good && (sg_census_make(&dense, (const double(*)[4])all.of,
-                                 &call->poll, out, &stopped) ||
+                                 &call->cancel, out, &stopped) ||
                   sg_call_ended(call));
   sg_dense_clear(&dense);
   return good;

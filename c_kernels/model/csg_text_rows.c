@@ -19,7 +19,7 @@ typedef struct reader {
   sg_csg_text text;
   int32_t symbol[OFTEN];
   sg_term_builder out;
-  const sg_poll *poll;
+  const sg_cancel *cancel;
   const char *file;
   const char *wanted; /* what should stand where a fault is */
   size_t words;
@@ -32,7 +32,7 @@ static bool
 next(reader *r)
 {
   sg_csg_next(&r->text);
-  return !sg_poll_every(r->poll, ++r->words) && !r->out.no_memory;
+  return !sg_cancel_every(r->cancel, ++r->words) && !r->out.no_memory;
 }
 
 static bool
@@ -356,7 +356,7 @@ sg_door_csg_nodes(sg_call *call, const sg_input *stream, const char *file,
 {
   reader r = {
       .symbol = {symbol_of("node"), symbol_of("location"), symbol_of("string")},
-      .poll = &call->poll,
+      .cancel = &call->cancel,
       .file = file};
   char *text = NULL;
   size_t n = 0;

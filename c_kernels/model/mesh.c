@@ -307,7 +307,8 @@ finish(sg_mesh_reader *r, sg_mesh_format format, sg_mesh_weld weld)
   if (weld == SG_WELD_AUTO && format != SG_MESH_STL) {
     weld = is_soup(mesh) ? SG_WELD_ALL : SG_WELD_NONE;
   }
-  if (weld != SG_WELD_NONE && !sg_mesh_weld_vertices(mesh, r->poll, &stopped)) {
+  if (weld != SG_WELD_NONE &&
+      !sg_mesh_weld_vertices(mesh, r->cancel, &stopped)) {
     return sg_mesh_fail_byte(r, stopped ? SG_MESH_STOPPED : SG_MESH_NO_MEMORY,
                              0, NULL, 0, 0);
   }
@@ -416,7 +417,7 @@ sg_mesh_read(sg_mesh_format format, const char *bytes, size_t n,
   *error = (sg_mesh_error){.wanted = ""};
   r.mesh = out;
   r.error = error;
-  r.poll = options->poll;
+  r.cancel = options->cancel;
   r.one_segment = options->one_segment;
   if (is_blank_file(bytes, n)) {
     return sg_mesh_fail(&r, SG_MESH_EMPTY_FILE, NULL, NULL);

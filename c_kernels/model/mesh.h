@@ -21,7 +21,7 @@
 #ifndef SG_MESH_H
 #define SG_MESH_H
 
-#include "engine/poll.h"
+#include "engine/cancel.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -41,7 +41,7 @@ typedef enum sg_mesh_format {
  * been there; got and limit are numbers as said here. */
 typedef enum sg_mesh_code {
   SG_MESH_FINE,
-  SG_MESH_STOPPED, /* the poll said so */
+  SG_MESH_STOPPED, /* the cancellation said so */
   SG_MESH_NO_MEMORY,
   SG_MESH_EMPTY_FILE,
   SG_MESH_NO_FACES, /* neither a polygon nor a curve */
@@ -118,9 +118,9 @@ typedef enum sg_mesh_weld {
 } sg_mesh_weld;
 
 typedef struct sg_mesh_options {
-  sg_mesh_weld weld;   /* AUTO: the policy above */
-  bool one_segment;    /* do not part by names */
-  const sg_poll *poll; /* null: never stops */
+  sg_mesh_weld weld;       /* AUTO: the policy above */
+  bool one_segment;        /* do not part by names */
+  const sg_cancel *cancel; /* null: never stops */
 } sg_mesh_options;
 
 /* The format that the bytes are in, UNKNOWN if they look like none. */
@@ -149,7 +149,7 @@ typedef struct sg_mesh_sink {
  * SG_MESH_UNSUPPORTED) and has no curves; neither has OFF, whose faces of two
  * corners stand for them. Segments are kept by STL text and OBJ. */
 bool sg_mesh_write(sg_mesh_format format, const sg_mesh *mesh,
-                   const sg_mesh_sink *sink, const sg_poll *poll,
+                   const sg_mesh_sink *sink, const sg_cancel *cancel,
                    sg_mesh_error *error);
 
 /* Building a mesh by hand. All false: no memory, or too large. */

@@ -150,7 +150,7 @@ number_vertices(sg_mesh_parts *parts, const sg_mesh_part *part)
 }
 
 bool
-sg_mesh_parts_get(sg_mesh_parts *parts, size_t s, const sg_poll *poll,
+sg_mesh_parts_get(sg_mesh_parts *parts, size_t s, const sg_cancel *cancel,
                   sg_mesh_part *out, bool *stopped)
 {
   const sg_mesh *mesh = parts->mesh;
@@ -172,7 +172,7 @@ sg_mesh_parts_get(sg_mesh_parts *parts, size_t s, const sg_poll *poll,
   }
   number_vertices(parts, out);
   bool made = sg_edge_pairs_make(of_faces, parts->from, parts->to,
-                                 out->vertices, poll, &pairs, stopped);
+                                 out->vertices, cancel, &pairs, stopped);
   out->closed = made && out->faces && sg_edge_pairs_closed(&pairs);
   sg_edge_pairs_clear(&pairs);
   return made;

@@ -30,8 +30,8 @@ sg_mesh_parts *sg_mesh_parts_open(const sg_mesh *mesh);
 void sg_mesh_parts_close(sg_mesh_parts *parts);
 
 /* Segment s; *out is valid until the next call. False: no memory, or (*stopped)
- * stopped by the poll. */
-bool sg_mesh_parts_get(sg_mesh_parts *parts, size_t s, const sg_poll *poll,
+ * stopped by the cancellation. */
+bool sg_mesh_parts_get(sg_mesh_parts *parts, size_t s, const sg_cancel *cancel,
                        sg_mesh_part *out, bool *stopped);
 
 #endif

@@ -27,7 +27,7 @@ typedef struct sg_mesh_reader {
   bool one_segment;
   sg_mesh *mesh;
   sg_mesh_error *error;
-  const sg_poll *poll;
+  const sg_cancel *cancel;
   unsigned ticks;
 } sg_mesh_reader;
 
@@ -51,7 +51,7 @@ bool sg_mesh_fail_numbers(sg_mesh_reader *r, sg_mesh_code code,
                           int64_t limit);
 bool sg_mesh_fail_byte(sg_mesh_reader *r, sg_mesh_code code, size_t byte,
                        const char *wanted, int64_t got, int64_t limit);
-/* False if the poll wants to stop; call it once an item. */
+/* False if the cancellation wants to stop; call it once an item. */
 bool sg_mesh_tick(sg_mesh_reader *r);
 
 /* Notes how fine the source was, if the text of a comment says that. */
@@ -76,6 +76,7 @@ bool sg_obj_read(sg_mesh_reader *r);
 bool sg_ply_read(sg_mesh_reader *r);
 
 /* Joins vertices of equal coordinates; `mesh->welded` counts them. */
-bool sg_mesh_weld_vertices(sg_mesh *mesh, const sg_poll *poll, bool *stopped);
+bool sg_mesh_weld_vertices(sg_mesh *mesh, const sg_cancel *cancel,
+                           bool *stopped);
 
 #endif

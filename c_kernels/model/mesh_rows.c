@@ -114,8 +114,8 @@ add_rows(sg_call *call, sg_world *world, sg_relation relation, size_t n,
     return sg_call_no_memory(call);
   }
   for (size_t k = 0; k < a.sheet.pages && good; k++) {
-    good =
-        fill_page(&a, k, from) && (k % 32 != 31 || !sg_poll_stop(&call->poll));
+    good = fill_page(&a, k, from) &&
+           (k % 32 != 31 || !sg_cancelled(&call->cancel));
   }
   good = good && sg_append_commit(&a);
   sg_append_close(&a);
@@ -190,7 +190,7 @@ add_parts(sg_call *call, sg_world *world, const sg_mesh *mesh, int32_t first,
     sg_mesh_part part;
     filling from = {mesh, &part, first + (int32_t)i};
 
-    if (!sg_mesh_parts_get(parts, i, &call->poll, &part, &stopped)) {
+    if (!sg_mesh_parts_get(parts, i, &call->cancel, &part, &stopped)) {
       good = sg_call_ended(call);
       break;
     }
@@ -233,7 +233,7 @@ bool
 sg_door_mesh_add(sg_call *call, const sg_input *stream, sg_mesh_format format,
                  sg_mesh_weld weld, bool one, int32_t s, sg_mesh_added *result)
 {
-  const sg_mesh_options options = {weld, one, &call->poll};
+  const sg_mesh_options options = {weld, one, &call->cancel};
   sg_mesh mesh;
   char *data = NULL;
   size_t n = 0;

@@ -241,7 +241,7 @@ sg_mesh_fail_byte(sg_mesh_reader *r, sg_mesh_code code, size_t byte,
 bool
 sg_mesh_tick(sg_mesh_reader *r)
 {
-  if (++r->ticks % 4096 == 0 && sg_poll_stop(r->poll)) {
+  if (++r->ticks % 4096 == 0 && sg_cancelled(r->cancel)) {
     return sg_mesh_fail_byte(r, SG_MESH_STOPPED, 0, NULL, 0, 0);
   }
   return true;

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FIRST_SIZE = 1024, POLL_EVERY = 65536 };
+enum { FIRST_SIZE = 1024, ASK_EVERY = 65536 };
 
 typedef struct sg_weld_table {
   int32_t *slot; /* [size], a vertex number or -1 */
@@ -69,13 +69,13 @@ resize(sg_weld_table *table, double (*vertex)[3], size_t size)
 /* Moves the first of each kind of vertex to the front; number[i] = where
  * vertex i went. */
 static bool
-join(sg_mesh *mesh, sg_weld_table *table, int32_t *number, const sg_poll *poll,
-     bool *stopped)
+join(sg_mesh *mesh, sg_weld_table *table, int32_t *number,
+     const sg_cancel *cancel, bool *stopped)
 {
   double(*vertex)[3] = mesh->vertex;
 
   for (size_t i = 0; i < mesh->vertices; i++) {
-    if (i % POLL_EVERY == 0 && (*stopped = sg_poll_stop(poll))) {
+    if (i % ASK_EVERY == 0 && (*stopped = sg_cancelled(cancel))) {
       return false;
     }
     if (2 * table->used >= table->size &&
@@ -101,12 +101,12 @@ renumber(sg_mesh_lists *lists, const int32_t *number)
 }
 
 bool
-sg_mesh_weld_vertices(sg_mesh *mesh, const sg_poll *poll, bool *stopped)
+sg_mesh_weld_vertices(sg_mesh *mesh, const sg_cancel *cancel, bool *stopped)
 {
   sg_weld_table table = {0};
   int32_t *number = malloc(mesh->vertices * sizeof *number + 1);
   bool done = number && resize(&table, mesh->vertex, FIRST_SIZE) &&
-              join(mesh, &table, number, poll, stopped);
+              join(mesh, &table, number, cancel, stopped);
 
   if (done) {
     renumber(&mesh->face, number);

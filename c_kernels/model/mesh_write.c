@@ -7,12 +7,12 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { BUFFER = 65536, POLL_EVERY = 4096, STL_HEADER = 80 };
+enum { BUFFER = 65536, ASK_EVERY = 4096, STL_HEADER = 80 };
 
 typedef struct sg_writer {
   const sg_mesh *mesh;
   const sg_mesh_sink *sink;
-  const sg_poll *poll;
+  const sg_cancel *cancel;
   sg_mesh_error *error;
   size_t used;
   unsigned ticks;
@@ -113,7 +113,7 @@ put_bits(sg_writer *w, uint64_t bits, size_t n)
 static bool
 tick(sg_writer *w)
 {
-  if (++w->ticks % POLL_EVERY == 0 && sg_poll_stop(w->poll)) {
+  if (++w->ticks % ASK_EVERY == 0 && sg_cancelled(w->cancel)) {
     fail(w, SG_MESH_STOPPED, "");
   }
   return !w->failed;
@@ -479,14 +479,14 @@ write_format(sg_writer *w, sg_mesh_format format)
 
 bool
 sg_mesh_write(sg_mesh_format format, const sg_mesh *mesh,
-              const sg_mesh_sink *sink, const sg_poll *poll,
+              const sg_mesh_sink *sink, const sg_cancel *cancel,
               sg_mesh_error *error)
 {
   sg_writer w;
 
   w.mesh = mesh;
   w.sink = sink;
-  w.poll = poll;
+  w.cancel = cancel;
   w.error = error;
   w.used = 0;
   w.ticks = 0;

@@ -32,7 +32,7 @@ sg_mesh_send(sg_call *call, sg_mesh *mesh, const sg_name_list *names,
   if (!name_segments(call, names, mesh)) {
     return false;
   }
-  if (sg_mesh_write(format, mesh, &sink, &call->poll, &result->fault)) {
+  if (sg_mesh_write(format, mesh, &sink, &call->cancel, &result->fault)) {
     result->is = SG_MESH_WRITTEN_OK;
     return true;
   }

@@ -11,8 +11,8 @@
  * precision floating-point arithmetic, 1997, sections 2 and 4.
  */
 #include "exact.h"
+#include "bounded_double.h"
 #include "integers.h"
-#include "twofold.h"
 
 #include <float.h>
 #include <math.h>

@@ -5,9 +5,9 @@
  * wait until somebody asks. Else, and then, it is done in integers over the
  * common denominator of its arguments, made rational, and rounded once.
  */
+#include "bounded_double.h"
 #include "exact.h"
 #include "integers.h"
-#include "twofold.h"
 
 #include <math.h>
 #include <sched.h>
@@ -326,33 +326,33 @@ in_range(const sg_point *const *point, int n)
 }
 
 static void
-subtract(sg_twofold out[3], const double a[3], const double b[3])
+subtract(sg_bounded out[3], const double a[3], const double b[3])
 {
   for (int k = 0; k < 3; k++) {
-    out[k] = sg_twofold_difference(a[k], b[k]);
+    out[k] = sg_bounded_difference(a[k], b[k]);
   }
 }
 
-static sg_twofold
-minor(const sg_twofold a[3], const sg_twofold b[3], int u, int v)
+static sg_bounded
+minor(const sg_bounded a[3], const sg_bounded b[3], int u, int v)
 {
-  return sg_twofold_minus(sg_twofold_times(a[u], b[v]),
-                          sg_twofold_times(a[v], b[u]));
+  return sg_bounded_minus(sg_bounded_times(a[u], b[v]),
+                          sg_bounded_times(a[v], b[u]));
 }
 
-static sg_twofold
-dot(const sg_twofold a[3], const sg_twofold b[3])
+static sg_bounded
+dot(const sg_bounded a[3], const sg_bounded b[3])
 {
-  return sg_twofold_plus(sg_twofold_plus(sg_twofold_times(a[0], b[0]),
-                                         sg_twofold_times(a[1], b[1])),
-                         sg_twofold_times(a[2], b[2]));
+  return sg_bounded_plus(sg_bounded_plus(sg_bounded_times(a[0], b[0]),
+                                         sg_bounded_times(a[1], b[1])),
+                         sg_bounded_times(a[2], b[2]));
 }
 
 /* The quantities of set_zero(), of a line and a plane. */
 static void
-heights_over_plane(const sg_point *const point[5], sg_twofold at[2])
+heights_over_plane(const sg_point *const point[5], sg_bounded at[2])
 {
-  sg_twofold s[3], t[3], n[3];
+  sg_bounded s[3], t[3], n[3];
 
   subtract(s, point[3]->p, point[2]->p);
   subtract(t, point[4]->p, point[2]->p);
@@ -367,9 +367,9 @@ heights_over_plane(const sg_point *const point[5], sg_twofold at[2])
 
 /* The same of two lines. */
 static void
-heights_beside_line(int axis, const sg_point *const point[4], sg_twofold at[2])
+heights_beside_line(int axis, const sg_point *const point[4], sg_bounded at[2])
 {
-  sg_twofold n[3], s[3];
+  sg_bounded n[3], s[3];
 
   subtract(n, point[3]->p, point[2]->p);
   for (int i = 0; i < 2; i++) {
@@ -381,22 +381,22 @@ heights_beside_line(int axis, const sg_point *const point[4], sg_twofold at[2])
 /* The nearest doubles of the point where the quantity is 0; false: that is not
  * proved, or they may be the point itself. */
 static bool
-round_zero(const double a[3], const double b[3], const sg_twofold at[2],
+round_zero(const double a[3], const double b[3], const sg_bounded at[2],
            double out[3])
 {
-  sg_twofold part = sg_twofold_quotient(at[0], sg_twofold_minus(at[0], at[1]));
+  sg_bounded part = sg_bounded_quotient(at[0], sg_bounded_minus(at[0], at[1]));
   bool is_double = true;
 
   for (int k = 0; k < 3; k++) {
-    sg_twofold x = sg_twofold_plus(
-        (sg_twofold){a[k], 0, 0},
-        sg_twofold_times(part, sg_twofold_difference(b[k], a[k])));
+    sg_bounded x = sg_bounded_plus(
+        (sg_bounded){a[k], 0, 0},
+        sg_bounded_times(part, sg_bounded_difference(b[k], a[k])));
 
-    if (!sg_twofold_is_rounded(x)) {
+    if (!sg_bounded_is_rounded(x)) {
       return false;
     }
     out[k] = x.hi;
-    is_double = is_double && sg_twofold_may_be_double(x);
+    is_double = is_double && sg_bounded_may_be_double(x);
   }
   return !is_double;
 }
@@ -432,7 +432,7 @@ make(sg_point *out, int how, const sg_point *const *point)
 
   out->exactly = NULL;
   if (in_range(point, n)) {
-    sg_twofold at[2];
+    sg_bounded at[2];
 
     if (how == LINE_AND_PLANE) {
       heights_over_plane(point, at);

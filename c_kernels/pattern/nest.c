@@ -28,7 +28,7 @@ typedef struct nesting {
   size_t pages, room;
   size_t first[KINDS]; /* pages before this one refuse all of the kind */
   uint64_t work;
-  const sg_poll *poll;
+  const sg_cancel *cancel;
   bool *memory;
 } nesting;
 
@@ -112,7 +112,7 @@ find_place(nesting *n, const page *p, const sg_nest_mask *m,
   size_t first = 0;
 
   for (unsigned y = 0; y + m->h <= n->h && y + m->h < top; y++) {
-    if (sg_poll_stop(n->poll)) {
+    if (sg_cancelled(n->cancel)) {
       *n->memory = true;
       return false;
     }
@@ -289,7 +289,7 @@ place_masks(nesting *n, const sg_nest_piece *piece, sg_nest_mask *m,
   size_t kind = fits ? kind_of(m, piece->angles) : 0;
 
   for (size_t i = n->first[kind]; fits; i++) {
-    if (sg_poll_stop(n->poll)) {
+    if (sg_cancelled(n->cancel)) {
       *n->memory = true;
       return false;
     }
@@ -326,9 +326,10 @@ place_piece(nesting *n, const sg_nest_piece *piece, sg_nest_place *place)
 
 bool
 sg_nest(const sg_nest_paper *paper, const sg_nest_piece *piece, size_t n,
-        sg_nest_place *place, uint64_t *work, const sg_poll *poll, bool *memory)
+        sg_nest_place *place, uint64_t *work, const sg_cancel *cancel,
+        bool *memory)
 {
-  nesting all = {.paper = paper, .poll = poll, .memory = memory};
+  nesting all = {.paper = paper, .cancel = cancel, .memory = memory};
   bool ok = true;
 
   *memory = false;

@@ -11,7 +11,7 @@
 #ifndef SG_NEST_H
 #define SG_NEST_H
 
-#include "engine/poll.h"
+#include "engine/cancel.h"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -41,11 +41,11 @@ typedef struct sg_nest_paper {
   bool one;      /* a single sheet: what does not fit has no place */
 } sg_nest_paper;
 
-/* False: stopped by the poll, or no memory (then *memory is false). *work,
- * which may be NULL, grows by how many squares and runs of squares were looked
- * at: a measure of time that is the same on every machine. */
+/* False: stopped by the cancellation, or no memory (then *memory is false).
+ * *work, which may be NULL, grows by how many squares and runs of squares were
+ * looked at: a measure of time that is the same on every machine. */
 bool sg_nest(const sg_nest_paper *paper, const sg_nest_piece *piece, size_t n,
-             sg_nest_place *place, uint64_t *work, const sg_poll *poll,
+             sg_nest_place *place, uint64_t *work, const sg_cancel *cancel,
              bool *memory);
 
 /* True if the raster of a sheet has a sane number of squares. */

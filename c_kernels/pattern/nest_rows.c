@@ -128,7 +128,7 @@ sg_door_nest(sg_call *call, const sg_paper_point *size, double square,
       return false;
     }
   }
-  if (!sg_nest(&paper, piece, n, place, &looked, &call->poll, &memory)) {
+  if (!sg_nest(&paper, piece, n, place, &looked, &call->cancel, &memory)) {
     return sg_call_ended(call);
   }
   *places = (sg_nest_place_list){place, n, n};

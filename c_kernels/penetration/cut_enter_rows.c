@@ -242,7 +242,7 @@ sg_door_cut_enter_queued(sg_call *call, sg_cut_handle *handle,
     if (!good) {
       sg_work_close(work);
     } else if (works->n % ASKED == 0) {
-      good = !sg_poll_stop(&call->poll);
+      good = !sg_cancelled(&call->cancel);
     }
   }
   for (size_t i = 0; !good && i < works->n; i++) {

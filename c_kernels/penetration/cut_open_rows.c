@@ -5,8 +5,8 @@
  * order of the join, so that triangles which nothing comes near are never
  * looked at.
  */
+#include "cut_coincident.h"
 #include "cut_rows.h"
-#include "cut_twin.h"
 
 #include "doors/penetration.h"
 #include "ids.h"
@@ -249,7 +249,7 @@ keep_hits(sg_call *call, join *j, const sg_bvh_hits *hits)
     const sg_cut_model *model = &handle->set.model;
     uint32_t a, b;
 
-    if (k % ASKED == ASKED - 1 && sg_poll_stop(&call->poll)) {
+    if (k % ASKED == ASKED - 1 && sg_cancelled(&call->cancel)) {
       return false;
     }
     if (!number_of(j, place[0], hit->a, &a) ||
@@ -272,7 +272,7 @@ keep_hits(sg_call *call, join *j, const sg_bvh_hits *hits)
 
 /* The candidates of segments with themselves: they are never let out. */
 static bool
-join_selves(sg_call *call, join *j, sg_crew *crew)
+join_selves(sg_call *call, join *j, sg_pool *pool)
 {
   sg_cut_handle *handle = j->handle;
   bool good = true;
@@ -285,7 +285,7 @@ join_selves(sg_call *call, join *j, sg_crew *crew)
       continue;
     }
     if (!sg_self_leaf_join(handle->tree[at]->tree, &handle->views,
-                           handle->reach, crew, &call->poll, &hits)) {
+                           handle->reach, pool, &call->cancel, &hits)) {
       return sg_call_ended(call);
     }
     j->place[0][0] = j->place[0][1] = at;
@@ -296,14 +296,14 @@ join_selves(sg_call *call, join *j, sg_crew *crew)
 }
 
 static bool
-join_all(sg_call *call, join *j, sg_crew *crew)
+join_all(sg_call *call, join *j, sg_pool *pool)
 {
   for (int curve = 0; curve < 2; curve++) {
     sg_bvh_hits hits;
     bool good;
 
     take_pairs(j, curve);
-    if (!sg_bvh_join(j->pair, j->pairs, j->handle->reach, crew, &call->poll,
+    if (!sg_bvh_join(j->pair, j->pairs, j->handle->reach, pool, &call->cancel,
                      &hits)) {
       return sg_call_ended(call);
     }
@@ -312,7 +312,7 @@ join_all(sg_call *call, join *j, sg_crew *crew)
     if (!good) {
       return false;
     }
-    if (!curve && !join_selves(call, j, crew)) {
+    if (!curve && !join_selves(call, j, pool)) {
       return false;
     }
     if (!curve) {
@@ -333,7 +333,7 @@ sg_cut_quiet(sg_call *call, sg_cut_handle *handle)
   }
   sg_sort_end end = sg_cut_find_quiet(
       &handle->set.model, (const uint32_t(*)[2])handle->candidate,
-      handle->curve_candidates, handle->quiet, &call->poll);
+      handle->curve_candidates, handle->quiet, &call->cancel);
   return end == SG_SORTED ||
          (end == SG_SORT_NO_MEMORY && sg_call_no_memory(call));
 }
@@ -342,7 +342,7 @@ bool
 sg_cut_join(sg_call *call, sg_cut_handle *handle)
 {
   join j = {.handle = handle};
-  sg_crew *crew = handle->joined ? NULL : sg_call_crew(call);
+  sg_pool *pool = handle->joined ? NULL : sg_call_pool(call);
 
   if (handle->joined) {
     return true;
@@ -351,8 +351,8 @@ sg_cut_join(sg_call *call, sg_cut_handle *handle)
   j.place = malloc((handle->pairs + 1) * sizeof *j.place);
   j.pair = malloc((handle->pairs + 1) * sizeof *j.pair);
   j.number = calloc(handle->segments + 1, sizeof(uint32_t *));
-  handle->joined = j.place && j.pair && j.number && crew
-                       ? join_all(call, &j, crew)
+  handle->joined = j.place && j.pair && j.number && pool
+                       ? join_all(call, &j, pool)
                        : sg_call_no_memory(call);
   for (size_t i = 0; j.number && i < handle->segments; i++) {
     free(j.number[i]);

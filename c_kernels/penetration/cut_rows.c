@@ -146,7 +146,7 @@ sg_door_cut_enter(sg_call *call, sg_cut_handle *handle, size_t t1, size_t t2,
 }
 
 bool
-sg_door_cut_without_twins(sg_call *call, sg_cut_handle *handle)
+sg_door_cut_without_coincident(sg_call *call, sg_cut_handle *handle)
 {
   (void)call;
   handle->without_quiet = true;
@@ -168,7 +168,7 @@ sg_door_cut_find(sg_call *call, sg_cut_handle *handle)
         sg_cut_set_enter(&handle->set, pair[0], pair[1]) < 0) {
       return sg_call_no_memory(call);
     }
-    if (k % ASKED == ASKED - 1 && sg_poll_stop(&call->poll)) {
+    if (k % ASKED == ASKED - 1 && sg_cancelled(&call->cancel)) {
       return false;
     }
   }

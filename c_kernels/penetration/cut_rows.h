@@ -38,8 +38,9 @@ typedef struct sg_cut_handle {
   uint32_t (*candidate)[2];            /* triangles, and then curve edges */
   size_t candidates, curve_candidates; /* the second: where those begin */
   bool joined;                         /* the candidates are there */
-  uint8_t *quiet; /* [curve_candidates] cut_twin.h; null: not asked for yet */
-  bool without_quiet; /* those are left out: cut_without_twins/1 */
+  uint8_t
+      *quiet; /* [curve_candidates] cut_coincident.h; null: not asked for yet */
+  bool without_quiet; /* those are left out: cut_without_coincident/1 */
   double *own;  /* [segments] what its source explains; null: not asked yet */
   bool by_own;  /* each reaches no farther than that */
   double reach; /* how near they are, at most */

@@ -121,7 +121,7 @@ triangulate(sg_call *call, cut_polygon *c)
   int has = has_triangles(c);
   int32_t edge;
   sg_outcome end =
-      has > 0 ? sg_work_triangulate(c->work, &c->found, &edge, &call->poll)
+      has > 0 ? sg_work_triangulate(c->work, &c->found, &edge, &call->cancel)
               : SG_DONE;
 
   if (end == SG_STUCK) {

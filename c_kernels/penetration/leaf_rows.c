@@ -154,7 +154,7 @@ keep_all(sg_call *call, keeping *k, const sg_segment_polygon_list *polygons)
       *there = 1;
       good = keep_polygon(call, k, s, p);
     }
-    good = good && (i % ASKED != ASKED - 1 || !sg_poll_stop(&call->poll));
+    good = good && (i % ASKED != ASKED - 1 || !sg_cancelled(&call->cancel));
   }
   sg_key_table_clear(&known);
   return good;

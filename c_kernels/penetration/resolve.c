@@ -9,12 +9,12 @@
 
 void
 sg_resolve_init(sg_resolve *r, double reach, sg_is_real_side *is_real,
-                void *data, const sg_poll *poll)
+                void *data, const sg_cancel *cancel)
 {
   *r = (sg_resolve){.reach = reach,
                     .here = reach,
                     .rounded = reach,
-                    .poll = poll,
+                    .cancel = cancel,
                     .is_real = is_real,
                     .data = data};
   sg_key_table_init(&r->segment, 1);

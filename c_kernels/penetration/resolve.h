@@ -10,7 +10,7 @@
  * triangles. So contacts are shared corners, edges and triangles afterwards,
  * and the exact arrangement needs no tolerance.
  *
- *   sg_resolve_init(&r, reach, is_real, data, poll);
+ *   sg_resolve_init(&r, reach, is_real, data, cancel);
  *   for all pairs with boxes within reach:  sg_resolve_see(&r, &a, &b);
  *   if (sg_resolve_is_needed(&r)) {
  *     for the same pairs:                   sg_resolve_pair(&r, &a, &b);
@@ -25,7 +25,7 @@
 #ifndef SG_RESOLVE_H
 #define SG_RESOLVE_H
 
-#include "engine/poll.h"
+#include "engine/cancel.h"
 #include "join/contact.h"
 #include "rows/key_table.h"
 #include "rows/list.h"
@@ -108,9 +108,9 @@ typedef struct sg_resolve {
   double rounded; /* what is no farther apart in this pair was rounded so: the
                      caller's to set, too */
   double side;    /* the shortest of the pair in hand */
-  const sg_poll *poll;
-  unsigned steps; /* since poll was asked */
-  bool stopped;   /* by poll */
+  const sg_cancel *cancel;
+  unsigned steps; /* since cancel was asked */
+  bool stopped;   /* by cancel */
   sg_is_real_side *is_real;
   void *data;
   sg_key_table segment;       /* s -> number */
@@ -140,9 +140,9 @@ typedef struct sg_resolve {
   const sg_resolve_node *wide; /* a vertex too far from its point, or null */
 } sg_resolve;
 
-/* `poll` may be null; it is asked in sg_resolve_finish() only. */
+/* `cancel` may be null; it is asked in sg_resolve_finish() only. */
 void sg_resolve_init(sg_resolve *r, double reach, sg_is_real_side *is_real,
-                     void *data, const sg_poll *poll);
+                     void *data, const sg_cancel *cancel);
 void sg_resolve_clear(sg_resolve *r);
 
 /* Notes that two segments touch exactly somewhere. False: no memory. */

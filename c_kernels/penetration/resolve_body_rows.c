@@ -22,7 +22,7 @@ sg_resolving_bodies(sg_call *call, sg_resolving *job)
       continue;
     }
     if (!sg_bodies_find(handle->tree[sg_cut_place_of(handle, part.s)]->tree,
-                        &handle->views, &call->poll, &part.bodies) ||
+                        &handle->views, &call->cancel, &part.bodies) ||
         !SG_PUSH(job->part, part)) {
       sg_bodies_clear(&part.bodies);
       return sg_call_ended(call);

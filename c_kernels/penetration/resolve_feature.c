@@ -245,8 +245,8 @@ typedef struct measuring {
   const sg_resolve_trees *trees;
   const sg_leaf_views *views;
   const double *move, *reach; /* [points] */
-  sg_crew *crew;
-  const sg_poll *poll;
+  sg_pool *pool;
+  const sg_cancel *cancel;
   unsigned char *counted; /* [points] it is tight somewhere */
   sg_resolve_moves *out;
 } measuring;
@@ -314,7 +314,7 @@ each_point(const measuring *m, const sg_leaf_tree *tree, bool itself,
 }
 
 /* The boxes of n points, each with what is near it. Null: no memory, or the
- * poll said stop. */
+ * cancel said stop. */
 static sg_bvh *
 open_points(const measuring *m, const at *place, size_t n)
 {
@@ -327,7 +327,7 @@ open_points(const measuring *m, const at *place, size_t n)
       box[i].hi[k] = p[k] + m->reach[place[i].point];
     }
   }
-  sg_bvh *points = box ? sg_bvh_open(box, n, m->poll) : NULL;
+  sg_bvh *points = box ? sg_bvh_open(box, n, m->cancel) : NULL;
   free(box);
   return points;
 }
@@ -340,7 +340,7 @@ measure_some(const measuring *m, const sg_leaf_tree *tree, bool itself,
   sg_bvh_hits hits = {0};
   sg_bvh *points = open_points(m, place, n);
   sg_bvh_pair pair = {points, tree->boxes};
-  bool done = points && sg_bvh_join(&pair, 1, 0, m->crew, m->poll, &hits);
+  bool done = points && sg_bvh_join(&pair, 1, 0, m->pool, m->cancel, &hits);
 
   if (done && hits.n > 0) {
     qsort(hits.hit, hits.n, sizeof *hits.hit, by_point);
@@ -391,7 +391,7 @@ open_segments(const measuring *m)
     const sg_leaf_tree *tree = trees->tree(trees->data, trees->s[i], &itself);
     box[i] = tree->boxes ? tree->box : (sg_box){0};
   }
-  sg_bvh *open = box ? sg_bvh_open(box, trees->n, m->poll) : NULL;
+  sg_bvh *open = box ? sg_bvh_open(box, trees->n, m->cancel) : NULL;
   free(box);
   return open;
 }
@@ -403,7 +403,7 @@ join_segments(const measuring *m, const at *moved, size_t n, sg_bvh_hits *hits)
   sg_bvh *points = open_points(m, moved, n);
   sg_bvh *segments = points ? open_segments(m) : NULL;
   sg_bvh_pair pair = {points, segments};
-  bool done = segments && sg_bvh_join(&pair, 1, 0, m->crew, m->poll, hits);
+  bool done = segments && sg_bvh_join(&pair, 1, 0, m->pool, m->cancel, hits);
 
   for (size_t i = 0; done && i < hits->n; i++) {
     hits->hit[i].a = points->item[hits->hit[i].a];
@@ -414,7 +414,7 @@ join_segments(const measuring *m, const at *moved, size_t n, sg_bvh_hits *hits)
   return done;
 }
 /* The points that move, by segments that they are of or may be near, each once.
- * Null: no memory, or the poll said stop. */
+ * Null: no memory, or the cancellation said stop. */
 static at *
 find_places(const measuring *m, size_t *n)
 {
@@ -477,7 +477,7 @@ measure_segments(const measuring *m)
     }
     done = !tree || tree->curve || !tree->boxes ||
            measure_some(m, tree, itself, place + i, k);
-    done = done && !sg_poll_stop(m->poll);
+    done = done && !sg_cancelled(m->cancel);
   }
   free(place);
   return done;
@@ -485,12 +485,12 @@ measure_segments(const measuring *m)
 
 bool
 sg_resolve_measure(const sg_resolve *r, const sg_resolve_trees *trees,
-                   const sg_leaf_views *views, sg_crew *crew,
-                   const sg_poll *poll, sg_resolve_moves *out)
+                   const sg_leaf_views *views, sg_pool *pool,
+                   const sg_cancel *cancel, sg_resolve_moves *out)
 {
   double *move = find_moves(r), *reach = move ? find_reaches(r, move) : NULL;
   unsigned char *counted = calloc(r->point.n + 1, 1);
-  measuring m = {r, trees, views, move, reach, crew, poll, counted, out};
+  measuring m = {r, trees, views, move, reach, pool, cancel, counted, out};
   bool done = reach && counted;
 
   *out = (sg_resolve_moves){0};

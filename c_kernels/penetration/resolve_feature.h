@@ -34,9 +34,9 @@ typedef struct sg_resolve_moves {
 } sg_resolve_moves;
 
 /* After sg_resolve_finish(), when segments have their names. False: no memory,
- * or the poll said stop. */
+ * or the cancellation said stop. */
 bool sg_resolve_measure(const sg_resolve *r, const sg_resolve_trees *trees,
-                        const sg_leaf_views *views, sg_crew *crew,
-                        const sg_poll *poll, sg_resolve_moves *out);
+                        const sg_leaf_views *views, sg_pool *pool,
+                        const sg_cancel *cancel, sg_resolve_moves *out);
 
 #endif

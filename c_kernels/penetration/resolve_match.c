@@ -35,7 +35,7 @@ typedef struct matcher {
   SG_LIST_OF(side) side;
   SG_LIST_OF(size_t) triangle; /* of cells */
   SG_LIST_OF(cell) cell;
-  const sg_poll *poll;
+  const sg_cancel *cancel;
   bool stopped;
 } matcher;
 
@@ -43,7 +43,7 @@ typedef struct matcher {
 static bool
 sort(matcher *m, void *item, size_t n, size_t size, sg_sort_compare *compare)
 {
-  sg_sort_end end = sg_sort(item, n, size, compare, m->poll);
+  sg_sort_end end = sg_sort(item, n, size, compare, m->cancel);
 
   m->stopped = m->stopped || end == SG_SORT_STOPPED;
   return end == SG_SORTED;
@@ -318,7 +318,7 @@ static bool
 find_cells(matcher *m)
 {
   for (size_t i = 0; i < m->polygons; i++) {
-    if (i % ASKED == ASKED - 1 && sg_poll_stop(m->poll)) {
+    if (i % ASKED == ASKED - 1 && sg_cancelled(m->cancel)) {
       m->stopped = true;
       return false;
     }
@@ -349,9 +349,10 @@ match_cells(matcher *m)
 
 sg_resolved
 sg_resolve_match(const sg_resolve *r, sg_resolved_polygon *polygon,
-                 size_t polygons, const sg_poll *poll)
+                 size_t polygons, const sg_cancel *cancel)
 {
-  matcher m = {.r = r, .polygon = polygon, .polygons = polygons, .poll = poll};
+  matcher m = {
+      .r = r, .polygon = polygon, .polygons = polygons, .cancel = cancel};
 
   sg_key_table_init(&m.point, 2);
   bool done = note_points(&m) && find_cells(&m) &&

@@ -33,10 +33,10 @@ sg_resolving_measure(sg_call *call, sg_resolving *job)
   const sg_cut_handle *handle = job->handle;
   const sg_resolve_trees trees = {handle->segment, handle->segments, tree_of,
                                   job};
-  sg_crew *crew = sg_call_crew(call);
+  sg_pool *pool = sg_call_pool(call);
 
-  return crew && (sg_resolve_measure(&job->r, &trees, &handle->views, crew,
-                                     &call->poll, &job->moves) ||
+  return pool && (sg_resolve_measure(&job->r, &trees, &handle->views, pool,
+                                     &call->cancel, &job->moves) ||
                   sg_call_ended(call));
 }
 

@@ -34,7 +34,7 @@ enum { ASKED = 1 << 13 }; /* steps between questions */
 static bool
 is_stopped(sg_resolve *r)
 {
-  if (++r->steps % ASKED == 0 && sg_poll_stop(r->poll)) {
+  if (++r->steps % ASKED == 0 && sg_cancelled(r->cancel)) {
     r->stopped = true;
   }
   return r->stopped;
@@ -44,7 +44,7 @@ is_stopped(sg_resolve *r)
 static bool
 sort(sg_resolve *r, void *item, size_t n, size_t size, sg_sort_compare *compare)
 {
-  sg_sort_end end = sg_sort(item, n, size, compare, r->poll);
+  sg_sort_end end = sg_sort(item, n, size, compare, r->cancel);
 
   r->stopped = r->stopped || end == SG_SORT_STOPPED;
   return end == SG_SORTED;

@@ -20,7 +20,7 @@ typedef struct maker {
   int32_t s, p;
   sg_work *work;
   int32_t own; /* the polygon's edges are those up to this one; then seams */
-  const sg_poll *poll;
+  const sg_cancel *cancel;
   sg_meetings met;
   bool stopped;
 } maker;
@@ -30,7 +30,8 @@ enum { ASKED = 1 << 6 }; /* seams or points of a polygon between questions */
 static bool
 is_stopped(maker *m, size_t i)
 {
-  m->stopped = m->stopped || (i % ASKED == ASKED - 1 && sg_poll_stop(m->poll));
+  m->stopped =
+      m->stopped || (i % ASKED == ASKED - 1 && sg_cancelled(m->cancel));
   return m->stopped;
 }
 
@@ -305,11 +306,11 @@ triangulate(maker *m, const bool *used, sg_key_table *edges,
   if (!note_edges(m, edges)) {
     return SG_RESOLVE_NO_MEMORY;
   }
-  sg_outcome end = sg_work_triangulate(m->work, &triangles, &stuck, m->poll);
+  sg_outcome end = sg_work_triangulate(m->work, &triangles, &stuck, m->cancel);
   bool done = end == SG_DONE && add_inside(m, used, &triangles);
 
   if (done) {
-    end = sg_triangles_delaunay(m->work, &triangles, is_edge, edges, m->poll);
+    end = sg_triangles_delaunay(m->work, &triangles, is_edge, edges, m->cancel);
     done = end == SG_DONE;
   }
 
@@ -360,13 +361,13 @@ make(maker *m, const sg_polygon_row *row, size_t rows, sg_resolved_polygon *out)
 sg_resolved
 sg_resolve_polygon(const sg_resolve *r, const double normal[3],
                    const sg_polygon_row *row, size_t rows,
-                   sg_resolved_polygon *out, const sg_poll *poll)
+                   sg_resolved_polygon *out, const sg_cancel *cancel)
 {
   maker m = {.r = r,
              .s = out->s,
              .p = out->p,
              .work = sg_work_open(normal),
-             .poll = poll};
+             .cancel = cancel};
 
   if (!m.work) {
     return SG_RESOLVE_NO_MEMORY;

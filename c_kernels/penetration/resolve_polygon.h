@@ -31,13 +31,14 @@ typedef struct sg_resolved_polygon {
  * that no angle is thin (Delaunay) as far as doubles tell. */
 sg_resolved sg_resolve_polygon(const sg_resolve *r, const double normal[3],
                                const sg_polygon_row *row, size_t rows,
-                               sg_resolved_polygon *out, const sg_poll *poll);
+                               sg_resolved_polygon *out,
+                               const sg_cancel *cancel);
 void sg_resolved_polygon_clear(sg_resolved_polygon *polygon);
 
 /* Where polygons of different segments have a part in common, bounded by the
  * same points, the later one gets the triangles of the first. Never
  * SG_UNRESOLVED. */
 sg_resolved sg_resolve_match(const sg_resolve *r, sg_resolved_polygon *polygon,
-                             size_t polygons, const sg_poll *poll);
+                             size_t polygons, const sg_cancel *cancel);
 
 #endif

@@ -56,7 +56,7 @@ set_reach(sg_resolving *job, uint32_t a, uint32_t b)
 typedef bool use_pair(sg_resolve *r, const sg_resolve_leaf *a,
                       const sg_resolve_leaf *b);
 
-/* Two triangles that touch exactly, and no more: see cut_twin.h. */
+/* Two triangles that touch exactly, and no more: see cut_coincident.h. */
 static bool
 use_quiet(sg_resolve *r, const sg_resolve_leaf *a, const sg_resolve_leaf *b)
 {
@@ -71,7 +71,7 @@ each_pair(sg_call *call, sg_resolving *job, use_pair *use, use_pair *quiet)
   sg_resolve_leaf leaf[2];
 
   for (size_t i = 0; i < handle->curve_candidates; i++) {
-    if (i % ASKED == ASKED - 1 && sg_poll_stop(&call->poll)) {
+    if (i % ASKED == ASKED - 1 && sg_cancelled(&call->cancel)) {
       return false;
     }
     get_leaf(job, handle->candidate[i][0], &leaf[0]);
@@ -123,7 +123,7 @@ each_crossing(sg_call *call, sg_resolving *job)
   bool good = chain_crossings(job, &chain), stopped = false;
 
   for (size_t i = 0; i < 2 * handle->curve_candidates && good; i++) {
-    if (i % ASKED == ASKED - 1 && sg_poll_stop(&call->poll)) {
+    if (i % ASKED == ASKED - 1 && sg_cancelled(&call->cancel)) {
       stopped = true;
       break;
     }
@@ -149,7 +149,7 @@ each_crossing(sg_call *call, sg_resolving *job)
 bool
 sg_resolving_goes_on(sg_call *call, size_t i)
 {
-  return i % FEW != FEW - 1 || !sg_poll_stop(&call->poll);
+  return i % FEW != FEW - 1 || !sg_cancelled(&call->cancel);
 }
 
 static void
@@ -225,14 +225,14 @@ make_polygons(sg_call *call, sg_resolving *job,
     bool area = get_normal(version, s, polygon->p, normal);
     polygon->no_area = !area;
     end = rows ? sg_resolve_polygon(&job->r, normal, rows, n, polygon,
-                                    &call->poll)
+                                    &call->cancel)
                : SG_RESOLVE_NO_MEMORY;
     free(rows);
     *stuck = end == SG_UNRESOLVED ? polygon : NULL;
   }
   if (end == SG_RESOLVED) {
     end = sg_resolve_match(&job->r, job->polygon.item, job->polygon.n,
-                           &call->poll);
+                           &call->cancel);
   }
   return end == SG_RESOLVE_NO_MEMORY ? sg_call_no_memory(call)
                                      : end != SG_RESOLVE_STOPPED;
@@ -428,7 +428,7 @@ begin(sg_call *call, sg_resolving *job, sg_cut_handle *handle, double reach)
   if (!handle->joined) {
     handle->reach = reach;
   }
-  sg_resolve_init(&job->r, reach, sg_cut_is_real, handle, &call->poll);
+  sg_resolve_init(&job->r, reach, sg_cut_is_real, handle, &call->cancel);
   sg_key_table_init(&job->known, 2);
   return true;
 }

@@ -31,7 +31,7 @@ want_polygons_of(sg_call *call, sg_resolving *job, int32_t s, int32_t e)
   sg_walk walk;
   bool good = true;
 
-  if (!sg_index_ready(job->handle->version, SG_P, 0, &call->poll)) {
+  if (!sg_index_ready(job->handle->version, SG_P, 0, &call->cancel)) {
     return false;
   }
   if (!sg_walk_open_member(&walk, job->handle->version, SG_P,
@@ -58,7 +58,7 @@ want_neighbours(sg_call *call, sg_resolving *job, const sg_resolve_split *split)
                                     [3].i = split->v[!turn]};
     sg_walk walk;
 
-    if (!sg_index_ready(job->handle->version, SG_E, 0x0d, &call->poll)) {
+    if (!sg_index_ready(job->handle->version, SG_E, 0x0d, &call->cancel)) {
       return false;
     }
     if (!sg_walk_open(&walk, job->handle->version, SG_E, 0x0d, row)) {
@@ -76,7 +76,7 @@ want_neighbours(sg_call *call, sg_resolving *job, const sg_resolve_split *split)
 static bool
 sort(sg_call *call, void *item, size_t n, size_t size, sg_sort_compare *compare)
 {
-  sg_sort_end end = sg_sort(item, n, size, compare, &call->poll);
+  sg_sort_end end = sg_sort(item, n, size, compare, &call->cancel);
 
   return end == SG_SORTED ||
          (end == SG_SORT_NO_MEMORY && sg_call_no_memory(call));

@@ -186,7 +186,7 @@ sg_resolving_write(sg_call *call, const sg_resolving *job)
 {
   sg_world *world = job->handle->world;
 
-  if (!sg_world_claim(world, &call->poll)) {
+  if (!sg_world_claim(world, &call->cancel)) {
     return false;
   }
   bool good = write_all(call, job, world);

@@ -16,8 +16,8 @@
  */
 #define EDGE_ON 1e-9
 
-/* Triangles between two polls; pieces, each with a walk. */
-enum { POLL_EVERY = 4096, POLL_PIECES = 64 };
+/* Triangles between two cancellations; pieces, each with a walk. */
+enum { ASK_EVERY = 4096, POLL_PIECES = 64 };
 
 static void
 difference(const double a[3], const double b[3], double out[3])
@@ -71,14 +71,14 @@ sg_contour_to_eye(const sg_contour_input *in, const double p[3], double out[3])
 
 /* False: stopped. */
 static bool
-find_g(sg_contour_finder *f, const sg_poll *poll)
+find_g(sg_contour_finder *f, const sg_cancel *cancel)
 {
   const sg_smooth *smooth = f->in->smooth;
 
   for (uint32_t i = 0; i < 3 * f->in->dense->triangles; i++) {
     uint32_t fan = smooth->fan[i];
     double eye[3];
-    if (i % POLL_EVERY == 0 && sg_poll_stop(poll)) {
+    if (i % ASK_EVERY == 0 && sg_cancelled(cancel)) {
       return false;
     }
     if (smooth->curved[i / 3]) {
@@ -288,7 +288,7 @@ turns(const sg_contour_finder *f, uint32_t side)
  * from the eye, may be seen beside its outline: not if the sheet is never seen
  * there from the side it bends to. */
 static bool
-stands_in(const sg_contour_finder *f, uint32_t side)
+substitute_outline(const sg_contour_finder *f, uint32_t side)
 {
   uint8_t flags = f->in->smooth->side[side];
   uint32_t t = side / 3, u = f->in->smooth->across[side] / 3;
@@ -309,7 +309,7 @@ is_outline(const sg_contour_finder *f, uint32_t side)
 
   return !smooth->curved[side / 3]  ? flags & SG_SIDE_FOLD
          : smooth->coarse[side / 3] ? flags & SG_SIDE_SMOOTH
-                                    : stands_in(f, side);
+                                    : substitute_outline(f, side);
 }
 
 /* False: no memory. */
@@ -328,7 +328,7 @@ push_side(const sg_contour_finder *f, uint32_t t, uint8_t k)
   const sg_contour piece = {.t = t,
                             .side = {k, k},
                             .at = {0.0, 1.0},
-                            .to = drawn_smooth ? SG_STANDS_IN : 1.0,
+                            .to = drawn_smooth ? SG_SUBSTITUTE : 1.0,
                             .along = true};
 
   return push_long(f, &piece);
@@ -400,13 +400,13 @@ push_turns(sg_contour_finder *f, uint32_t t)
 /* How triangles lie to the eye, and the senses of their pieces. False: stopped.
  */
 static bool
-find_senses(sg_contour_finder *f, const sg_poll *poll)
+find_senses(sg_contour_finder *f, const sg_cancel *cancel)
 {
   const sg_smooth *smooth = f->in->smooth;
   sg_contour piece;
 
   for (uint32_t t = 0; t < f->in->dense->triangles; t++) {
-    if (t % POLL_EVERY == 0 && sg_poll_stop(poll)) {
+    if (t % ASK_EVERY == 0 && sg_cancelled(cancel)) {
       return false;
     }
     f->face[t] = facing(f, t);
@@ -421,10 +421,10 @@ find_senses(sg_contour_finder *f, const sg_poll *poll)
 
 /* False: stopped, or no memory. */
 static bool
-find_pieces(sg_contour_finder *f, const sg_poll *poll, bool *memory)
+find_pieces(sg_contour_finder *f, const sg_cancel *cancel, bool *memory)
 {
   for (uint32_t t = 0; t < f->in->dense->triangles; t++) {
-    if (t % POLL_EVERY == 0 && sg_poll_stop(poll)) {
+    if (t % ASK_EVERY == 0 && sg_cancelled(cancel)) {
       return false;
     }
     if (!push_across(f, t) || !push_sides(f, t) || !push_turns(f, t)) {
@@ -440,19 +440,19 @@ static bool
 find_beside(sg_contour_finder *f, sg_contour *piece)
 {
   return piece->to == 0.0 || !has_length(f, piece) ||
-         sg_contour_find_beside(f, piece);
+         sg_contour_find_adjacent(f, piece);
 }
 
 /* False: stopped, or no memory. */
 static bool
-find_besides(sg_contour_finder *f, const sg_poll *poll, bool *memory)
+find_besides(sg_contour_finder *f, const sg_cancel *cancel, bool *memory)
 {
   sg_contours *out = f->out;
 
   for (size_t i = 0; i < out->n + out->turns; i++) {
     sg_contour *piece =
         i < out->n ? &out->piece[i] : &out->turn[i - out->n].seen;
-    if (i % POLL_PIECES == 0 && sg_poll_stop(poll)) {
+    if (i % POLL_PIECES == 0 && sg_cancelled(cancel)) {
       return false;
     }
     if (!find_beside(f, piece)) {
@@ -464,7 +464,7 @@ find_besides(sg_contour_finder *f, const sg_poll *poll, bool *memory)
 }
 
 static bool
-find_all(sg_contour_finder *f, const sg_poll *poll, bool *memory)
+find_all(sg_contour_finder *f, const sg_cancel *cancel, bool *memory)
 {
   size_t triangles = f->in->dense->triangles, fans = f->in->smooth->fans;
 
@@ -474,19 +474,19 @@ find_all(sg_contour_finder *f, const sg_poll *poll, bool *memory)
   f->sense = calloc(triangles + 1, sizeof *f->sense);
   f->seen = calloc(triangles + 1, sizeof *f->seen);
   *memory = f->g && f->face && f->kind && f->sense && f->seen;
-  return *memory && find_g(f, poll) && find_senses(f, poll) &&
-         find_pieces(f, poll, memory) && find_besides(f, poll, memory);
+  return *memory && find_g(f, cancel) && find_senses(f, cancel) &&
+         find_pieces(f, cancel, memory) && find_besides(f, cancel, memory);
 }
 
 bool
-sg_contours_find(const sg_contour_input *in, const sg_poll *poll,
+sg_contours_find(const sg_contour_input *in, const sg_cancel *cancel,
                  sg_contours *out, bool *memory)
 {
   sg_contour_finder f = {.in = in, .out = out};
   bool done;
 
   *out = (sg_contours){0};
-  done = find_all(&f, poll, memory);
+  done = find_all(&f, cancel, memory);
   free(f.g);
   free(f.face);
   free(f.kind);

@@ -79,7 +79,7 @@
 #include "view.h"
 
 /* `to` of a side that stands in. */
-#define SG_STANDS_IN 2.0
+#define SG_SUBSTITUTE 2.0
 
 typedef struct sg_contour_input {
   const sg_dense *dense;
@@ -99,7 +99,7 @@ typedef struct sg_contour {
   double at[2];
   double rise[2][2]; /* from there to the smooth surface, in the picture */
   double to;         /* 1: the surface beside it does not hide it, 0: it does;
-                        SG_STANDS_IN */
+                        SG_SUBSTITUTE */
   bool along;        /* it is a side, from end to end */
   int8_t sense;      /* -1: the half with g < 0 is the nearer one, else 1 */
   size_t beside, besides; /* its places in sg_contours.beside */
@@ -122,9 +122,9 @@ typedef struct sg_contours {
   size_t room, turn_room, beside_room;
 } sg_contours;
 
-/* False: stopped by the poll, or no memory (then *memory is false). The caller
- * calls sg_contours_clear() in any case. Inexact. */
-bool sg_contours_find(const sg_contour_input *in, const sg_poll *poll,
+/* False: stopped by the cancellation, or no memory (then *memory is false). The
+ * caller calls sg_contours_clear() in any case. Inexact. */
+bool sg_contours_find(const sg_contour_input *in, const sg_cancel *cancel,
                       sg_contours *out, bool *memory);
 void sg_contours_clear(sg_contours *contours);
 

@@ -111,6 +111,6 @@ bool sg_contour_bulges(const sg_contour_finder *f, uint32_t t);
 bool sg_contour_turn(const sg_contour_finder *f, uint32_t side, sg_turn *out);
 
 /* Appends what is beside the piece, and says how much. False: no memory. */
-bool sg_contour_find_beside(sg_contour_finder *f, sg_contour *piece);
+bool sg_contour_find_adjacent(sg_contour_finder *f, sg_contour *piece);
 
 #endif

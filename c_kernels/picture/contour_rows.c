@@ -149,7 +149,7 @@ find_contours(sg_call *call, sg_contour_input *in, const sg_scene_model *model,
   in->dense = &model->dense;
   in->solid = model->solid;
   in->screen = (const double(*)[3])screen.at;
-  return screen.shown || sg_contours_find(in, &call->poll, out, &memory) ||
+  return screen.shown || sg_contours_find(in, &call->cancel, out, &memory) ||
          sg_call_ended(call);
 }
 

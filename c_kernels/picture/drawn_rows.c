@@ -8,7 +8,7 @@
 #include <string.h>
 
 /* From so many lines on it takes longer to draw them than to start threads. */
-enum { MANY_LINES = 8192, POLL_PAGES = 16 };
+enum { MANY_LINES = 8192, ASK_PAGES = 16 };
 
 /* The rows of one page of drawn/7. */
 static void
@@ -48,7 +48,7 @@ append_drawn(sg_call *call, const sg_scene *scene, const sg_drawn_part *part,
   }
   for (size_t k = 0; k < a.sheet.pages && good; k++) {
     write_page(&a.sheet.page[k], scene, part, role);
-    good = k % POLL_PAGES != POLL_PAGES - 1 || !sg_poll_stop(&call->poll);
+    good = k % ASK_PAGES != ASK_PAGES - 1 || !sg_cancelled(&call->cancel);
   }
   good = good && (sg_append_commit(&a) || sg_call_no_memory(call));
   sg_append_close(&a);
@@ -95,9 +95,9 @@ sg_door_fill_drawn(sg_call *call, sg_scene_index *index, sg_which which,
   if (!world || !sort_through(call, through, &drawing.through)) {
     return false;
   }
-  sg_crew *crew = scene->lines < MANY_LINES ? NULL : sg_call_crew(call);
+  sg_pool *pool = scene->lines < MANY_LINES ? NULL : sg_call_pool(call);
 
-  if (!sg_parts_of(&index->masks, &drawing, crew, &call->poll, &part, &n,
+  if (!sg_parts_of(&index->masks, &drawing, pool, &call->cancel, &part, &n,
                    &memory)) {
     return sg_call_ended(call);
   }

@@ -15,9 +15,9 @@
 enum { MOST_CELLS_A_SIDE = 4096, MOST_ROWS = 1 << 16, FEW_ROWS = 2 };
 
 /* Items are entered so often at most, or MANY times each: where they are large
- * and many the cells are wider. Between two polls there are so many entries, an
- * item counting as AN_ITEM of them. */
-enum { MOST_ENTRIES = 1 << 26, MANY = 8, POLL_EVERY = 1 << 18, AN_ITEM = 64 };
+ * and many the cells are wider. Between two cancellations there are so many
+ * entries, an item counting as AN_ITEM of them. */
+enum { MOST_ENTRIES = 1 << 26, MANY = 8, ASK_EVERY = 1 << 18, AN_ITEM = 64 };
 
 static void
 shape_box(const sg_grid_shape *shape, double low[2], double high[2])
@@ -194,7 +194,7 @@ most_entries(const sg_grid *grid, size_t n)
 /* All items: entered, or counted until they are too many. False: stopped. */
 static bool
 enter_all(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of, const void *data,
-          const sg_poll *poll, size_t *entries)
+          const sg_cancel *cancel, size_t *entries)
 {
   size_t asked = 0, most = most_entries(grid, n);
   sg_grid_shape shape;
@@ -202,9 +202,9 @@ enter_all(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of, const void *data,
   *entries = 0;
   for (size_t i = 0; i < n && *entries <= most; i++) {
     size_t done = *entries + AN_ITEM * i;
-    if (i == 0 || done - asked > POLL_EVERY) {
+    if (i == 0 || done - asked > ASK_EVERY) {
       asked = done;
-      if (sg_poll_stop(poll)) {
+      if (sg_cancelled(cancel)) {
         return false;
       }
     }
@@ -219,7 +219,7 @@ enter_all(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of, const void *data,
  * memory. */
 static bool
 count_items(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
-            const void *data, bool along, const sg_poll *poll, bool *memory)
+            const void *data, bool along, const sg_cancel *cancel, bool *memory)
 {
   double size[2], sum[2], cell, longer;
   size_t entries;
@@ -234,7 +234,7 @@ count_items(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
     free(grid->start);
     grid->start = calloc((size_t)grid->nx * grid->ny + 2, sizeof *grid->start);
     *memory = grid->start != NULL;
-    if (!*memory || !enter_all(grid, n, shape_of, data, poll, &entries)) {
+    if (!*memory || !enter_all(grid, n, shape_of, data, cancel, &entries)) {
       return false;
     }
   } while (entries > most_entries(grid, n));
@@ -243,13 +243,13 @@ count_items(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
 
 bool
 sg_grid_init(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
-             const void *data, double margin, bool along, const sg_poll *poll,
-             bool *memory)
+             const void *data, double margin, bool along,
+             const sg_cancel *cancel, bool *memory)
 {
   size_t total, entries;
 
   *grid = (sg_grid){.margin = margin};
-  if (!count_items(grid, n, shape_of, data, along, poll, memory)) {
+  if (!count_items(grid, n, shape_of, data, along, cancel, memory)) {
     return false;
   }
   total = (size_t)grid->nx * grid->ny;
@@ -258,7 +258,7 @@ sg_grid_init(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
   }
   grid->item = malloc((grid->start[total + 1] + 1) * sizeof *grid->item);
   *memory = grid->item != NULL;
-  return *memory && enter_all(grid, n, shape_of, data, poll, &entries);
+  return *memory && enter_all(grid, n, shape_of, data, cancel, &entries);
 }
 
 void

@@ -7,7 +7,7 @@
 #ifndef SG_GRID_H
 #define SG_GRID_H
 
-#include "engine/poll.h"
+#include "engine/cancel.h"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -32,11 +32,11 @@ typedef void sg_grid_shape_of(const void *data, size_t i, sg_grid_shape *out);
 /* A grid of n items, about one cell for each, or fewer where large items would
  * be in too many. Its cells are squares, or for items that run `along` x about
  * as long as these. Things nearer than `margin`, which is not 0, have a cell in
- * common. False: stopped by the poll, or no memory (then *memory is false).
- * Owner: the caller, sg_grid_clear(). */
+ * common. False: stopped by the cancellation, or no memory (then *memory is
+ * false). Owner: the caller, sg_grid_clear(). */
 bool sg_grid_init(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
                   const void *data, double margin, bool along,
-                  const sg_poll *poll, bool *memory);
+                  const sg_cancel *cancel, bool *memory);
 void sg_grid_clear(sg_grid *grid);
 
 /* The cells of a shape: rows y0 <= y < y1, in each of them the columns that

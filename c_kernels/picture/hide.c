@@ -151,7 +151,7 @@ sg_mask_hides(const sg_scene *scene, const sg_scene_mask *mask,
               const sg_scene_line *line, sg_hidden *out)
 {
   const double *a = scene->at[line->a], *b = scene->at[line->b];
-  double near = line->look.stands_in ? scene->near : 0.0;
+  double near = line->look.substitute_outline ? scene->near : 0.0;
   double t[2];
 
   if (sg_line_far_end(scene, line) <= mask->low[2] ||

@@ -68,7 +68,7 @@ bool sg_lines_overlap(const sg_scene *scene, const sg_scene_line *a,
 static inline double
 sg_line_far_end(const sg_scene *scene, const sg_scene_line *line)
 {
-  return line->look.stands_in
+  return line->look.substitute_outline
              ? INFINITY
              : sg_larger(scene->at[line->a][2], scene->at[line->b][2]);
 }
@@ -78,7 +78,7 @@ sg_line_far_end(const sg_scene *scene, const sg_scene_line *line)
 static inline bool
 sg_line_yields_near(const sg_scene_line *a, const sg_scene_line *b)
 {
-  return a->look.stands_in && !b->look.stands_in;
+  return a->look.substitute_outline && !b->look.substitute_outline;
 }
 
 /* The length of a line in the picture, standardised. */

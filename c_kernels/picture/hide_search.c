@@ -154,7 +154,7 @@ make_boxes(sg_mask_grid *masks)
 
 bool
 sg_mask_grid_init(sg_mask_grid *masks, const sg_scene *scene,
-                  const sg_poll *poll, bool *memory)
+                  const sg_cancel *cancel, bool *memory)
 {
   *masks = (sg_mask_grid){
       .scene = scene, .box = malloc((scene->masks + 1) * sizeof *masks->box)};
@@ -166,7 +166,7 @@ sg_mask_grid_init(sg_mask_grid *masks, const sg_scene *scene,
   bool along = find_mask_way(masks);
 
   return sg_grid_init(&masks->grid, scene->masks, shape_of_mask, masks,
-                      scene->close, along, poll, memory);
+                      scene->close, along, cancel, memory);
 }
 
 void
@@ -440,7 +440,7 @@ make_stretches(sg_line_grid *lines)
 
 bool
 sg_line_grid_init(sg_line_grid *lines, const sg_scene *scene,
-                  const uint32_t *line, size_t n, const sg_poll *poll,
+                  const uint32_t *line, size_t n, const sg_cancel *cancel,
                   bool *memory)
 {
   bool good;
@@ -462,7 +462,7 @@ sg_line_grid_init(sg_line_grid *lines, const sg_scene *scene,
     find_way(lines, c);
     good =
         sg_grid_init(&lines->grid[c], lines->begin[c + 1] - lines->begin[c],
-                     shape_of_stretch, &of, scene->close, true, poll, memory);
+                     shape_of_stretch, &of, scene->close, true, cancel, memory);
   }
   return good;
 }
@@ -514,8 +514,8 @@ overlap_compare(const void *a, const void *b)
 /* A question: a stretch, and what was found. */
 typedef struct crossing {
   const sg_line_grid *lines;
-  uint32_t place; /* of the stretch */
-  bool stands_in; /* what is near it counts too */
+  uint32_t place;          /* of the stretch */
+  bool substitute_outline; /* what is near it counts too */
   sg_seen *seen;
   sg_overlaps *out;
 } crossing;
@@ -550,7 +550,7 @@ ask_class(const crossing *q, unsigned class)
   line_shape(lines->stretch[q->place].from, lines->stretch[q->place].to,
              &shape);
   turn_shape(lines->way[class], &shape);
-  if (q->stands_in) {
+  if (q->substitute_outline) {
     wide = *grid;
     wide.margin += lines->scene->near;
     grid = &wide;
@@ -561,7 +561,7 @@ ask_class(const crossing *q, unsigned class)
     size_t row = (size_t)y * grid->nx;
     for (uint32_t k = grid->start[row + columns.x0];
          k < grid->start[row + columns.x1]; k++) {
-      if ((q->stands_in ||
+      if ((q->substitute_outline ||
            may_lie_on(&lines->stretch[q->place], &of[grid->item[k]],
                       lines->scene->close)) &&
           !try_line(q, (uint32_t)lines->begin[class] + grid->item[k])) {
@@ -578,11 +578,12 @@ sg_line_grid_ask(const sg_line_grid *lines, size_t i, sg_seen *seen,
 {
   const sg_stretch *stretch = &lines->stretch[lines->place[i]];
   double direction = direction_of(stretch->from, stretch->to);
-  bool stands_in = lines->scene->line[lines->line[i]].look.stands_in;
-  double turn = stands_in ? SG_NEAR_TURN : SG_OVERLAP_TURN;
+  bool substitute_outline =
+      lines->scene->line[lines->line[i]].look.substitute_outline;
+  double turn = substitute_outline ? SG_NEAR_TURN : SG_OVERLAP_TURN;
   double spread = SLACK * turn; /* the angle is less */
   int first = class_of(direction - spread), last = class_of(direction + spread);
-  crossing q = {lines, lines->place[i], stands_in, seen, out};
+  crossing q = {lines, lines->place[i], substitute_outline, seen, out};
 
   out->n = 0;
   seen->question++;

@@ -64,10 +64,10 @@ typedef struct sg_mask_grid {
   sg_mask_box *box; /* [masks] */
 } sg_mask_grid;
 
-/* Requires: the scene stays open as long. False: stopped by the poll, or no
- * memory (then *memory is false). Owner: the caller, in any case. */
+/* Requires: the scene stays open as long. False: stopped by the cancellation,
+ * or no memory (then *memory is false). Owner: the caller, in any case. */
 bool sg_mask_grid_init(sg_mask_grid *masks, const sg_scene *scene,
-                       const sg_poll *poll, bool *memory);
+                       const sg_cancel *cancel, bool *memory);
 void sg_mask_grid_clear(sg_mask_grid *masks);
 
 /* All masks that hide a part of line `at` and do not let it be seen, sorted by
@@ -103,7 +103,7 @@ typedef struct sg_line_grid {
 
 /* As sg_mask_grid_init(), of some lines; line[] stays the caller's. */
 bool sg_line_grid_init(sg_line_grid *lines, const sg_scene *scene,
-                       const uint32_t *line, size_t n, const sg_poll *poll,
+                       const uint32_t *line, size_t n, const sg_cancel *cancel,
                        bool *memory);
 void sg_line_grid_clear(sg_line_grid *lines);
 

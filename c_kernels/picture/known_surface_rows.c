@@ -308,7 +308,7 @@ find_polygons(sg_call *call, following *f, const sg_dense *d)
 {
   for (size_t s = 0; s < d->segments; s++) {
     for (size_t p = d->polygon_begin[s]; p < d->polygon_begin[s + 1]; p++) {
-      if (p % SG_PAGE_ROWS == 0 && sg_poll_stop(&call->poll)) {
+      if (p % SG_PAGE_ROWS == 0 && sg_cancelled(&call->cancel)) {
         return false;
       }
       if (!find_surface(f, d->segment[s], d->polygon_id[p], &f->out->of[p])) {

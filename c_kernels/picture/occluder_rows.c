@@ -77,7 +77,7 @@ make_lines(sg_call *call, sg_scene_index *index)
     index->every[i] = (uint32_t)i;
   }
   return sg_line_grid_init(&index->lines, index->scene, index->every, n,
-                           &call->poll, &memory) ||
+                           &call->cancel, &memory) ||
          sg_call_ended(call);
 }
 

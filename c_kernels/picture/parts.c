@@ -2,7 +2,7 @@
  *
  * Two passes. The first finds, for each drawn line by itself, its hidden
  * intervals. The second takes away what another line draws already: see
- * yields(). Both go by blocks of lines, with all threads of the crew.
+ * yields(). Both go by blocks of lines, with all threads of the thread pool.
  */
 #include "parts.h"
 
@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { POLL_EVERY = 4096 };
+enum { ASK_EVERY = 4096 };
 
 /* ---------------------------------------------------------------- roles */
 
@@ -238,7 +238,7 @@ each_line(work *w, size_t task, line_step *step)
     if (!step(w, of, &w->block[task], k)) {
       atomic_store(&w->no_memory, true);
     }
-    if (k % 32 == 0 && sg_crew_stopping()) {
+    if (k % 32 == 0 && sg_pool_stopping()) {
       break;
     }
   }
@@ -345,17 +345,18 @@ hidden_of(const work *w, size_t k, size_t *n)
 
 /* Only outlines do. */
 static bool
-stands_in(const work *w, size_t k)
+substitute_outline(const work *w, size_t k)
 {
-  return w->role[k] == SG_OUTLINE && w->scene->line[w->line[k]].look.stands_in;
+  return w->role[k] == SG_OUTLINE &&
+         w->scene->line[w->line[k]].look.substitute_outline;
 }
 
 /* What stands in comes after all others. */
 static bool
 before(const work *w, size_t j, size_t k)
 {
-  if (stands_in(w, j) != stands_in(w, k)) {
-    return stands_in(w, k);
+  if (substitute_outline(w, j) != substitute_outline(w, k)) {
+    return substitute_outline(w, k);
   }
   return w->role[j] != w->role[k] ? w->role[j] < w->role[k] : j < k;
 }
@@ -409,7 +410,7 @@ least_drawn(const work *w, size_t k)
 {
   double least = least_of(w, k);
 
-  return stands_in(w, k)
+  return substitute_outline(w, k)
              ? sg_smaller(least / SG_SHORTEST * w->scene->near, SG_WHOLE)
              : least;
 }
@@ -453,7 +454,7 @@ draw_line(work *w, worker *of, block *b, size_t k)
        push_gaps(&of->mine, set, n) && yields(w, of, k, false) &&
        push_parts(w, of, b, k, false);
   of->mine.n = 0;
-  for (size_t i = 0; ok && !stands_in(w, k) && i < n; i++) {
+  for (size_t i = 0; ok && !substitute_outline(w, k) && i < n; i++) {
     ok = push(&of->mine, set[i].from, set[i].to);
   }
   ok = ok && yields(w, of, k, true) && push_parts(w, of, b, k, true);
@@ -473,7 +474,7 @@ draw_block(void *data, size_t task)
 
 /* The lines that are drawn, with their roles. False: stopped, or no memory. */
 static bool
-choose_lines(work *w, const sg_drawing *drawing, const sg_poll *poll,
+choose_lines(work *w, const sg_drawing *drawing, const sg_cancel *cancel,
              bool *memory)
 {
   const sg_scene *scene = w->scene;
@@ -493,7 +494,7 @@ choose_lines(work *w, const sg_drawing *drawing, const sg_poll *poll,
       w->role[w->lines] = role;
       w->line[w->lines++] = (uint32_t)k;
     }
-    if (k % POLL_EVERY == 0 && sg_poll_stop(poll)) {
+    if (k % ASK_EVERY == 0 && sg_cancelled(cancel)) {
       return false;
     }
   }
@@ -502,17 +503,18 @@ choose_lines(work *w, const sg_drawing *drawing, const sg_poll *poll,
 
 /* The places for what will be found, and the grid of the lines. */
 static bool
-work_init(work *w, const sg_drawing *drawing, const sg_poll *poll, bool *memory)
+work_init(work *w, const sg_drawing *drawing, const sg_cancel *cancel,
+          bool *memory)
 {
-  if (!choose_lines(w, drawing, poll, memory)) {
+  if (!choose_lines(w, drawing, cancel, memory)) {
     return false;
   }
   w->blocks = (w->lines + BLOCK - 1) / BLOCK;
   w->span = malloc((w->lines + 1) * sizeof *w->span);
   w->block = calloc(w->blocks + 1, sizeof *w->block);
   *memory = w->span && w->block;
-  return *memory &&
-         sg_line_grid_init(&w->grid, w->scene, w->line, w->lines, poll, memory);
+  return *memory && sg_line_grid_init(&w->grid, w->scene, w->line, w->lines,
+                                      cancel, memory);
 }
 
 static void
@@ -557,8 +559,9 @@ gather_parts(const work *w, size_t *n)
 }
 
 bool
-sg_parts_of(const sg_mask_grid *masks, const sg_drawing *drawing, sg_crew *crew,
-            const sg_poll *poll, sg_drawn_part **out, size_t *n, bool *memory)
+sg_parts_of(const sg_mask_grid *masks, const sg_drawing *drawing, sg_pool *pool,
+            const sg_cancel *cancel, sg_drawn_part **out, size_t *n,
+            bool *memory)
 {
   work w = {
       .masks = masks, .scene = masks->scene, .through = &drawing->through};
@@ -566,9 +569,9 @@ sg_parts_of(const sg_mask_grid *masks, const sg_drawing *drawing, sg_crew *crew,
 
   *out = NULL;
   pthread_mutex_init(&w.lock, NULL);
-  done = work_init(&w, drawing, poll, memory) &&
-         sg_crew_run(crew, w.blocks, find_hidden_of_block, &w, poll) &&
-         !w.no_memory && sg_crew_run(crew, w.blocks, draw_block, &w, poll);
+  done = work_init(&w, drawing, cancel, memory) &&
+         sg_pool_run(pool, w.blocks, find_hidden_of_block, &w, cancel) &&
+         !w.no_memory && sg_pool_run(pool, w.blocks, draw_block, &w, cancel);
   *memory = *memory && !w.no_memory;
   if (done && *memory) {
     *out = gather_parts(&w, n);

@@ -8,8 +8,8 @@
 #ifndef SG_PARTS_H
 #define SG_PARTS_H
 
-#include "crew.h"
 #include "hide_search.h"
+#include "thread_pool.h"
 
 /* A part of a line that is longer than this is the whole line. */
 #define SG_WHOLE 0.999
@@ -50,11 +50,11 @@ typedef struct sg_drawing {
   sg_hide_throughs through;
 } sg_drawing;
 
-/* The drawn parts, sorted by line and from, the same for any crew (null: the
- * caller alone). *out is to be freed by the caller. False: stopped by the poll,
- * or no memory (then *memory is false). */
+/* The drawn parts, sorted by line and from, the same for any thread pool (null:
+ * the caller alone). *out is to be freed by the caller. False: stopped by the
+ * cancellation, or no memory (then *memory is false). */
 bool sg_parts_of(const sg_mask_grid *masks, const sg_drawing *drawing,
-                 sg_crew *crew, const sg_poll *poll, sg_drawn_part **out,
+                 sg_pool *pool, const sg_cancel *cancel, sg_drawn_part **out,
                  size_t *n, bool *memory);
 
 #endif

@@ -15,7 +15,7 @@
  * from its sides, and not too many stay in it. */
 #define CELL 16.0
 
-enum { POLL_EVERY = 16384 };
+enum { ASK_EVERY = 16384 };
 
 typedef struct merging {
   double *x, *y;
@@ -99,11 +99,11 @@ stays(merging *m, size_t i)
 }
 
 static bool
-merge(merging *m, size_t n, const sg_poll *poll, bool *memory)
+merge(merging *m, size_t n, const sg_cancel *cancel, bool *memory)
 {
   for (size_t i = 0; i < n; i++) {
     uint32_t first = first_of_all(m, i);
-    if (i % POLL_EVERY == 0 && sg_poll_stop(poll)) {
+    if (i % ASK_EVERY == 0 && sg_cancelled(cancel)) {
       return false;
     }
     if (first != SG_NO_KEY) {
@@ -119,7 +119,7 @@ merge(merging *m, size_t n, const sg_poll *poll, bool *memory)
 
 bool
 sg_picture_merge(double *x, double *y, size_t n, double close,
-                 const sg_poll *poll, bool *memory)
+                 const sg_cancel *cancel, bool *memory)
 {
   merging m = {.x = x, .y = y, .close = close, .side = CELL * close};
   double high;
@@ -136,7 +136,7 @@ sg_picture_merge(double *x, double *y, size_t n, double close,
   sg_key_table_init(&m.cell, 2);
   m.before = malloc(n * sizeof *m.before);
   *memory = m.before != NULL;
-  done = *memory && merge(&m, n, poll, memory);
+  done = *memory && merge(&m, n, cancel, memory);
   sg_key_table_clear(&m.cell);
   free(m.before);
   return done;

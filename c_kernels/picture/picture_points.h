@@ -7,7 +7,7 @@
 #ifndef SG_PICTURE_POINTS_H
 #define SG_PICTURE_POINTS_H
 
-#include "engine/poll.h"
+#include "engine/cancel.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -22,9 +22,9 @@ double sg_picture_side(const double *x, const double *y, size_t n);
  * moves to the first of these; otherwise it stays. x[n], y[n] change in place.
  *
  * Requires: finite coordinates, close >= 0. Linear, whatever the points are.
- * Returns:  false: stopped by the poll, or no memory (then *memory is false);
- *           the points are moved up to some place. */
+ * Returns:  false: stopped by the cancellation, or no memory (then *memory is
+ * false); the points are moved up to some place. */
 bool sg_picture_merge(double *x, double *y, size_t n, double close,
-                      const sg_poll *poll, bool *memory);
+                      const sg_cancel *cancel, bool *memory);
 
 #endif

@@ -20,7 +20,7 @@
 typedef struct viewing {
   const sg_scene_input *in;
   const sg_scene_model *model;
-  const sg_poll *poll;
+  const sg_cancel *cancel;
   sg_scene *scene;
   sg_turn_index turn;
   sg_divided divided;
@@ -33,7 +33,7 @@ typedef struct viewing {
 static bool
 stop(viewing *w, size_t i)
 {
-  return i % SG_SCENE_POLL == 0 && (w->stopped |= sg_poll_stop(w->poll));
+  return i % SG_SCENE_ASK == 0 && (w->stopped |= sg_cancelled(w->cancel));
 }
 
 /* 1: the triangle is seen from outside, -1: from inside, 0: edge-on, no wider
@@ -525,11 +525,12 @@ make_lines(viewing *w)
 /* -------------------------------------------------------------- scene */
 
 sg_scene *
-sg_scene_open(const sg_scene_input *input, const sg_poll *poll, bool *memory)
+sg_scene_open(const sg_scene_input *input, const sg_cancel *cancel,
+              bool *memory)
 {
   viewing w = {.in = input,
                .model = input->model,
-               .poll = poll,
+               .cancel = cancel,
                .scene = calloc(1, sizeof(sg_scene))};
 
   *memory = w.scene && sg_divided_init(&w.divided, input) && make_places(&w) &&

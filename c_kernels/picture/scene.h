@@ -104,9 +104,9 @@ typedef struct sg_scene {
  * that penetration lines say are one point have one place. The scene needs the
  * model as long as it is used, and nothing else of its input.
  *
- * Returns: null: stopped by the poll, or no memory (then *memory is false).
- * Owner:   the caller, sg_scene_close(). */
-sg_scene *sg_scene_open(const sg_scene_input *input, const sg_poll *poll,
+ * Returns: null: stopped by the cancellation, or no memory (then *memory is
+ * false). Owner:   the caller, sg_scene_close(). */
+sg_scene *sg_scene_open(const sg_scene_input *input, const sg_cancel *cancel,
                         bool *memory);
 void sg_scene_close(sg_scene *scene);
 

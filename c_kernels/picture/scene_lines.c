@@ -50,7 +50,7 @@ joined_init(joined *j, sg_scene_builder *b)
     j->set[i] = (uint32_t)i;
   }
   return j->set && j->cut && j->first && j->line_of && j->copy_of &&
-         sg_edge_pairs_make(d->edges, d->from, d->to, d->vertices, b->poll,
+         sg_edge_pairs_make(d->edges, d->from, d->to, d->vertices, b->cancel,
                             &j->pairs, &b->stopped);
 }
 

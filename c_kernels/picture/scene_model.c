@@ -137,14 +137,14 @@ keep_cuts(sg_scene_builder *b)
 
 sg_scene_model *
 sg_scene_model_open(sg_dense *dense, sg_known_surfaces *surfaces, bool *solid,
-                    const sg_scene_cut *cut, size_t cuts, const sg_poll *poll,
-                    bool *memory)
+                    const sg_scene_cut *cut, size_t cuts,
+                    const sg_cancel *cancel, bool *memory)
 {
   sg_known_surfaces none = {0};
   sg_scene_builder b = {.model = calloc(1, sizeof(sg_scene_model)),
                         .cut = cut,
                         .cuts = cuts,
-                        .poll = poll};
+                        .cancel = cancel};
   bool done;
 
   *memory = b.model != NULL;

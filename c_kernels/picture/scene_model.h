@@ -8,7 +8,7 @@
 #ifndef SG_SCENE_MODEL_H
 #define SG_SCENE_MODEL_H
 
-#include "engine/poll.h"
+#include "engine/cancel.h"
 #include "known_surface.h"
 #include "rows/dense.h"
 
@@ -19,20 +19,20 @@
 /* How the faces at an edge lie to the eye. A face is on the edge's left or
  * right in the picture; seen edge-on it is on neither side. */
 typedef struct sg_look {
-  unsigned faces;         /* how often polygons use the edge, both ways */
-  unsigned towards, away; /* faces turned to the eye, turned from it */
-  unsigned left, right;   /* of the line from a to b */
-  double bend;            /* degrees from flat, the largest; 0 to 180; where
-                             faces stand for known surfaces, of these
-                             (known_surface.h) */
-  bool edge;              /* different surfaces or named faces meet there, not
-                             tangent */
-  bool solid;             /* nobody sees the backs of its segment's faces */
-  bool cut;               /* it is (part of) a penetration line */
-  bool inside;            /* it lies inside a curved sheet (smooth.h), whose
-                             outline does not run along its edges */
-  bool stands_in; /* an added line that is drawn only where no other line
-                     is near (contour.h) */
+  unsigned faces;          /* how often polygons use the edge, both ways */
+  unsigned towards, away;  /* faces turned to the eye, turned from it */
+  unsigned left, right;    /* of the line from a to b */
+  double bend;             /* degrees from flat, the largest; 0 to 180; where
+                              faces stand for known surfaces, of these
+                              (known_surface.h) */
+  bool edge;               /* different surfaces or named faces meet there, not
+                              tangent */
+  bool solid;              /* nobody sees the backs of its segment's faces */
+  bool cut;                /* it is (part of) a penetration line */
+  bool inside;             /* it lies inside a curved sheet (smooth.h), whose
+                              outline does not run along its edges */
+  bool substitute_outline; /* an added line that is drawn only where no other
+                     line is near (contour.h) */
 } sg_look;
 
 /* One real edge, drawn for all its directed ones; or, with a negative id, a
@@ -87,13 +87,13 @@ typedef struct sg_scene_cut {
  *
  * surfaces: of the polygons of `dense`; null: none is known.
  *
- * Returns: null: stopped by the poll, or no memory (then *memory is false).
- * Owner:   takes the arrays of `dense`, `surfaces` and `solid` over, in any
- *          case; the model is the caller's, sg_scene_model_close(). */
+ * Returns: null: stopped by the cancellation, or no memory (then *memory is
+ * false). Owner:   takes the arrays of `dense`, `surfaces` and `solid` over, in
+ * any case; the model is the caller's, sg_scene_model_close(). */
 sg_scene_model *sg_scene_model_open(sg_dense *dense,
                                     sg_known_surfaces *surfaces, bool *solid,
                                     const sg_scene_cut *cut, size_t cuts,
-                                    const sg_poll *poll, bool *memory);
+                                    const sg_cancel *cancel, bool *memory);
 /* True if the polygon (a place) is flat and uses the line or a copy of it: then
  * the line lies on all of its triangles. */
 bool sg_scene_lies_on(const sg_scene_model *model, uint32_t line,

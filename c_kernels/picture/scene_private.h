@@ -10,23 +10,23 @@
 #include "rows/edge_pairs.h"
 #include "scene_model.h"
 
-enum { SG_SCENE_POLL = 4096 };
+enum { SG_SCENE_ASK = 4096 };
 
 typedef struct sg_scene_builder {
   sg_scene_model *model;
   const sg_scene_cut *cut;
   size_t cuts;
-  const sg_poll *poll;
+  const sg_cancel *cancel;
   double (
       *normal)[3]; /* [polygons] the sum of its triangles' normals, scaled */
   bool stopped;
 } sg_scene_builder;
 
-/* True from the moment when the poll says stop; asked now and then. */
+/* True from the moment when the cancellation says stop; asked now and then. */
 static inline bool
 sg_scene_stop(sg_scene_builder *b, size_t i)
 {
-  return i % SG_SCENE_POLL == 0 && (b->stopped |= sg_poll_stop(b->poll));
+  return i % SG_SCENE_ASK == 0 && (b->stopped |= sg_cancelled(b->cancel));
 }
 
 static inline void
@@ -42,7 +42,7 @@ sg_cross_at(const double a[3], const double b[3], const double c[3],
 }
 
 /* The lines of the model, with their uses and bends, and which segments are
- * solid. False: no memory, or (b->stopped) stopped by the poll. */
+ * solid. False: no memory, or (b->stopped) stopped by the cancellation. */
 bool sg_scene_make_lines(sg_scene_builder *b);
 
 /* The triangles that have the lines of polygons that are not flat, from the

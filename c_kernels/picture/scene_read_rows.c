@@ -85,7 +85,7 @@ sg_scene_model_read(sg_call *call, const sg_chosen_segments *chosen,
   if (read_model(call, chosen, &r) &&
       sg_known_surfaces_read(call, known, &r.dense, &surfaces)) {
     model = sg_scene_model_open(&r.dense, &surfaces, r.solid, r.cut, r.cuts,
-                                &call->poll, &memory);
+                                &call->cancel, &memory);
     if (!model) {
       sg_call_ended(call);
     }
@@ -277,8 +277,9 @@ read_piece(void *data, const sg_live_row *r)
       .s = sg_row_int(r, 0),
       .e = -sg_row_int(r, 1),
       .look = {.faces = 2, .towards = 1, .away = 1, .left = 2}};
-  added->look.stands_in = sg_row_number(r, 7) == SG_STANDS_IN;
-  added->folded = added->look.stands_in ? 0.0 : 1.0 - sg_row_number(r, 7);
+  added->look.substitute_outline = sg_row_number(r, 7) == SG_SUBSTITUTE;
+  added->folded =
+      added->look.substitute_outline ? 0.0 : 1.0 - sg_row_number(r, 7);
   if (t >= 0 &&
       side_point(p, t, sg_row_int(r, 3), sg_row_number(r, 4),
                  added->screen[0]) &&

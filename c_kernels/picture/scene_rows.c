@@ -33,9 +33,9 @@ fill_index(sg_call *call, sg_scene_index *index, const sg_scene_input *in)
 {
   bool memory;
 
-  index->scene = sg_scene_open(in, &call->poll, &memory);
+  index->scene = sg_scene_open(in, &call->cancel, &memory);
   return (index->scene && sg_mask_grid_init(&index->masks, index->scene,
-                                            &call->poll, &memory)) ||
+                                            &call->cancel, &memory)) ||
          sg_call_ended(call);
 }
 

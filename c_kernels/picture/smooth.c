@@ -364,7 +364,7 @@ find_normals(sg_smooth_builder *b)
     out->apex[out->fan[i]] |=
         sg_dot(area, out->normal[out->fan[i]]) < most * size;
   }
-  return !sg_poll_stop(b->poll);
+  return !sg_cancelled(b->cancel);
 }
 
 /* --------------------------------------------------------- known surfaces */
@@ -447,16 +447,16 @@ make_fans(sg_smooth_builder *b, bool *memory)
   out->normal = calloc(out->fans + 1, sizeof *out->normal);
   out->apex = calloc(out->fans + 1, sizeof *out->apex);
   *memory = out->normal && out->apex;
-  return *memory && !sg_poll_stop(b->poll) && find_normals(b) &&
+  return *memory && !sg_cancelled(b->cancel) && find_normals(b) &&
          (*memory = sg_smooth_find_curved(b) && find_known(b));
 }
 
 bool
 sg_smooth_init(sg_smooth *smooth, const sg_smooth_input *input,
-               const sg_poll *poll, bool *memory)
+               const sg_cancel *cancel, bool *memory)
 {
   sg_smooth_builder b = {
-      .in = input->dense, .input = input, .out = smooth, .poll = poll};
+      .in = input->dense, .input = input, .out = smooth, .cancel = cancel};
   bool done = false;
 
   *smooth = (sg_smooth){0};
@@ -470,8 +470,8 @@ sg_smooth_init(sg_smooth *smooth, const sg_smooth_input *input,
       smooth->across[i] = SG_NO_SIDE;
     }
     add_areas(&b);
-    done = !sg_poll_stop(poll) && find_sides(&b, memory) &&
-           !sg_poll_stop(poll) && make_fans(&b, memory);
+    done = !sg_cancelled(cancel) && find_sides(&b, memory) &&
+           !sg_cancelled(cancel) && make_fans(&b, memory);
   }
   free(b.area);
   free(b.bend);

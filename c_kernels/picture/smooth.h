@@ -80,10 +80,10 @@ typedef struct sg_smooth_input {
   double crease;              /* degrees */
 } sg_smooth_input;
 
-/* False: stopped by the poll, or no memory (then *memory is false); nothing is
- * left to clear. Nothing of the input is kept. Inexact. */
+/* False: stopped by the cancellation, or no memory (then *memory is false);
+ * nothing is left to clear. Nothing of the input is kept. Inexact. */
 bool sg_smooth_init(sg_smooth *smooth, const sg_smooth_input *input,
-                    const sg_poll *poll, bool *memory);
+                    const sg_cancel *cancel, bool *memory);
 void sg_smooth_clear(sg_smooth *smooth);
 
 #endif

@@ -108,7 +108,7 @@ find_sheets(sg_call *call, sg_kept_smooth *kept, const sg_scene_model *model,
   bool memory;
 
   in.surfaces.of = of;
-  return sg_smooth_init(&kept->smooth, &in, &call->poll, &memory) ||
+  return sg_smooth_init(&kept->smooth, &in, &call->cancel, &memory) ||
          sg_call_ended(call);
 }
 

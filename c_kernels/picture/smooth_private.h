@@ -11,13 +11,13 @@
 
 #define SG_DEGREES (180.0 / acos(-1.0))
 
-enum { SG_SMOOTH_POLL = 4096 };
+enum { SG_SMOOTH_ASK = 4096 };
 
 typedef struct sg_smooth_builder {
   const sg_dense *in;
   const sg_smooth_input *input;
   sg_smooth *out;
-  const sg_poll *poll;
+  const sg_cancel *cancel;
   sg_known_surfaces known; /* none, if all facets are to be seen */
   double unit;       /* what differences are multiplied by: see unit_of() */
   double (*area)[3]; /* [polygons]: normals, as long as twice the area */
@@ -57,7 +57,7 @@ sg_smooth_difference(const sg_smooth_builder *b, const double p[3],
 static inline bool
 sg_smooth_stop(const sg_smooth_builder *b, size_t i)
 {
-  return i % SG_SMOOTH_POLL == 0 && sg_poll_stop(b->poll);
+  return i % SG_SMOOTH_ASK == 0 && sg_cancelled(b->cancel);
 }
 
 /* The known surface of a corner, less than 0: none. */

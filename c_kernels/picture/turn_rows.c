@@ -116,7 +116,7 @@ read_rows(sg_call *call, const sg_version *version, sg_relation relation,
       good = add_row(t, how, &view, relation, i, r) ||
              sg_call_cannot_hold(call, "coordinate");
     }
-    good = good && !sg_poll_stop(&call->poll);
+    good = good && !sg_cancelled(&call->cancel);
   }
   sg_view_clear(&view);
   return good;

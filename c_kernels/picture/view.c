@@ -1,7 +1,7 @@
 /* view.c -- see view.h */
 #include "view.h"
 
-#include "number/twofold.h"
+#include "number/bounded_double.h"
 
 #include <math.h>
 

@@ -67,7 +67,7 @@ read_version(sg_call *call, const sg_version *version, const sg_eye *eye,
       double at[3] = {c[2].page[i].f[r], c[3].page[i].f[r], c[4].page[i].f[r]};
       screen_add(out, eye, c[0].page[i].i[r], c[1].page[i].i[r], at);
     }
-    good = !sg_poll_stop(&call->poll);
+    good = !sg_cancelled(&call->cancel);
   }
   sg_model_view_clear(&view);
   return good || sg_call_ended(call);
@@ -104,7 +104,7 @@ merge(sg_call *call, screen *rows)
   bool memory;
 
   return sg_picture_merge(rows->x, rows->y, rows->n, SG_ONE_PLACE * side,
-                          &call->poll, &memory) ||
+                          &call->cancel, &memory) ||
          sg_call_ended(call);
 }
 

@@ -35,7 +35,7 @@ typedef struct model {
   polygon_key *with_plane, *with_triangles;
   sg_keys vertices, edges, planes, triangles;
   sg_flatness flatness;
-  const sg_poll *poll;
+  const sg_cancel *cancel;
   bool stopped;
 } model;
 
@@ -60,7 +60,7 @@ count_rows(const sg_view *view)
 static bool
 stops(model *m)
 {
-  m->stopped = m->stopped || sg_poll_stop(m->poll);
+  m->stopped = m->stopped || sg_cancelled(m->cancel);
   return m->stopped;
 }
 
@@ -78,7 +78,7 @@ sort_keys(model *m, void *base, size_t size, size_t n, sg_keys *out)
   if (m->stopped) {
     return false;
   }
-  sg_sort_end end = sg_sort(base, n, size, sg_key_compare, m->poll);
+  sg_sort_end end = sg_sort(base, n, size, sg_key_compare, m->cancel);
   m->stopped = end == SG_SORT_STOPPED;
   return end == SG_SORTED;
 }
@@ -178,7 +178,7 @@ model_read(const sg_completion_input *in, model *out)
 typedef struct task {
   model *model;
   sg_completion *out;
-  const sg_poll *poll;
+  const sg_cancel *cancel;
   sg_key_table counts; /* triangles a segment */
   int32_t s, p;
   bool needs_plane, needs_triangles;
@@ -287,7 +287,7 @@ find_triangles(task *t, int32_t bad[2])
       return SG_NO_SPACE;
     }
     t->found.n = 0;
-    outcome = sg_work_triangulate(t->work, &t->found, &stuck, t->poll);
+    outcome = sg_work_triangulate(t->work, &t->found, &stuck, t->cancel);
     if (outcome == SG_STUCK && i == 0) {
       name_edge(t, stuck, bad);
     }
@@ -419,7 +419,7 @@ do_polygon(task *t)
 
 /* ---- all polygons ------------------------------------------------------- */
 
-enum { POLYGONS_A_POLL = 256 };
+enum { POLYGONS_AN_ASK = 256 };
 
 /* The polygon of one row, if something of it is missing. */
 static bool
@@ -442,7 +442,7 @@ do_polygons(task *t, const sg_view *view)
   for (size_t i = 0; i < view->pages; i++) {
     EACH_ROW(view, i, r)
     {
-      if (++n % POLYGONS_A_POLL == 0 && sg_poll_stop(t->poll)) {
+      if (++n % POLYGONS_AN_ASK == 0 && sg_cancelled(t->cancel)) {
         t->stopped = true;
         return false;
       }
@@ -487,10 +487,10 @@ complete_some(const sg_completion_input *in, task *t)
 
 bool
 sg_complete(const sg_completion_input *in, sg_completion *out, bool *stopped,
-            const sg_poll *poll)
+            const sg_cancel *cancel)
 {
-  model m = {.poll = poll};
-  task t = {.model = &m, .out = out, .poll = poll};
+  model m = {.cancel = cancel};
+  task t = {.model = &m, .out = out, .cancel = cancel};
 
   *out = (sg_completion){0};
   sg_key_table_init(&t.counts, 1);

@@ -8,8 +8,8 @@
 #ifndef SG_COMPLETE_H
 #define SG_COMPLETE_H
 
+#include "engine/cancel.h"
 #include "engine/column.h"
-#include "engine/poll.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -63,7 +63,7 @@ typedef struct sg_completion_input {
  * caller calls sg_completion_clear() in any case. Exact but for the planes and
  * sizes. Source: [PL] section 4 (PL-6). */
 bool sg_complete(const sg_completion_input *in, sg_completion *out,
-                 bool *stopped, const sg_poll *poll);
+                 bool *stopped, const sg_cancel *cancel);
 void sg_completion_clear(sg_completion *out);
 
 #endif

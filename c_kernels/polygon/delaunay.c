@@ -166,13 +166,13 @@ turn_side(turner *t, size_t i, int k)
 
 /* Turns what is better turned, once over all that may be. */
 static sg_outcome
-turn_sides(turner *t, const sg_poll *poll)
+turn_sides(turner *t, const sg_cancel *cancel)
 {
   for (size_t i = 0; i < t->triangles->n; i++) {
     t->fresh[i] = false;
   }
   for (size_t i = 0; i < t->triangles->n; i++) {
-    if (i % ASKED == ASKED - 1 && sg_poll_stop(poll)) {
+    if (i % ASKED == ASKED - 1 && sg_cancelled(cancel)) {
       return SG_STOPPED;
     }
     for (int k = 0; k < 3 && t->asked[i] && !t->fresh[i]; k++) {
@@ -213,7 +213,7 @@ note_turned(turner *t, bool *turned)
 sg_outcome
 sg_triangles_delaunay(const sg_work *work, sg_triangles *triangles,
                       bool (*is_fixed)(void *data, int32_t a, int32_t b),
-                      void *data, const sg_poll *poll)
+                      void *data, const sg_cancel *cancel)
 {
   enum {
     ROUNDS = 64
@@ -234,7 +234,7 @@ sg_triangles_delaunay(const sg_work *work, sg_triangles *triangles,
     end = note_sides(&t, i) ? SG_DONE : SG_NO_SPACE;
   }
   for (int round = 0; round < ROUNDS && end == SG_DONE && turned; round++) {
-    end = turn_sides(&t, poll);
+    end = turn_sides(&t, cancel);
     if (end == SG_DONE && !note_turned(&t, &turned)) {
       end = SG_NO_SPACE;
     }
@@ -289,7 +289,7 @@ is_edge(void *data, int32_t a, int32_t b)
 
 static sg_outcome
 turn_all(const sg_work *work, const int32_t (*edge)[2], size_t edges,
-         sg_triangles *triangles, const sg_poll *poll)
+         sg_triangles *triangles, const sg_cancel *cancel)
 {
   sg_key_table fixed;
   sg_outcome outcome = SG_DONE;
@@ -307,7 +307,7 @@ turn_all(const sg_work *work, const int32_t (*edge)[2], size_t edges,
     }
   }
   if (outcome == SG_DONE) {
-    outcome = sg_triangles_delaunay(work, triangles, is_edge, &fixed, poll);
+    outcome = sg_triangles_delaunay(work, triangles, is_edge, &fixed, cancel);
   }
   sg_key_table_clear(&fixed);
   return outcome;
@@ -316,11 +316,11 @@ turn_all(const sg_work *work, const int32_t (*edge)[2], size_t edges,
 sg_outcome
 sg_triangles_thicken(const sg_work *work, const int32_t (*edge)[2],
                      size_t edges, double moved, sg_triangles *triangles,
-                     const sg_poll *poll)
+                     const sg_cancel *cancel)
 {
   for (size_t i = 0; i < triangles->n && triangles->n > 1; i++) {
     if (is_thin(work, &triangles->item[i], moved)) {
-      return turn_all(work, edge, edges, triangles, poll);
+      return turn_all(work, edge, edges, triangles, cancel);
     }
   }
   return SG_DONE;

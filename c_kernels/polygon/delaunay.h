@@ -20,7 +20,7 @@ bool sg_triangles_insert(const sg_work *work, sg_triangles *triangles,
 sg_outcome sg_triangles_delaunay(const sg_work *work, sg_triangles *triangles,
                                  bool (*is_fixed)(void *data, int32_t a,
                                                   int32_t b),
-                                 void *data, const sg_poll *poll);
+                                 void *data, const sg_cancel *cancel);
 
 /* Whether a triangle is narrower than rounding allows for: than 2^-30 of its
  * longest side, or than 2 * moved, if its corners were moved by that. Inexact.
@@ -34,6 +34,7 @@ bool sg_triangle_is_thin(const double a[3], const double b[3],
  * edge[], either way. SG_DONE, SG_STOPPED or SG_NO_SPACE. */
 sg_outcome sg_triangles_thicken(const sg_work *work, const int32_t (*edge)[2],
                                 size_t edges, double moved,
-                                sg_triangles *triangles, const sg_poll *poll);
+                                sg_triangles *triangles,
+                                const sg_cancel *cancel);
 
 #endif

@@ -106,7 +106,7 @@ find_missing(sg_call *call, const int32_t *segment, size_t n,
       good &&
       sg_complete(&(sg_completion_input){&view[0], &view[1], &view[2], &view[3],
                                          &view[4], segment, n, grain},
-                  found, &stopped, &call->poll);
+                  found, &stopped, &call->cancel);
   for (int i = 0; i < 5; i++) {
     sg_view_clear(&view[i]);
   }

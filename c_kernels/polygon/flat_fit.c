@@ -70,7 +70,7 @@ find_fit(const hull *h)
 
 enum {
   WAYS = 8,
-  PART = 16384 /* points whose hull is found from one poll to the next */
+  PART = 16384 /* points whose hull is found from one cancel to the next */
 };
 
 static const double way[WAYS][2] = {{1, 0},  {1, 1},   {0, 1},  {-1, 1},
@@ -79,7 +79,7 @@ static const double way[WAYS][2] = {{1, 0},  {1, 1},   {0, 1},  {-1, 1},
 /* The points that are the farthest in eight directions: an octagon. */
 static void
 find_farthest(const double (*point)[2], size_t n, double far[WAYS][2],
-              const sg_poll *poll, bool *stopped)
+              const sg_cancel *cancel, bool *stopped)
 {
   double most[WAYS];
 
@@ -87,7 +87,7 @@ find_farthest(const double (*point)[2], size_t n, double far[WAYS][2],
     most[w] = -INFINITY;
   }
   for (size_t i = 0; i < n && !*stopped; i++) {
-    *stopped = sg_poll_every(poll, i);
+    *stopped = sg_cancel_every(cancel, i);
     for (int w = 0; w < WAYS; w++) {
       double reach = point[i][0] * way[w][0] + point[i][1] * way[w][1];
       if (reach > most[w]) {
@@ -102,13 +102,13 @@ find_farthest(const double (*point)[2], size_t n, double far[WAYS][2],
  * What is left comes first. */
 static size_t
 drop_inside(double (*point)[2], size_t n, const double far[WAYS][2],
-            const sg_poll *poll, bool *stopped)
+            const sg_cancel *cancel, bool *stopped)
 {
   size_t left = 0;
 
   for (size_t i = 0; i < n && !*stopped; i++) {
     bool inside = true;
-    *stopped = sg_poll_every(poll, i);
+    *stopped = sg_cancel_every(cancel, i);
     for (int w = 0; inside && w < WAYS; w++) {
       const double *p = far[w], *q = far[(w + 1) % WAYS];
       inside = (p[0] == q[0] && p[1] == q[1]) || turn(p, q, point[i]) > 0;
@@ -123,12 +123,12 @@ drop_inside(double (*point)[2], size_t n, const double far[WAYS][2],
 /* Of very many points first the hulls of parts, whose points come first. */
 static size_t
 drop_by_parts(double (*point)[2], size_t n, double (*room)[2],
-              const sg_poll *poll, bool *stopped)
+              const sg_cancel *cancel, bool *stopped)
 {
   size_t left = 0;
 
   for (size_t i = 0; i < n && !*stopped; i += PART) {
-    *stopped = sg_poll_stop(poll);
+    *stopped = sg_cancelled(cancel);
     size_t corners =
         sg_convex_hull(point + i, n - i < PART ? n - i : PART, room);
     memcpy(point + left, room, corners * sizeof *point);
@@ -139,16 +139,16 @@ drop_by_parts(double (*point)[2], size_t n, double (*room)[2],
 
 sg_flat_fit
 sg_flat_fit_find(double (*point)[2], size_t n, double (*room)[2],
-                 const sg_poll *poll, bool *stopped)
+                 const sg_cancel *cancel, bool *stopped)
 {
   hull h = {room, 0};
   double far[WAYS][2];
 
   *stopped = false;
-  find_farthest((const double(*)[2])point, n, far, poll, stopped);
-  n = drop_inside(point, n, (const double(*)[2])far, poll, stopped);
+  find_farthest((const double(*)[2])point, n, far, cancel, stopped);
+  n = drop_inside(point, n, (const double(*)[2])far, cancel, stopped);
   if (n > PART) {
-    n = drop_by_parts(point, n, room, poll, stopped);
+    n = drop_by_parts(point, n, room, cancel, stopped);
   }
   if (!*stopped && n >= 3) { /* none, if all are in one place */
     h.n = sg_convex_hull(point, n, room);

@@ -5,7 +5,7 @@
 #ifndef SG_FLAT_FIT_H
 #define SG_FLAT_FIT_H
 
-#include "engine/poll.h"
+#include "engine/cancel.h"
 
 /* A unit vector along the longer side of a box. */
 typedef struct sg_flat_fit {
@@ -16,8 +16,8 @@ typedef struct sg_flat_fit {
  * of those that are equal but for rounding the first, from the leftmost point
  * on, counter-clockwise. (1, 0) if the points lie in a line. Puts the points in
  * another order; `room` is for n + 1 of them. (1, 0) as well if *stopped by the
- * poll. */
+ * cancel. */
 sg_flat_fit sg_flat_fit_find(double (*point)[2], size_t n, double (*room)[2],
-                             const sg_poll *poll, bool *stopped);
+                             const sg_cancel *cancel, bool *stopped);
 
 #endif

@@ -51,7 +51,7 @@ see_model(sg_call *call, const sg_version *version, double *out)
   }
   for (size_t i = 0; good && i < view.shown.pages; i++) {
     sg_flatness_page(&flatness, &view.shown, i);
-    good = i % ASKED != ASKED - 1 || !sg_poll_stop(&call->poll);
+    good = i % ASKED != ASKED - 1 || !sg_cancelled(&call->cancel);
   }
   sg_model_view_clear(&view);
   if (good) {
@@ -125,7 +125,7 @@ see_segment(void *data, size_t i)
     size_t page = all->rows->row[k] / SG_PAGE_ROWS;
     size_t r = all->rows->row[k] % SG_PAGE_ROWS;
 
-    if (k % SEEN == SEEN - 1 && sg_crew_stopping()) {
+    if (k % SEEN == SEEN - 1 && sg_pool_stopping()) {
       return;
     }
     sg_flatness_see(&all->of[i], (const double[3]){column[2].page[page].f[r],
@@ -141,10 +141,10 @@ see_rows(sg_call *call, const sg_view *view, const sg_segment_rows *rows,
 {
   seeing all = {view, rows, of};
   bool many = rows->begin[n] >= SEEN;
-  sg_crew *crew = many ? sg_call_crew(call) : NULL;
+  sg_pool *pool = many ? sg_call_pool(call) : NULL;
 
-  return (!many || crew) &&
-         (sg_crew_run(crew, n, see_segment, &all, &call->poll) ||
+  return (!many || pool) &&
+         (sg_pool_run(pool, n, see_segment, &all, &call->cancel) ||
           sg_call_ended(call));
 }
 
@@ -163,7 +163,7 @@ see_segments(sg_call *call, const sg_int_list *ss)
   bool good =
       version && of &&
       ((sg_version_view(version, SG_V, &view) &&
-        sg_segment_rows_find(&view, ss->at, ss->n, &call->poll, &rows)) ||
+        sg_segment_rows_find(&view, ss->at, ss->n, &call->cancel, &rows)) ||
        sg_call_ended(call)) &&
       see_rows(call, &view, &rows, ss->n, of);
 

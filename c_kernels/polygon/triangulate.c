@@ -53,10 +53,11 @@ static int32_t (*note_edges(const sg_work *work, size_t *n))[2]
 }
 
 static sg_outcome
-take_all(sg_work *work, sg_triangles *out, int32_t *edge, const sg_poll *poll)
+take_all(sg_work *work, sg_triangles *out, int32_t *edge,
+         const sg_cancel *cancel)
 {
   while ((*edge = sg_work_next(work, 0)) != 0) { /* steps 2 and 6 */
-    if (sg_poll_stop(poll)) {
+    if (sg_cancelled(cancel)) {
       return SG_STOPPED;
     }
     sg_outcome outcome = one_triangle(work, *edge, out);
@@ -69,7 +70,7 @@ take_all(sg_work *work, sg_triangles *out, int32_t *edge, const sg_poll *poll)
 
 sg_outcome
 sg_work_triangulate_moved(sg_work *work, double moved, sg_triangles *out,
-                          int32_t *edge, const sg_poll *poll)
+                          int32_t *edge, const sg_cancel *cancel)
 {
   size_t before = out->n, edges;
   int32_t(*of)[2] = note_edges(work, &edges);
@@ -77,14 +78,14 @@ sg_work_triangulate_moved(sg_work *work, double moved, sg_triangles *out,
   if (!of) {
     return SG_NO_SPACE;
   }
-  sg_outcome outcome = take_all(work, out, edge, poll);
+  sg_outcome outcome = take_all(work, out, edge, cancel);
 
   if (outcome == SG_DONE) {
     sg_triangles fresh = {out->item ? out->item + before : NULL,
                           out->n - before, out->n - before};
 
     outcome = sg_triangles_thicken(work, (const int32_t(*)[2])of, edges, moved,
-                                   &fresh, poll);
+                                   &fresh, cancel);
   }
   free(of);
   return outcome;
@@ -92,7 +93,7 @@ sg_work_triangulate_moved(sg_work *work, double moved, sg_triangles *out,
 
 sg_outcome
 sg_work_triangulate(sg_work *work, sg_triangles *out, int32_t *edge,
-                    const sg_poll *poll)
+                    const sg_cancel *cancel)
 {
-  return sg_work_triangulate_moved(work, 0, out, edge, poll);
+  return sg_work_triangulate_moved(work, 0, out, edge, cancel);
 }

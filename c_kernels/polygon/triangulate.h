@@ -7,7 +7,7 @@
 #ifndef SG_TRIANGULATE_H
 #define SG_TRIANGULATE_H
 
-#include "engine/poll.h"
+#include "engine/cancel.h"
 #include "work.h"
 
 typedef struct sg_triangle {
@@ -22,7 +22,7 @@ typedef struct sg_triangles {
 typedef enum sg_outcome {
   SG_DONE,
   SG_STUCK,   /* an edge has no third vertex: the polygon is invalid */
-  SG_STOPPED, /* the poll said so */
+  SG_STOPPED, /* the cancellation said so */
   SG_NO_SPACE /* no memory */
 } sg_outcome;
 
@@ -30,11 +30,11 @@ typedef enum sg_outcome {
  * *edge is the edge that proves the polygon invalid (still living), and the
  * triangles found before it stay in `out`. The edges are used up. */
 sg_outcome sg_work_triangulate(sg_work *work, sg_triangles *out, int32_t *edge,
-                               const sg_poll *poll);
+                               const sg_cancel *cancel);
 /* The same of vertices that rounding has moved by up to `moved`: a triangle no
  * wider than that was flat, so chords are turned, as delaunay.h says. */
 sg_outcome sg_work_triangulate_moved(sg_work *work, double moved,
                                      sg_triangles *out, int32_t *edge,
-                                     const sg_poll *poll);
+                                     const sg_cancel *cancel);
 
 #endif

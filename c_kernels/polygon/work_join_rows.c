@@ -153,7 +153,7 @@ sg_door_work_triangulate(sg_call *call, sg_work *work,
 {
   sg_triangles found = {0};
   int32_t edge;
-  sg_outcome end = sg_work_triangulate(work, &found, &edge, &call->poll);
+  sg_outcome end = sg_work_triangulate(work, &found, &edge, &call->cancel);
 
   if (end == SG_DONE || end == SG_STUCK) { /* the edges that are left tell */
     return give_triangles(call, work, &found, triangles);
@@ -204,7 +204,7 @@ sg_door_work_thicken(sg_call *call, sg_work *work, const sg_id_pair_list *edges,
   if (edge && get_edges(call, work, edges, edge) &&
       get_triangles(call, work, triangles0, &all) &&
       (sg_triangles_thicken(work, (const int32_t(*)[2])edge, edges->n, 0, &all,
-                            &call->poll) == SG_DONE ||
+                            &call->cancel) == SG_DONE ||
        sg_call_ended(call))) {
     return give_triangles(call, work, &all, triangles);
   }

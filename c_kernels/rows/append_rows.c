@@ -15,7 +15,7 @@ sg_rows_of_segment(sg_call *call, const sg_version *version,
   if (!sg_version_view(version, relation, &view)) {
     return sg_call_no_memory(call);
   }
-  bool good = sg_segment_rows_find(&view, &s, 1, &call->poll, out);
+  bool good = sg_segment_rows_find(&view, &s, 1, &call->cancel, out);
 
   sg_view_clear(&view);
   return good || sg_call_ended(call);
@@ -90,7 +90,7 @@ sg_append_columns(sg_call *call, sg_world *world, sg_relation relation,
   }
   for (size_t k = 0; k < a.sheet.pages && good; k++) {
     copy_page(&sg_relation_table[relation], column, &a.sheet.page[k]);
-    good = k % 64 != 63 || !sg_poll_stop(&call->poll);
+    good = k % 64 != 63 || !sg_cancelled(&call->cancel);
   }
   good = good && (sg_append_commit(&a) || sg_call_no_memory(call));
   sg_append_close(&a);

@@ -138,7 +138,7 @@ may_have(const sg_view *view, size_t page, const walk *w)
 
 bool
 sg_segment_rows_find(const sg_view *view, const int32_t *wanted, size_t n,
-                     const sg_poll *poll, sg_segment_rows *out)
+                     const sg_cancel *cancel, sg_segment_rows *out)
 {
   walk w = {.wanted = wanted, .segments = n, .which = n};
   bool good = true;
@@ -150,7 +150,7 @@ sg_segment_rows_find(const sg_view *view, const int32_t *wanted, size_t n,
     }
     walk_page(&w, view->live[page], view->column[0].page[page].i,
               (uint32_t)page * SG_PAGE_ROWS);
-    good = !w.failed && !(page % 64 == 63 && sg_poll_stop(poll));
+    good = !w.failed && !(page % 64 == 63 && sg_cancelled(cancel));
   }
   good = good && spread_runs(&w, out);
   free(w.run);

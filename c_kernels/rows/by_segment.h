@@ -6,8 +6,8 @@
 #ifndef SG_BY_SEGMENT_H
 #define SG_BY_SEGMENT_H
 
+#include "engine/cancel.h"
 #include "engine/column.h"
-#include "engine/poll.h"
 
 #include <stdbool.h>
 
@@ -20,10 +20,10 @@ typedef struct sg_segment_rows {
 
 /* The live rows of n segments (ascending numbers); column 0 is the segment.
  *
- * Returns: false: no memory, or the poll said stop.
+ * Returns: false: no memory, or the cancellation said stop.
  * Owner:   sg_segment_rows_clear() in any case. */
 bool sg_segment_rows_find(const sg_view *view, const int32_t *wanted, size_t n,
-                          const sg_poll *poll, sg_segment_rows *out);
+                          const sg_cancel *cancel, sg_segment_rows *out);
 void sg_segment_rows_clear(sg_segment_rows *rows);
 
 /* The same rows as a view: it shows no others. It is good as long as `view` is,

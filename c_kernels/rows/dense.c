@@ -137,13 +137,13 @@ set_begins(const sg_dense *d, rows *out)
  * column. */
 static bool
 gather(const sg_dense *d, const sg_view *view, unsigned column,
-       const sg_poll *poll, rows *out, bool *stopped)
+       const sg_cancel *cancel, rows *out, bool *stopped)
 {
   size_t last = 0;
   bool sorted = true;
 
   for (size_t i = 0; i < view->pages; i++) {
-    if (i % 16 == 0 && (*stopped = sg_poll_stop(poll))) {
+    if (i % 16 == 0 && (*stopped = sg_cancelled(cancel))) {
       return false;
     }
     for (unsigned r = sg_live_next(view->live[i], 0); r < SG_PAGE_ROWS;
@@ -310,7 +310,7 @@ fill_triangles(sg_dense *d, const sg_view *view, rows *from)
 
 bool
 sg_dense_make(const sg_dense_views *views, const int32_t *wanted, size_t n,
-              const sg_poll *poll, sg_dense *out, bool *stopped)
+              const sg_cancel *cancel, sg_dense *out, bool *stopped)
 {
   const struct {
     const sg_view *view;
@@ -329,7 +329,7 @@ sg_dense_make(const sg_dense_views *views, const int32_t *wanted, size_t n,
   }
   for (size_t i = 0; i < sizeof part / sizeof *part; i++) {
     rows from = {0};
-    if (!gather(out, part[i].view, part[i].id_column, poll, &from, stopped)) {
+    if (!gather(out, part[i].view, part[i].id_column, cancel, &from, stopped)) {
       free(from.row);
       free(from.begin);
       return false;

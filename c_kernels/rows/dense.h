@@ -7,8 +7,8 @@
 #ifndef SG_DENSE_H
 #define SG_DENSE_H
 
+#include "engine/cancel.h"
 #include "engine/column.h"
-#include "engine/poll.h"
 
 /* The things of segment i (a place) are begin[i] .. begin[i + 1] - 1. */
 typedef struct sg_dense {
@@ -47,11 +47,11 @@ typedef struct sg_dense_views {
  * a polygon.
  *
  * Requires: references are sound (the store sees to it).
- * Returns:  false: no memory, or (*stopped) stopped by the poll.
+ * Returns:  false: no memory, or (*stopped) stopped by the cancellation.
  * Owner:    sg_dense_clear() in any case.
  */
 bool sg_dense_make(const sg_dense_views *views, const int32_t *wanted, size_t n,
-                   const sg_poll *poll, sg_dense *out, bool *stopped);
+                   const sg_cancel *cancel, sg_dense *out, bool *stopped);
 void sg_dense_clear(sg_dense *dense);
 
 /* The place of vertex v of segment s, -1: there is none. */

@@ -24,7 +24,7 @@ make_dense(sg_call *call, const sg_version *version, const int32_t *wanted,
   if (good) {
     const sg_dense_views views = {view[0].shown, view[1].shown, view[2].shown,
                                   view[3].shown};
-    good = sg_dense_make(&views, wanted, n, &call->poll, out, stopped);
+    good = sg_dense_make(&views, wanted, n, &call->cancel, out, stopped);
     for (size_t s = 0; good && s < out->segments; s++) {
       out->grain[s] = sg_grain_of(version, out->segment[s]);
     }

@@ -32,10 +32,10 @@ compare(const void *a, const void *b)
 }
 
 static sg_sort_end
-sort_keys(uint64_t *key, size_t n, const sg_poll *poll)
+sort_keys(uint64_t *key, size_t n, const sg_cancel *cancel)
 {
   if (n > SMALL) {
-    return sg_sort(key, n, sizeof *key, compare, poll);
+    return sg_sort(key, n, sizeof *key, compare, cancel);
   }
   for (size_t i = 1; i < n; i++) {
     uint64_t k = key[i];
@@ -50,13 +50,13 @@ sort_keys(uint64_t *key, size_t n, const sg_poll *poll)
 
 /* bucket[v] becomes the begin of the bucket of v; afterwards, having been
  * filled, the begins are one place further on: they are shifted back. False:
- * stopped by the poll. */
+ * stopped by the cancellation. */
 static bool
 fill_buckets(sg_edge_pairs *p, const int32_t *from, const int32_t *to,
-             const sg_poll *poll)
+             const sg_cancel *cancel)
 {
   for (size_t i = 0; i < p->n; i++) {
-    if (sg_poll_every(poll, i)) {
+    if (sg_cancel_every(cancel, i)) {
       return false;
     }
     p->bucket[lower(from, to, i) + 1]++;
@@ -65,7 +65,7 @@ fill_buckets(sg_edge_pairs *p, const int32_t *from, const int32_t *to,
     p->bucket[v + 1] += p->bucket[v];
   }
   for (size_t i = 0; i < p->n; i++) {
-    if (sg_poll_every(poll, i)) {
+    if (sg_cancel_every(cancel, i)) {
       return false;
     }
     p->key[p->bucket[lower(from, to, i)]++] = key_of(from, to, i);
@@ -79,7 +79,7 @@ fill_buckets(sg_edge_pairs *p, const int32_t *from, const int32_t *to,
 
 bool
 sg_edge_pairs_make(size_t n, const int32_t *from, const int32_t *to,
-                   size_t vertices, const sg_poll *poll, sg_edge_pairs *out,
+                   size_t vertices, const sg_cancel *cancel, sg_edge_pairs *out,
                    bool *stopped)
 {
   *stopped = false;
@@ -90,13 +90,13 @@ sg_edge_pairs_make(size_t n, const int32_t *from, const int32_t *to,
   if (!out->key || !out->bucket) {
     return false;
   }
-  *stopped = !fill_buckets(out, from, to, poll);
+  *stopped = !fill_buckets(out, from, to, cancel);
   sg_sort_end end = SG_SORTED;
 
   for (size_t v = 0; v < vertices && !*stopped && end == SG_SORTED; v++) {
     end = sort_keys(out->key + out->bucket[v],
-                    out->bucket[v + 1] - out->bucket[v], poll);
-    *stopped = end == SG_SORT_STOPPED || sg_poll_every(poll, v);
+                    out->bucket[v + 1] - out->bucket[v], cancel);
+    *stopped = end == SG_SORT_STOPPED || sg_cancel_every(cancel, v);
   }
   return !*stopped && end == SG_SORTED;
 }

@@ -6,7 +6,7 @@
 #ifndef SG_EDGE_PAIRS_H
 #define SG_EDGE_PAIRS_H
 
-#include "engine/poll.h"
+#include "engine/cancel.h"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -22,12 +22,12 @@ typedef struct sg_edge_pairs {
 
 /* The edges from[i] -> to[i], i < n, with 0 <= from[i], to[i] < vertices.
  *
- * Returns: false: no memory (*stopped false) or stopped by the poll.
+ * Returns: false: no memory (*stopped false) or stopped by the cancellation.
  * Cost:    n log d, d the most edges at one vertex.
  * Owner:   sg_edge_pairs_clear() in any case.
  */
 bool sg_edge_pairs_make(size_t n, const int32_t *from, const int32_t *to,
-                        size_t vertices, const sg_poll *poll,
+                        size_t vertices, const sg_cancel *cancel,
                         sg_edge_pairs *out, bool *stopped);
 void sg_edge_pairs_clear(sg_edge_pairs *pairs);
 

@@ -20,7 +20,7 @@ sg_each_row(sg_call *call, sg_relation relation, sg_read_row *read,
          i = sg_live_next(view.live[page], i + 1)) {
       read(reader, &(sg_live_row){&view, page, i});
     }
-    stopped = sg_poll_stop(&call->poll);
+    stopped = sg_cancelled(&call->cancel);
   }
   sg_view_clear(&view);
   return !stopped;

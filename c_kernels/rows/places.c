@@ -5,10 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { WORDS = 6 /* three doubles */, POLL_EVERY = 1 << 15 };
+enum { WORDS = 6 /* three doubles */, ASK_EVERY = 1 << 15 };
 
 uint32_t *
-sg_places_of(const double (*at)[3], size_t n, const sg_poll *poll)
+sg_places_of(const double (*at)[3], size_t n, const sg_cancel *cancel)
 {
   uint32_t *place = malloc((n + 1) * sizeof *place);
   sg_key_table table;
@@ -21,7 +21,7 @@ sg_places_of(const double (*at)[3], size_t n, const sg_poll *poll)
 
     memcpy(key, p, sizeof key);
     first = sg_key_table_put(&table, key);
-    done = first && (i % POLL_EVERY != 0 || !sg_poll_stop(poll));
+    done = first && (i % ASK_EVERY != 0 || !sg_cancelled(cancel));
     if (done) {
       *first = *first == SG_NO_KEY ? (uint32_t)i : *first;
       place[i] = *first;

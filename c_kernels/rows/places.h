@@ -5,15 +5,16 @@
 #ifndef SG_PLACES_H
 #define SG_PLACES_H
 
-#include "engine/poll.h"
+#include "engine/cancel.h"
 
 #include <stddef.h>
 #include <stdint.h>
 
 /* For each of n points, the first that is where it is.
  *
- * Returns: null: no memory, or the poll said stop.
+ * Returns: null: no memory, or the cancellation said stop.
  * Owner:   the caller, to free(). */
-uint32_t *sg_places_of(const double (*at)[3], size_t n, const sg_poll *poll);
+uint32_t *sg_places_of(const double (*at)[3], size_t n,
+                       const sg_cancel *cancel);
 
 #endif

@@ -48,12 +48,12 @@ merge(const job *j, size_t at, size_t run)
 
 /* False: stopped, with every record in j->from. */
 static bool
-merge_all(job *j, const sg_poll *poll)
+merge_all(job *j, const sg_cancel *cancel)
 {
   for (size_t run = RUN; run < j->n; run *= 2) {
     char *swap = j->from;
     for (size_t at = 0; at < j->n; at += 2 * run) {
-      if (sg_poll_stop(poll)) {
+      if (sg_cancelled(cancel)) {
         return false;
       }
       merge(j, at, run);
@@ -66,7 +66,7 @@ merge_all(job *j, const sg_poll *poll)
 
 sg_sort_end
 sg_sort(void *base, size_t n, size_t size, sg_sort_compare *compare,
-        const sg_poll *poll)
+        const sg_cancel *cancel)
 {
   job j = {base, NULL, n, size, compare};
   bool done;
@@ -75,7 +75,7 @@ sg_sort(void *base, size_t n, size_t size, sg_sort_compare *compare,
     return SG_SORTED;
   }
   for (size_t at = 0; at < n; at += RUN) {
-    if (sg_poll_stop(poll)) {
+    if (sg_cancelled(cancel)) {
       return SG_SORT_STOPPED;
     }
     qsort(j.from + at * size, least(RUN, n - at), size, compare);
@@ -87,7 +87,7 @@ sg_sort(void *base, size_t n, size_t size, sg_sort_compare *compare,
   if (!j.to) {
     return SG_SORT_NO_MEMORY;
   }
-  done = merge_all(&j, poll);
+  done = merge_all(&j, cancel);
   if (j.from != base) {
     memcpy(base, j.from, n * size);
   }
@@ -143,7 +143,7 @@ spread_digit(const sg_measured *item, size_t n, unsigned digit,
 }
 
 sg_sort_end
-sg_sort_measured(sg_measured *item, size_t n, const sg_poll *poll)
+sg_sort_measured(sg_measured *item, size_t n, const sg_cancel *cancel)
 {
   bool stopped = false;
   sg_measured *spare = malloc((n + 1) * sizeof *spare);
@@ -161,7 +161,7 @@ sg_sort_measured(sg_measured *item, size_t n, const sg_poll *poll)
       to = from;
       from = full;
     }
-    stopped = sg_poll_stop(poll);
+    stopped = sg_cancelled(cancel);
   }
   if (from != item) {
     memcpy(item, from, n * sizeof *item);

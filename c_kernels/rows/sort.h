@@ -5,7 +5,7 @@
 #ifndef SG_SORT_H
 #define SG_SORT_H
 
-#include "engine/poll.h"
+#include "engine/cancel.h"
 #include "ids.h"
 
 #include <stdbool.h>
@@ -22,7 +22,7 @@ typedef int sg_sort_compare(const void *a, const void *b);
 
 /* What is sorted already is only looked at. */
 sg_sort_end sg_sort(void *base, size_t n, size_t size, sg_sort_compare *compare,
-                    const sg_poll *poll);
+                    const sg_cancel *cancel);
 
 /* A number, and what it is of. */
 typedef struct sg_measured {
@@ -32,7 +32,8 @@ typedef struct sg_measured {
 
 /* Sorts n items by value, equal ones as they stood (-0.0 is 0.0 then). Digit
  * by digit: takes time by n. */
-sg_sort_end sg_sort_measured(sg_measured *item, size_t n, const sg_poll *poll);
+sg_sort_end sg_sort_measured(sg_measured *item, size_t n,
+                             const sg_cancel *cancel);
 
 /* Sorts n keys by their upper halves, equal ones as they stood: by three
  * digits. *key: of malloc(), may be another array then. False: no memory. */

@@ -39,9 +39,9 @@ sg_arrangement_hang(sg_arrangement *a, uint32_t node, uint32_t other)
 enum { ASKED = 1 << 12 }; /* rows between questions */
 
 static bool
-stops(const sg_poll *poll, size_t i)
+stops(const sg_cancel *cancel, size_t i)
 {
-  return i % ASKED == ASKED - 1 && sg_poll_stop(poll);
+  return i % ASKED == ASKED - 1 && sg_cancelled(cancel);
 }
 
 static void
@@ -88,14 +88,14 @@ note_line(sg_arrangement *a, int32_t s, const sg_cut_piece *piece)
 }
 
 static bool
-note_lines(sg_arrangement *a, const sg_poll *poll)
+note_lines(sg_arrangement *a, const sg_cancel *cancel)
 {
   const sg_cut_set *set = a->leaves.set;
 
   for (size_t i = 0; i < set->pieces; i++) {
     const sg_cut_piece *piece = &set->piece[i];
 
-    if (stops(poll, i)) {
+    if (stops(cancel, i)) {
       return false;
     }
     for (int k = 0; piece->live && k < 2; k++) {
@@ -110,7 +110,7 @@ note_lines(sg_arrangement *a, const sg_poll *poll)
 /* Polygons without area have no triangles, and so no pieces. All triangles at
  * a line are in the model, those beside an edge that it divides too. */
 static bool
-note_triangles(sg_arrangement *a, const sg_poll *poll)
+note_triangles(sg_arrangement *a, const sg_cancel *cancel)
 {
   const sg_cut_model *model = &a->leaves.set->model;
 
@@ -120,7 +120,7 @@ note_triangles(sg_arrangement *a, const sg_poll *poll)
                        (uint32_t)model->triangle[i].p};
     uint32_t *last = sg_key_table_put(&a->has_triangles, key);
 
-    if (!last || stops(poll, i)) {
+    if (!last || stops(cancel, i)) {
       return false;
     }
     a->next_of_polygon[i] = *last;
@@ -130,7 +130,7 @@ note_triangles(sg_arrangement *a, const sg_poll *poll)
 }
 
 static bool
-note_touched(sg_arrangement *a, const sg_poll *poll)
+note_touched(sg_arrangement *a, const sg_cancel *cancel)
 {
   const sg_cut_points *points = &a->leaves.set->points;
 
@@ -144,7 +144,7 @@ note_touched(sg_arrangement *a, const sg_poll *poll)
     if (node != SG_NO_KEY) {
       a->touched[node] = 1;
     }
-    if (stops(poll, i)) {
+    if (stops(cancel, i)) {
       return false;
     }
   }
@@ -196,24 +196,24 @@ note_edge(sg_arrangement *a, uint32_t leaf, int32_t v1, int32_t v2)
 /* Where a leaf is not one sheet, nothing hangs together, and its edges of more
  * than two triangles are as lines. */
 static bool
-note_knots(sg_arrangement *a, const sg_poll *poll)
+note_nonmanifold(sg_arrangement *a, const sg_cancel *cancel)
 {
   for (uint32_t i = 0; i < a->leaves.n; i++) {
-    const sg_knots *knots = a->leaves.knots[i];
+    const sg_nonmanifold *nonmanifold = a->leaves.nonmanifold[i];
 
     if (!a->leaf[i].wanted) {
       continue;
     }
-    for (size_t k = 0; k < knots->vertices; k++) {
-      uint32_t node = sg_arrangement_node(&a->leaf[i], knots->vertex[k]);
+    for (size_t k = 0; k < nonmanifold->vertices; k++) {
+      uint32_t node = sg_arrangement_node(&a->leaf[i], nonmanifold->vertex[k]);
 
       if (node != SG_NO_KEY) {
         a->touched[node] = 1;
       }
     }
-    for (size_t k = 0; k < knots->edges; k++) {
-      if (stops(poll, k) ||
-          !note_edge(a, i, knots->edge[k][0], knots->edge[k][1])) {
+    for (size_t k = 0; k < nonmanifold->edges; k++) {
+      if (stops(cancel, k) ||
+          !note_edge(a, i, nonmanifold->edge[k][0], nonmanifold->edge[k][1])) {
         return false;
       }
     }
@@ -251,7 +251,7 @@ lay_leaves(sg_arrangement *a)
 }
 
 sg_arrangement *
-sg_arrangement_open(const sg_leaves *leaves, const sg_poll *poll)
+sg_arrangement_open(const sg_leaves *leaves, const sg_cancel *cancel)
 {
   sg_arrangement *a = calloc(1, sizeof *a);
 
@@ -264,9 +264,9 @@ sg_arrangement_open(const sg_leaves *leaves, const sg_poll *poll)
   sg_key_table_init(&a->cut_line, 3);
   sg_key_table_init(&a->has_triangles, 2);
   sg_key_table_init(&a->auxiliary, 3);
-  if (!a->leaf || !lay_leaves(a) || !note_lines(a, poll) ||
-      !note_triangles(a, poll) || !note_touched(a, poll) ||
-      !note_knots(a, poll)) {
+  if (!a->leaf || !lay_leaves(a) || !note_lines(a, cancel) ||
+      !note_triangles(a, cancel) || !note_touched(a, cancel) ||
+      !note_nonmanifold(a, cancel)) {
     sg_arrangement_close(a);
     return NULL;
   }

@@ -18,8 +18,8 @@
 #ifndef SG_ARRANGEMENT_H
 #define SG_ARRANGEMENT_H
 
-#include "join/knots.h"
 #include "join/leaf_tree.h"
+#include "join/nonmanifold.h"
 #include "penetration/cut_enter.h"
 #include "penetration/cut_set.h"
 #include "polygon/triangulate.h"
@@ -64,8 +64,8 @@ typedef struct sg_leaves {
   const bool *wanted;              /* [n]: in pieces */
   const bool *surface;             /* [n]: it has no inside */
   size_t n;
-  const sg_knots *const *knots; /* [n]: of the trees */
-  const int32_t (*near)[2];     /* [pairs]: segments */
+  const sg_nonmanifold *const *nonmanifold; /* [n]: of the trees */
+  const int32_t (*near)[2];                 /* [pairs]: segments */
   size_t pairs;
   const sg_weight *weight; /* [weights]: by s, p; all others count once */
   size_t weights;
@@ -74,7 +74,7 @@ typedef struct sg_leaves {
 /* Null: no memory, or stopped. The set is sealed, and nothing enters it any
  * more. */
 sg_arrangement *sg_arrangement_open(const sg_leaves *leaves,
-                                    const sg_poll *poll);
+                                    const sg_cancel *cancel);
 void sg_arrangement_close(sg_arrangement *a);
 
 /* A polygon that lines have entered, as it stands in its scratch relation. */
@@ -88,8 +88,8 @@ typedef struct sg_entered {
  * then (sg_work_resolve). SG_STUCK: polygon *stuck cannot be, and *edge is an
  * edge, still living, that proves it. */
 sg_outcome sg_arrangement_polygons(sg_arrangement *a, const sg_entered *polygon,
-                                   size_t n, double reach, sg_crew *crew,
-                                   const sg_poll *poll, size_t *stuck,
+                                   size_t n, double reach, sg_pool *pool,
+                                   const sg_cancel *cancel, size_t *stuck,
                                    int32_t *edge);
 
 /* Takes in polygons by their outlines, which it enters itself: all of them, or
@@ -98,11 +98,12 @@ sg_outcome sg_arrangement_polygons(sg_arrangement *a, const sg_entered *polygon,
  * entered. */
 sg_outcome sg_arrangement_free_polygons(sg_arrangement *a,
                                         const sg_outlines *outlines,
-                                        double reach, sg_crew *crew,
-                                        const sg_poll *poll);
+                                        double reach, sg_pool *pool,
+                                        const sg_cancel *cancel);
 
 /* Finds the components, and their sides. False: no memory, or stopped. */
-bool sg_arrangement_seal(sg_arrangement *a, sg_crew *crew, const sg_poll *poll);
+bool sg_arrangement_seal(sg_arrangement *a, sg_pool *pool,
+                         const sg_cancel *cancel);
 
 /* Frees what only sealing needs, for who keeps an arrangement for long: from
  * here on it looks into the trees of wanted leaves, and into `views`, alone. */
@@ -141,8 +142,8 @@ typedef struct sg_made_by {
 /* A solid from what is chosen of n leaves, each once. What made its made
  * vertices is (*made_by)[vertex - plain]; origins are not filled in. False: no
  * memory, or stopped. Owner: the caller, also of *made_by (free()). */
-bool sg_arrangement_select(const sg_chosen *chosen, size_t n, sg_crew *crew,
-                           const sg_poll *poll, sg_solid *out,
+bool sg_arrangement_select(const sg_chosen *chosen, size_t n, sg_pool *pool,
+                           const sg_cancel *cancel, sg_solid *out,
                            sg_made_by **made_by);
 
 #endif

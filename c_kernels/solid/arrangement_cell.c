@@ -119,17 +119,17 @@ restore_edges(taking *k)
 /* A polygon that touches itself is stuck until what touches is one vertex:
  * first what does so exactly, then within the reach. */
 static sg_outcome
-triangulate(taking *k, double reach, int32_t *edge, const sg_poll *poll)
+triangulate(taking *k, double reach, int32_t *edge, const sg_cancel *cancel)
 {
   double reaches[2] = {0, reach};
   int32_t stuck = 0;
-  sg_outcome outcome = sg_work_triangulate(k->work, &k->found, &stuck, poll);
+  sg_outcome outcome = sg_work_triangulate(k->work, &k->found, &stuck, cancel);
 
   for (int i = 0; i < 2 && outcome == SG_STUCK; i++) {
     if (!restore_edges(k) || !sg_work_resolve(k->work, reaches[i])) {
       return SG_NO_SPACE;
     }
-    outcome = sg_work_triangulate(k->work, &k->found, &stuck, poll);
+    outcome = sg_work_triangulate(k->work, &k->found, &stuck, cancel);
   }
   *edge = stuck;
   return outcome;
@@ -339,7 +339,7 @@ static bool
 stopping(void *data)
 {
   (void)data;
-  return sg_crew_stopping();
+  return sg_pool_stopping();
 }
 
 /* Divides polygon p of segment s, as it stands in `work`. */
@@ -347,7 +347,7 @@ static void
 divide_polygon(const dividing *d, int32_t s, int32_t p, sg_work *work,
                divided *out)
 {
-  const sg_poll poll = {stopping, NULL};
+  const sg_cancel cancel = {stopping, NULL};
   taking k = {.a = d->a, .leaf = sg_arrangement_leaf(d->a, s), .work = work};
   uint32_t key[2] = {k.leaf, (uint32_t)p};
   uint32_t last = sg_key_table_get(&d->a->has_triangles, key);
@@ -356,8 +356,9 @@ divide_polygon(const dividing *d, int32_t s, int32_t p, sg_work *work,
   if (k.leaf == SG_NO_KEY || !d->a->leaf[k.leaf].wanted || last == SG_NO_KEY) {
     return;
   }
-  out->outcome = copy_edges(&k) ? triangulate(&k, d->reach, &out->stuck, &poll)
-                                : SG_NO_SPACE;
+  out->outcome = copy_edges(&k)
+                     ? triangulate(&k, d->reach, &out->stuck, &cancel)
+                     : SG_NO_SPACE;
   if (out->outcome == SG_DONE &&
       (!insert_inside(&k, last) || !join_cells(&k) || !list_cells(&k, out))) {
     out->outcome = SG_NO_SPACE;
@@ -409,7 +410,7 @@ divide_outlines(void *data, size_t task)
   sg_meetings met = {0};
 
   for (size_t i = from; i < to && i < d->outlines->n; i++) {
-    if (atomic_load(&d->refused) || sg_crew_stopping()) {
+    if (atomic_load(&d->refused) || sg_pool_stopping()) {
       break;
     }
     if (!work) {
@@ -495,7 +496,7 @@ clear_divided(divided *out, size_t n)
 
 sg_outcome
 sg_arrangement_polygons(sg_arrangement *a, const sg_entered *polygon, size_t n,
-                        double reach, sg_crew *crew, const sg_poll *poll,
+                        double reach, sg_pool *pool, const sg_cancel *cancel,
                         size_t *stuck, int32_t *edge)
 {
   dividing d = {.a = a,
@@ -505,7 +506,7 @@ sg_arrangement_polygons(sg_arrangement *a, const sg_entered *polygon, size_t n,
   sg_outcome outcome = SG_NO_SPACE;
 
   if (d.out) {
-    outcome = sg_crew_run(crew, n, divide, &d, poll)
+    outcome = sg_pool_run(pool, n, divide, &d, cancel)
                   ? put_all(&d, n, stuck, edge)
                   : SG_STOPPED;
   }
@@ -527,7 +528,8 @@ all_done(const dividing *d)
 
 sg_outcome
 sg_arrangement_free_polygons(sg_arrangement *a, const sg_outlines *outlines,
-                             double reach, sg_crew *crew, const sg_poll *poll)
+                             double reach, sg_pool *pool,
+                             const sg_cancel *cancel)
 {
   size_t n = outlines->n, stuck;
   int32_t edge;
@@ -538,8 +540,8 @@ sg_arrangement_free_polygons(sg_arrangement *a, const sg_outlines *outlines,
   sg_outcome outcome = SG_NO_SPACE;
 
   if (d.out) {
-    outcome = !sg_crew_run(crew, (n + OUTLINES - 1) / OUTLINES, divide_outlines,
-                           &d, poll)
+    outcome = !sg_pool_run(pool, (n + OUTLINES - 1) / OUTLINES, divide_outlines,
+                           &d, cancel)
                   ? SG_STOPPED
               : all_done(&d) ? put_all(&d, n, &stuck, &edge)
                              : SG_STUCK;

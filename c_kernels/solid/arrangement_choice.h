@@ -71,6 +71,6 @@ void sg_choice_set_triangle(sg_solid *out, size_t at, const uint32_t v[3],
 
 /* All chosen polygons that are not cut, into an empty solid
  * (arrangement_uncut.c). False: no memory, or stopped. */
-bool sg_choice_add_rows(sg_choice *k, sg_crew *crew, const sg_poll *poll);
+bool sg_choice_add_rows(sg_choice *k, sg_pool *pool, const sg_cancel *cancel);
 
 #endif

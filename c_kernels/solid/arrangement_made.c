@@ -108,11 +108,12 @@ find_made_task(void *data, size_t number)
 }
 
 bool
-sg_arrangement_find_made(sg_arrangement *a, sg_crew *crew, const sg_poll *poll)
+sg_arrangement_find_made(sg_arrangement *a, sg_pool *pool,
+                         const sg_cancel *cancel)
 {
   finding f = {.a = a};
 
-  return sg_crew_run(crew, a->leaves.n, find_made_task, &f, poll) &&
+  return sg_pool_run(pool, a->leaves.n, find_made_task, &f, cancel) &&
          !atomic_load(&f.failed);
 }
 

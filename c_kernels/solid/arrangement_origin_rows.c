@@ -120,7 +120,7 @@ sg_arrangement_give_origins(sg_call *call, const sg_pieces *p, sg_solid *solid,
     const uint32_t *words = words_of(p, &made_by[i]);
     size_t length = sg_term_length(words);
 
-    if (sg_poll_every(&call->poll, i)) {
+    if (sg_cancel_every(&call->cancel, i)) {
       return false;
     }
     memcpy(to, words, length * sizeof *to);

@@ -53,7 +53,7 @@ list_cut(sg_arrangement *a)
 
 /* The rows of the wanted leaves. */
 static bool
-find_rows(sg_arrangement *a, const sg_poll *poll)
+find_rows(sg_arrangement *a, const sg_cancel *cancel)
 {
   int32_t *s = malloc((a->leaves.n + 1) * sizeof *s);
   size_t n = 0;
@@ -64,7 +64,7 @@ find_rows(sg_arrangement *a, const sg_poll *poll)
     }
   }
   bool good =
-      s && sg_segment_rows_find(&a->leaves.views->t, s, n, poll, &a->rows);
+      s && sg_segment_rows_find(&a->leaves.views->t, s, n, cancel, &a->rows);
 
   free(s);
   for (size_t i = 0, k = 0; i < a->leaves.n && good; i++) {
@@ -150,16 +150,17 @@ note_auxiliary_of(sg_arrangement *a, const sg_view *e, size_t page)
 }
 
 bool
-sg_arrangement_find_auxiliary(sg_arrangement *a, sg_crew *crew,
-                              const sg_poll *poll)
+sg_arrangement_find_auxiliary(sg_arrangement *a, sg_pool *pool,
+                              const sg_cancel *cancel)
 {
   const sg_view *e = &a->leaves.views->e;
   auxiliary_pages pages = {e, calloc(e->pages + 1, sizeof *pages.has)};
-  bool good = pages.has && sg_crew_run(crew, (e->pages + PAGES - 1) / PAGES,
-                                       look_for_auxiliary, &pages, poll);
+  bool good = pages.has && sg_pool_run(pool, (e->pages + PAGES - 1) / PAGES,
+                                       look_for_auxiliary, &pages, cancel);
 
   for (size_t i = 0; i < e->pages && good; i++) {
-    good = !pages.has[i] || (note_auxiliary_of(a, e, i) && !sg_poll_stop(poll));
+    good =
+        !pages.has[i] || (note_auxiliary_of(a, e, i) && !sg_cancelled(cancel));
   }
   free(pages.has);
   return good;
@@ -209,7 +210,7 @@ polygon_node(sg_arrangement *a, sg_key_table *of_polygon, uint32_t leaf,
 {
   uint32_t key[4] = {leaf, (uint32_t)p, 0, 0}, node = SG_NO_KEY;
 
-  if (a->leaves.knots[leaf]->edges == 0) {
+  if (a->leaves.nonmanifold[leaf]->edges == 0) {
     return join_by_key(a, of_polygon, key, &node) ? node : SG_NO_KEY;
   }
   for (int c = 0; c < 3; c++) {
@@ -296,7 +297,7 @@ flood_free(void *data, size_t number)
   for (size_t i = 0; i < leaf->rows; i++) {
     uint32_t row = leaf->row[i], node[3];
 
-    if (i % ASKED == ASKED - 1 && sg_crew_stopping()) {
+    if (i % ASKED == ASKED - 1 && sg_pool_stopping()) {
       return;
     }
     if (sg_id_set_has(&leaf->cut, sg_arranged_polygon(a, row)) ||
@@ -315,12 +316,12 @@ flood_free(void *data, size_t number)
 
 static bool
 flood_late(sg_arrangement *a, uint32_t number, sg_key_table *of_polygon,
-           const sg_poll *poll)
+           const sg_cancel *cancel)
 {
   sg_arranged *leaf = &a->leaf[number];
 
   for (size_t i = 0; i < leaf->rows; i++) {
-    if (i % ASKED == ASKED - 1 && sg_poll_stop(poll)) {
+    if (i % ASKED == ASKED - 1 && sg_cancelled(cancel)) {
       return false;
     }
     if (leaf->component[i] != LATE) {
@@ -391,16 +392,16 @@ compare_cut_rows(const void *x, const void *y)
 }
 
 bool
-sg_arrangement_flood(sg_arrangement *a, sg_crew *crew, const sg_poll *poll)
+sg_arrangement_flood(sg_arrangement *a, sg_pool *pool, const sg_cancel *cancel)
 {
   sg_key_table of_polygon, over;
-  bool good = list_cut(a) && find_rows(a, poll) &&
-              sg_crew_run(crew, a->leaves.n, flood_free, a, poll);
+  bool good = list_cut(a) && find_rows(a, cancel) &&
+              sg_pool_run(pool, a->leaves.n, flood_free, a, cancel);
 
   sg_key_table_init(&of_polygon, 4);
   sg_key_table_init(&over, 3);
   for (uint32_t i = 0; i < a->leaves.n && good; i++) {
-    good = flood_late(a, i, &of_polygon, poll);
+    good = flood_late(a, i, &of_polygon, cancel);
   }
   for (size_t i = 0; i < a->cells && good; i++) {
     good = hang_cell(a, &over, &a->cell[i]);
@@ -488,7 +489,7 @@ find_row_parts(const finding *f, uint32_t number)
   for (size_t i = 0; i < leaf->rows; i++) {
     uint32_t node = leaf->component[i], *c = &leaf->component[i];
 
-    if (i % ASKED == ASKED - 1 && sg_crew_stopping()) {
+    if (i % ASKED == ASKED - 1 && sg_pool_stopping()) {
       return false;
     }
     if (node != SG_NO_KEY &&
@@ -570,7 +571,8 @@ finding_clear(finding *f)
 }
 
 bool
-sg_arrangement_find_parts(sg_arrangement *a, sg_crew *crew, const sg_poll *poll)
+sg_arrangement_find_parts(sg_arrangement *a, sg_pool *pool,
+                          const sg_cancel *cancel)
 {
   finding f = {.a = a,
                .of_root = malloc((a->nodes + 1) * sizeof *f.of_root),
@@ -579,7 +581,7 @@ sg_arrangement_find_parts(sg_arrangement *a, sg_crew *crew, const sg_poll *poll)
 
   if (good) {
     memset(f.of_root, 0xff, (a->nodes + 1) * sizeof *f.of_root);
-    good = sg_crew_run(crew, a->leaves.n, find_leaf_parts, &f, poll) &&
+    good = sg_pool_run(pool, a->leaves.n, find_leaf_parts, &f, cancel) &&
            gather_parts(&f);
   }
   finding_clear(&f);

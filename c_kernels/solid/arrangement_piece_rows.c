@@ -88,7 +88,7 @@ sg_door_arrangement_components(sg_call *call,
     for (size_t k = 0; good && k < n; k++) {
       sg_component c = sg_arrangement_component(p.of[i].a, p.of[i].s, k);
 
-      good = !sg_poll_every(&call->poll, components->n) &&
+      good = !sg_cancel_every(&call->cancel, components->n) &&
              add_component(call, &c, components);
     }
   }
@@ -137,11 +137,11 @@ take_senses(sg_call *call, const sg_component_sense_list *senses, sg_pieces *p)
 }
 
 static bool
-choose(sg_call *call, const sg_pieces *p, sg_crew *crew, sg_solid *out)
+choose(sg_call *call, const sg_pieces *p, sg_pool *pool, sg_solid *out)
 {
   sg_made_by *made_by = NULL;
   bool good =
-      (sg_arrangement_select(p->of, p->n, crew, &call->poll, out, &made_by) ||
+      (sg_arrangement_select(p->of, p->n, pool, &call->cancel, out, &made_by) ||
        sg_call_ended(call)) &&
       sg_arrangement_give_origins(call, p, out, made_by);
 
@@ -155,17 +155,17 @@ sg_door_arrangement_select(sg_call *call,
                            const sg_component_sense_list *senses,
                            sg_solid **solid)
 {
-  sg_crew *crew = sg_call_crew(call);
+  sg_pool *pool = sg_call_pool(call);
   sg_pieces p;
 
-  if (!crew || !sg_pieces_take(call, pieces, &p) ||
+  if (!pool || !sg_pieces_take(call, pieces, &p) ||
       !take_senses(call, senses, &p)) {
     return false;
   }
   if (!(*solid = calloc(1, sizeof **solid))) {
     return sg_call_no_memory(call);
   }
-  if (!choose(call, &p, crew, *solid)) {
+  if (!choose(call, &p, pool, *solid)) {
     sg_solid_free(*solid);
     return false;
   }

@@ -145,19 +145,19 @@ void sg_arrangement_hang(sg_arrangement *a, uint32_t node, uint32_t other);
 
 /* The vertices that cuts made (arrangement_made.c), after cells are in order.
  * False: no memory, or stopped. */
-bool sg_arrangement_find_made(sg_arrangement *a, sg_crew *crew,
-                              const sg_poll *poll);
+bool sg_arrangement_find_made(sg_arrangement *a, sg_pool *pool,
+                              const sg_cancel *cancel);
 
 /* Components from what hangs together (arrangement_part.c). */
-bool sg_arrangement_find_auxiliary(sg_arrangement *a, sg_crew *crew,
-                                   const sg_poll *poll);
-bool sg_arrangement_flood(sg_arrangement *a, sg_crew *crew,
-                          const sg_poll *poll);
-bool sg_arrangement_find_parts(sg_arrangement *a, sg_crew *crew,
-                               const sg_poll *poll);
+bool sg_arrangement_find_auxiliary(sg_arrangement *a, sg_pool *pool,
+                                   const sg_cancel *cancel);
+bool sg_arrangement_flood(sg_arrangement *a, sg_pool *pool,
+                          const sg_cancel *cancel);
+bool sg_arrangement_find_parts(sg_arrangement *a, sg_pool *pool,
+                               const sg_cancel *cancel);
 
 /* The sides of all components (arrangement_side.c). */
-bool sg_arrangement_find_sides(sg_arrangement *a, const sg_poll *poll);
+bool sg_arrangement_find_sides(sg_arrangement *a, const sg_cancel *cancel);
 
 /* Another point inside a component, by part->tries (arrangement_point.c).
  * False: no memory. */

@@ -30,7 +30,7 @@ close_rows(sg_arrangement_handle *h)
   }
   free(h->tree);
   free(h->own);
-  free(h->knots);
+  free(h->nonmanifold);
   free(h->s);
   free(h->wanted);
   free(h->surface);
@@ -158,15 +158,16 @@ hold_trees(sg_call *call, sg_arrangement_handle *h)
   const sg_version *version = h->set->version;
 
   h->own = room_for(call, h->n, sizeof(sg_leaf_tree *));
-  h->knots = room_for(call, h->n, sizeof(sg_knots *));
+  h->nonmanifold = room_for(call, h->n, sizeof(sg_nonmanifold *));
   h->tree = room_for(call, h->n, sizeof(sg_kept_tree *));
-  bool good = h->tree && h->own && h->knots &&
+  bool good = h->tree && h->own && h->nonmanifold &&
               sg_trees_hold(call, version, &h->set->views, h->s, h->n, h->tree);
 
   for (size_t i = 0; good && i < h->n; i++) {
     h->own[i] = h->tree[i]->tree;
-    good = !h->wanted[i] || sg_kept_knots(call, h->tree[i], version,
-                                          &h->set->views, &h->knots[i]);
+    good = !h->wanted[i] ||
+           sg_kept_nonmanifold(call, h->tree[i], version, &h->set->views,
+                               &h->nonmanifold[i]);
   }
   return good;
 }
@@ -184,12 +185,12 @@ open_rows(sg_call *call, size_t weights, sg_arrangement_handle *h)
                    .wanted = h->wanted,
                    .surface = h->surface,
                    .n = h->n,
-                   .knots = h->knots,
+                   .nonmanifold = h->nonmanifold,
                    .near = (const int32_t(*)[2])h->set->pair,
                    .pairs = h->set->pairs,
                    .weight = h->weight,
                    .weights = weights},
-      &call->poll);
+      &call->cancel);
   h->number = atomic_fetch_add(&opened, 1);
   atomic_init(&h->holders, 1);
   return h->arrangement || sg_call_ended(call);
@@ -237,16 +238,16 @@ bool
 sg_door_arrangement_polygons(sg_call *call, sg_arrangement_handle *h,
                              const sg_entered_polygon_list *works, double reach)
 {
-  sg_crew *crew;
+  sg_pool *pool;
   size_t stuck = 0;
   int32_t edge = 0;
 
-  if (!is_unsealed(call, h) || !(crew = sg_call_crew(call))) {
+  if (!is_unsealed(call, h) || !(pool = sg_call_pool(call))) {
     return false;
   }
   sg_outcome outcome =
-      sg_arrangement_polygons(h->arrangement, works->at, works->n, reach, crew,
-                              &call->poll, &stuck, &edge);
+      sg_arrangement_polygons(h->arrangement, works->at, works->n, reach, pool,
+                              &call->cancel, &stuck, &edge);
 
   return outcome == SG_DONE    ? true
          : outcome == SG_STUCK ? refuse_stuck(call, &works->at[stuck], edge)
@@ -264,13 +265,13 @@ sg_door_arrangement_free_polygons(sg_call *call, sg_arrangement_handle *h,
   for (size_t i = 0; good && i < polygons->n; i++) {
     const sg_segment_polygon *one = &polygons->at[i];
 
-    good = !sg_poll_every(&call->poll, i) &&
+    good = !sg_cancel_every(&call->cancel, i) &&
            sg_cut_outline(call, h->set, one->s, one->p, &outlines);
   }
-  sg_crew *crew = good ? sg_call_crew(call) : NULL;
+  sg_pool *pool = good ? sg_call_pool(call) : NULL;
   sg_outcome outcome =
-      crew ? sg_arrangement_free_polygons(h->arrangement, &outlines, reach,
-                                          crew, &call->poll)
+      pool ? sg_arrangement_free_polygons(h->arrangement, &outlines, reach,
+                                          pool, &call->cancel)
            : SG_STUCK;
 
   sg_outlines_clear(&outlines);
@@ -333,13 +334,13 @@ shed(sg_call *call, sg_arrangement_handle *h)
 bool
 sg_door_arrangement_seal(sg_call *call, sg_arrangement_handle *h)
 {
-  sg_crew *crew;
+  sg_pool *pool;
 
-  if (!is_unsealed(call, h) || !(crew = sg_call_crew(call))) {
+  if (!is_unsealed(call, h) || !(pool = sg_call_pool(call))) {
     return false;
   }
   h->sealing = true; /* if that fails it is half done, and good for nothing */
-  return (sg_arrangement_seal(h->arrangement, crew, &call->poll) ||
+  return (sg_arrangement_seal(h->arrangement, pool, &call->cancel) ||
           sg_call_ended(call)) &&
          sg_arrangement_make_origins(call, h) && shed(call, h);
 }

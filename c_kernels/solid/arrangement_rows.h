@@ -25,8 +25,8 @@ typedef struct sg_arrangement_handle {
   bool *surface;               /* [n] */
   sg_kept_tree **tree;      /* [n], held; once sealed those wanted, or null */
   const sg_leaf_tree **own; /* [n]: the same, as the kernel wants them */
-  const sg_knots **knots;   /* [n]: theirs */
-  sg_weight *weight;        /* [weights] */
+  const sg_nonmanifold **nonmanifold; /* [n]: theirs */
+  sg_weight *weight;                  /* [weights] */
   size_t n;
   uint32_t *origin_at; /* [points of the set]: the place in origin[] of what
                           made it; SG_NO_KEY: of no vertex of pieces */

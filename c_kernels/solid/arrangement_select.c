@@ -226,14 +226,14 @@ add_cell(sg_choice *k, const sg_source *from, const sg_cell *cell)
 }
 
 static bool
-add_cells(sg_choice *k, const sg_source *from, const sg_poll *poll)
+add_cells(sg_choice *k, const sg_source *from, const sg_cancel *cancel)
 {
   const sg_arranged *leaf = from->leaf;
 
   for (size_t i = leaf->first_cell; i < leaf->first_cell + leaf->cells; i++) {
     const sg_cell *cell = &from->a->cell[i];
 
-    if ((i % SG_CHOICE_ASKED == SG_CHOICE_ASKED - 1 && sg_poll_stop(poll)) ||
+    if ((i % SG_CHOICE_ASKED == SG_CHOICE_ASKED - 1 && sg_cancelled(cancel)) ||
         (sg_sense_of(from, cell->component) != 0 && !add_cell(k, from, cell))) {
       return false;
     }
@@ -256,16 +256,16 @@ reserve_places(sg_choice *k)
 }
 
 static bool
-add_all(sg_choice *k, sg_crew *crew, const sg_poll *poll)
+add_all(sg_choice *k, sg_pool *pool, const sg_cancel *cancel)
 {
-  bool good = reserve_places(k) && sg_choice_add_rows(k, crew, poll);
+  bool good = reserve_places(k) && sg_choice_add_rows(k, pool, cancel);
 
   for (size_t i = 0; i < k->n && good; i++) {
     good = number_plain(k, &k->from[i]);
   }
   k->out->plain = k->out->vertices;
   for (size_t i = 0; i < k->n && good; i++) {
-    good = add_cells(k, &k->from[i], poll);
+    good = add_cells(k, &k->from[i], cancel);
   }
   return good;
 }
@@ -308,8 +308,9 @@ close_sources(sg_choice *k)
 }
 
 bool
-sg_arrangement_select(const sg_chosen *chosen_of, size_t n, sg_crew *crew,
-                      const sg_poll *poll, sg_solid *out, sg_made_by **made_by)
+sg_arrangement_select(const sg_chosen *chosen_of, size_t n, sg_pool *pool,
+                      const sg_cancel *cancel, sg_solid *out,
+                      sg_made_by **made_by)
 {
   sg_choice k = {.n = n, .out = out};
   bool good;
@@ -317,7 +318,7 @@ sg_arrangement_select(const sg_chosen *chosen_of, size_t n, sg_crew *crew,
   *out = (sg_solid){0};
   *made_by = NULL;
   sg_key_table_init(&k.at, 6);
-  good = open_sources(&k, chosen_of) && add_all(&k, crew, poll);
+  good = open_sources(&k, chosen_of) && add_all(&k, pool, cancel);
   close_sources(&k);
   sg_key_table_clear(&k.at);
   if (good) {

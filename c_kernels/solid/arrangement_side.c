@@ -218,7 +218,7 @@ arrive(void *data, size_t i)
 }
 
 static bool
-walk(asked *r, const sg_poll *poll)
+walk(asked *r, const sg_cancel *cancel)
 {
   const sg_point **at = malloc((r->n + 1) * sizeof *at);
   sg_tour way = {.tree = r->a->leaf[r->leaf].tree->boxes,
@@ -233,7 +233,7 @@ walk(asked *r, const sg_poll *poll)
     at[i] = &r->a->part[r->part[i]].at;
   }
   r->here = 0;
-  good = good && sg_tour_over(&way, at, r->n, poll);
+  good = good && sg_tour_over(&way, at, r->n, cancel);
   free(at);
   return good;
 }
@@ -297,7 +297,7 @@ keep_sides(const asked *r, founds *f)
 }
 
 static bool
-sides_of_leaf(asked *r, founds *f, const sg_poll *poll)
+sides_of_leaf(asked *r, founds *f, const sg_cancel *cancel)
 {
   bool good;
 
@@ -306,7 +306,7 @@ sides_of_leaf(asked *r, founds *f, const sg_poll *poll)
   }
   r->turns = calloc(r->n, sizeof *r->turns);
   r->across = calloc(r->n, sizeof *r->across);
-  good = r->turns && r->across && walk(r, poll) && keep_sides(r, f);
+  good = r->turns && r->across && walk(r, cancel) && keep_sides(r, f);
   free(r->turns);
   free(r->across);
   return good;
@@ -336,7 +336,7 @@ choose_points(asked *r, const uint32_t (*near)[2], size_t n,
 }
 
 static bool
-ask_all(sg_arrangement *a, founds *f, const sg_poll *poll)
+ask_all(sg_arrangement *a, founds *f, const sg_cancel *cancel)
 {
   size_t *first = NULL, n = 0;
   uint32_t *order = NULL, (*near)[2] = near_leaves(a, &n);
@@ -348,7 +348,7 @@ ask_all(sg_arrangement *a, founds *f, const sg_poll *poll)
     }
     r.leaf = near[i][0];
     choose_points(&r, (const uint32_t(*)[2])near + i, end - i, first, order);
-    good = sides_of_leaf(&r, f, poll);
+    good = sides_of_leaf(&r, f, cancel);
   }
   free(near);
   free(order);
@@ -392,7 +392,7 @@ take_sides(sg_arrangement *a, founds *f)
 /* Components whose point was on a border get another one. How many, or -1: no
  * memory, or stopped. */
 static int64_t
-move_points(sg_arrangement *a, const sg_poll *poll)
+move_points(sg_arrangement *a, const sg_cancel *cancel)
 {
   int64_t n = 0;
 
@@ -401,7 +401,7 @@ move_points(sg_arrangement *a, const sg_poll *poll)
 
     if (part->again) {
       part->again = part->second = false;
-      if ((i % 64 == 63 && sg_poll_stop(poll)) ||
+      if ((i % 64 == 63 && sg_cancelled(cancel)) ||
           !sg_arrangement_point(a, part)) {
         return -1;
       }
@@ -412,16 +412,16 @@ move_points(sg_arrangement *a, const sg_poll *poll)
 }
 
 bool
-sg_arrangement_find_sides(sg_arrangement *a, const sg_poll *poll)
+sg_arrangement_find_sides(sg_arrangement *a, const sg_cancel *cancel)
 {
   int64_t left = 1;
 
   for (int i = 0; i < TRIES && left > 0; i++) {
     founds f = {0};
-    bool good = ask_all(a, &f, poll) && take_sides(a, &f);
+    bool good = ask_all(a, &f, cancel) && take_sides(a, &f);
 
     free(f.item);
-    left = good ? move_points(a, poll) : -1;
+    left = good ? move_points(a, cancel) : -1;
   }
   for (size_t i = 0; i < a->parts; i++) { /* no point was good */
     a->part[i].unknown = a->part[i].unknown || a->part[i].sides == 0;
@@ -432,13 +432,13 @@ sg_arrangement_find_sides(sg_arrangement *a, const sg_poll *poll)
 /* ---- what was found ---- */
 
 bool
-sg_arrangement_seal(sg_arrangement *a, sg_crew *crew, const sg_poll *poll)
+sg_arrangement_seal(sg_arrangement *a, sg_pool *pool, const sg_cancel *cancel)
 {
-  return sg_arrangement_find_auxiliary(a, crew, poll) &&
-         sg_arrangement_flood(a, crew, poll) &&
-         sg_arrangement_find_made(a, crew, poll) &&
-         sg_arrangement_find_parts(a, crew, poll) &&
-         sg_arrangement_find_sides(a, poll);
+  return sg_arrangement_find_auxiliary(a, pool, cancel) &&
+         sg_arrangement_flood(a, pool, cancel) &&
+         sg_arrangement_find_made(a, pool, cancel) &&
+         sg_arrangement_find_parts(a, pool, cancel) &&
+         sg_arrangement_find_sides(a, cancel);
 }
 
 size_t

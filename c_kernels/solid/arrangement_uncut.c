@@ -99,7 +99,7 @@ look_at_rows(void *data, size_t task)
   for (size_t i = 0; i < from->n && !from->failed; i++) {
     int32_t v[3];
 
-    if (i % SG_CHOICE_ASKED == SG_CHOICE_ASKED - 1 && sg_crew_stopping()) {
+    if (i % SG_CHOICE_ASKED == SG_CHOICE_ASKED - 1 && sg_pool_stopping()) {
       return;
     }
     sg_arranged_corners(from->a, leaf->row[from->list[i].row], v);
@@ -239,7 +239,7 @@ place_rows(void *data, size_t task)
 
   place_vertices(k, from);
   for (size_t i = 0; i < from->n; i++) {
-    if (i % SG_CHOICE_ASKED == SG_CHOICE_ASKED - 1 && sg_crew_stopping()) {
+    if (i % SG_CHOICE_ASKED == SG_CHOICE_ASKED - 1 && sg_pool_stopping()) {
       return;
     }
     if (i == 0 || from->list[i - 1].p != from->list[i].p) {
@@ -281,12 +281,12 @@ drop_collapsed(sg_solid *out)
 }
 
 bool
-sg_choice_add_rows(sg_choice *k, sg_crew *crew, const sg_poll *poll)
+sg_choice_add_rows(sg_choice *k, sg_pool *pool, const sg_cancel *cancel)
 {
   bool collapsed = false;
 
-  if (!sg_crew_run(crew, k->n, look_at_rows, k, poll) || !lay_out(k) ||
-      !sg_crew_run(crew, k->n, place_rows, k, poll)) {
+  if (!sg_pool_run(pool, k->n, look_at_rows, k, cancel) || !lay_out(k) ||
+      !sg_pool_run(pool, k->n, place_rows, k, cancel)) {
     return false;
   }
   for (size_t i = 0; i < k->n; i++) {

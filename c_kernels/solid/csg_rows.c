@@ -110,7 +110,7 @@ sg_door_kept_leaves(sg_call *call, const sg_integer_list *ss,
   for (size_t i = 0; good && i < ss->n; i++) {
     int64_t s = ss->at[i];
 
-    good = !sg_poll_every(&call->poll, i) &&
+    good = !sg_cancel_every(&call->cancel, i) &&
            sg_int_list_add(call, kinds,
                            s > 0 && s <= INT32_MAX ? kind_of(&k, (int32_t)s)
                                                    : k.other);

@@ -133,7 +133,7 @@ list_senses(sg_call *call, const sg_pieces *p, asking *k,
     for (size_t c = 0; c < n; c++, number++) {
       sg_component one = sg_arrangement_component(p->of[i].a, p->of[i].s, c);
 
-      if (sg_poll_every(&call->poll, (size_t)number) ||
+      if (sg_cancel_every(&call->cancel, (size_t)number) ||
           !make_room(call, k, one.sides)) {
         return false;
       }

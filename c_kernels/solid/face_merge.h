@@ -37,9 +37,9 @@
 #ifndef SG_FACE_MERGE_H
 #define SG_FACE_MERGE_H
 
-#include "crew.h"
 #include "join/bvh.h"
 #include "solid.h"
+#include "thread_pool.h"
 
 /* A side of polygon p of segment s: what a face is a part of. */
 typedef struct sg_merge_side {
@@ -74,8 +74,8 @@ typedef struct sg_merge_options {
      null: not at all. */
   double (*explained)(void *data, int32_t s);
   void *data;
-  sg_crew *crew; /* null: the caller alone */
-  const sg_poll *poll;
+  sg_pool *pool; /* null: the caller alone */
+  const sg_cancel *cancel;
 } sg_merge_options;
 
 typedef enum sg_merge_end {

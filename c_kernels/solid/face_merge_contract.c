@@ -134,7 +134,7 @@ add_triangles(const joining *j, bool moved, sg_sheet *sheet)
   bool left;
 
   for (size_t t = 0; t < m->solid->triangles; t++) {
-    if (t % OFTEN == 0 && sg_poll_stop(m->options->poll)) {
+    if (t % OFTEN == 0 && sg_cancelled(m->options->cancel)) {
       return SG_MERGE_STOPPED;
     }
     if (is_moved(j, t, corner, &left) == moved && left &&

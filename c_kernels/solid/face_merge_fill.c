@@ -124,7 +124,7 @@ each_half(filler *f, bool (*see)(filler *f, uint32_t half))
 
   for (uint32_t i = 0; i < f->group->n; i++) {
     const sg_solid_face *face = &m->solid->face[m->member[f->group->first + i]];
-    if (i % OFTEN == 0 && sg_crew_stopping()) {
+    if (i % OFTEN == 0 && sg_pool_stopping()) {
       return false;
     }
     for (uint32_t half = 3 * face->first; half < 3 * (face->first + face->n);
@@ -234,7 +234,7 @@ static bool
 stopping(void *data)
 {
   (void)data;
-  return sg_crew_stopping();
+  return sg_pool_stopping();
 }
 
 static int32_t
@@ -302,7 +302,7 @@ is_fixed(void *data, int32_t a, int32_t b)
 static bool
 triangulated(filler *f)
 {
-  const sg_poll poll = {stopping, NULL};
+  const sg_cancel cancel = {stopping, NULL};
   int32_t edge;
 
   if (!f->work) {
@@ -316,10 +316,11 @@ triangulated(filler *f)
     return false;
   }
   sg_outcome outcome =
-      sg_work_triangulate(f->work, &f->triangles, &edge, &poll);
+      sg_work_triangulate(f->work, &f->triangles, &edge, &cancel);
   bool done = outcome == SG_DONE && f->triangles.n > 0 && insert_inside(f);
   if (done) {
-    outcome = sg_triangles_delaunay(f->work, &f->triangles, is_fixed, f, &poll);
+    outcome =
+        sg_triangles_delaunay(f->work, &f->triangles, is_fixed, f, &cancel);
   }
   f->no_memory = f->no_memory || outcome == SG_NO_SPACE;
   return done && outcome == SG_DONE;
@@ -489,8 +490,8 @@ fill_all(filling *fill)
   fill->at_once = fill->n > AT_ONCE * AT_ONCE ? AT_ONCE : 1;
   size_t tasks = (fill->n + fill->at_once - 1) / fill->at_once;
 
-  if (!sg_crew_run(m->options->crew, tasks, do_groups, fill,
-                   m->options->poll)) {
+  if (!sg_pool_run(m->options->pool, tasks, do_groups, fill,
+                   m->options->cancel)) {
     return SG_MERGE_STOPPED;
   }
   for (size_t i = 0; i < tasks; i++) {

@@ -288,7 +288,7 @@ static sg_merge_end
 grow_all(growth *g, seed *seeds, size_t n)
 {
   switch (
-      sg_sort(seeds, n, sizeof *seeds, compare_seeds, g->m->options->poll)) {
+      sg_sort(seeds, n, sizeof *seeds, compare_seeds, g->m->options->cancel)) {
   case SG_SORT_STOPPED:
     return SG_MERGE_STOPPED;
   case SG_SORT_NO_MEMORY:
@@ -297,7 +297,7 @@ grow_all(growth *g, seed *seeds, size_t n)
     break;
   }
   for (size_t i = 0; i < n; i++) {
-    if (i % OFTEN == 0 && sg_poll_stop(g->m->options->poll)) {
+    if (i % OFTEN == 0 && sg_cancelled(g->m->options->cancel)) {
       return SG_MERGE_STOPPED;
     }
     if (g->state[seeds[i].face] != PLACED && !grow_from(g, seeds[i].face)) {
@@ -410,7 +410,7 @@ find_patch(growth *g, uint32_t face)
   g->state[face] = SEEN;
   for (size_t i = 0; i < g->n; i++) {
     uint32_t f = g->patch[i];
-    if (i % BLOCK == BLOCK - 1 && sg_poll_stop(g->m->options->poll)) {
+    if (i % BLOCK == BLOCK - 1 && sg_cancelled(g->m->options->cancel)) {
       return false;
     }
     for (uint32_t k = g->first[f]; k < g->first[f + 1]; k++) {
@@ -429,13 +429,13 @@ do_patches(growth *g)
   sg_merge_end end = SG_MERGE_DONE;
 
   list_neighbours(g);
-  if (!sg_crew_run(g->m->options->crew,
+  if (!sg_pool_run(g->m->options->pool,
                    (g->m->solid->faces + BLOCK - 1) / BLOCK, find_sizes, g,
-                   g->m->options->poll)) {
+                   g->m->options->cancel)) {
     return SG_MERGE_STOPPED;
   }
   for (uint32_t f = 0; f < g->m->solid->faces && end == SG_MERGE_DONE; f++) {
-    if (f % OFTEN == 0 && sg_poll_stop(g->m->options->poll)) {
+    if (f % OFTEN == 0 && sg_cancelled(g->m->options->cancel)) {
       return SG_MERGE_STOPPED;
     }
     if (g->state[f] == UNSEEN && g->first[f + 1] > g->first[f]) {

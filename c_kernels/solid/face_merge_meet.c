@@ -71,7 +71,7 @@ add_others(sg_sheet *sheet, const bool *asked)
   const sg_merge *m = sheet->m;
 
   for (uint32_t f = 0; f < m->solid->faces; f++) {
-    if (f % OFTEN == 0 && sg_poll_stop(m->options->poll)) {
+    if (f % OFTEN == 0 && sg_cancelled(m->options->cancel)) {
       return SG_MERGE_STOPPED;
     }
     if ((m->group_of[f] == SG_NOTHING || !asked[m->group_of[f]]) &&

@@ -97,7 +97,7 @@ sort_long(void *data, size_t block)
 
   for (size_t v = block * BLOCK; v < to && v < m->solid->vertices; v++) {
     size_t n = m->first[v + 1] - m->first[v];
-    if (n > LONG && !sg_crew_stopping()) {
+    if (n > LONG && !sg_pool_stopping()) {
       qsort(m->leaving + m->first[v], n, sizeof *m->leaving, compare_leaving);
     }
   }
@@ -314,7 +314,7 @@ pair_block(void *data, size_t block)
   size_t to = (block + 1) * BLOCK;
 
   for (size_t v = block * BLOCK; v < to && v < m->solid->vertices; v++) {
-    if (v % 256 == 0 && sg_crew_stopping()) {
+    if (v % 256 == 0 && sg_pool_stopping()) {
       return;
     }
     pair_halves(mesh, (uint32_t)v, &mesh->found[block]);
@@ -324,9 +324,9 @@ pair_block(void *data, size_t block)
 /* ---- all of it ---------------------------------------------------------- */
 
 static bool
-run(const sg_merge *m, size_t tasks, sg_crew_task *task, void *data)
+run(const sg_merge *m, size_t tasks, sg_pool_task *task, void *data)
 {
-  return sg_crew_run(m->options->crew, tasks, task, data, m->options->poll);
+  return sg_pool_run(m->options->pool, tasks, task, data, m->options->cancel);
 }
 
 /* The triangles of a block of faces: whose they are, and no twins yet. */
@@ -442,7 +442,7 @@ sg_merge_mesh(sg_merge *m)
   pairing mesh = {m, calloc(blocks + 1, sizeof *mesh.found)};
   sg_merge_end end = SG_MERGE_NO_MEMORY;
 
-  unsigned threads = sg_crew_threads(m->options->crew);
+  unsigned threads = sg_pool_threads(m->options->pool);
 
   m->ranges = threads < RANGES ? threads : RANGES;
   m->face_of = malloc((solid->triangles + 1) * sizeof *m->face_of);

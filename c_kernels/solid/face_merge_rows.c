@@ -128,12 +128,12 @@ sg_door_solid_merge(sg_call *call, sg_solid *solid,
   sources of = {.version = sg_call_version(call), .solid = solid};
   sg_merge_counts counts = {0};
   sg_merge_region region;
-  sg_merge_options all = {.poll = &call->poll,
+  sg_merge_options all = {.cancel = &call->cancel,
                           .explained = explained,
                           .data = &of,
-                          .crew = sg_call_crew(call)};
+                          .pool = sg_call_pool(call)};
 
-  if (!of.version || !all.crew ||
+  if (!of.version || !all.pool ||
       !take_tolerance(call, tolerance, &all, &of.tolerance)) {
     return false;
   }
@@ -168,7 +168,7 @@ sg_door_solid_neighbours(sg_call *call, sg_solid *solid,
                          const sg_merge_tolerance *tolerance,
                          sg_merge_pair_list *pairs)
 {
-  sg_merge_options options = {.poll = &call->poll};
+  sg_merge_options options = {.cancel = &call->cancel};
   double own;
 
   if (!take_tolerance(call, tolerance, &options, &own)) {

@@ -334,7 +334,7 @@ do_runs(runner *r)
     }
     if (++r->looked >= OFTEN) {
       r->looked = 0;
-      if (sg_poll_stop(m->options->poll)) {
+      if (sg_cancelled(m->options->cancel)) {
         return SG_MERGE_STOPPED;
       }
     }

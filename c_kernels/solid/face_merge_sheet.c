@@ -233,10 +233,10 @@ join(const sg_sheet *sheet, double (*at)[3], size_t vertices, sg_key_pairs *out)
 
   if (polygon_of && asked) {
     memset(asked, 1, sheet->asked);
-    if (sg_self_cut_changed(&dense, 0, asked, 0, options->crew, options->poll,
+    if (sg_self_cut_changed(&dense, 0, asked, 0, options->pool, options->cancel,
                             &met)) {
       end = list_pairs(sheet, &met, out) ? SG_MERGE_DONE : SG_MERGE_NO_MEMORY;
-    } else if (sg_poll_stop(options->poll)) {
+    } else if (sg_cancelled(options->cancel)) {
       end = SG_MERGE_STOPPED;
     }
   }

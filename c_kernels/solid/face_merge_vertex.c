@@ -143,7 +143,7 @@ do_block(void *data, size_t block)
   size_t to = (block + 1) * BLOCK;
 
   for (size_t v = block * BLOCK; v < to && v < m->solid->vertices; v++) {
-    if (v % 256 == 0 && sg_crew_stopping()) {
+    if (v % 256 == 0 && sg_pool_stopping()) {
       return;
     }
     if (m->fate[v] == SG_ASKED) {
@@ -211,7 +211,7 @@ static sg_merge_end
 ask_groups(sg_merge *m)
 {
   for (uint32_t v = 0; v < m->solid->vertices; v++) {
-    if (v % BLOCK == 0 && sg_poll_stop(m->options->poll)) {
+    if (v % BLOCK == 0 && sg_cancelled(m->options->cancel)) {
       return SG_MERGE_STOPPED;
     }
     if (m->fate[v] != SG_KEPT) {
@@ -251,7 +251,7 @@ sg_merge_vertices(sg_merge *m)
   size_t blocks = (m->solid->vertices + BLOCK - 1) / BLOCK;
 
   ask_about(m);
-  if (!sg_crew_run(m->options->crew, blocks, do_block, m, m->options->poll)) {
+  if (!sg_pool_run(m->options->pool, blocks, do_block, m, m->options->cancel)) {
     return SG_MERGE_STOPPED;
   }
   sg_merge_end end = ask_groups(m);

@@ -6,7 +6,7 @@
 
 #include <stdlib.h>
 
-enum { POLL_EVERY = 65536 };
+enum { ASK_EVERY = 65536 };
 
 /* A half-edge of a polygon. */
 typedef struct half {
@@ -90,7 +90,8 @@ is_same_edge(const half *a, const half *b)
 
 static bool
 keep_all(const sg_dense *d, const sg_operands_of *of, const half *edge,
-         size_t n, const sg_poll *poll, sg_operand_borders *out, bool *stopped)
+         size_t n, const sg_cancel *cancel, sg_operand_borders *out,
+         bool *stopped)
 {
   size_t room = 0, asked = 0;
 
@@ -99,8 +100,8 @@ keep_all(const sg_dense *d, const sg_operands_of *of, const half *edge,
       end++;
     }
     if (i >= asked) {
-      asked = i + POLL_EVERY;
-      *stopped = sg_poll_stop(poll);
+      asked = i + ASK_EVERY;
+      *stopped = sg_cancelled(cancel);
     }
     if (*stopped || !keep_borders(d, of, edge + i, end - i, out, &room)) {
       return false;
@@ -140,7 +141,7 @@ list_halves(const sg_dense *d, size_t *n)
 
 bool
 sg_operand_borders_find(const sg_dense *dense, const sg_operands_of *of,
-                        const sg_poll *poll, sg_operand_borders *out,
+                        const sg_cancel *cancel, sg_operand_borders *out,
                         bool *stopped)
 {
   size_t n;
@@ -148,12 +149,13 @@ sg_operand_borders_find(const sg_dense *dense, const sg_operands_of *of,
 
   *out = (sg_operand_borders){0};
   *stopped = false;
-  sg_sort_end end = edge ? sg_sort(edge, n, sizeof *edge, compare_halves, poll)
-                         : SG_SORT_NO_MEMORY;
+  sg_sort_end end = edge
+                        ? sg_sort(edge, n, sizeof *edge, compare_halves, cancel)
+                        : SG_SORT_NO_MEMORY;
 
   *stopped = end == SG_SORT_STOPPED;
   bool done =
-      end == SG_SORTED && keep_all(dense, of, edge, n, poll, out, stopped);
+      end == SG_SORTED && keep_all(dense, of, edge, n, cancel, out, stopped);
 
   free(edge);
   if (!done) {

@@ -31,11 +31,11 @@ typedef struct sg_operands_of {
 /* The edges of the segments of `dense` between two polygons that have parts of
  * operands, and of none in common.
  *
- * Returns: false: no memory, or (*stopped) stopped by the poll.
+ * Returns: false: no memory, or (*stopped) stopped by the cancellation.
  * Owner:   out->item is the caller's, to free().
  * Cost:    n log n. */
 bool sg_operand_borders_find(const sg_dense *dense, const sg_operands_of *of,
-                             const sg_poll *poll, sg_operand_borders *out,
+                             const sg_cancel *cancel, sg_operand_borders *out,
                              bool *stopped);
 
 #endif

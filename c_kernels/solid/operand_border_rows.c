@@ -108,7 +108,7 @@ find(sg_call *call, const sg_dense *d, const from_rows *from,
   memset(begin, 0, (d->polygons + 2) * sizeof *begin);
   fill_operands(d, from, begin, operand);
   return sg_operand_borders_find(d, &(sg_operands_of){begin, operand},
-                                 &call->poll, out, &stopped) ||
+                                 &call->cancel, out, &stopped) ||
          sg_call_ended(call);
 }
 
@@ -121,7 +121,7 @@ find_of_version(sg_call *call, const sg_version *version, const sg_int_list *ss,
   sg_dense dense = {0};
   bool good =
       (sg_version_view(version, SG_FROM_P, &view) &&
-       sg_segment_rows_find(&view, ss->at, ss->n, &call->poll, &rows)) ||
+       sg_segment_rows_find(&view, ss->at, ss->n, &call->cancel, &rows)) ||
       sg_call_ended(call);
 
   good = good && sg_dense_read(call, ss->at, ss->n, &dense) &&

@@ -75,10 +75,10 @@ see_all(const sewer *s, seen *all)
 }
 
 static bool
-find_vertices(sewer *s, const sg_poll *poll)
+find_vertices(sewer *s, const sg_cancel *cancel)
 {
   size_t n = s->d->vertices;
-  uint32_t *vertex = sg_places_of((const double(*)[3])s->d->at, n, poll);
+  uint32_t *vertex = sg_places_of((const double(*)[3])s->d->at, n, cancel);
   seen *all = malloc((n + 1) * sizeof *all);
   bool good = vertex && all;
 
@@ -286,7 +286,7 @@ weigh_run(const sewer *s, const print *run, size_t n)
 }
 
 static bool
-make_prints(sewer *s, const sg_poll *poll)
+make_prints(sewer *s, const sg_cancel *cancel)
 {
   size_t n = s->d->polygons, most = 0;
 
@@ -298,7 +298,7 @@ make_prints(sewer *s, const sg_poll *poll)
     s->print[p] = (print){print_of(s, p), p};
     most = edges > most ? edges : most;
     most = triangles > most ? triangles : most;
-    if (p % ASKED == ASKED - 1 && sg_poll_stop(poll)) {
+    if (p % ASKED == ASKED - 1 && sg_cancelled(cancel)) {
       return false;
     }
   }
@@ -306,15 +306,15 @@ make_prints(sewer *s, const sg_poll *poll)
     s->part[k] = malloc((most + 1) * sizeof(part));
   }
   return s->print && s->out->weight && s->part[0] && s->part[1] &&
-         sg_sort(s->print, n, sizeof *s->print, by_print, poll) == SG_SORTED;
+         sg_sort(s->print, n, sizeof *s->print, by_print, cancel) == SG_SORTED;
 }
 
 static bool
-weigh_polygons(sewer *s, const sg_poll *poll)
+weigh_polygons(sewer *s, const sg_cancel *cancel)
 {
   size_t n = s->d->polygons;
 
-  if (!make_prints(s, poll)) {
+  if (!make_prints(s, cancel)) {
     return false;
   }
   for (size_t i = 0, end; i < n; i = end) {
@@ -331,13 +331,13 @@ weigh_polygons(sewer *s, const sg_poll *poll)
 }
 
 bool
-sg_sewing_find(const sg_dense *dense, const sg_poll *poll, sg_sewing *out)
+sg_sewing_find(const sg_dense *dense, const sg_cancel *cancel, sg_sewing *out)
 {
   sewer s = {.d = dense, .out = out};
 
   *out = (sg_sewing){0};
-  bool good = sort_triangles(&s) && find_vertices(&s, poll) &&
-              (!out->any || weigh_polygons(&s, poll));
+  bool good = sort_triangles(&s) && find_vertices(&s, cancel) &&
+              (!out->any || weigh_polygons(&s, cancel));
 
   free(s.begin);
   free(s.triangle);

@@ -27,10 +27,11 @@ typedef struct sg_sewing {
 
 /* Of a segment that is alone in `dense`.
  *
- * Returns: false: no memory, or the poll said stop.
+ * Returns: false: no memory, or the cancellation said stop.
  * Owner:   sg_sewing_clear() in any case.
  * Cost:    n log n of its edges and triangles. */
-bool sg_sewing_find(const sg_dense *dense, const sg_poll *poll, sg_sewing *out);
+bool sg_sewing_find(const sg_dense *dense, const sg_cancel *cancel,
+                    sg_sewing *out);
 void sg_sewing_clear(sg_sewing *sewing);
 
 #endif

@@ -201,7 +201,7 @@ sg_door_segment_sewn(sg_call *call, int32_t id, sg_polygon_weight_list *weights)
   }
   s.version = sg_world_version(s.world);
   bool good = sg_dense_read(call, &id, 1, &s.dense) &&
-              (sg_sewing_find(&s.dense, &call->poll, &s.sewing) ||
+              (sg_sewing_find(&s.dense, &call->cancel, &s.sewing) ||
                sg_call_ended(call)) &&
               s.sewing.any && write_rows(&s) && list_weights(&s, weights);
 

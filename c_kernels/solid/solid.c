@@ -53,7 +53,7 @@ sum_block(void *data, size_t block)
 }
 
 bool
-sg_solid_is_closed(const sg_solid *solid, sg_crew *crew)
+sg_solid_is_closed(const sg_solid *solid, sg_pool *pool)
 {
   closing c = {.solid = solid};
 
@@ -61,7 +61,7 @@ sg_solid_is_closed(const sg_solid *solid, sg_crew *crew)
     return true;
   }
   atomic_init(&c.sum, 0);
-  sg_crew_run(crew, (solid->triangles + BLOCK - 1) / BLOCK, sum_block, &c,
+  sg_pool_run(pool, (solid->triangles + BLOCK - 1) / BLOCK, sum_block, &c,
               NULL);
   return (uint64_t)atomic_load(&c.sum) == 0;
 }

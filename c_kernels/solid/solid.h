@@ -15,7 +15,7 @@
 #ifndef SG_SOLID_H
 #define SG_SOLID_H
 
-#include "crew.h"
+#include "thread_pool.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -65,6 +65,6 @@ void sg_solid_free(sg_solid *solid);
 
 /* Whether each edge runs as often back as there: it bounds something. Where
  * that is not known, by a fingerprint: wrong once in 2^64. */
-bool sg_solid_is_closed(const sg_solid *solid, sg_crew *crew);
+bool sg_solid_is_closed(const sg_solid *solid, sg_pool *pool);
 
 #endif

@@ -1,7 +1,7 @@
 /* solid_border.c -- half-edges that end a face: see solid_border.h. */
 #include "solid_border.h"
 
-#include "crew.h"
+#include "thread_pool.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -134,7 +134,7 @@ pair_many(sg_border *border, face *f)
     for (uint32_t k = 0; k < 3; k++) {
       enter(f, 3 * t + k);
     }
-    if (t % ASKED == ASKED - 1 && sg_crew_stopping()) {
+    if (t % ASKED == ASKED - 1 && sg_pool_stopping()) {
       return false;
     }
   }

@@ -21,7 +21,7 @@ void sg_border_clear(sg_border *border);
  * half-edge from corner k to the next has no opposite one in the face; opposite
  * ones are paired one to one. *edges: how many such. Exact.
  *
- * Returns: false: no memory, or sg_crew_stopping() said so (in large faces). */
+ * Returns: false: no memory, or sg_pool_stopping() said so (in large faces). */
 bool sg_border_find(sg_border *border, const sg_solid *solid, size_t face,
                     uint8_t *out, uint32_t *edges);
 

@@ -96,7 +96,7 @@ is_covered(const sg_solid *solid, const sg_solid_face *face)
 }
 
 sg_solid_moved
-sg_solid_move(sg_solid *solid, const double row[3][4], const sg_poll *poll,
+sg_solid_move(sg_solid *solid, const double row[3][4], const sg_cancel *cancel,
               bool *again)
 {
   bool mirror = is_mirror(row);
@@ -105,7 +105,7 @@ sg_solid_move(sg_solid *solid, const double row[3][4], const sg_poll *poll,
     if (!move_vertex(&solid->vertex[i], row)) {
       return SG_MOVED_TOO_FAR;
     }
-    if (i % ASKED == ASKED - 1 && sg_poll_stop(poll)) {
+    if (i % ASKED == ASKED - 1 && sg_cancelled(cancel)) {
       return SG_MOVED_STOPPED;
     }
   }
@@ -115,7 +115,7 @@ sg_solid_move(sg_solid *solid, const double row[3][4], const sg_poll *poll,
   for (size_t f = 0; f < solid->faces; f++) {
     const sg_solid_face *face = &solid->face[f];
     again[f] = face->n > 1 && !is_covered(solid, face);
-    if (f % ASKED == ASKED - 1 && sg_poll_stop(poll)) {
+    if (f % ASKED == ASKED - 1 && sg_cancelled(cancel)) {
       return SG_MOVED_STOPPED;
     }
   }

@@ -5,12 +5,12 @@
 #ifndef SG_SOLID_MOVE_H
 #define SG_SOLID_MOVE_H
 
-#include "engine/poll.h"
+#include "engine/cancel.h"
 #include "solid.h"
 
 typedef enum sg_solid_moved {
   SG_MOVED,
-  SG_MOVED_STOPPED, /* the poll said stop */
+  SG_MOVED_STOPPED, /* the cancellation said stop */
   SG_MOVED_TOO_FAR  /* a coordinate is larger than any that v/5 takes */
 } sg_solid_moved;
 
@@ -24,6 +24,6 @@ typedef enum sg_solid_moved {
  *
  * Places are rounded, what is marked is exact. */
 sg_solid_moved sg_solid_move(sg_solid *solid, const double row[3][4],
-                             const sg_poll *poll, bool *again);
+                             const sg_cancel *cancel, bool *again);
 
 #endif

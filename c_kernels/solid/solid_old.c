@@ -19,14 +19,14 @@ sg_old_new_places(size_t n)
 
 sg_old_end
 sg_old_find_most(const sg_solid_old *old, int relation, unsigned column,
-                 const sg_poll *poll, int32_t *most)
+                 const sg_cancel *cancel, int32_t *most)
 {
   size_t n = sg_old_count(old, relation);
 
   *most = 0;
   for (uint32_t i = 0; i < n; i++) {
     int32_t id = sg_old_int(old, relation, column, i);
-    if (sg_poll_every(poll, i)) {
+    if (sg_cancel_every(cancel, i)) {
       return SG_OLD_FAILED;
     }
     *most = id > *most ? id : *most;
@@ -36,19 +36,20 @@ sg_old_find_most(const sg_solid_old *old, int relation, unsigned column,
 
 static sg_old_end
 read_ids(const sg_solid_old *old, int relation, unsigned column,
-         const sg_poll *poll, sg_old_ids *out)
+         const sg_cancel *cancel, sg_old_ids *out)
 {
   size_t n = sg_old_count(old, relation);
 
   if (!out->held) { /* else it is known */
-    sg_old_end end = sg_old_find_most(old, relation, column, poll, &out->most);
+    sg_old_end end =
+        sg_old_find_most(old, relation, column, cancel, &out->most);
     if (end != SG_OLD_READ) {
       return end;
     }
   }
   out->place = sg_old_new_places((size_t)out->most);
   for (uint32_t i = 0; out->place && i < n; i++) {
-    if (sg_poll_every(poll, i)) {
+    if (sg_cancel_every(cancel, i)) {
       return SG_OLD_FAILED;
     }
     out->place[sg_old_int(old, relation, column, i)] = i;
@@ -57,14 +58,15 @@ read_ids(const sg_solid_old *old, int relation, unsigned column,
 }
 
 static sg_old_end
-read_all_ids(sg_solid_old *old, const sg_poll *poll)
+read_all_ids(sg_solid_old *old, const sg_cancel *cancel)
 {
-  sg_old_end end = read_ids(old, SG_OLD_V, 1, poll, &old->vertex);
+  sg_old_end end = read_ids(old, SG_OLD_V, 1, cancel, &old->vertex);
 
-  end = end == SG_OLD_READ ? read_ids(old, SG_OLD_E, 1, poll, &old->edge) : end;
-  end = end == SG_OLD_READ ? read_ids(old, SG_OLD_P, 1, poll, &old->polygon)
+  end =
+      end == SG_OLD_READ ? read_ids(old, SG_OLD_E, 1, cancel, &old->edge) : end;
+  end = end == SG_OLD_READ ? read_ids(old, SG_OLD_P, 1, cancel, &old->polygon)
                            : end;
-  return end == SG_OLD_READ ? read_ids(old, SG_OLD_T, 2, poll, &old->triangle)
+  return end == SG_OLD_READ ? read_ids(old, SG_OLD_T, 2, cancel, &old->triangle)
                             : end;
 }
 
@@ -73,13 +75,13 @@ read_all_ids(sg_solid_old *old, const sg_poll *poll)
 /* Row i of a relation says something of the one thing with id column 1. */
 static sg_old_end
 read_one_each(const sg_solid_old *old, int relation, const sg_old_ids *of,
-              size_t n, const sg_poll *poll, uint32_t **out)
+              size_t n, const sg_cancel *cancel, uint32_t **out)
 {
   uint32_t *list = *out = sg_old_new_places(n);
 
   for (uint32_t i = 0; list && i < sg_old_count(old, relation); i++) {
     uint32_t at = sg_old_place(of, sg_old_int(old, relation, 1, i));
-    if (sg_poll_every(poll, i)) {
+    if (sg_cancel_every(cancel, i)) {
       return SG_OLD_FAILED;
     }
     if (at == SG_NO_PLACE || list[at] != SG_NO_PLACE) {
@@ -92,7 +94,7 @@ read_one_each(const sg_solid_old *old, int relation, const sg_old_ids *of,
 
 static sg_old_end
 read_origins(sg_solid_old *old, int32_t (*item_vertex)(const uint32_t *item),
-             const sg_poll *poll)
+             const sg_cancel *cancel)
 {
   uint32_t *list = old->origin = sg_old_new_places(sg_old_count(old, SG_OLD_V));
 
@@ -100,7 +102,7 @@ read_origins(sg_solid_old *old, int32_t (*item_vertex)(const uint32_t *item),
     int32_t v =
         item_vertex((const uint32_t *)sg_old_list(old, SG_OLD_ORIGIN, 1, i));
     uint32_t at = v > 0 ? sg_old_place(&old->vertex, v) : SG_NO_PLACE;
-    if (sg_poll_every(poll, i)) {
+    if (sg_cancel_every(cancel, i)) {
       return SG_OLD_FAILED;
     }
     if (v > 0 && at == SG_NO_PLACE) {
@@ -125,7 +127,7 @@ polygon_of(const sg_solid_old *old, int relation, uint32_t i)
 /* Counts the rows of each polygon: begin[g + 1] is where those of g begin, and,
  * when they are put there, where they end. */
 static sg_old_end
-begin_groups(const sg_solid_old *old, int relation, const sg_poll *poll,
+begin_groups(const sg_solid_old *old, int relation, const sg_cancel *cancel,
              sg_old_groups *out)
 {
   size_t n = sg_old_count(old, relation), groups = sg_old_count(old, SG_OLD_P);
@@ -137,7 +139,7 @@ begin_groups(const sg_solid_old *old, int relation, const sg_poll *poll,
   }
   for (uint32_t i = 0; i < n; i++) {
     uint32_t g = polygon_of(old, relation, i);
-    if (sg_poll_every(poll, i)) {
+    if (sg_cancel_every(cancel, i)) {
       return SG_OLD_FAILED;
     }
     if (g == SG_NO_PLACE) {
@@ -159,12 +161,12 @@ put_in_group(const sg_solid_old *old, int relation, uint32_t i,
 }
 
 static sg_old_end
-group_triangles(sg_solid_old *old, const sg_poll *poll)
+group_triangles(sg_solid_old *old, const sg_cancel *cancel)
 {
-  sg_old_end end = begin_groups(old, SG_OLD_T, poll, &old->triangles);
+  sg_old_end end = begin_groups(old, SG_OLD_T, cancel, &old->triangles);
 
   for (int32_t id = 1; end == SG_OLD_READ && id <= old->triangle.most; id++) {
-    if (sg_poll_every(poll, (size_t)id)) {
+    if (sg_cancel_every(cancel, (size_t)id)) {
       return SG_OLD_FAILED;
     }
     if (old->triangle.place[id] != SG_NO_PLACE) {
@@ -175,9 +177,9 @@ group_triangles(sg_solid_old *old, const sg_poll *poll)
 }
 
 static sg_old_end
-group_sources(sg_solid_old *old, const sg_poll *poll)
+group_sources(sg_solid_old *old, const sg_cancel *cancel)
 {
-  sg_old_end end = begin_groups(old, SG_OLD_FROM_P, poll, &old->sources);
+  sg_old_end end = begin_groups(old, SG_OLD_FROM_P, cancel, &old->sources);
 
   for (uint32_t i = 0;
        end == SG_OLD_READ && i < sg_old_count(old, SG_OLD_FROM_P); i++) {
@@ -207,10 +209,10 @@ edges_are_used(const sg_solid_old *old)
 /* ---- all of it ---------------------------------------------------------- */
 
 static bool
-find_rows(sg_solid_old *old, int32_t s, const sg_poll *poll)
+find_rows(sg_solid_old *old, int32_t s, const sg_cancel *cancel)
 {
   for (int k = 0; k < SG_OLD_RELATIONS; k++) {
-    if (!sg_segment_rows_find(old->view[k], &s, 1, poll, &old->rows[k])) {
+    if (!sg_segment_rows_find(old->view[k], &s, 1, cancel, &old->rows[k])) {
       return false;
     }
   }
@@ -220,49 +222,49 @@ find_rows(sg_solid_old *old, int32_t s, const sg_poll *poll)
 /* What there is to know of the rows that were found. */
 static sg_old_end
 look_at_all(sg_solid_old *old, int32_t (*item_vertex)(const uint32_t *item),
-            const sg_poll *poll)
+            const sg_cancel *cancel)
 {
-  sg_old_end end = read_all_ids(old, poll);
+  sg_old_end end = read_all_ids(old, cancel);
 
   end = end == SG_OLD_READ
             ? read_one_each(old, SG_OLD_FROM_V, &old->vertex,
-                            sg_old_count(old, SG_OLD_V), poll, &old->from)
+                            sg_old_count(old, SG_OLD_V), cancel, &old->from)
             : end;
   end = end == SG_OLD_READ
             ? read_one_each(old, SG_OLD_PLANE, &old->polygon,
-                            sg_old_count(old, SG_OLD_P), poll, &old->plane)
+                            sg_old_count(old, SG_OLD_P), cancel, &old->plane)
             : end;
-  end = end == SG_OLD_READ ? read_origins(old, item_vertex, poll) : end;
-  end = end == SG_OLD_READ ? group_triangles(old, poll) : end;
-  end = end == SG_OLD_READ ? group_sources(old, poll) : end;
+  end = end == SG_OLD_READ ? read_origins(old, item_vertex, cancel) : end;
+  end = end == SG_OLD_READ ? group_triangles(old, cancel) : end;
+  end = end == SG_OLD_READ ? group_sources(old, cancel) : end;
   return end == SG_OLD_READ && !edges_are_used(old) ? SG_OLD_UNFIT : end;
 }
 
 sg_old_end
 sg_solid_old_read(const sg_view *const view[SG_OLD_RELATIONS], int32_t s,
                   int32_t (*item_vertex)(const uint32_t *item),
-                  const sg_poll *poll, sg_solid_old *out)
+                  const sg_cancel *cancel, sg_solid_old *out)
 {
   *out = (sg_solid_old){0};
   memcpy(out->view, view, sizeof out->view);
-  return find_rows(out, s, poll) ? look_at_all(out, item_vertex, poll)
-                                 : SG_OLD_FAILED;
+  return find_rows(out, s, cancel) ? look_at_all(out, item_vertex, cancel)
+                                   : SG_OLD_FAILED;
 }
 
 sg_old_end
 sg_solid_old_read_region(const sg_view *const view[SG_OLD_RELATIONS], int32_t s,
                          const int32_t *leaf, size_t n,
                          int32_t (*item_vertex)(const uint32_t *item),
-                         const sg_poll *poll, sg_solid_old *out)
+                         const sg_cancel *cancel, sg_solid_old *out)
 {
   *out = (sg_solid_old){0};
   memcpy(out->view, view, sizeof out->view);
-  if (!find_rows(out, s, poll)) {
+  if (!find_rows(out, s, cancel)) {
     return SG_OLD_FAILED;
   }
-  sg_old_end end = sg_old_narrow(out, leaf, n, item_vertex, poll);
+  sg_old_end end = sg_old_narrow(out, leaf, n, item_vertex, cancel);
 
-  return end == SG_OLD_READ ? look_at_all(out, item_vertex, poll) : end;
+  return end == SG_OLD_READ ? look_at_all(out, item_vertex, cancel) : end;
 }
 
 void

@@ -6,7 +6,7 @@
 #ifndef SG_SOLID_OLD_H
 #define SG_SOLID_OLD_H
 
-#include "engine/poll.h"
+#include "engine/cancel.h"
 #include "join/bvh.h"
 #include "rows/by_segment.h"
 
@@ -76,13 +76,13 @@ typedef enum sg_old_end {
 sg_old_end sg_solid_old_read(const sg_view *const view[SG_OLD_RELATIONS],
                              int32_t s,
                              int32_t (*item_vertex)(const uint32_t *item),
-                             const sg_poll *poll, sg_solid_old *out);
+                             const sg_cancel *cancel, sg_solid_old *out);
 /* The same of the region of n leaves, ascending, and of those that faces come
  * from which also come from them. */
 sg_old_end sg_solid_old_read_region(const sg_view *const view[SG_OLD_RELATIONS],
                                     int32_t s, const int32_t *leaf, size_t n,
                                     int32_t (*item_vertex)(const uint32_t *),
-                                    const sg_poll *poll, sg_solid_old *out);
+                                    const sg_cancel *cancel, sg_solid_old *out);
 void sg_solid_old_clear(sg_solid_old *old);
 
 /* [n + 1] places, all none (every bit set). Owner: the caller, free(). NULL:

@@ -15,7 +15,7 @@ enum { INSIDE = 1, OUTSIDE = 2, THERE = 4, FLAT = 8, SAID = 16 };
 
 typedef struct narrowing {
   sg_solid_old *old;
-  const sg_poll *poll;
+  const sg_cancel *cancel;
   int32_t (*item_vertex)(const uint32_t *item);
   uint8_t *leaf;     /* [most_leaf + 1] by segment: 1: one of them */
   int32_t most_leaf; /* of all that faces come from */
@@ -35,7 +35,7 @@ spread(narrowing *w, bool *more)
   *more = false;
   for (uint32_t i = 0; i < n; i++) {
     int32_t p = sg_old_int(old, SG_OLD_FROM_P, 1, i);
-    if (sg_poll_every(w->poll, i)) {
+    if (sg_cancel_every(w->cancel, i)) {
       return SG_OLD_FAILED;
     }
     if (p > old->polygon.most) {
@@ -83,7 +83,7 @@ static sg_old_end
 find_leaves(narrowing *w, const int32_t *leaf, size_t n)
 {
   sg_old_end end =
-      sg_old_find_most(w->old, SG_OLD_FROM_P, 2, w->poll, &w->most_leaf);
+      sg_old_find_most(w->old, SG_OLD_FROM_P, 2, w->cancel, &w->most_leaf);
   bool more = true;
 
   if (end == SG_OLD_READ) {
@@ -111,7 +111,7 @@ narrow(narrowing *w, int relation, bool (*keep)(narrowing *w, uint32_t place))
   size_t n = rows->begin[1], left = 0;
 
   for (uint32_t i = 0; i < n; i++) {
-    if (sg_poll_every(w->poll, i)) {
+    if (sg_cancel_every(w->cancel, i)) {
       return SG_OLD_FAILED;
     }
     if (keep(w, i)) {
@@ -247,7 +247,7 @@ open_ids(narrowing *w, int relation, unsigned column, sg_old_ids *ids,
          uint8_t **mark)
 {
   sg_old_end end =
-      sg_old_find_most(w->old, relation, column, w->poll, &ids->most);
+      sg_old_find_most(w->old, relation, column, w->cancel, &ids->most);
 
   if (end != SG_OLD_READ) {
     return end;
@@ -323,9 +323,10 @@ narrow_all(narrowing *w)
 
 sg_old_end
 sg_old_narrow(sg_solid_old *old, const int32_t *leaf, size_t n,
-              int32_t (*item_vertex)(const uint32_t *item), const sg_poll *poll)
+              int32_t (*item_vertex)(const uint32_t *item),
+              const sg_cancel *cancel)
 {
-  narrowing w = {.old = old, .poll = poll, .item_vertex = item_vertex};
+  narrowing w = {.old = old, .cancel = cancel, .item_vertex = item_vertex};
   sg_old_end end = open_all(&w);
 
   end = end == SG_OLD_READ ? find_leaves(&w, leaf, n) : end;

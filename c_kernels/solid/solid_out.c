@@ -84,8 +84,8 @@ number_vertices(sg_solid_rows *rows)
 }
 
 bool
-sg_solid_rows_make(const sg_solid *solid, sg_crew *crew, const sg_poll *poll,
-                   sg_solid_rows *out)
+sg_solid_rows_make(const sg_solid *solid, sg_pool *pool,
+                   const sg_cancel *cancel, sg_solid_rows *out)
 {
   counting c = {.rows = out};
 
@@ -101,7 +101,7 @@ sg_solid_rows_make(const sg_solid *solid, sg_crew *crew, const sg_poll *poll,
     return false;
   }
   out->edge[0] = out->triangle[0] = 0;
-  if (!sg_crew_run(crew, blocks_of(solid->faces), count_block, &c, poll) ||
+  if (!sg_pool_run(pool, blocks_of(solid->faces), count_block, &c, cancel) ||
       atomic_load(&c.failed) || !sum_up(out)) {
     return false;
   }
@@ -309,7 +309,7 @@ write_faces(const writing *w, size_t from, size_t end)
     for (uint32_t i = 0; i < face->n; i++) {
       write_edges(w, face->first + i, &at.e, &e);
       write_triangle(w, p, ++t, solid->triangle[face->first + i], &at.t);
-      if (i % ASKED == ASKED - 1 && sg_crew_stopping()) {
+      if (i % ASKED == ASKED - 1 && sg_pool_stopping()) {
         return;
       }
     }
@@ -373,7 +373,7 @@ write_sources_of(const writing *w, size_t f, part *from, size_t n,
 
 /* Where there are parts, that of the face itself is one more. */
 static bool
-write_sources(const writing *w, const sg_poll *poll, size_t *sources)
+write_sources(const writing *w, const sg_cancel *cancel, size_t *sources)
 {
   const sg_solid *solid = w->rows->solid;
   sg_sheet_place at = sg_sheet_at(w->out->from_p, 0);
@@ -388,7 +388,7 @@ write_sources(const writing *w, const sg_poll *poll, size_t *sources)
       from[n++] = solid->part[k++];
     }
     *sources += write_sources_of(w, f, from, n, &at);
-    good = f % BLOCK != BLOCK - 1 || !sg_poll_stop(poll);
+    good = f % BLOCK != BLOCK - 1 || !sg_cancelled(cancel);
   }
   free(from);
   return good;
@@ -428,15 +428,15 @@ close_up_planes(const sg_sheet *plane)
 }
 
 bool
-sg_solid_rows_write(const sg_solid_rows *rows, int32_t s, sg_crew *crew,
-                    const sg_poll *poll, const sg_solid_sheets *out,
+sg_solid_rows_write(const sg_solid_rows *rows, int32_t s, sg_pool *pool,
+                    const sg_cancel *cancel, const sg_solid_sheets *out,
                     size_t *planes, size_t *sources)
 {
   writing w = {rows, s, out, blocks_of(rows->vertices)};
   size_t tasks = w.vertex_blocks + blocks_of(rows->solid->faces);
 
   *sources = 0;
-  if (!sg_crew_run(crew, tasks, write_block, &w, poll)) {
+  if (!sg_pool_run(pool, tasks, write_block, &w, cancel)) {
     return false;
   }
   *planes = close_up_planes(out->plane);
@@ -444,5 +444,5 @@ sg_solid_rows_write(const sg_solid_rows *rows, int32_t s, sg_crew *crew,
     *sources = rows->solid->faces;
     return true;
   }
-  return write_sources(&w, poll, sources);
+  return write_sources(&w, cancel, sources);
 }

@@ -11,10 +11,10 @@
 #ifndef SG_SOLID_OUT_H
 #define SG_SOLID_OUT_H
 
-#include "crew.h"
-#include "engine/poll.h"
+#include "engine/cancel.h"
 #include "engine/sheet.h"
 #include "solid.h"
+#include "thread_pool.h"
 
 /* What becomes of a solid, which must outlive it. */
 typedef struct sg_solid_rows {
@@ -29,10 +29,11 @@ typedef struct sg_solid_rows {
   size_t plain;       /* of those, that were vertices of a segment: the first */
 } sg_solid_rows;
 
-/* False: no memory (or more edges than ids), or the poll said stop. Owner:
- * sg_solid_rows_clear() in any case. A null crew is the caller alone. Exact. */
-bool sg_solid_rows_make(const sg_solid *solid, sg_crew *crew,
-                        const sg_poll *poll, sg_solid_rows *out);
+/* False: no memory (or more edges than ids), or the cancellation said stop.
+ * Owner: sg_solid_rows_clear() in any case. A null thread pool is the caller
+ * alone. Exact. */
+bool sg_solid_rows_make(const sg_solid *solid, sg_pool *pool,
+                        const sg_cancel *cancel, sg_solid_rows *out);
 void sg_solid_rows_clear(sg_solid_rows *rows);
 
 /* Room in each relation: v and from_v of `vertices` and `plain` rows, e of
@@ -47,9 +48,9 @@ typedef struct sg_solid_sheets {
  * and from_p there are, the first ones. Planes are by Newell (plane.h),
  * rounded; nothing else is.
  *
- * Returns: false: no memory, or the poll said stop. */
-bool sg_solid_rows_write(const sg_solid_rows *rows, int32_t s, sg_crew *crew,
-                         const sg_poll *poll, const sg_solid_sheets *out,
+ * Returns: false: no memory, or the cancellation said stop. */
+bool sg_solid_rows_write(const sg_solid_rows *rows, int32_t s, sg_pool *pool,
+                         const sg_cancel *cancel, const sg_solid_sheets *out,
                          size_t *planes, size_t *sources);
 
 #endif

@@ -12,7 +12,7 @@ typedef struct matching {
   const sg_solid *solid;
   const sg_solid_old *old;
   sg_solid_over *out;
-  const sg_poll *poll;
+  const sg_cancel *cancel;
   sg_key_table was;  /* segment, vertex -> place of an old vertex */
   sg_key_table made; /* three doubles -> place of one that a cut made */
   uint32_t *first;   /* [old vertices]: an old face whose first triangle begins
@@ -62,7 +62,7 @@ know_vertices(matching *m)
     return false;
   }
   for (uint32_t i = 0; i < sg_old_count(m->old, SG_OLD_V); i++) {
-    uint32_t *known = sg_poll_every(m->poll, i) ? NULL : known_as(m, i);
+    uint32_t *known = sg_cancel_every(m->cancel, i) ? NULL : known_as(m, i);
     if (!known) {
       return false;
     }
@@ -405,13 +405,13 @@ match_all(matching *m)
 
   for (size_t i = 0; good && i < m->rows->vertices; i++) {
     match_vertex(m, m->rows->vertex[i]);
-    good = !sg_poll_every(m->poll, i);
+    good = !sg_cancel_every(m->cancel, i);
   }
   if (good) {
     list_faces(m);
   }
   for (uint32_t f = 0; good && f < m->solid->faces; f++) {
-    good = match_face(m, f) && !sg_poll_every(m->poll, f);
+    good = match_face(m, f) && !sg_cancel_every(m->cancel, f);
   }
   if (good) {
     keep_names(m);
@@ -421,10 +421,13 @@ match_all(matching *m)
 
 bool
 sg_solid_over_match(const sg_solid_rows *rows, const sg_solid_old *old,
-                    const sg_poll *poll, sg_solid_over *out)
+                    const sg_cancel *cancel, sg_solid_over *out)
 {
-  matching m = {
-      .rows = rows, .solid = rows->solid, .old = old, .out = out, .poll = poll};
+  matching m = {.rows = rows,
+                .solid = rows->solid,
+                .old = old,
+                .out = out,
+                .cancel = cancel};
 
   *out = (sg_solid_over){0};
   sg_key_table_init(&m.was, 2);

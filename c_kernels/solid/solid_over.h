@@ -60,15 +60,15 @@ typedef struct sg_solid_over {
  * faces_stay, gone. False: no memory, or stopped. Owner: sg_solid_over_clear()
  * in any case. Exact. */
 bool sg_solid_over_match(const sg_solid_rows *rows, const sg_solid_old *old,
-                         const sg_poll *poll, sg_solid_over *out);
+                         const sg_cancel *cancel, sg_solid_over *out);
 /* Of a region: the new faces are bounded by the edges that bounded the old
  * ones, once in 2^64 by chance, and of the new vertices none is where another
  * of the segment is. False also without memory, or stopped. */
 bool sg_solid_over_fits(const sg_solid_rows *rows, const sg_solid_old *old,
-                        const sg_solid_over *over, const sg_poll *poll);
+                        const sg_solid_over *over, const sg_cancel *cancel);
 /* Then the rows that are new, of segment s: the rest. The same. */
 bool sg_solid_over_write(const sg_solid_rows *rows, const sg_solid_old *old,
-                         int32_t s, sg_crew *crew, const sg_poll *poll,
+                         int32_t s, sg_pool *pool, const sg_cancel *cancel,
                          sg_solid_over *out);
 void sg_solid_over_clear(sg_solid_over *over);
 

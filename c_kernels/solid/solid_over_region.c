@@ -27,12 +27,12 @@ print_of(uint32_t a, uint32_t b, uint32_t c)
  * and so are those of the new ones. */
 static bool
 same_bounds(const sg_solid *solid, const sg_solid_old *old,
-            const sg_solid_over *over, const sg_poll *poll)
+            const sg_solid_over *over, const sg_cancel *cancel)
 {
   uint64_t was = 0, is = 0;
 
   for (uint32_t i = 0; i < sg_old_count(old, SG_OLD_T); i++) {
-    if (sg_poll_every(poll, i)) {
+    if (sg_cancel_every(cancel, i)) {
       return false;
     }
     was += print_of((uint32_t)sg_old_int(old, SG_OLD_T, 3, i),
@@ -41,7 +41,7 @@ same_bounds(const sg_solid *solid, const sg_solid_old *old,
   }
   for (size_t i = 0; i < solid->triangles; i++) {
     const uint32_t *v = solid->triangle[i];
-    if (sg_poll_every(poll, i)) {
+    if (sg_cancel_every(cancel, i)) {
       return false;
     }
     is += print_of(id_of(old, over, v[0]), id_of(old, over, v[1]),
@@ -98,7 +98,7 @@ is_elsewhere(const double at[3], const sg_key_table *table, const sg_box *box)
 /* No vertex of the segment beyond the region is in one of these places. */
 static bool
 others_are_elsewhere(const sg_solid_old *old, const sg_key_table *table,
-                     const sg_box *box, const sg_poll *poll)
+                     const sg_box *box, const sg_cancel *cancel)
 {
   const sg_view *view = old->view[SG_OLD_V];
 
@@ -110,7 +110,7 @@ others_are_elsewhere(const sg_solid_old *old, const sg_key_table *table,
       at[k] =
           view->column[2 + k].page[row / SG_PAGE_ROWS].f[row % SG_PAGE_ROWS];
     }
-    if (!is_elsewhere(at, table, box) || sg_poll_every(poll, i)) {
+    if (!is_elsewhere(at, table, box) || sg_cancel_every(cancel, i)) {
       return false;
     }
   }
@@ -121,7 +121,7 @@ others_are_elsewhere(const sg_solid_old *old, const sg_key_table *table,
  * name, say. One that a new face has is not new, so it is none of these. */
 static bool
 shared_are_elsewhere(const sg_solid_old *old, const sg_key_table *table,
-                     const sg_box *box, const sg_poll *poll)
+                     const sg_box *box, const sg_cancel *cancel)
 {
   for (uint32_t i = 0; table->n > 0 && i < sg_old_count(old, SG_OLD_V); i++) {
     int32_t id = sg_old_int(old, SG_OLD_V, 1, i);
@@ -131,7 +131,7 @@ shared_are_elsewhere(const sg_solid_old *old, const sg_key_table *table,
       at[k] = sg_old_float(old, SG_OLD_V, 2 + k, i);
     }
     if ((sg_old_is_held(&old->vertex, id) && !is_elsewhere(at, table, box)) ||
-        sg_poll_every(poll, i)) {
+        sg_cancel_every(cancel, i)) {
       return false;
     }
   }
@@ -140,16 +140,16 @@ shared_are_elsewhere(const sg_solid_old *old, const sg_key_table *table,
 
 bool
 sg_solid_over_fits(const sg_solid_rows *rows, const sg_solid_old *old,
-                   const sg_solid_over *over, const sg_poll *poll)
+                   const sg_solid_over *over, const sg_cancel *cancel)
 {
   sg_key_table table;
   sg_box box = sg_box_none();
 
   sg_key_table_init(&table, 6);
-  bool fits = same_bounds(rows->solid, old, over, poll) &&
+  bool fits = same_bounds(rows->solid, old, over, cancel) &&
               list_new(rows, over, &table, &box) &&
-              others_are_elsewhere(old, &table, &box, poll) &&
-              shared_are_elsewhere(old, &table, &box, poll);
+              others_are_elsewhere(old, &table, &box, cancel) &&
+              shared_are_elsewhere(old, &table, &box, cancel);
 
   sg_key_table_clear(&table);
   return fits;

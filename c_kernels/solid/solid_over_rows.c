@@ -48,7 +48,7 @@ exchange(sg_call *call, sg_world *world, const sg_solid_old *old,
                                   over->fresh[relation].n, column)) {
     return sg_call_no_memory(call);
   }
-  return !sg_poll_stop(&call->poll);
+  return !sg_cancelled(&call->cancel);
 }
 
 /* The rows of origin/3 have terms v(V). */
@@ -103,20 +103,20 @@ static bool
 is_unfit(sg_call *call, const sg_solid_rows *rows, const sg_solid_old *old,
          const sg_solid_over *over)
 {
-  return old->region.leaf ? !sg_solid_over_fits(rows, old, over, &call->poll)
+  return old->region.leaf ? !sg_solid_over_fits(rows, old, over, &call->cancel)
                           : is_little(over, rows->solid);
 }
 
 /* False without a refusal: it is not to be written over these rows. */
 static bool
 write_over(sg_call *call, sg_world *world, const sg_solid_rows *rows,
-           const sg_solid_old *old, int32_t s, sg_crew *crew)
+           const sg_solid_old *old, int32_t s, sg_pool *pool)
 {
   sg_solid_over over;
-  bool good = (sg_solid_over_match(rows, old, &call->poll, &over) ||
+  bool good = (sg_solid_over_match(rows, old, &call->cancel, &over) ||
                sg_call_ended(call)) &&
               !is_unfit(call, rows, old, &over) &&
-              (sg_solid_over_write(rows, old, s, crew, &call->poll, &over) ||
+              (sg_solid_over_write(rows, old, s, pool, &call->cancel, &over) ||
                sg_call_ended(call)) &&
               exchange_all(call, world, old, &over);
 
@@ -129,12 +129,12 @@ static bool
 write_solid(sg_call *call, sg_world *world, const sg_solid *solid,
             const sg_solid_old *old, int32_t s)
 {
-  sg_crew *crew = sg_call_crew(call);
+  sg_pool *pool = sg_call_pool(call);
   sg_solid_rows rows = {0};
-  bool good = crew &&
-              (sg_solid_rows_make(solid, crew, &call->poll, &rows) ||
+  bool good = pool &&
+              (sg_solid_rows_make(solid, pool, &call->cancel, &rows) ||
                sg_call_ended(call)) &&
-              write_over(call, world, &rows, old, s, crew);
+              write_over(call, world, &rows, old, s, pool);
 
   sg_solid_rows_clear(&rows);
   return good;
@@ -169,10 +169,11 @@ read_region(sg_call *call, int32_t s, const sg_int_list *leaves, sg_region *out)
       return sg_call_no_memory(call);
     }
   }
-  end = leaves
-            ? sg_solid_old_read_region(of, s, leaves->at, leaves->n,
-                                       sg_term_vertex, &call->poll, &out->old)
-            : sg_solid_old_read(of, s, sg_term_vertex, &call->poll, &out->old);
+  end =
+      leaves
+          ? sg_solid_old_read_region(of, s, leaves->at, leaves->n,
+                                     sg_term_vertex, &call->cancel, &out->old)
+          : sg_solid_old_read(of, s, sg_term_vertex, &call->cancel, &out->old);
   return end == SG_OLD_READ || (end == SG_OLD_FAILED && sg_call_ended(call));
 }
 

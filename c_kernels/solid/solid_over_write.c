@@ -132,7 +132,7 @@ open_lists(sg_solid_over *out)
 
 /* Every cell, with dense ids. */
 static bool
-fill(sg_solid_over *out, int32_t s, sg_crew *crew, const sg_poll *poll,
+fill(sg_solid_over *out, int32_t s, sg_pool *pool, const sg_cancel *cancel,
      sg_sheet sheet[SG_OLD_RELATIONS])
 {
   const sg_solid_rows *rows = &out->rest_rows;
@@ -156,7 +156,7 @@ fill(sg_solid_over *out, int32_t s, sg_crew *crew, const sg_poll *poll,
       return false;
     }
   }
-  return open_lists(out) && sg_solid_rows_write(rows, s, crew, poll, &to,
+  return open_lists(out) && sg_solid_rows_write(rows, s, pool, cancel, &to,
                                                 &out->fresh[SG_OLD_PLANE].n,
                                                 &out->fresh[SG_OLD_FROM_P].n);
 }
@@ -223,13 +223,14 @@ static const struct id_column {
 
 /* Ids in a column, dense up to here, get their names. False: stopped. */
 static bool
-rename_ids(sg_solid_over *out, const struct id_column *of, const sg_poll *poll)
+rename_ids(sg_solid_over *out, const struct id_column *of,
+           const sg_cancel *cancel)
 {
   const sg_over_rows *rows = &out->fresh[of->relation];
   int32_t *column = rows->column[of->column];
 
   for (size_t i = 0; i < rows->n; i++) {
-    if (sg_poll_every(poll, i)) {
+    if (sg_cancel_every(cancel, i)) {
       return false;
     }
     column[i] = out->id[of->kind][column[i] - 1];
@@ -238,12 +239,12 @@ rename_ids(sg_solid_over *out, const struct id_column *of, const sg_poll *poll)
 }
 
 static bool
-rename_lists(sg_solid_over *out, const sg_poll *poll)
+rename_lists(sg_solid_over *out, const sg_cancel *cancel)
 {
   int32_t **list = out->fresh[SG_OLD_P].column[2];
 
   for (size_t i = 0; i < out->fresh[SG_OLD_P].n; i++) {
-    if (sg_poll_every(poll, i)) {
+    if (sg_cancel_every(cancel, i)) {
       return false;
     }
     for (int32_t k = 1; k <= list[i][0]; k++) {
@@ -254,12 +255,12 @@ rename_lists(sg_solid_over *out, const sg_poll *poll)
 }
 
 static bool
-rename_all(sg_solid_over *out, const sg_poll *poll)
+rename_all(sg_solid_over *out, const sg_cancel *cancel)
 {
-  bool good = rename_lists(out, poll);
+  bool good = rename_lists(out, cancel);
 
   for (size_t i = 0; good && i < sizeof id_column / sizeof *id_column; i++) {
-    good = rename_ids(out, &id_column[i], poll);
+    good = rename_ids(out, &id_column[i], cancel);
   }
   return good;
 }
@@ -312,14 +313,14 @@ list_origins(sg_solid_over *out, int32_t s)
 
 bool
 sg_solid_over_write(const sg_solid_rows *rows, const sg_solid_old *old,
-                    int32_t s, sg_crew *crew, const sg_poll *poll,
+                    int32_t s, sg_pool *pool, const sg_cancel *cancel,
                     sg_solid_over *out)
 {
   sg_sheet sheet[SG_OLD_RELATIONS] = {{0}};
   bool good = take_rest(rows->solid, out) &&
-              sg_solid_rows_make(&out->rest, crew, poll, &out->rest_rows) &&
-              fill(out, s, crew, poll, sheet) && name_all(old, out) &&
-              rename_all(out, poll);
+              sg_solid_rows_make(&out->rest, pool, cancel, &out->rest_rows) &&
+              fill(out, s, pool, cancel, sheet) && name_all(old, out) &&
+              rename_all(out, cancel);
 
   for (int k = 0; k < SG_OLD_RELATIONS; k++) {
     free(sheet[k].page);

@@ -22,7 +22,7 @@ take(sg_call *call, const sg_version *version, const sg_int_list *segments,
     good = sg_version_view(version, read[i], &view[i]);
   }
   good = good && sg_solid_take(&(sg_solid_input){&view[0], &view[1], &view[2]},
-                               segments->at, segments->n, &call->poll, out);
+                               segments->at, segments->n, &call->cancel, out);
   for (int i = 0; i < 3; i++) {
     sg_view_clear(&view[i]);
   }
@@ -62,7 +62,7 @@ sg_door_solid_move(sg_call *call, sg_solid *solid,
     }
     memcpy(row[k], matrix->at[k].at, sizeof row[k]);
   }
-  if (!marked || sg_solid_move(solid, (const double(*)[4])row, &call->poll,
+  if (!marked || sg_solid_move(solid, (const double(*)[4])row, &call->cancel,
                                marked) != SG_MOVED) {
     return false;
   }
@@ -80,9 +80,9 @@ bool
 sg_door_solid_is_closed(sg_call *call, sg_solid *solid)
 {
   bool alone = solid->closed || solid->triangles < MANY;
-  sg_crew *crew = alone ? NULL : sg_call_crew(call);
+  sg_pool *pool = alone ? NULL : sg_call_pool(call);
 
-  return (alone || crew) && sg_solid_is_closed(solid, crew);
+  return (alone || pool) && sg_solid_is_closed(solid, pool);
 }
 
 bool
@@ -102,7 +102,7 @@ sg_door_solid_vertices(sg_call *call, sg_solid *solid,
       fact.from.is = SG_SOLID_VERTEX_FROM_MADE;
       fact.from.made.origin = solid->origin[i - solid->plain];
     }
-    if (sg_poll_every(&call->poll, i) ||
+    if (sg_cancel_every(&call->cancel, i) ||
         !sg_solid_vertex_fact_list_add(call, vertices, fact)) {
       return false;
     }
@@ -127,7 +127,7 @@ sg_door_solid_faces(sg_call *call, sg_solid *solid,
         return false;
       }
     }
-    if (sg_poll_every(&call->poll, i) ||
+    if (sg_cancel_every(&call->cancel, i) ||
         !sg_solid_face_fact_list_add(call, faces, fact)) {
       return false;
     }

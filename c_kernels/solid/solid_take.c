@@ -13,7 +13,7 @@ typedef struct take {
   const sg_solid_input *in;
   const int32_t *segment;
   size_t n;
-  const sg_poll *poll;
+  const sg_cancel *cancel;
   sg_segment_rows v, e, t;
   sg_id_rows number;      /* of one segment: vertex id -> number in the solid */
   sg_key_table auxiliary; /* two vertices -> 1, 0: also real */
@@ -167,10 +167,10 @@ take_triangles(take *k, size_t i)
     by[r] = (polygon_row){int_at(k->in->t, 1, row), row};
   }
   good = good &&
-         sg_sort(by, n, sizeof *by, compare_polygons, k->poll) == SG_SORTED;
+         sg_sort(by, n, sizeof *by, compare_polygons, k->cancel) == SG_SORTED;
   for (size_t r = 0; r < n && good; r++) {
     take_triangle(k, k->segment[i], by[r].row);
-    good = r % ASKED != ASKED - 1 || !sg_poll_stop(k->poll);
+    good = r % ASKED != ASKED - 1 || !sg_cancelled(k->cancel);
   }
   free(by);
   return good;
@@ -192,16 +192,16 @@ take_segment(take *k, size_t i)
 static bool
 find_rows(take *k)
 {
-  return sg_segment_rows_find(k->in->v, k->segment, k->n, k->poll, &k->v) &&
-         sg_segment_rows_find(k->in->e, k->segment, k->n, k->poll, &k->e) &&
-         sg_segment_rows_find(k->in->t, k->segment, k->n, k->poll, &k->t);
+  return sg_segment_rows_find(k->in->v, k->segment, k->n, k->cancel, &k->v) &&
+         sg_segment_rows_find(k->in->e, k->segment, k->n, k->cancel, &k->e) &&
+         sg_segment_rows_find(k->in->t, k->segment, k->n, k->cancel, &k->t);
 }
 
 bool
 sg_solid_take(const sg_solid_input *in, const int32_t *segment, size_t n,
-              const sg_poll *poll, sg_solid *out)
+              const sg_cancel *cancel, sg_solid *out)
 {
-  take k = {.in = in, .segment = segment, .n = n, .poll = poll, .out = out};
+  take k = {.in = in, .segment = segment, .n = n, .cancel = cancel, .out = out};
 
   *out = (sg_solid){0};
   bool good = find_rows(&k) && make_room(&k);

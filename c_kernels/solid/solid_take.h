@@ -5,8 +5,8 @@
 #ifndef SG_SOLID_TAKE_H
 #define SG_SOLID_TAKE_H
 
+#include "engine/cancel.h"
 #include "engine/column.h"
-#include "engine/poll.h"
 #include "solid.h"
 
 typedef struct sg_solid_input {
@@ -18,9 +18,9 @@ typedef struct sg_solid_input {
  * ascending; those of different segments stay apart. An edge is auxiliary if
  * every row of e/5 between its ends, in its direction, is.
  *
- * Returns: false: no memory, or the poll said stop.
+ * Returns: false: no memory, or the cancellation said stop.
  * Owner:   the caller, sg_solid_clear() in any case. Exact. */
 bool sg_solid_take(const sg_solid_input *in, const int32_t *segment, size_t n,
-                   const sg_poll *poll, sg_solid *out);
+                   const sg_cancel *cancel, sg_solid *out);
 
 #endif

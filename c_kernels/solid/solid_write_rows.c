@@ -54,7 +54,7 @@ make_lists(sg_call *call, const sg_solid_rows *rows, sg_append *p)
     if (!sg_append_lists(p, k, 2, length)) {
       return sg_call_no_memory(call);
     }
-    if (sg_poll_stop(&call->poll)) {
+    if (sg_cancelled(&call->cancel)) {
       return false;
     }
   }
@@ -112,7 +112,7 @@ fill_origins(sg_call *call, const sg_solid_rows *rows, int32_t s, sg_append *a,
   }
   return sg_append_terms(a, k, 1, o->item) &&
                  sg_append_terms(a, k, 2, o->origin)
-             ? !sg_poll_stop(&call->poll)
+             ? !sg_cancelled(&call->cancel)
              : sg_call_no_memory(call);
 }
 
@@ -181,7 +181,7 @@ commit_all(sg_call *call, sg_append append[RELATIONS], size_t planes,
 
 static bool
 write_rows(sg_call *call, sg_world *world, const sg_solid_rows *rows, int32_t s,
-           sg_crew *crew)
+           sg_pool *pool)
 {
   sg_append a[RELATIONS];
   size_t planes, sources;
@@ -193,7 +193,7 @@ write_rows(sg_call *call, sg_world *world, const sg_solid_rows *rows, int32_t s,
                                &a[PLANE].sheet, &a[T].sheet, &a[FROM_V].sheet,
                                &a[FROM_P].sheet};
   bool good = make_lists(call, rows, &a[P]) &&
-              (sg_solid_rows_write(rows, s, crew, &call->poll, &out, &planes,
+              (sg_solid_rows_write(rows, s, pool, &call->cancel, &out, &planes,
                                    &sources) ||
                sg_call_ended(call)) &&
               commit_all(call, a, planes, sources) &&
@@ -209,16 +209,16 @@ write_rows(sg_call *call, sg_world *world, const sg_solid_rows *rows, int32_t s,
 static bool
 write_solid(sg_call *call, sg_world *world, const sg_solid *solid, int32_t s)
 {
-  sg_crew *crew = sg_call_crew(call);
+  sg_pool *pool = sg_call_pool(call);
   sg_solid_rows rows;
 
-  if (!crew) {
+  if (!pool) {
     return false;
   }
-  bool good = sg_solid_rows_make(solid, crew, &call->poll, &rows) ||
+  bool good = sg_solid_rows_make(solid, pool, &call->cancel, &rows) ||
               sg_call_ended(call);
 
-  good = good && write_rows(call, world, &rows, s, crew);
+  good = good && write_rows(call, world, &rows, s, pool);
   sg_solid_rows_clear(&rows);
   return good;
 }

@@ -167,7 +167,7 @@ sg_door_roll_points(sg_call *call, const sg_roll_fact *fact,
 
     sg_roll_at(&roll, places->at[i].x * DEGREE, places->at[i].y, at);
     good =
-        !sg_poll_every(&call->poll, i) &&
+        !sg_cancel_every(&call->cancel, i) &&
         sg_paper_point_list_add(call, points, (sg_paper_point){at[0], at[1]});
   }
   sg_roll_clear(&roll);
@@ -194,7 +194,7 @@ add_curve(sg_call *call, const sg_roll_curve *curve,
         (sg_roll_place_fact){place[i].t / DEGREE, place[i].h, place[i].at[0],
                              place[i].at[1]});
   }
-  return good && !sg_poll_stop(&call->poll) &&
+  return good && !sg_cancelled(&call->cancel) &&
          sg_list_roll_place_fact_list_add(call, lists, list);
 }
 

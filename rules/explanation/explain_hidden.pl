@@ -8,7 +8,7 @@
 :- use_module(explain_pair, [decided_by/2]).
 :- use_module('../picture/hidden_lines',
               [ least_drawn/1, open_scene/2, hides/2, hides/4, lies_on/4,
-                line_turn/7, line_parts/5, stands_in/2
+                line_turn/7, line_parts/5, substitute_outline/2
               ]).
 :- use_module('../interval',
               [intervals_union/3, intervals_subtract/3]).
@@ -169,7 +169,7 @@ line_because(Scene, S, E, Wanted, Options, Because) :-
         pairs_values(Parts1, Parts2),
         some_parts(Wanted, Visible, Parts2, Parts)
     ),
-    findall(because(stands_in, []), stands_in(S, E), Alone),
+    findall(because(substitute_outline, []), substitute_outline(S, E), Alone),
     append([Role,Alone,Parts], Because).
 
 %   some_parts(Wanted, Visible, Parts0, Parts): who asks why it is visible is

@@ -42,11 +42,11 @@ Foreign predicates; see kernel.pl.
 %   length. In a common plane only borders of faces count: real edges that are
 %   not inside one, no chords. Exact, but for what cut_flat_within/2 allows.
 
-%!  cut_without_twins(+Set:cut_set) is det.
+%!  cut_without_coincident(+Set:cut_set) is det.
 %
 %   From now on cut_find/1 leaves out what lies inside where two segments have
-%   the same triangles (c_kernels/penetration/cut_twin.h): nothing changes there
-%   from one triangle to the next. A Boolean says so, which asks for each
+%   the same triangles (c_kernels/penetration/cut_coincident.h): nothing changes
+%   there from one triangle to the next. A Boolean says so, which asks for each
 %   component of a segment on which sides of the others it is.
 
 %!  cut_find(+Set:cut_set) is det.

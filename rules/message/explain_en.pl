@@ -282,7 +282,7 @@ statement_en(outline_piece(S, E, P, T)) -->
       [S, E, T, P, S, Word] ].
 statement_en(behind_fold(From)) -->
     [ 'from ~6g on it lies behind the fold of its own surface'-[From] ].
-statement_en(stands_in) -->
+statement_en(substitute_outline) -->
     [ 'there triangles of a smooth surface turn from the eye: it is drawn \c
        where it is seen and no other line is near' ].
 statement_en(turned_away(S, P, From, To)) -->

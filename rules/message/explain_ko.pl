@@ -279,7 +279,7 @@ statement_ko(outline_piece(S, E, P, T)) -->
        지난다. 그림에서 0 부터 1 까지'-[S, E, S, Word, P, T] ].
 statement_ko(behind_fold(From)) -->
     [ '~6g 부터는 제 곡면이 접힌 곳의 뒤에 있다'-[From] ].
-statement_ko(stands_in) -->
+statement_ko(substitute_outline) -->
     [ '매끄러운 곡면의 삼각형들이 여기서 눈에서 돌아선다: 보이고 가까이에 다른 선이 \c
        없는 곳에만 그린다' ].
 statement_ko(turned_away(S, P, From, To)) -->

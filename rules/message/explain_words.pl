@@ -79,7 +79,7 @@ statement_keys(verdict, [verdict, rules]).
 statement_keys(hidden_line, [segment, edge, start, end]).
 statement_keys(outline_piece, [segment, edge, polygon, triangle]).
 statement_keys(behind_fold, [from]).
-statement_keys(stands_in, []).
+statement_keys(substitute_outline, []).
 statement_keys(turned_away, [segment, polygon, from, to]).
 statement_keys(same_line, [segment1, edge1, segment2, edge2]).
 statement_keys(line_role, [role]).

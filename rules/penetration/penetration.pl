@@ -20,7 +20,7 @@
 :- use_module('../kernel',
               [ cut_set_open/2, cut_set_close/1, cut_flat_within/2,
                 cut_of_faces/1,
-                cut_without_twins/1, cut_find/1, near_segments/3,
+                cut_without_coincident/1, cut_find/1, near_segments/3,
                 cut_seal/1, cut_chains/2, cut_polygons/2,
                 cut_polygons_of/3, model_tolerance/1,
                 segments_meeting_themselves/2, segment_sewn/2
@@ -385,7 +385,7 @@ sewn(Wanted, Tolerance, Goal, Pairs, Set) :-
     ).
 
 lined(Wanted, Goal, Weights, _, Set) :-
-    cut_without_twins(Set),
+    cut_without_coincident(Set),
     stage(rules, find_lines(Set)),
     cut_polygons_of(Set, Wanted, Polygons),
     call(Goal, Set, Polygons, Weights).

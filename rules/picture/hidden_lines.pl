@@ -11,7 +11,7 @@
             line_parts/5,               % +Scene, +S, +E, -Visible, -Hidden
             hidden_by/6,                % ?S, ?E, -S2, -T, -From, -To
             hidden_by_polygon/6,        % ?S, ?E, -S2, -P, -From, -To
-            stands_in/2                 % +S, +E
+            substitute_outline/2                 % +S, +E
           ]).
 :- use_module('../near', [tolerance/2]).
 :- use_module(library(assoc), [list_to_assoc/2, get_assoc/3]).
@@ -318,19 +318,19 @@ shortest(Scene, S, E, Least) :-
 %   Of what stands in, what is left between others that are near is not drawn if
 %   it is no longer than what is near, but a short line as a whole is.
 shortest_drawn(Scene, S, E, Least) :-
-    (   stands_in(S, E)
+    (   substitute_outline(S, E)
     ->  scene_edge(Scene, S, E, Length, _),
         scene_near(Scene, Near),
         Least is min(Near/Length, 0.999)
     ;   shortest(Scene, S, E, Least)
     ).
 
-%!  stands_in(+S, +E) is semidet.
+%!  substitute_outline(+S, +E) is semidet.
 %
 %   True when line E of drawn/7 is a side at which triangles turn from the eye,
 %   which stands in for the outline of a smooth surface (contour.pl).
 
-stands_in(S, E) :-
+substitute_outline(S, E) :-
     E < 0,
     K is -E,
     contour(S, K, _, _, _, _, _, 2.0, _, _, _, _, _).
@@ -391,7 +391,7 @@ drawn_line(Scene, Which, Crease, S, E, Role) :-
 
 with_parts(Scene, (S-E)-Role, (S-E)-line(Rank-Role,Visible,Hidden)) :-
     line_parts(Scene, S, E, Visible, Hidden0),
-    (   stands_in(S, E)
+    (   substitute_outline(S, E)
     ->  Rank = last,
         Hidden = []
     ;   role_rank(Role, Rank),

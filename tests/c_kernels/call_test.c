@@ -19,21 +19,21 @@ static void
 a_stop_is_remembered(void)
 {
   bool stop = false;
-  sg_poll host = {say_stop, &stop};
+  sg_cancel host = {say_stop, &stop};
   sg_call call;
 
   sg_call_open(&call, &host, NULL);
-  CHECK("a stop is remembered", !sg_poll_stop(&call.poll) && !call.stopped);
+  CHECK("a stop is remembered", !sg_cancelled(&call.cancel) && !call.stopped);
   stop = true;
-  CHECK("a stop is remembered", sg_poll_stop(&call.poll) && call.stopped);
+  CHECK("a stop is remembered", sg_cancelled(&call.cancel) && call.stopped);
   stop = false;
   asked = 0;
-  CHECK("a stop is remembered", sg_poll_stop(&call.poll) && asked == 0);
+  CHECK("a stop is remembered", sg_cancelled(&call.cancel) && asked == 0);
   CHECK("a stop is remembered",
         !sg_call_ended(&call) && call.refusal.how == SG_REFUSED_NOTHING);
   sg_call_close(&call);
   sg_call_open(&call, NULL, NULL);
-  CHECK("a stop is remembered", !sg_poll_stop(&call.poll));
+  CHECK("a stop is remembered", !sg_cancelled(&call.cancel));
   CHECK("a stop is remembered",
         !sg_call_ended(&call) && call.refusal.how == SG_REFUSED_MEMORY);
   sg_call_close(&call);
@@ -177,7 +177,7 @@ a_call_has_a_version(void)
   CHECK("a row", sg_world_add(world, SG_V, row, NULL, NULL) == SG_OK);
   CHECK("one version", sg_call_version(&call) == version &&
                            sg_version_count(version, SG_V) == 0);
-  CHECK("threads", sg_call_crew(&call) == sg_call_crew(&call));
+  CHECK("threads", sg_call_pool(&call) == sg_call_pool(&call));
   sg_call_rest(&call);
   CHECK("another", sg_version_count(sg_call_version(&call), SG_V) == 1);
   sg_call_close(&call);

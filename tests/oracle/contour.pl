@@ -2,7 +2,7 @@
           [ contour_pieces/3,           % +S, +Crease, -Pieces
             surface_turns/3             % +S, +Crease, -Turns
           ]).
-:- use_module(contour_beside,
+:- use_module(contour_adjacent,
               [ beside_piece/4, is_point/2, end_rise/4, piece_place/5,
                 triangle_facing/3
               ]).
@@ -53,7 +53,7 @@ is changes at a cusp: there the picture of the outline turns back. So it is the
 picture that tells: a piece has the half with positive g on its left, seen from
 outside, and the normal is seen across it, on its right where that half is the
 nearer one. Hence what is not hidden never turns back. Which triangles lie
-beside a piece and therefore never hide it is said in contour_beside.pl.
+beside a piece and therefore never hide it is said in contour_adjacent.pl.
 
 The outline of a coarse sheet runs along the sides of its triangles, between one
 that is turned to the eye and one that is not: that of the smooth surface would
@@ -198,13 +198,13 @@ is_outline(Context, T-I, To) :-
     ->  To = 1.0,
         smooth_side(Sheets, T-I, _)
     ;   To = 2.0,
-        stands_in(Context, T-I)
+        substitute_outline(Context, T-I)
     ).
 
 %   Where a smooth surface would bulge at one of the two triangles. Of a solid
 %   only where the surface bends down, for else its own triangles hide it.
 
-stands_in(Context, T-I) :-
+substitute_outline(Context, T-I) :-
     Context = context(S, Sheets, _, _, _),
     smooth_side(Sheets, T-I, T2-_),
     (   is_solid(S)

@@ -1,7 +1,7 @@
 :- module(sg_oracle_contour_turn,
           [ side_turn/3                 % +Context, +Side, -Turn
           ]).
-:- use_module(contour_beside,
+:- use_module(contour_adjacent,
               [ beside_piece/4, is_point/2, triangle_facing/3,
                 triangle_kind/4
               ]).

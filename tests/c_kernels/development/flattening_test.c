@@ -372,28 +372,29 @@ stop(void *data)
 
 /* Everything that an unfolding takes, until it is stopped. */
 static bool
-unfold_until(const model *m, unfolded *u, const sg_poll *poll, bool *stopped)
+unfold_until(const model *m, unfolded *u, const sg_cancel *cancel,
+             bool *stopped)
 {
   sg_measures of;
   bool good =
-      sg_flat_faces_make(&m->dense, NULL, 1e-9, poll, &u->faces, stopped) &&
-      sg_joints_make(&u->faces, &m->dense, 1e-9, poll, &u->joints, stopped) &&
-      sg_flattening_make(&m->dense, &u->faces, &u->joints, poll, &u->flattening,
-                         stopped);
+      sg_flat_faces_make(&m->dense, NULL, 1e-9, cancel, &u->faces, stopped) &&
+      sg_joints_make(&u->faces, &m->dense, 1e-9, cancel, &u->joints, stopped) &&
+      sg_flattening_make(&m->dense, &u->faces, &u->joints, cancel,
+                         &u->flattening, stopped);
   uint32_t *js =
-      good ? sg_joint_order(&u->flattening, SG_ORDER_LONGEST, poll, stopped)
+      good ? sg_joint_order(&u->flattening, SG_ORDER_LONGEST, cancel, stopped)
            : NULL;
 
-  good = js &&
-         sg_flattening_join_all(&u->flattening, js, u->joints.n, poll, stopped);
+  good = js && sg_flattening_join_all(&u->flattening, js, u->joints.n, cancel,
+                                      stopped);
   free(js);
   const sg_lay_input in = {&u->flattening, 1e-9, SG_NO_FACE};
 
-  return good && sg_lay(&in, poll, &u->layout, stopped) &&
-         sg_measure(&u->flattening, &u->layout, poll, &of, stopped);
+  return good && sg_lay(&in, cancel, &u->layout, stopped) &&
+         sg_measure(&u->flattening, &u->layout, cancel, &of, stopped);
 }
 
-/* Stopped at any poll it ends, and says so; a new start is a new start. */
+/* Stopped at any cancel it ends, and says so; a new start is a new start. */
 static void
 check_stopping(void)
 {
@@ -404,11 +405,11 @@ check_stopping(void)
   add_torus(m, 18, 0.4);
   for (int k = 0; !done && k < 10000; k++) {
     unfolded u = {.layout = {0}};
-    int polls = k;
-    const sg_poll poll = {stop, &polls};
+    int asks = k;
+    const sg_cancel cancel = {stop, &asks};
     bool stopped = false;
 
-    done = unfold_until(m, &u, &poll, &stopped);
+    done = unfold_until(m, &u, &cancel, &stopped);
     wrong += done == stopped;
     times += stopped;
     forget(&u);
@@ -426,8 +427,8 @@ check_stopped_merge(void)
   enum { SQUARES = 12000 };
   model *m = new_model();
   unfolded u = {.layout = {0}};
-  int polls = 0;
-  const sg_poll poll = {stop, &polls};
+  int asks = 0;
+  const sg_cancel cancel = {stop, &asks};
   sg_joint_state state;
   bool stopped = false, apart = true;
   static int32_t v[2 * SQUARES + 2];
@@ -455,7 +456,7 @@ check_stopped_merge(void)
   u.flattening.moves = 0;
   u.flattening.state[1] = SG_JOINT_FORBIDDEN;
   CHECK("the last one is stopped",
-        !sg_flattening_join(&u.flattening, SQUARES / 2, &poll, &state,
+        !sg_flattening_join(&u.flattening, SQUARES / 2, &cancel, &state,
                             &stopped) &&
             stopped);
   for (uint32_t face = 0; face < u.faces.faces; face++) {

@@ -20,7 +20,7 @@ width_along(size_t n, const double *length, double *bent)
 {
   bool border[MOST + 1] = {false};
   sg_joint joint[MOST];
-  int polls = 3;
+  int asks = 3;
   double width = NAN;
   bool stopped;
 
@@ -30,7 +30,7 @@ width_along(size_t n, const double *length, double *bent)
   }
   sg_bent_vertices of = {n + 1, bent, border};
   sg_joints joints = {.n = n, .joint = joint};
-  bool good = sg_moats_grow(&of, &joints, true, &(sg_poll){stop, &polls},
+  bool good = sg_moats_grow(&of, &joints, true, &(sg_cancel){stop, &asks},
                             &width, &stopped);
 
   return good ? width : NAN;

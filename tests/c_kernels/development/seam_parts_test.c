@@ -52,8 +52,8 @@ most_parts(const int *twelfth, size_t n)
     bend[i] = twelfth[i] * acos(-1.0) / 3;
   }
   qsort(bend, n, sizeof *bend, by_size);
-  CHECK("no memory",
-        sg_seam_parts_most(bend, n, &(sg_poll){go_on, NULL}, &parts, &stopped));
+  CHECK("no memory", sg_seam_parts_most(bend, n, &(sg_cancel){go_on, NULL},
+                                        &parts, &stopped));
   CHECK("stopped", !stopped);
   free(bend);
   return parts;
@@ -175,19 +175,19 @@ check_rounding(void)
   double pair[2] = {0.4 * turns, 0.6 * turns + off};
   double triple[3] = {0.3 * turns, 0.3 * turns + off, 0.4 * turns + off};
   double apart[2] = {0.4 * turns, 0.6 * turns + 1.1 * SG_BENT_LEAST};
-  sg_poll poll = {go_on, NULL};
+  sg_cancel cancel = {go_on, NULL};
   size_t parts;
   bool stopped;
 
   CHECK("a pair",
-        sg_seam_parts_most(pair, 2, &poll, &parts, &stopped) && parts == 1);
+        sg_seam_parts_most(pair, 2, &cancel, &parts, &stopped) && parts == 1);
   CHECK("a triple",
-        sg_seam_parts_most(triple, 3, &poll, &parts, &stopped) && parts == 1);
+        sg_seam_parts_most(triple, 3, &cancel, &parts, &stopped) && parts == 1);
   CHECK("too far apart",
-        sg_seam_parts_most(apart, 2, &poll, &parts, &stopped) && parts == 0);
+        sg_seam_parts_most(apart, 2, &cancel, &parts, &stopped) && parts == 0);
   pair[1] -= 2 * off;
   CHECK("a little less",
-        sg_seam_parts_most(pair, 2, &poll, &parts, &stopped) && parts == 1);
+        sg_seam_parts_most(pair, 2, &cancel, &parts, &stopped) && parts == 1);
 }
 
 /* Three triples of bends that are equal but for rounding: whichever is asked
@@ -196,7 +196,7 @@ static void
 check_nearly_equal(void)
 {
   double part = acos(-1.0) / 3, off[2] = {1e-12, -1e-12};
-  sg_poll poll = {go_on, NULL};
+  sg_cancel cancel = {go_on, NULL};
   size_t parts;
   bool stopped;
 
@@ -206,7 +206,7 @@ check_nearly_equal(void)
       bend[i] = part * (i < 3 ? 1 : i < 6 ? 3 : 8) + off[k];
     }
     CHECK("three triples",
-          sg_seam_parts_most(bend, 9, &poll, &parts, &stopped) && parts == 3);
+          sg_seam_parts_most(bend, 9, &cancel, &parts, &stopped) && parts == 3);
   }
 }
 
@@ -217,8 +217,8 @@ check_stop(void)
   size_t parts;
   bool stopped;
 
-  CHECK("stopped", !sg_seam_parts_most(bend, 1, &(sg_poll){stop, NULL}, &parts,
-                                       &stopped) &&
+  CHECK("stopped", !sg_seam_parts_most(bend, 1, &(sg_cancel){stop, NULL},
+                                       &parts, &stopped) &&
                        stopped);
 }
 

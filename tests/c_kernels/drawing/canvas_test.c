@@ -139,11 +139,11 @@ static bool
 poll_stops(void)
 {
   static const double line[2][2] = {{1, 1}, {9, 9}};
-  sg_poll poll = {stop, NULL};
+  sg_cancel cancel = {stop, NULL};
   sg_brush brush = {1, {0, 0, 0}, true};
   sg_canvas c;
   bool ok = sg_canvas_open(&c, 10, 10, black) &&
-            !sg_canvas_line(&c, &brush, 2, line, &poll);
+            !sg_canvas_line(&c, &brush, 2, line, &cancel);
 
   sg_canvas_clear(&c);
   return ok;
@@ -186,10 +186,10 @@ poll_is_asked(void)
   const double line[2][2] = {{0, 1000}, {2000, 1000}};
   const sg_brush brush = {.width = 2000};
   int asked = 0;
-  sg_poll poll = {count, &asked};
+  sg_cancel cancel = {count, &asked};
   sg_canvas c;
   bool good = sg_canvas_open(&c, 2000, 2000, white) &&
-              sg_canvas_line(&c, &brush, 2, line, &poll);
+              sg_canvas_line(&c, &brush, 2, line, &cancel);
 
   sg_canvas_clear(&c);
   return good && asked > 50;

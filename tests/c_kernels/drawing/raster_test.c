@@ -156,7 +156,7 @@ stops(void)
 {
   static int32_t far[9][2];
   int asked = 0;
-  sg_poll poll = {ask_stop, &asked};
+  sg_cancel cancel = {ask_stop, &asked};
   sg_raster r;
 
   for (int i = 0; i < 9; i++) {
@@ -164,7 +164,7 @@ stops(void)
   }
   CHECK("open", sg_raster_open(&r, 8, 8));
   CHECK("stops",
-        !sg_raster_chain(&r, &solid, 9, (const int32_t(*)[2])far, &poll));
+        !sg_raster_chain(&r, &solid, 9, (const int32_t(*)[2])far, &cancel));
   CHECK("at once", asked == 1);
   sg_raster_clear(&r);
 }
@@ -267,7 +267,7 @@ files(void)
 {
   static const sg_colour palette[2] = {{255, 255, 255}, {0, 0, 0}};
   int asked = 0;
-  sg_poll poll = {ask_stop, &asked};
+  sg_cancel cancel = {ask_stop, &asked};
   sg_raster r;
   uint8_t *bytes;
   size_t n;
@@ -283,7 +283,7 @@ files(void)
   CHECK("is small", n < 200);
   free(bytes);
   CHECK("stopped",
-        sg_png_write(&r, 2, palette, &poll, &bytes, &n) == SG_PNG_STOPPED);
+        sg_png_write(&r, 2, palette, &cancel, &bytes, &n) == SG_PNG_STOPPED);
   CHECK("nothing left", !bytes && asked == 1);
   r.dot[5] = 2;
   CHECK("no colour",

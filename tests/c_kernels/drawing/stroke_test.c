@@ -105,14 +105,14 @@ stops(void)
 {
   enum { N = 200000 };
   static sg_stroke_part part[N];
-  const sg_poll poll = {stop, NULL};
+  const sg_cancel cancel = {stop, NULL};
   sg_strokes s;
   bool memory;
 
   for (int32_t i = 0; i < N; i++) {
     part[i] = line(VISIBLE, (i * 7919) % N, i, 0, i + 1, 0);
   }
-  return !sg_strokes_make(part, N, look, &poll, &s, &memory) && memory;
+  return !sg_strokes_make(part, N, look, &cancel, &s, &memory) && memory;
 }
 
 int

@@ -105,7 +105,7 @@ main(void)
   const sg_travel_line three[] = {
       {{{90, 0}, {100, 0}}}, {{{10, 0}, {1, 0}}}, {{{50, 12}, {12, 0}}}};
   const sg_travel_line same[] = {{{{5, 5}, {5, 5}}}, {{{5, 5}, {5, 5}}}};
-  const sg_poll poll = {stop, NULL};
+  const sg_cancel cancel = {stop, NULL};
   int64_t order[3];
   bool all = true, memory;
 
@@ -121,6 +121,6 @@ main(void)
   CHECK("many", random_agrees(1, MOST, 1000000));
   CHECK("many ends in one place", star_is_quick());
   CHECK("it stops",
-        !sg_travel_order(three, 3, start, order, &poll, &memory) && memory);
+        !sg_travel_order(three, 3, start, order, &cancel, &memory) && memory);
   return check_report();
 }

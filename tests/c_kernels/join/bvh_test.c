@@ -167,12 +167,12 @@ threads_agree(const soup *s)
   bool good = true;
 
   for (unsigned threads = 1; threads <= 4; threads *= 2) {
-    sg_crew *crew = sg_crew_open(threads);
-    sg_bvh *tree = sg_bvh_grow(MANY, give_boxes, s, NULL, &s->all, crew, NULL);
+    sg_pool *pool = sg_pool_open(threads);
+    sg_bvh *tree = sg_bvh_grow(MANY, give_boxes, s, NULL, &s->all, pool, NULL);
     sg_bvh_hits more;
 
     good = good && tree &&
-           sg_bvh_join(&(sg_bvh_pair){tree, tree}, 1, 0, crew, NULL, &more);
+           sg_bvh_join(&(sg_bvh_pair){tree, tree}, 1, 0, pool, NULL, &more);
     if (!first) {
       first = tree;
       hits = more;
@@ -182,14 +182,14 @@ threads_agree(const soup *s)
       sg_bvh_close(tree);
       free(more.hit);
     }
-    sg_crew_close(crew);
+    sg_pool_close(pool);
   }
   sg_bvh_close(first);
   free(hits.hit);
   return good && hits.n > 1000;
 }
 
-/* A poll that says stop at its k-th question ends the work, with nothing left
+/* A cancel that says stop at its k-th question ends the work, with nothing left
  * behind (the leak check sees to that), until it is not asked so often. */
 static bool
 stops_anywhere(const soup *s)
@@ -198,19 +198,20 @@ stops_anywhere(const soup *s)
 
   for (int k = 0; k < 2000 && !through; k = 2 * k + 1) {
     int left = k;
-    sg_poll poll = {stop_later, &left};
-    sg_crew *crew = sg_crew_open(2);
-    sg_bvh *tree = sg_bvh_grow(MANY, give_boxes, s, NULL, &s->all, crew, &poll);
+    sg_cancel cancel = {stop_later, &left};
+    sg_pool *pool = sg_pool_open(2);
+    sg_bvh *tree =
+        sg_bvh_grow(MANY, give_boxes, s, NULL, &s->all, pool, &cancel);
     sg_bvh_hits hits = {0};
 
-    through = tree &&
-              sg_bvh_join(&(sg_bvh_pair){tree, tree}, 1, 0, crew, &poll, &hits);
+    through = tree && sg_bvh_join(&(sg_bvh_pair){tree, tree}, 1, 0, pool,
+                                  &cancel, &hits);
     if (through != (left >= 0) || (k == 0 && tree)) {
       return false;
     }
     free(hits.hit);
     sg_bvh_close(tree);
-    sg_crew_close(crew);
+    sg_pool_close(pool);
   }
   return through;
 }
@@ -222,7 +223,7 @@ main(void)
          point = {{3, 3, 3}, {3, 3, 3}},
          far = {{1e300, -1e300, 0}, {1.5e308, 1e300, 0}};
   sg_box mixed[3] = {one, beside, far};
-  sg_poll stop = {stop_at_once, NULL};
+  sg_cancel stop = {stop_at_once, NULL};
   soup s = make_soup();
 
   CHECK("nothing meets nothing", is_right(NULL, 0, mixed, 0, 0, 0));

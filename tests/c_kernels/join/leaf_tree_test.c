@@ -224,15 +224,15 @@ threads_agree(const world *w)
       sg_leaf_trees_grow(&w->views, wanted, SEGMENTS, NULL, NULL, first);
 
   for (unsigned threads = 2; threads <= 4; threads += 2) {
-    sg_crew *crew = sg_crew_open(threads);
+    sg_pool *pool = sg_pool_open(threads);
 
     good = good &&
-           sg_leaf_trees_grow(&w->views, wanted, SEGMENTS, crew, NULL, tree);
+           sg_leaf_trees_grow(&w->views, wanted, SEGMENTS, pool, NULL, tree);
     for (size_t i = 0; i < SEGMENTS && good; i++) {
       good = same_trees(first[i], tree[i]);
       sg_leaf_tree_close(tree[i]);
     }
-    sg_crew_close(crew);
+    sg_pool_close(pool);
   }
   for (size_t i = 0; i < SEGMENTS; i++) {
     sg_leaf_tree_close(first[i]);
@@ -250,10 +250,11 @@ ask_stop(void *data)
 static bool
 stops(const world *w)
 {
-  sg_poll poll = {ask_stop, NULL};
+  sg_cancel cancel = {ask_stop, NULL};
   sg_leaf_tree *tree[SEGMENTS];
 
-  return !sg_leaf_trees_grow(&w->views, wanted, SEGMENTS, NULL, &poll, tree) &&
+  return !sg_leaf_trees_grow(&w->views, wanted, SEGMENTS, NULL, &cancel,
+                             tree) &&
          !tree[0] && !tree[SEGMENTS - 1];
 }
 

@@ -5,7 +5,7 @@
 #include "tests/check.h"
 
 #include "join/cut.h"
-#include "join/knots.h"
+#include "join/nonmanifold.h"
 #include "join/operand.h"
 #include "join/self_leaf.h"
 
@@ -203,17 +203,17 @@ test_knots(void)
 
   for (size_t i = 0; i < 3; i++) {
     mesh *m = new_mesh();
-    sg_knots knots;
+    sg_nonmanifold nonmanifold;
 
     add_tetrahedron(m, (int32_t[4]){1, 2, 3, 4}, origin, 6);
     add_tetrahedron(m, second[i], other, 3);
     open_mesh(m);
-    CHECK("knots", sg_knots_find(m->tree, &m->views, NULL, &knots));
-    CHECK("as many vertices as are shared", knots.vertices == i);
-    CHECK("their names",
-          (i < 1 || knots.vertex[0] == 1) && (i < 2 || knots.vertex[1] == 2));
-    CHECK("edges from both ends", knots.edges == (i == 2 ? 2 : 0));
-    sg_knots_clear(&knots);
+    CHECK("knots", sg_nonmanifold_find(m->tree, &m->views, NULL, &nonmanifold));
+    CHECK("as many vertices as are shared", nonmanifold.vertices == i);
+    CHECK("their names", (i < 1 || nonmanifold.vertex[0] == 1) &&
+                             (i < 2 || nonmanifold.vertex[1] == 2));
+    CHECK("edges from both ends", nonmanifold.edges == (i == 2 ? 2 : 0));
+    sg_nonmanifold_clear(&nonmanifold);
     close_mesh(m);
   }
 }

@@ -283,7 +283,7 @@ test_shift(void)
     right = right && s->on[i] && s->turns[i] == inside[i];
   }
   CHECK("shifted towards -x, +y, +z", right);
-  CHECK("stopped", !sg_tour_over(&tour, at, 5, &(sg_poll){stop, NULL}));
+  CHECK("stopped", !sg_tour_over(&tour, at, 5, &(sg_cancel){stop, NULL}));
   CHECK("no points", sg_tour_over(&tour, at, 0, NULL));
   sg_bvh_close(tree);
   free(s);

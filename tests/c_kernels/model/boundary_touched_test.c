@@ -106,7 +106,7 @@ main(void)
   beside(4, 5, 6);
   CHECK("a vertex inside", parts_of_square(own) == 4);
 
-  sg_poll stop = {never, NULL};
+  sg_cancel stop = {never, NULL};
   sg_dense d = {.segments = 1,
                 .vertex_begin = vertex_begin,
                 .polygon_begin = polygon_begin,

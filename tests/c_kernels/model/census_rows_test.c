@@ -55,7 +55,7 @@ stop(void *data)
 int
 main(void)
 {
-  static const sg_poll now = {stop, NULL};
+  static const sg_cancel now = {stop, NULL};
   sg_world *world = sg_world_open();
 
   sg_call_open(&call, NULL, NULL);

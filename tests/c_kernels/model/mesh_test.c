@@ -467,8 +467,8 @@ stop(void *data)
 static void
 test_stop(void)
 {
-  sg_poll poll = {stop, NULL};
-  sg_mesh_options options = {SG_WELD_AUTO, false, &poll};
+  sg_cancel cancel = {stop, NULL};
+  sg_mesh_options options = {SG_WELD_AUTO, false, &cancel};
   char text[9 * 5000 + 1];
 
   text[0] = '\0';

@@ -245,7 +245,7 @@ stop(void *data)
   return --*(int *)data < 0;
 }
 
-/* On one sheet, which has many rows; the poll is asked for each. */
+/* On one sheet, which has many rows; the cancellation is asked for each. */
 static void
 check_stopping(void)
 {
@@ -254,14 +254,14 @@ check_stopping(void)
   const sg_nest_paper paper = {61, 4000, 1, 1, false};
   sg_nest_piece piece[4];
   sg_nest_place place[4];
-  int polls = 50;
+  int asks = 50;
   bool memory;
 
   for (int i = 0; i < 4; i++) {
     piece[i] = (sg_nest_piece){plate, 4, &end, 1, turns, 1};
   }
   CHECK("the poll stops it", !sg_nest(&paper, piece, 4, place, NULL,
-                                      &(sg_poll){stop, &polls}, &memory));
+                                      &(sg_cancel){stop, &asks}, &memory));
   CHECK("it is not for want of memory", memory);
 }
 

@@ -68,7 +68,8 @@ each_pair(sg_resolve *r, bool (*use)(sg_resolve *r, const sg_resolve_leaf *a,
 }
 
 static sg_resolved
-make_face(const sg_resolve *r, sg_resolved_polygon *out, const sg_poll *poll)
+make_face(const sg_resolve *r, sg_resolved_polygon *out,
+          const sg_cancel *cancel)
 {
   int box = out->s - 1, f = out->p - 1;
   const double normal[3] = {box == 0 ? 1 : -1, 0, 0};
@@ -80,7 +81,7 @@ make_face(const sg_resolve *r, sg_resolved_polygon *out, const sg_poll *poll)
     corner(box, a, row[i].at[0]);
     corner(box, b, row[i].at[1]);
   }
-  return sg_resolve_polygon(r, normal, row, 4, out, poll);
+  return sg_resolve_polygon(r, normal, row, 4, out, cancel);
 }
 
 /* What became of the two faces that touch. */
@@ -131,7 +132,7 @@ count(const sg_resolve *r, const sg_resolved_polygon polygon[2], outcome *out)
 
 static void
 resolve_faces(sg_resolve *r, sg_resolved_polygon polygon[2],
-              const sg_poll *poll, outcome *out)
+              const sg_cancel *cancel, outcome *out)
 {
   out->end = SG_RESOLVE_NO_MEMORY;
   if (!each_pair(r, sg_resolve_see) || !each_pair(r, sg_resolve_pair)) {
@@ -144,16 +145,16 @@ resolve_faces(sg_resolve *r, sg_resolved_polygon polygon[2],
     }
   }
   for (int k = 0; k < 2 && out->end == SG_RESOLVED; k++) {
-    out->end = make_face(r, &polygon[k], poll);
+    out->end = make_face(r, &polygon[k], cancel);
   }
   if (out->end == SG_RESOLVED) {
-    out->end = sg_resolve_match(r, polygon, 2, poll);
+    out->end = sg_resolve_match(r, polygon, 2, cancel);
   }
 }
 
 /* The whole, with only so many allocations; *leaked: those not freed. */
 static outcome
-resolve_boxes(long allocations, const sg_poll *poll, long *leaked)
+resolve_boxes(long allocations, const sg_cancel *cancel, long *leaked)
 {
   sg_resolved_polygon polygon[2] = {{.s = 1, .p = 6}, {.s = 2, .p = 5}};
   outcome out = {0};
@@ -162,8 +163,8 @@ resolve_boxes(long allocations, const sg_poll *poll, long *leaked)
   living = 0;
   left = allocations;
   counting = true;
-  sg_resolve_init(&r, reach, is_real, NULL, poll);
-  resolve_faces(&r, polygon, poll, &out);
+  sg_resolve_init(&r, reach, is_real, NULL, cancel);
+  resolve_faces(&r, polygon, cancel, &out);
   left = -1;
   if (out.end == SG_RESOLVED) {
     count(&r, polygon, &out);
@@ -231,8 +232,8 @@ test_stopped(void)
 
   for (long n = 0; n < 1000 && out.end != SG_RESOLVED; n++) {
     long more = n;
-    sg_poll poll = {stop_later, &more};
-    out = resolve_boxes(-1, &poll, &leaked);
+    sg_cancel cancel = {stop_later, &more};
+    out = resolve_boxes(-1, &cancel, &leaked);
     stops += out.end == SG_RESOLVE_STOPPED;
     bad += leaked != 0 ||
            (out.end != SG_RESOLVED && out.end != SG_RESOLVE_STOPPED);

@@ -129,7 +129,7 @@ total_length(const mesh *m)
   for (size_t i = 0; i < m->contours.n; i++) {
     const sg_contour *piece = &m->contours.piece[i];
     double at[2][2];
-    if (piece->to == SG_STANDS_IN) {
+    if (piece->to == SG_SUBSTITUTE) {
       continue;
     }
     for (int end = 0; end < 2; end++) {
@@ -234,7 +234,7 @@ says_stop(void *data)
 static void
 test_stopped(void)
 {
-  const sg_poll poll = {says_stop, NULL};
+  const sg_cancel cancel = {says_stop, NULL};
   sg_smooth_input sheets;
   mesh m;
   bool memory;
@@ -242,7 +242,7 @@ test_stopped(void)
   torus_init(&m, 12, 0.4);
   sheets = (sg_smooth_input){.dense = &m.dense, .crease = 30.0};
   CHECK("stopped",
-        !sg_smooth_init(&m.smooth, &sheets, &poll, &memory) && memory);
+        !sg_smooth_init(&m.smooth, &sheets, &cancel, &memory) && memory);
   mesh_clear(&m);
 }
 

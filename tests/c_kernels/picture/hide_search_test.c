@@ -149,7 +149,7 @@ static void
 let_stand_in(sg_scene *scene)
 {
   for (size_t k = 0; k < scene->lines; k++) {
-    scene->line[k].look.stands_in = rand() % 4 == 0;
+    scene->line[k].look.substitute_outline = rand() % 4 == 0;
   }
 }
 
@@ -186,19 +186,19 @@ random_scenes(void)
   CHECK("and there was something to find", answers > 10000);
 }
 
-/* The parts of a scene, drawn by a crew. */
+/* The parts of a scene, drawn by a thread pool. */
 static sg_drawn_part *
 parts_by(const sg_mask_grid *masks, unsigned threads, size_t *n)
 {
   sg_drawing drawing = {.which = SG_LINES_ALL, .crease = 30.0};
-  sg_crew *crew = threads ? sg_crew_open(threads) : NULL;
+  sg_pool *pool = threads ? sg_pool_open(threads) : NULL;
   sg_drawn_part *part;
   bool memory;
 
-  if (!sg_parts_of(masks, &drawing, crew, NULL, &part, n, &memory)) {
+  if (!sg_parts_of(masks, &drawing, pool, NULL, &part, n, &memory)) {
     abort();
   }
-  sg_crew_close(crew);
+  sg_pool_close(pool);
   return part;
 }
 

@@ -241,7 +241,7 @@ cuts(void)
   free(m);
 }
 
-/* A poll that says stop when it has been asked often enough. */
+/* A cancel that says stop when it has been asked often enough. */
 static bool
 stop_at_zero(void *data)
 {
@@ -250,22 +250,23 @@ stop_at_zero(void *data)
   return (*left)-- <= 0;
 }
 
-/* True if the picture came out although the poll stops after some asks. */
+/* True if the picture came out although the cancellation stops after some asks.
+ */
 static bool
 finishes(model *m, int asks)
 {
-  sg_poll poll = {stop_at_zero, &asks};
+  sg_cancel cancel = {stop_at_zero, &asks};
   bool memory = true, done = false;
   sg_scene_model *seen;
-  sg_scene *scene = model_scene(m, &poll, &seen);
+  sg_scene *scene = model_scene(m, &cancel, &seen);
   sg_mask_grid masks = {0};
   sg_drawn_part *part = NULL;
   size_t n;
 
-  if (scene && sg_mask_grid_init(&masks, scene, &poll, &memory)) {
+  if (scene && sg_mask_grid_init(&masks, scene, &cancel, &memory)) {
     done = sg_parts_of(&masks,
                        &(sg_drawing){.which = SG_LINES_ALL, .crease = 30.0},
-                       NULL, &poll, &part, &n, &memory);
+                       NULL, &cancel, &part, &n, &memory);
     free(part);
   }
   sg_mask_grid_clear(&masks);

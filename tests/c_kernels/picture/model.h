@@ -257,7 +257,7 @@ model_polygon_begins(const model *m)
 
 /* What no eye changes; null: stopped. */
 static inline sg_scene_model *
-model_scene_model(const model *m, const sg_poll *poll)
+model_scene_model(const model *m, const sg_cancel *cancel)
 {
   sg_dense d = {.segments = (size_t)m->s};
   bool *solid = malloc((size_t)m->s + 1);
@@ -272,15 +272,16 @@ model_scene_model(const model *m, const sg_poll *poll)
   model_dense_vertices(m, &d);
   model_dense_edges(m, &d);
   model_dense_triangles(m, &d);
-  return sg_scene_model_open(&d, NULL, solid, m->cut, m->cuts, poll, &memory);
+  return sg_scene_model_open(&d, NULL, solid, m->cut, m->cuts, cancel, &memory);
 }
 
 /* What is seen of it as it is projected; null: stopped. *model_seen is to be
  * closed after it, in any case. */
 static inline sg_scene *
-model_scene(const model *m, const sg_poll *poll, sg_scene_model **model_seen)
+model_scene(const model *m, const sg_cancel *cancel,
+            sg_scene_model **model_seen)
 {
-  sg_scene_model *seen = model_scene_model(m, poll);
+  sg_scene_model *seen = model_scene_model(m, cancel);
   double(*screen)[3] = malloc((m->vertices + 1) * sizeof *screen);
   sg_scene_input in = {.model = seen,
                        .screen = (const double(*)[3])screen,
@@ -292,7 +293,7 @@ model_scene(const model *m, const sg_poll *poll, sg_scene_model **model_seen)
   for (size_t i = 0; i < m->vertices; i++) {
     memcpy(screen[i], m->vertex[i].screen, sizeof *screen);
   }
-  scene = seen ? sg_scene_open(&in, poll, &memory) : NULL;
+  scene = seen ? sg_scene_open(&in, cancel, &memory) : NULL;
   *model_seen = seen;
   free(screen);
   return scene;

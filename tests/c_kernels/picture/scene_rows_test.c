@@ -32,7 +32,7 @@ rows_in(sg_relation relation)
 
 /* A call of its own: the world as it is now. */
 static void
-call_again(const sg_poll *host)
+call_again(const sg_cancel *host)
 {
   sg_world *world = call.world;
 
@@ -222,7 +222,7 @@ stop(void *data)
 int
 main(void)
 {
-  static const sg_poll now = {stop, NULL};
+  static const sg_cancel now = {stop, NULL};
   sg_scene_index *scene = NULL;
 
   sg_call_open(&call, NULL, NULL);

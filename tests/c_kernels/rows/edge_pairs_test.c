@@ -117,7 +117,7 @@ check_fan(void)
   enum { EDGES = 200000 };
   int32_t *from = calloc(EDGES, sizeof *from);
   int32_t *to = malloc(EDGES * sizeof *to);
-  int most = 1000000, polls = most;
+  int most = 1000000, asks = most;
   sg_edge_pairs pairs;
   bool stopped;
 
@@ -126,16 +126,17 @@ check_fan(void)
   }
   CHECK("made",
         sg_edge_pairs_make(EDGES, from, to, EDGES + 1,
-                           &(sg_poll){count_down, &polls}, &pairs, &stopped));
+                           &(sg_cancel){count_down, &asks}, &pairs, &stopped));
   sg_edge_pairs_clear(&pairs);
-  int asked = most - polls;
+  int asked = most - asks;
 
   CHECK("the poll is asked while they are sorted, too",
         asked > 4 * (EDGES / 4096));
-  polls = asked / 2;
+  asks = asked / 2;
   CHECK("it can be stopped there",
         !sg_edge_pairs_make(EDGES, from, to, EDGES + 1,
-                            &(sg_poll){count_down, &polls}, &pairs, &stopped) &&
+                            &(sg_cancel){count_down, &asks}, &pairs,
+                            &stopped) &&
             stopped);
   sg_edge_pairs_clear(&pairs);
   free(from);

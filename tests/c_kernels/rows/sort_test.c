@@ -21,7 +21,7 @@ by_key(const void *a, const void *b)
   return (x->key > y->key) - (x->key < y->key);
 }
 
-/* A poll that says stop when it has been asked often enough. */
+/* A cancel that says stop when it has been asked often enough. */
 static bool
 stop_at_zero(void *data)
 {
@@ -144,10 +144,10 @@ main(void)
   CHECK("numbers sorted, equals in order", measured);
   for (int asks = 0; asks < 12; asks++) {
     int left = asks;
-    sg_poll poll = {stop_at_zero, &left};
+    sg_cancel cancel = {stop_at_zero, &left};
     sg_sort_end end;
     fill(array, MOST);
-    end = sg_sort(array, MOST, sizeof *array, by_key, &poll);
+    end = sg_sort(array, MOST, sizeof *array, by_key, &cancel);
     whole &=
         is_whole(array, MOST) && (end == SG_SORTED) == is_stable(array, MOST);
   }

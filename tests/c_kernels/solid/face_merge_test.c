@@ -316,11 +316,11 @@ test_threads(void)
     place_at_random(&solid, 10);
     sg_solid other = copy_of(&solid);
     sg_merge_options options = {.tolerance = TOLERANCE,
-                                .crew = sg_crew_open(2 + (unsigned)round % 3)};
+                                .pool = sg_pool_open(2 + (unsigned)round % 3)};
     merge(&solid, TOLERANCE);
     sg_face_merge(&other, &options, NULL);
     different += !same_solid(&solid, &other);
-    sg_crew_close(options.crew);
+    sg_pool_close(options.pool);
     sg_solid_clear(&solid);
     sg_solid_clear(&other);
   }
@@ -343,8 +343,8 @@ test_stopped(void)
     sg_solid solid = lump_solid(&lump, EACH_TRIANGLE);
     sg_solid before = copy_of(&solid);
     int left = after;
-    sg_poll poll = {ask, &left};
-    sg_merge_options options = {.tolerance = TOLERANCE, .poll = &poll};
+    sg_cancel cancel = {ask, &left};
+    sg_merge_options options = {.tolerance = TOLERANCE, .cancel = &cancel};
     if (sg_face_merge(&solid, &options, NULL) == SG_MERGE_STOPPED) {
       stopped++;
       changed += !same_solid(&solid, &before);

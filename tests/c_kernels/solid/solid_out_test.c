@@ -195,14 +195,14 @@ float_of(const room *r, int c, size_t i)
 }
 
 static bool
-write_cells(result *r, sg_crew *crew, const sg_poll *poll)
+write_cells(result *r, sg_pool *pool, const sg_cancel *cancel)
 {
   const sg_solid_sheets sheets = {&r->room[0].sheet, &r->room[1].sheet,
                                   &r->room[2].sheet, &r->room[3].sheet,
                                   &r->room[4].sheet, &r->room[5].sheet,
                                   &r->room[6].sheet};
 
-  return sg_solid_rows_write(&r->rows, 9, crew, poll, &sheets, &r->planes,
+  return sg_solid_rows_write(&r->rows, 9, pool, cancel, &sheets, &r->planes,
                              &r->sources);
 }
 
@@ -210,8 +210,8 @@ static bool
 make_result(const sg_solid *solid, unsigned threads, unsigned place,
             result *out)
 {
-  sg_crew *crew = sg_crew_open(threads);
-  bool good = sg_solid_rows_make(solid, crew, NULL, &out->rows);
+  sg_pool *pool = sg_pool_open(threads);
+  bool good = sg_solid_rows_make(solid, pool, NULL, &out->rows);
   size_t edges = out->rows.edge[solid->faces];
   const size_t n[7] = {out->rows.vertices,
                        edges,
@@ -230,8 +230,8 @@ make_result(const sg_solid *solid, unsigned threads, unsigned place,
     list[0] = (int32_t)(out->rows.edge[f + 1] - out->rows.edge[f]);
     memcpy(out->room[2].memory[2] + f * sizeof list, &list, sizeof list);
   }
-  good = good && write_cells(out, crew, NULL);
-  sg_crew_close(crew);
+  good = good && write_cells(out, pool, NULL);
+  sg_pool_close(pool);
   return good;
 }
 
@@ -352,15 +352,15 @@ test_stopped(void)
   sg_solid solid = random_solid(TRIANGLES, VERTICES, 4);
   sg_solid_rows rows;
   int asked = 0;
-  sg_poll poll = {stop, &asked};
+  sg_cancel cancel = {stop, &asked};
   result r;
 
-  CHECK("stopped", !sg_solid_rows_make(&solid, NULL, &poll, &rows));
+  CHECK("stopped", !sg_solid_rows_make(&solid, NULL, &cancel, &rows));
   CHECK("asked", asked > 1);
   sg_solid_rows_clear(&rows);
   asked = 0;
   CHECK("made", make_result(&solid, 1, 0, &r));
-  CHECK("stopped when writing", !write_cells(&r, NULL, &poll) && asked > 1);
+  CHECK("stopped when writing", !write_cells(&r, NULL, &cancel) && asked > 1);
   drop_result(&r);
 }
 

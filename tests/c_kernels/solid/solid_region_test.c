@@ -476,7 +476,7 @@ test_stopped(void)
   sg_solid solid = bar();
   const sg_view *view[SG_OLD_RELATIONS];
   int asked = 0;
-  sg_poll poll = {stop, &asked};
+  sg_cancel cancel = {stop, &asked};
   sg_solid_old old;
 
   write_world(&solid, &w);
@@ -484,8 +484,8 @@ test_stopped(void)
     view[k] = &w.of[k].view;
   }
   CHECK("stopped",
-        sg_solid_old_read_region(view, S, (int32_t[]){3}, 1, item_vertex, &poll,
-                                 &old) == SG_OLD_FAILED &&
+        sg_solid_old_read_region(view, S, (int32_t[]){3}, 1, item_vertex,
+                                 &cancel, &old) == SG_OLD_FAILED &&
             asked > 0);
   sg_solid_old_clear(&old);
   sg_solid_clear(&solid);

@@ -26,7 +26,7 @@ unsaid(development_en, what_en(no_numbers)).
 unsaid(explain_en, statement_en(made(crossing))).
 unsaid(explain_en, statement_en(edge_near(_,_))).
 unsaid(explain_en, statement_en(verdict(covered(_),_))).
-unsaid(explain_en, statement_en(stands_in)).
+unsaid(explain_en, statement_en(substitute_outline)).
 unsaid(explain_en, statement_en(joined_already(1,_,_))).
 unsaid(explain_en, statement_en(no_length)).
 unsaid(explain_en, statement_en(too_short)).

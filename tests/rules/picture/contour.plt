@@ -431,7 +431,7 @@ stand_in_because(E, Because) :-
     contour(1, K, _, _, _, _, _, 2.0, _, _, _, _, _),
     E is -K,
     explanation(hidden(1, E), [because(_, Because)]),
-    memberchk(because(stands_in, []), Because).
+    memberchk(because(substitute_outline, []), Because).
 
 within_visible(Because, From, To) :-
     member(because(visible_part(From1, To1), _), Because),
@@ -470,13 +470,14 @@ test(coarse, Odd-Inner == []-[]) :-
                                   \+ screen(1, _, X, Y, _) ), Inner) )).
 % Where triangles of a mesh turn from the eye, sides stand in for the outline:
 % they are drawn where no line is near, and never hidden.
-test(stands_in, forall(member(Theta-Phi, [20-110, 33-65, 20-80]))) :-
+test(substitute_outline, forall(member(Theta-Phi, [20-110, 33-65, 20-80]))) :-
     in_new_world(( pear, set_view(Theta, Phi, 0), picture,
                    same_as_rule(1, 30),
-                   findall(V, ( drawn(_, 1, E, _, _, V, _), stands_in(1, E) ),
+                   findall(V, ( drawn(_, 1, E, _, _, V, _),
+                                substitute_outline(1, E) ),
                            Vs),
                    sort(Vs, [visible]) )).
-test(stands_in_by_rule, [ forall(member(Seed, [1,2,3,4,5])),
+test(substitute_outline_by_rule, [ forall(member(Seed, [1,2,3,4,5])),
                           Kernel == Rule ]) :-
     a_view(Seed, Theta, Phi),
     in_new_world(( pear, set_view(Theta, Phi, 0),
@@ -486,7 +487,7 @@ test(stands_in_by_rule, [ forall(member(Seed, [1,2,3,4,5])),
                    findall(D, rounded_part(D), Rule) )).
 % Why: what is drawn of it is seen, and in place of the rest is another line, or
 % the surface goes on.
-test(stands_in_because, Why == [drawn_instead,surface_goes_on]) :-
+test(substitute_outline_because, Why == [drawn_instead,surface_goes_on]) :-
     in_new_world(( pear, set_view(20, 110, 0), picture,
                    findall(E-Because, stand_in_because(E, Because), All),
                    forall(( member(E-Because, All),

@@ -1,4 +1,4 @@
-#include "cut_twin.h"
+#include "cut_coincident.h"
 
 #include "join/self_pair.h"
 
@@ -23,7 +23,7 @@ typedef struct finder {
   sg_key_table twins;   /* S, S of the other, place -> those with a twin */
   asked *asked;         /* [triangles]: what was asked last */
   uint8_t *quiet;       /* [n]: first, whether a pair are twins */
-  const sg_poll *poll;
+  const sg_cancel *cancel;
   bool stopped;
 } finder;
 
@@ -32,7 +32,8 @@ typedef struct finder {
 static bool
 goes_on(finder *f, size_t i)
 {
-  f->stopped = f->stopped || (i % ASKED == ASKED - 1 && sg_poll_stop(f->poll));
+  f->stopped =
+      f->stopped || (i % ASKED == ASKED - 1 && sg_cancelled(f->cancel));
   return !f->stopped;
 }
 
@@ -234,14 +235,14 @@ is_quiet(const finder *f, size_t i)
 
 sg_sort_end
 sg_cut_find_quiet(const sg_cut_model *model, const uint32_t (*pair)[2],
-                  size_t n, uint8_t *quiet, const sg_poll *poll)
+                  size_t n, uint8_t *quiet, const sg_cancel *cancel)
 {
   finder f = {.model = model,
               .pair = pair,
               .n = n,
               .quiet = quiet,
               .asked = malloc((model->triangles + 1) * sizeof *f.asked),
-              .poll = poll};
+              .cancel = cancel};
   bool any = false;
 
   sg_key_table_init(&f.twin, 2);

@@ -1,8 +1,8 @@
-/* crew_test.c -- tasks are done once each, by whoever; crews that wait for the
- * next; and what several threads may ask at the same time. */
-#include "crew.h"
+/* thread_pool_test.c -- tasks are done once each, by whoever; thread pools that
+ * wait for the next; and what several threads may ask at the same time. */
 #include "number/exact.h"
 #include "tests/check.h"
+#include "thread_pool.h"
 
 #include <stdatomic.h>
 #include <stdbool.h>
@@ -20,10 +20,10 @@ count(void *data, size_t task)
 
 /* All tasks are done, each once. */
 static bool
-does_all(sg_crew *crew)
+does_all(sg_pool *pool)
 {
   atomic_int *done = calloc(TASKS, sizeof *done);
-  bool all = done && sg_crew_run(crew, TASKS, count, done, NULL);
+  bool all = done && sg_pool_run(pool, TASKS, count, done, NULL);
 
   for (size_t i = 0; i < TASKS && all; i++) {
     all = atomic_load(&done[i]) == 1;
@@ -35,47 +35,48 @@ does_all(sg_crew *crew)
 static void
 test_tasks(void)
 {
-  sg_crew *four = sg_crew_open(4), *any = sg_crew_open(0);
+  sg_pool *four = sg_pool_open(4), *any = sg_pool_open(0);
 
-  CHECK("alone", does_all(NULL) && sg_crew_threads(NULL) == 1);
+  CHECK("alone", does_all(NULL) && sg_pool_threads(NULL) == 1);
   CHECK("four", does_all(four) && does_all(four));
-  CHECK("as many as there are", does_all(any) && sg_crew_threads(any) > 0);
-  sg_crew_close(four);
-  sg_crew_close(any);
+  CHECK("as many as there are", does_all(any) && sg_pool_threads(any) > 0);
+  sg_pool_close(four);
+  sg_pool_close(any);
 }
 
 static void
 test_waiting(void)
 {
-  sg_crew *first = sg_crew_open(0);
+  sg_pool *first = sg_pool_open(0);
   bool good = does_all(first);
 
-  sg_crew_close(first);
+  sg_pool_close(first);
   for (int i = 0; i < 100 && good; i++) {
-    sg_crew *one = sg_crew_open(0), *other = sg_crew_open(0);
+    sg_pool *one = sg_pool_open(0), *other = sg_pool_open(0);
 
     good = one != other && does_all(one) && does_all(other);
-    sg_crew_close(one);
-    sg_crew_close(other);
+    sg_pool_close(one);
+    sg_pool_close(other);
   }
   CHECK("closed and opened again, two at a time", good);
 }
 
-/* A fork has the memory of the crew that waits, and none of its threads. */
+/* A fork has the memory of the thread pool that waits, and none of its threads.
+ */
 static void
 test_fork(void)
 {
-  sg_crew *before = sg_crew_open(0);
+  sg_pool *before = sg_pool_open(0);
   int status = 1;
 
   CHECK("before", does_all(before));
-  sg_crew_close(before);
+  sg_pool_close(before);
   pid_t child = fork();
   if (child == 0) {
-    sg_crew *crew = sg_crew_open(0);
-    bool good = does_all(crew) && does_all(crew);
+    sg_pool *pool = sg_pool_open(0);
+    bool good = does_all(pool) && does_all(pool);
 
-    sg_crew_close(crew);
+    sg_pool_close(pool);
     _exit(good ? 0 : 1);
   }
   CHECK("in a fork", waitpid(child, &status, 0) == child && status == 0);
@@ -138,13 +139,13 @@ agree(const asking *a, int i)
 static void
 test_points(void)
 {
-  sg_crew *crew = sg_crew_open(4);
+  sg_pool *pool = sg_pool_open(4);
   size_t good = 0;
 
   for (int round = 0; round < 20; round++) {
     asking *a = calloc(1, sizeof *a);
 
-    if (a && make_points(a) && sg_crew_run(crew, ASKERS, ask, a, NULL)) {
+    if (a && make_points(a) && sg_pool_run(pool, ASKERS, ask, a, NULL)) {
       for (int i = 0; i < POINTS; i++) {
         good += agree(a, i);
       }
@@ -155,7 +156,7 @@ test_points(void)
     free(a);
   }
   CHECK("rationals of shared points, asked by several", good == 20 * POINTS);
-  sg_crew_close(crew);
+  sg_pool_close(pool);
 }
 
 int

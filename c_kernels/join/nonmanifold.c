@@ -1,5 +1,6 @@
-/* knots.c -- see knots.h: the corners of all triangles, by their vertices. */
-#include "knots.h"
+/* nonmanifold.c -- see nonmanifold.h: the corners of all triangles, by their
+ * vertices. */
+#include "nonmanifold.h"
 #include "ids.h"
 #include "rows/list.h"
 
@@ -17,7 +18,7 @@ typedef struct fans {
   const sg_leaf_views *views;
   size_t *begin;  /* [places + 2] */
   corner *corner; /* those of place v: begin[v] .. begin[v + 1] - 1 */
-  sg_knots *out;
+  sg_nonmanifold *out;
   size_t vertex_room, edge_room;
 } fans;
 
@@ -39,7 +40,7 @@ id_of(const sg_id_rows *table, uint32_t place)
 /* ---- corners by vertex ---- */
 
 static bool
-sort_corners(fans *f, const sg_poll *poll)
+sort_corners(fans *f, const sg_cancel *cancel)
 {
   const sg_id_rows *table = &f->tree->vertex;
   size_t n = f->tree->boxes->n, places = table->places;
@@ -52,7 +53,7 @@ sort_corners(fans *f, const sg_poll *poll)
   for (size_t i = 0; i < n && good; i++) {
     sg_leaf leaf = sg_leaf_at(f->tree, f->views, f->tree->boxes->item[i]);
 
-    good = i % ASKED != ASKED - 1 || !sg_poll_stop(poll);
+    good = i % ASKED != ASKED - 1 || !sg_cancelled(cancel);
     for (int k = 0; k < 3; k++) {
       v[i][k] = place_of(table, leaf.v[k]);
       f->begin[v[i][k] + 2]++;
@@ -142,7 +143,7 @@ static bool
 note(fans *f, uint32_t place, const corner *c, size_t n)
 {
   const sg_id_rows *table = &f->tree->vertex;
-  sg_knots *out = f->out;
+  sg_nonmanifold *out = f->out;
 
   if (!sg_list_grow(&out->vertex, out->vertices, &f->vertex_room,
                     sizeof *out->vertex)) {
@@ -164,23 +165,23 @@ note(fans *f, uint32_t place, const corner *c, size_t n)
 }
 
 bool
-sg_knots_find(const sg_leaf_tree *tree, const sg_leaf_views *views,
-              const sg_poll *poll, sg_knots *out)
+sg_nonmanifold_find(const sg_leaf_tree *tree, const sg_leaf_views *views,
+                    const sg_cancel *cancel, sg_nonmanifold *out)
 {
   fans f = {.tree = tree, .views = views, .out = out};
   bool good;
 
-  *out = (sg_knots){0};
+  *out = (sg_nonmanifold){0};
   if (tree->curve || tree->boxes->n == 0) {
     return true;
   }
-  good = sort_corners(&f, poll);
+  good = sort_corners(&f, cancel);
   for (size_t v = 0; v < tree->vertex.places && good; v++) {
     corner *c = f.corner + f.begin[v];
     size_t n = f.begin[v + 1] - f.begin[v];
 
     sort_few(c, n);
-    good = (v % ASKED != ASKED - 1 || !sg_poll_stop(poll)) &&
+    good = (v % ASKED != ASKED - 1 || !sg_cancelled(cancel)) &&
            (n == 0 || is_plain(c, n) || note(&f, (uint32_t)v, c, n));
   }
   free(f.begin);
@@ -189,9 +190,9 @@ sg_knots_find(const sg_leaf_tree *tree, const sg_leaf_views *views,
 }
 
 void
-sg_knots_clear(sg_knots *knots)
+sg_nonmanifold_clear(sg_nonmanifold *nonmanifold)
 {
-  free(knots->vertex);
-  free(knots->edge);
-  *knots = (sg_knots){0};
+  free(nonmanifold->vertex);
+  free(nonmanifold->edge);
+  *nonmanifold = (sg_nonmanifold){0};
 }

@@ -1,4 +1,4 @@
-/* cut_twin.h -- where two segments have the same triangles.
+/* cut_coincident.h -- where two segments have the same triangles.
  *
  * Layer: kernel. Exact. A triangle of a segment is the TWIN of one of another
  * that has its three corners in the same places. A vertex is quiet between two
@@ -7,8 +7,8 @@
  * nothing in common but corners and edges, or all, are quiet: they touch
  * exactly, and across their edges the segments go on together.
  */
-#ifndef SG_CUT_TWIN_H
-#define SG_CUT_TWIN_H
+#ifndef SG_CUT_COINCIDENT_H
+#define SG_CUT_COINCIDENT_H
 
 #include "cut_model.h"
 #include "rows/sort.h"
@@ -18,6 +18,6 @@
  * all that touch. Cost: linear. */
 sg_sort_end sg_cut_find_quiet(const sg_cut_model *model,
                               const uint32_t (*pair)[2], size_t n,
-                              uint8_t *quiet, const sg_poll *poll);
+                              uint8_t *quiet, const sg_cancel *cancel);
 
 #endif

@@ -24,8 +24,11 @@ draw_first(model *m, drawn *out)
   size_t n;
   bool memory;
 
-  scene->line[0].look = (sg_look){
-      .faces = 2, .towards = 1, .away = 1, .left = 2, .stands_in = true};
+  scene->line[0].look = (sg_look){.faces = 2,
+                                  .towards = 1,
+                                  .away = 1,
+                                  .left = 2,
+                                  .substitute_outline = true};
   if (!sg_mask_grid_init(&masks, scene, NULL, &memory) ||
       !sg_parts_of(&masks, &drawing, NULL, NULL, &part, &n, &memory)) {
     abort();

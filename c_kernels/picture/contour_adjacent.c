@@ -1,4 +1,5 @@
-/* contour_beside.c -- see contour.h: the triangles that lie beside a piece. */
+/* contour_adjacent.c -- see contour.h: the triangles that lie beside a piece.
+ */
 #include "contour_private.h"
 
 #include "number/bounds.h"
@@ -178,7 +179,7 @@ compare(const void *a, const void *b)
 }
 
 bool
-sg_contour_find_beside(sg_contour_finder *f, sg_contour *piece)
+sg_contour_find_adjacent(sg_contour_finder *f, sg_contour *piece)
 {
   sg_contours *out = f->out;
 

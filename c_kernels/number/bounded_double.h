@@ -1,12 +1,12 @@
-/* twofold.h -- error-free sums and products of doubles, and numbers of twice
- * the digits that know how wrong they are.
+/* bounded_double.h -- error-free sums and products of doubles, and numbers of
+ * twice the digits that know how wrong they are.
  *
  * Layer: kernel. Source: T. J. Dekker, A floating-point technique for extending
  * the available precision, 1971; D. E. Knuth, The Art of Computer Programming,
  * 4.2.2. Needs rounding to nearest and no contraction.
  */
-#ifndef SG_TWOFOLD_H
-#define SG_TWOFOLD_H
+#ifndef SG_BOUNDED_DOUBLE_H
+#define SG_BOUNDED_DOUBLE_H
 
 #include <float.h>
 #include <math.h>
@@ -45,75 +45,75 @@ sg_two_product(double a, double b, double *hi, double *lo)
 /* A number that differs from hi + lo by at most e; lo is at most half a unit in
  * the last place of hi. Where something overflowed, e or a part is not finite.
  *
- * A sum or product of twofold numbers is wrong by less than 2^-103 of the sizes
+ * A sum or product of bounded numbers is wrong by less than 2^-103 of the sizes
  * of its terms, of which 2^-100 is taken; DBL_MIN covers underflow, and 1 +
  * 2^-50 the rounding of e itself. */
-typedef struct sg_twofold {
+typedef struct sg_bounded {
   double hi, lo, e;
-} sg_twofold;
+} sg_bounded;
 
 static inline double
-sg_twofold_bound(double e, double size)
+sg_bounded_bound(double e, double size)
 {
   return (e + 0x1p-100 * size + DBL_MIN) * (1 + 0x1p-50);
 }
 
 /* a - b, exactly. */
-static inline sg_twofold
-sg_twofold_difference(double a, double b)
+static inline sg_bounded
+sg_bounded_difference(double a, double b)
 {
-  sg_twofold out = {0, 0, 0};
+  sg_bounded out = {0, 0, 0};
 
   sg_two_sum(a, -b, &out.hi, &out.lo);
   return out;
 }
 
-static inline sg_twofold
-sg_twofold_plus(sg_twofold x, sg_twofold y)
+static inline sg_bounded
+sg_bounded_plus(sg_bounded x, sg_bounded y)
 {
-  sg_twofold out;
+  sg_bounded out;
   double s, t;
 
   sg_two_sum(x.hi, y.hi, &s, &t);
   sg_two_sum(s, t + (x.lo + y.lo), &out.hi, &out.lo);
-  out.e = sg_twofold_bound(x.e + y.e, fabs(x.hi) + fabs(y.hi));
+  out.e = sg_bounded_bound(x.e + y.e, fabs(x.hi) + fabs(y.hi));
   return out;
 }
 
-static inline sg_twofold
-sg_twofold_minus(sg_twofold x, sg_twofold y)
+static inline sg_bounded
+sg_bounded_minus(sg_bounded x, sg_bounded y)
 {
-  return sg_twofold_plus(x, (sg_twofold){-y.hi, -y.lo, y.e});
+  return sg_bounded_plus(x, (sg_bounded){-y.hi, -y.lo, y.e});
 }
 
-static inline sg_twofold
-sg_twofold_times(sg_twofold x, sg_twofold y)
+static inline sg_bounded
+sg_bounded_times(sg_bounded x, sg_bounded y)
 {
-  sg_twofold out;
+  sg_bounded out;
   double h, l, size_x = fabs(x.hi), size_y = fabs(y.hi);
 
   sg_two_product(x.hi, y.hi, &h, &l);
   sg_two_sum(h, l + (x.hi * y.lo + x.lo * y.hi), &out.hi, &out.lo);
-  out.e = sg_twofold_bound(size_x * y.e + size_y * x.e + x.e * y.e,
+  out.e = sg_bounded_bound(size_x * y.e + size_y * x.e + x.e * y.e,
                            size_x * size_y);
   return out;
 }
 
 /* x / y, with a bound from what is left of x; e is infinite or no number if y
  * may be 0. */
-static inline sg_twofold
-sg_twofold_quotient(sg_twofold x, sg_twofold y)
+static inline sg_bounded
+sg_bounded_quotient(sg_bounded x, sg_bounded y)
 {
-  sg_twofold out = {0, 0, 0};
+  sg_bounded out = {0, 0, 0};
   double first = x.hi / y.hi;
-  sg_twofold rest =
-      sg_twofold_minus(x, sg_twofold_times((sg_twofold){first, 0, 0}, y));
+  sg_bounded rest =
+      sg_bounded_minus(x, sg_bounded_times((sg_bounded){first, 0, 0}, y));
 
   sg_two_sum(first, rest.hi / y.hi, &out.hi, &out.lo);
-  rest = sg_twofold_minus(x, sg_twofold_times(out, y));
+  rest = sg_bounded_minus(x, sg_bounded_times(out, y));
   double least = fabs(y.hi) * (1 - 0x1p-50) - y.e;
 
-  out.e = least > 0 ? sg_twofold_bound(
+  out.e = least > 0 ? sg_bounded_bound(
                           (fabs(rest.hi) + rest.e) * (1 + 0x1p-50) / least, 0)
                     : INFINITY;
   return out;
@@ -121,7 +121,7 @@ sg_twofold_quotient(sg_twofold x, sg_twofold y)
 
 /* Whether every number that x may be has x.hi as its nearest double. */
 static inline int
-sg_twofold_is_rounded(sg_twofold x)
+sg_bounded_is_rounded(sg_bounded x)
 {
   double size = fabs(x.hi);
   double gap = size - nextafter(size, 0); /* the smaller of the two */
@@ -131,7 +131,7 @@ sg_twofold_is_rounded(sg_twofold x)
 
 /* Whether x may be a double. */
 static inline int
-sg_twofold_may_be_double(sg_twofold x)
+sg_bounded_may_be_double(sg_bounded x)
 {
   return !(fabs(x.lo) > x.e);
 }
