@@ -40,9 +40,9 @@ module that has it.
 :- reexport(store,
             [ assert_fact/1, assert_fact/2, retract_fact/1, retract_fact/2,
               retractall_facts/1, fresh_id/3, facts_transaction/1,
-              facts_snapshot/1, facts_undo/0, facts_redo/0,
-              facts_undo_limit/1, new_world/1,
-              current_world/1, set_world/1, in_world/2 ]).
+              facts_transaction/2, facts_snapshot/1, facts_undo/0,
+              facts_redo/0, facts_undo_limit/1, new_world/1, current_world/1,
+              set_world/1, in_world/2 ]).
 :- reexport(primitive/primitive_rows, [add_primitive/2]).
 :- reexport(polygon/triangulation, [complete_segments/0]).
 :- reexport(limits, [set_limit/2, limit_value/2]).

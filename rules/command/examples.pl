@@ -107,6 +107,9 @@ example(complete_segments/0, none,
          aggregate_all(count, t(1, _, _, _, _, _), N).", "N = 12").
 example(facts_transaction/1, 'facts/two_cubes.pl',
         "facts_transaction(( retract_fact(view(_, _, _)), fail )).", "false").
+example(facts_transaction/2, 'facts/two_cubes.pl',
+        "facts_transaction(retract_fact(segment(2, _, _)), \c
+         [cascade(true)]), root_segment(S).", "S = 1").
 example(facts_snapshot/1, 'facts/two_cubes.pl',
         "facts_snapshot(( penetrate, once(line(L,_,_,_,_,_,_,_,_)) )).",
         "L = 1").

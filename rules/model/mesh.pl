@@ -18,7 +18,7 @@
 :- use_module('../store',
               [ segment/3, assert_fact/1, facts_transaction/1, fresh_id/3 ]).
 :- use_module(library(aggregate), [aggregate_all/3]).
-:- use_module(library(apply), [foldl/6, maplist/2, maplist/3]).
+:- use_module(library(apply), [foldl/5, maplist/2, maplist/3]).
 :- use_module(library(error), [domain_error/2, existence_error/2, must_be/2]).
 :- use_module(library(lists), [member/2]).
 :- use_module(library(option), [option/3]).

@@ -191,7 +191,7 @@ for ending in obj off pl; do
   clean "unfold.$ending" 0 unfold "$work/h/cursor.pl" -o "$work/named.$ending"
 done
 bounded convert "$work/h/cursor.pl" -o "$work/named.obj"
-check 'OBJ: said' has 'what is not seen'
+check 'OBJ: said' has 'invisible characters'
 check 'OBJ: nothing cut' has 'b␀c d' "$work/named.obj"
 clean convert.stl 0 convert "$work/h/cursor.pl" -o "$work/named.stl"
 clean strict 1 convert "$work/h/cursor.pl" --strict -o "$work/named.stl"

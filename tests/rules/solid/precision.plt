@@ -36,6 +36,8 @@ user:message_hook(sanggwan(Said), _, _) :-
     functor(Said, Name, _),
     memberchk(Name, [tight,moved,flattened,opened,contacts,no_area]),
     assertz(test_precision:said(Said)).
+% STL has names of one line: a line end in one is told.
+user:message_hook(sanggwan(mesh(_,other_names(1))), warning, _).
 
 /* - - - boxes in files - - - */
 
