@@ -201,7 +201,7 @@ fault(task *t, sg_fault_kind kind, int32_t a, int32_t b, double size)
 static bool
 make_room(task *t, size_t n)
 {
-  size_t of_e = t->room, of_start = t->room; /* of all three */
+  size_t of_e = t->room, of_start = of_e; /* the room of all three */
 
   return sg_list_need(&t->e, n, &of_e, sizeof *t->e) &&
          sg_list_need(&t->start, n, &of_start, sizeof *t->start) &&

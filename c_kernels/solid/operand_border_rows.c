@@ -107,8 +107,8 @@ find(sg_call *call, const sg_dense *d, const from_rows *from,
   }
   memset(begin, 0, (d->polygons + 2) * sizeof *begin);
   fill_operands(d, from, begin, operand);
-  return sg_operand_borders_find(d, &(sg_operands_of){begin, operand},
-                                 &call->cancel, out, &stopped) ||
+  sg_operands_of operands = {begin, operand};
+  return sg_operand_borders_find(d, &operands, &call->cancel, out, &stopped) ||
          sg_call_ended(call);
 }
 

@@ -104,18 +104,18 @@ untriangulated(void)
 static void
 tolerances(void)
 {
-  double all, again, one, smallest, grain;
+  double all, again, one = 0, smallest = 0, grain;
   int32_t s[] = {CUBE};
+  sg_int_list cube = {s, 1, 1}, none = {0};
 
   CHECK("of the model", sg_door_model_tolerance(&call, &all));
   CHECK("it is kept",
         sg_door_model_tolerance(&call, &again) && all == again && all > 0);
-  CHECK("of the cube", sg_door_segments_tolerance(
-                           &call, &(sg_int_list){s, 1, 1}, &one, &smallest) &&
-                           one > 0 && one <= all && smallest == 1);
-  CHECK("of none",
-        sg_door_segments_tolerance(&call, &(sg_int_list){0}, &one, &smallest) &&
-            smallest == 0);
+  CHECK("of the cube",
+        sg_door_segments_tolerance(&call, &cube, &one, &smallest) && one > 0 &&
+            one <= all && smallest == 1);
+  CHECK("of none", sg_door_segments_tolerance(&call, &none, &one, &smallest) &&
+                       smallest == 0);
   CHECK("doubles", sg_door_segment_grain(&call, CUBE, &grain) && grain == 0);
 }
 
