@@ -3,6 +3,7 @@
 
 #include "flatness.h"
 #include "plane.h"
+#include "ring_ears.h"
 #include "rows/by_segment.h"
 #include "rows/key_table.h"
 #include "rows/keys.h"
@@ -186,6 +187,8 @@ typedef struct task {
   const edge **e;
   const vertex **start, **end; /* [n] */
   sg_plane plane;
+  double off;     /* the farthest that a vertex is off the plane */
+  double seen[3]; /* along which it is divided: the plane's normal, mostly */
   sg_work *work;
   sg_triangles found;
   bool stopped;
@@ -246,10 +249,10 @@ third_corner(const task *t)
 static bool
 fill_work(task *t)
 {
-  if (!t->work && !(t->work = sg_work_open(t->plane.n))) {
+  if (!t->work && !(t->work = sg_work_open(t->seen))) {
     return false;
   }
-  sg_work_clear(t->work, t->plane.n);
+  sg_work_clear(t->work, t->seen);
   for (size_t i = 0; i < t->n; i++) {
     sg_point start, end;
     sg_point_set(&start, t->start[i]->p);
@@ -295,13 +298,96 @@ find_triangles(task *t, int32_t bad[2])
   return outcome;
 }
 
+/* Looks along the axis of which the normal has the largest part, the next, and
+ * the least (0, 1, 2); 3: along the normal. False: it has no such part. */
+static bool
+look_along(task *t, int rank)
+{
+  const double *n = t->plane.n;
+  int axis[3] = {0, 1, 2};
+
+  for (int i = 0; i < 3; i++) {
+    for (int j = i + 1; j < 3; j++) {
+      if (fabs(n[axis[j]]) > fabs(n[axis[i]])) {
+        int swap = axis[i];
+        axis[i] = axis[j];
+        axis[j] = swap;
+      }
+    }
+  }
+  for (int k = 0; k < 3; k++) {
+    t->seen[k] = rank == 3 || axis[rank] == k ? n[k] : 0;
+  }
+  return rank == 3 || n[axis[rank]] != 0;
+}
+
+/* A ring of n edges has n - 2 triangles. A bent one may have fewer, or get
+ * stuck, where parts of it are seen edge-on: then along another axis. */
+static sg_outcome
+find_all_triangles(task *t, int32_t bad[2])
+{
+  sg_outcome outcome = find_triangles(t, bad);
+  bool bent = t->n > 3 && t->off > sg_flatness_flat(&t->model->flatness);
+
+  for (int rank = 1; bent && rank <= 3; rank++) {
+    bool missing = outcome == SG_DONE && t->found.n + 2 < t->n;
+    if (!missing && outcome != SG_STUCK) {
+      break;
+    }
+    if (!look_along(t, rank)) {
+      continue;
+    }
+    if (!fill_work(t)) {
+      return SG_NO_SPACE;
+    }
+    outcome = find_triangles(t, bad);
+  }
+  return outcome;
+}
+
+static bool
+is_missing_some(const task *t)
+{
+  return t->n > 3 && t->off > sg_flatness_flat(&t->model->flatness) &&
+         t->found.n + 2 < t->n;
+}
+
+/* A ring that is seen edge-on along each axis; *done tells if it is one. */
+static bool
+triangulate_in_space(task *t, bool *done)
+{
+  sg_ring_edge *ring = malloc(t->n * sizeof *ring);
+  int32_t(*triangle)[3] = malloc(t->n * sizeof *triangle);
+  bool ok = ring && triangle;
+
+  for (size_t i = 0; ok && i < t->n; i++) {
+    ring[i] = (sg_ring_edge){t->start[i]->id, t->end[i]->id, t->start[i]->p};
+  }
+  *done = false;
+  ok = ok && sg_ring_ears(ring, t->n, triangle, done);
+  for (size_t i = 0; ok && *done && i < t->n - 2; i++) {
+    ok = sg_complete_add_triangle(&t->out->triangles, &t->counts, t->s, t->p,
+                                  triangle[i]);
+  }
+  free(ring);
+  free(triangle);
+  return ok;
+}
+
 static bool
 triangulate(task *t)
 {
   int32_t bad[2] = {0, 0};
+  bool done = false;
 
-  switch (find_triangles(t, bad)) {
+  switch (find_all_triangles(t, bad)) {
   case SG_DONE:
+    if (is_missing_some(t)) {
+      bool ok = triangulate_in_space(t, &done);
+      if (!ok || done) {
+        return ok;
+      }
+    }
     break;
   case SG_STUCK:
     return fault(t, SG_FAULT_EDGE, bad[0], bad[1], 0);
@@ -354,13 +440,29 @@ quick_triangle(task *t, bool *done)
 static bool
 note_bent(task *t)
 {
-  double worst = 0;
+  return t->off <= sg_flatness_flat(&t->model->flatness) ||
+         fault(t, SG_FAULT_BENT, 0, 0, t->off);
+}
 
+/* Its plane: false if it has none. */
+static bool
+find_plane(task *t)
+{
+  sg_newell sum;
+
+  sg_newell_init(&sum);
   for (size_t i = 0; i < t->n; i++) {
-    worst = fmax(worst, fabs(sg_plane_distance(&t->plane, t->start[i]->p)));
+    sg_newell_edge(&sum, t->start[i]->p, t->end[i]->p);
   }
-  return worst <= sg_flatness_flat(&t->model->flatness) ||
-         fault(t, SG_FAULT_BENT, 0, 0, worst);
+  bool flat = sg_newell_plane(&sum, &t->plane);
+  if (!flat) {
+    t->plane = (sg_plane){{0, 0, 1}, 0};
+  }
+  t->off = 0;
+  for (size_t i = 0; flat && t->n > 3 && i < t->n; i++) {
+    t->off = fmax(t->off, fabs(sg_plane_distance(&t->plane, t->start[i]->p)));
+  }
+  return look_along(t, 3) && flat;
 }
 
 /* One vertex at which it does not close, an id, or 0. */
@@ -382,18 +484,9 @@ find_gap(task *t, int32_t *gap)
 static bool
 do_polygon(task *t)
 {
-  sg_newell sum;
   int32_t gap;
-  bool done = false;
+  bool done = false, flat = find_plane(t);
 
-  sg_newell_init(&sum);
-  for (size_t i = 0; i < t->n; i++) {
-    sg_newell_edge(&sum, t->start[i]->p, t->end[i]->p);
-  }
-  bool flat = sg_newell_plane(&sum, &t->plane);
-  if (!flat) {
-    t->plane = (sg_plane){{0, 0, 1}, 0};
-  }
   if (!find_gap(t, &gap)) {
     return false;
   }

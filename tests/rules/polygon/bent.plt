@@ -1,0 +1,109 @@
+/* Polygons that are far from flat: their triangles end where they end, or there
+   are none and that is told. */
+:- module(test_bent, []).
+:- use_module(library(apply)).
+:- use_module(library(lists)).
+:- use_module(library(plunit)).
+:- use_module(library(random)).
+:- use_module(rules(polygon/triangulation)).
+:- use_module(rules(store)).
+:- use_module(tests(rules/polyhedron), [in_new_world/1]).
+
+face([4,3,2,1]).
+face([5,6,7,8]).
+face([1,2,6,5]).
+face([2,3,7,6]).
+face([3,4,8,7]).
+face([4,1,5,8]).
+
+%   bent(+Seed): a cube with two corners somewhere on a small grid, so that
+%   edges often are seen end on, and sides lie on each other.
+
+bent(Seed) :-
+    set_random(seed(Seed)),
+    findall(p(X,Y,Z),
+            member(X-Y-Z, [0-0-0,2-0-0,2-2-0,0-2-0,0-0-2,2-0-2,2-2-2,0-2-2]),
+            Corners0),
+    moved(Corners0, Corners1),
+    moved(Corners1, Corners),
+    findall(Face, face(Face), Faces),
+    raw(Corners, Faces).
+
+%   raw(+Corners, +Faces): segment 1, without planes and triangles.
+
+raw(Corners, Faces) :-
+    assert_fact(segment(1, solid, bent)),
+    forall(nth1(V, Corners, p(X,Y,Z)), assert_fact(v(1, V, X, Y, Z))),
+    forall(nth1(P, Faces, Face), raw_face(P, Face)).
+
+raw_face(P, Face) :-
+    length(Face, N),
+    last(Face, Last),
+    append([Last], Face, Ring),
+    findall(E, ( nth0(I, Face, _), E is (P-1)*N + I + 1 ), Es),
+    forall(( nth1(I, Face, B), nth1(I, Ring, A), nth1(I, Es, E) ),
+           assert_fact(e(1, E, A, B, 1))),
+    assert_fact(p(1, P, Es)).
+
+moved(Corners0, Corners) :-
+    random_between(1, 8, At),
+    length(Before, At),
+    append(Before, After, Corners0),
+    append(Rest, [_], Before),
+    random_between(-2, 4, X),
+    random_between(-2, 4, Y),
+    random_between(-2, 4, Z),
+    append(Rest, [p(X,Y,Z)|After], Corners).
+
+%   open_polygon(-P): its triangles do not end where it ends.
+
+open_polygon(P) :-
+    p(1, P, Es),
+    is_bent(P, Es),
+    findall(A-B, ( member(E, Es), e(1, E, A, B, _) ), Edges0),
+    findall(A-B, ( t(1, P, _, X, Y, Z),
+                   member(A-B, [X-Y,Y-Z,Z-X]) ), Sides0),
+    Sides0 \== [],
+    exclude(has_twin(Sides0), Sides0, Sides),
+    msort(Edges0, Edges),
+    msort(Sides, Sorted),
+    Edges \== Sorted.
+
+%   A flat one may have a spike, whose triangle has no area.
+
+is_bent(P, Es) :-
+    plane(1, P, Nx, Ny, Nz, D),
+    member(E, Es),
+    e(1, E, A, _, _),
+    v(1, A, X, Y, Z),
+    abs(Nx*X + Ny*Y + Nz*Z + D) > 0.001,
+    !.
+
+has_twin(Sides, A-B) :-
+    memberchk(B-A, Sides).
+
+:- dynamic user:message_hook/3.
+:- multifile user:message_hook/3.
+
+% That they are not flat, or invalid, is told.
+user:message_hook(sanggwan(_), warning, _).
+
+:- begin_tests(bent).
+
+test(corner_through_the_cube, Count == 12) :-
+    in_new_world(( raw([p(0,0,0),p(1,0,0),p(1,1,0),p(0,1,0),
+                        p(0,0,1),p(1,0,1),p(-1,-1,-1),p(0,1,1)],
+                       [[4,3,2,1],[5,6,7,8],[1,2,6,5],[2,3,7,6],
+                        [3,4,8,7],[4,1,5,8]]),
+                   complete_segments,
+                   aggregate_all(count, t(1,_,_,_,_,_), Count) )).
+test(any, Open == []) :-
+    findall(Seed-P,
+            ( between(1, 300, Seed),
+              in_new_world(( bent(Seed), complete_segments,
+                             findall(Q, open_polygon(Q), Qs) )),
+              member(P, Qs) ),
+            Open),
+    format("counted: 300 bent cubes~n").
+
+:- end_tests(bent).
