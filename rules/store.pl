@@ -23,7 +23,7 @@
             screen/5,                 % ?S, ?V, ?Xs, ?Ys, ?Zs
             contour/13,               % ?S, ?K, ?T, ?I1, ?F1, ?I2, ?F2,
                                       % ?To, ?Ts, ?X1, ?Y1, ?X2, ?Y2
-            surface_turn/6,           % ?S, ?T, ?I, ?From, ?To, ?Ts
+            surface_facing/6,         % ?S, ?T, ?I, ?From, ?To, ?Ts
             drawn/7,                  % ?D, ?S, ?E, ?From, ?To,
                                       % ?Visibility, ?Role
             assert_fact/1,            % +Fact
@@ -213,12 +213,12 @@ refers to any more is freed with its handle by atom garbage collection.
 %   hide it either. In the picture it begins X1 to the right of that place and
 %   Y1 above, and ends X2 and Y2 beside the other: there the surface is.
 
-%!  surface_turn(?S, ?T, ?I, ?From, ?To, ?Ts) is nondet.
+%!  surface_facing(?S, ?T, ?I, ?From, ?To, ?Ts) is nondet.
 %
 %   True when a line along side I of triangle T of segment S is turned to the
 %   eye otherwise than T in the picture, since T stands for a smooth surface
-%   (tests/oracle/contour_turn.pl). That surface hides the line from From to To
-%   (0.0 at the smaller vertex of the side, 1.0 at the other, in the picture;
+%   (tests/oracle/contour_facing.pl). That surface hides the line from From to
+%   To (0.0 at the smaller vertex of the side, 1.0 at the other, in the picture;
 %   equal: no part of it), and the triangles Ts do not hide it.
 
 %!  drawn(?D, ?S, ?E, ?From, ?To, ?Visibility, ?Role) is nondet.
@@ -553,7 +553,7 @@ sandbox:safe_primitive(sg_store:projection(_)).
 sandbox:safe_primitive(sg_store:title_block(_,_)).
 sandbox:safe_primitive(sg_store:screen(_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:contour(_,_,_,_,_,_,_,_,_,_,_,_,_)).
-sandbox:safe_primitive(sg_store:surface_turn(_,_,_,_,_,_)).
+sandbox:safe_primitive(sg_store:surface_facing(_,_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:drawn(_,_,_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:edge_polygon(_,_,_)).
 sandbox:safe_primitive(sg_store:vertex_triangle(_,_,_)).

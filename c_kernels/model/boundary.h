@@ -24,7 +24,7 @@ typedef struct sg_rounding {
 } sg_rounding;
 
 /* Whether a face looks to the side it did. Inexact. */
-enum sg_turn {
+enum sg_facing {
   SG_UPRIGHT,
   SG_TURNED, /* turned over, so it is thinner than the rounding */
   SG_NO_AREA /* none that doubles can tell */
@@ -44,7 +44,7 @@ typedef struct sg_boundary {
   unsigned char *changed; /* [faces] it has a moved vertex, other edges than
                              before, or more than three: not the triangle that
                              the segment has */
-  unsigned char *turned;  /* [faces] what rounding did to it: sg_turn */
+  unsigned char *turned;  /* [faces] what rounding did to it: sg_facing */
 } sg_boundary;
 
 typedef enum sg_boundary_end {

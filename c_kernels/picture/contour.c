@@ -373,24 +373,24 @@ push_across(sg_contour_finder *f, uint32_t t)
 }
 
 static bool
-push_turn(sg_contours *out, const sg_turn *turn)
+push_facing(sg_contours *out, const sg_facing *facing)
 {
-  if (!sg_list_grow(&out->turn, out->turns, &out->turn_room,
-                    sizeof *out->turn)) {
+  if (!sg_list_grow(&out->facing, out->facings, &out->facing_room,
+                    sizeof *out->facing)) {
     return false;
   }
-  out->turn[out->turns++] = *turn;
+  out->facing[out->facings++] = *facing;
   return true;
 }
 
 /* False: no memory. */
 static bool
-push_turns(sg_contour_finder *f, uint32_t t)
+push_facings(sg_contour_finder *f, uint32_t t)
 {
-  sg_turn turn;
+  sg_facing facing;
 
   for (uint32_t side = 3 * t; side < 3 * t + 3; side++) {
-    if (sg_contour_turn(f, side, &turn) && !push_turn(f->out, &turn)) {
+    if (sg_contour_facing(f, side, &facing) && !push_facing(f->out, &facing)) {
       return false;
     }
   }
@@ -427,7 +427,7 @@ find_pieces(sg_contour_finder *f, const sg_cancel *cancel, bool *memory)
     if (t % ASK_EVERY == 0 && sg_cancelled(cancel)) {
       return false;
     }
-    if (!push_across(f, t) || !push_sides(f, t) || !push_turns(f, t)) {
+    if (!push_across(f, t) || !push_sides(f, t) || !push_facings(f, t)) {
       *memory = false;
       return false;
     }
@@ -449,9 +449,9 @@ find_besides(sg_contour_finder *f, const sg_cancel *cancel, bool *memory)
 {
   sg_contours *out = f->out;
 
-  for (size_t i = 0; i < out->n + out->turns; i++) {
+  for (size_t i = 0; i < out->n + out->facings; i++) {
     sg_contour *piece =
-        i < out->n ? &out->piece[i] : &out->turn[i - out->n].seen;
+        i < out->n ? &out->piece[i] : &out->facing[i - out->n].seen;
     if (i % POLL_PIECES == 0 && sg_cancelled(cancel)) {
       return false;
     }
@@ -500,7 +500,7 @@ void
 sg_contours_clear(sg_contours *contours)
 {
   free(contours->piece);
-  free(contours->turn);
+  free(contours->facing);
   free(contours->beside);
   *contours = (sg_contours){0};
 }

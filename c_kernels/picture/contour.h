@@ -57,7 +57,7 @@
  * Lines on a smooth surface (creases, penetration lines, borders) are turned to
  * the eye, or from it, as the surface is, not as the triangles are. Where both
  * say the same of a side nothing is told of it, nor where a smooth surface
- * would bulge. Else it has a *turn*, which says what the surface itself hides
+ * would bulge. Else it has a *facing*, which says what the surface itself hides
  * of the line: the part under whose surface the eye is (g < 0); of a solid, if
  * the other face goes down from the line, only where the eye is under that,
  * too, and if that goes up, all of the line if the eye is under that
@@ -70,7 +70,7 @@
  *
  * Source: Hertzmann & Zorin 2000, Illustrating smooth surfaces, section 3
  * (interpolated contours); cusps, what is beside a piece, what stands in, and
- * turns are ours.
+ * facings are ours.
  */
 #ifndef SG_CONTOUR_H
 #define SG_CONTOUR_H
@@ -107,19 +107,19 @@ typedef struct sg_contour {
 
 /* A line along a side whose surface is turned to the eye otherwise than the
  * triangle is. */
-typedef struct sg_turn {
+typedef struct sg_facing {
   sg_contour seen; /* the part that the surface does not hide: on one side; its
                       `to` is 0 if there is none */
   double from,
       to; /* the part that it hides, counted as `at`; from == to: none */
-} sg_turn;
+} sg_facing;
 
 typedef struct sg_contours {
   sg_contour *piece; /* [n], by triangle */
-  sg_turn *turn;     /* [turns], by triangle and side */
+  sg_facing *facing; /* [facings], by triangle and side */
   uint32_t *beside; /* [besides]: triangles, of each piece in ascending order */
-  size_t n, turns, besides;
-  size_t room, turn_room, beside_room;
+  size_t n, facings, besides;
+  size_t room, facing_room, beside_room;
 } sg_contours;
 
 /* False: stopped by the cancellation, or no memory (then *memory is false). The

@@ -108,7 +108,8 @@ bool sg_contour_bulges(const sg_contour_finder *f, uint32_t t);
 
 /* False: there, the line is turned to the eye as the triangle is, or none runs
  * there on a smooth surface. What is beside it is left open. */
-bool sg_contour_turn(const sg_contour_finder *f, uint32_t side, sg_turn *out);
+bool sg_contour_facing(const sg_contour_finder *f, uint32_t side,
+                       sg_facing *out);
 
 /* Appends what is beside the piece, and says how much. False: no memory. */
 bool sg_contour_find_adjacent(sg_contour_finder *f, sg_contour *piece);

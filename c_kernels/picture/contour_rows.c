@@ -29,7 +29,7 @@ piece_at(const sg_contours *contours, size_t i)
 static const sg_contour *
 seen_at(const sg_contours *contours, size_t i)
 {
-  return &contours->turn[i].seen;
+  return &contours->facing[i].seen;
 }
 
 static bool
@@ -85,19 +85,19 @@ write_row(rows *r, const sg_sheet_page *page, size_t i)
 }
 
 static void
-write_turn(rows *r, const sg_sheet_page *page, size_t i)
+write_facing(rows *r, const sg_sheet_page *page, size_t i)
 {
-  const sg_turn *turn = &r->contours->turn[page->from + i];
+  const sg_facing *facing = &r->contours->facing[page->from + i];
   const sg_dense *d = r->dense;
   const sg_blank *c = page->column;
-  uint32_t t = turn->seen.t;
+  uint32_t t = facing->seen.t;
 
   c[0].i[i] = d->segment[sg_dense_segment_of(d, d->triangle_begin, t)];
   c[1].i[i] = d->triangle_id[t];
-  c[2].i[i] = turn->seen.side[0] + 1;
-  c[3].f[i] = turn->from + 0.0;
-  c[4].f[i] = turn->to + 0.0;
-  write_beside(r, &turn->seen, c[5].list[i]);
+  c[2].i[i] = facing->seen.side[0] + 1;
+  c[3].f[i] = facing->from + 0.0;
+  c[4].f[i] = facing->to + 0.0;
+  write_beside(r, &facing->seen, c[5].list[i]);
 }
 
 static bool
@@ -126,10 +126,10 @@ static bool
 replace_rows(sg_call *call, rows *r)
 {
   static const row_kind pieces = {SG_CONTOUR, 8, piece_at, write_row};
-  static const row_kind turns = {SG_SURFACE_TURN, 5, seen_at, write_turn};
+  static const row_kind facings = {SG_SURFACE_FACING, 5, seen_at, write_facing};
 
   return replace_relation(call, r, &pieces, r->contours->n) &&
-         replace_relation(call, r, &turns, r->contours->turns);
+         replace_relation(call, r, &facings, r->contours->facings);
 }
 
 /* ---- finding ---- */

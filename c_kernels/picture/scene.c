@@ -8,9 +8,9 @@
 #include "rows/keys.h"
 #include "rows/sort.h"
 #include "scene_divided.h"
+#include "scene_facing.h"
 #include "scene_private.h"
 #include "scene_standard.h"
-#include "scene_turn.h"
 #include "smooth.h"
 
 #include <float.h>
@@ -22,7 +22,7 @@ typedef struct viewing {
   const sg_scene_model *model;
   const sg_cancel *cancel;
   sg_scene *scene;
-  sg_turn_index turn;
+  sg_facing_index facings;
   sg_divided divided;
   int8_t *facing; /* [polygons] 1 towards the eye, -1 away, 0 edge-on */
   uint64_t *key;  /* [masks] of what hides: order, then the place of a triangle,
@@ -305,32 +305,33 @@ facing_of_use(const viewing *w, uint32_t u)
   return facing_of(w, v, n);
 }
 
-/* The same, or, of a solid with a turn there, as its surface: turned to the eye
- * if it shows some of the line. */
+/* The same, or, of a solid with a facing there, as its surface: turned to the
+ * eye if it shows some of the line. */
 static int
-facing_at_turns(const viewing *w, uint32_t u, const sg_turns *turns)
+facing_at_line(const viewing *w, uint32_t u, const sg_facings *facings)
 {
   const sg_dense *d = &w->model->dense;
   int32_t polygon = w->model->use[u].polygon;
 
-  for (size_t i = 0; i < turns->n; i++) {
-    const sg_scene_turn *turn = turns->item[i].turn;
+  for (size_t i = 0; i < facings->n; i++) {
+    const sg_scene_facing *facing = facings->item[i].facing;
     size_t s =
-        sg_dense_segment_of(d, d->triangle_begin, (uint32_t)turn->triangle);
-    if (d->polygon_of[turn->triangle] == polygon && w->model->solid[s]) {
-      return turn->from > 0.0 || turn->to < 1.0 ? 1 : -1;
+        sg_dense_segment_of(d, d->triangle_begin, (uint32_t)facing->triangle);
+    if (d->polygon_of[facing->triangle] == polygon && w->model->solid[s]) {
+      return facing->from > 0.0 || facing->to < 1.0 ? 1 : -1;
     }
   }
   return facing_of_use(w, u);
 }
 
 static void
-look_at_line(const viewing *w, size_t k, const sg_turns *turns, sg_look *look)
+look_at_line(const viewing *w, size_t k, const sg_facings *facings,
+             sg_look *look)
 {
   const sg_scene_model *m = w->model;
 
   for (uint32_t u = m->use_begin[k]; u < m->use_begin[k + 1]; u++) {
-    int facing = facing_at_turns(w, u, turns);
+    int facing = facing_at_line(w, u, facings);
     int side = facing * m->use[u].along;
     look->towards += facing > 0;
     look->away += facing < 0;
@@ -427,19 +428,19 @@ enter_line(const viewing *w, size_t k)
 {
   sg_scene *scene = w->scene;
   sg_scene_line *line = &scene->line[scene->lines];
-  sg_turns turns;
+  sg_facings facings;
 
   begin_line(scene);
   *line = w->model->line[k];
-  turns = sg_turn_index_find(&w->turn, line->a, line->b);
-  for (size_t i = 0; i < turns.n; i++) {
-    const sg_scene_turn *turn = turns.item[i].turn;
-    enter_lies(scene, turn->lies_on, turn->triangles);
-    enter_fold(scene, sg_turn_fold(&w->turn, turn, line->a));
+  facings = sg_facing_index_find(&w->facings, line->a, line->b);
+  for (size_t i = 0; i < facings.n; i++) {
+    const sg_scene_facing *facing = facings.item[i].facing;
+    enter_lies(scene, facing->lies_on, facing->triangles);
+    enter_fold(scene, sg_facing_fold(&w->facings, facing, line->a));
   }
   line->a = w->model->same[line->a];
   line->b = w->model->same[line->b];
-  look_at_line(w, k, &turns, &line->look);
+  look_at_line(w, k, &facings, &line->look);
   line->look.bend = bend_of(w, k);
   line->look.inside = is_inside(w, k);
   scene->lines++;
@@ -476,10 +477,11 @@ count_said(const viewing *w, size_t *lies, size_t *folds)
   for (size_t i = 0; i < w->in->addeds; i++) {
     *lies += w->in->added[i].triangles;
   }
-  for (size_t k = 0; w->turn.n > 0 && k < m->lines; k++) {
-    sg_turns turns = sg_turn_index_find(&w->turn, m->line[k].a, m->line[k].b);
-    *lies += sg_turns_lies(&turns);
-    *folds += turns.n;
+  for (size_t k = 0; w->facings.n > 0 && k < m->lines; k++) {
+    sg_facings facings =
+        sg_facing_index_find(&w->facings, m->line[k].a, m->line[k].b);
+    *lies += sg_facings_lies(&facings);
+    *folds += facings.n;
   }
 }
 
@@ -491,7 +493,7 @@ line_room(viewing *w)
   sg_scene *scene = w->scene;
 
   scene->line = malloc((most + 1) * sizeof *scene->line);
-  if (w->in->addeds == 0 && w->turn.n == 0) {
+  if (w->in->addeds == 0 && w->facings.n == 0) {
     return scene->line != NULL;
   }
   count_said(w, &lies, &folds);
@@ -508,7 +510,7 @@ make_lines(viewing *w)
 {
   size_t n = w->in->addeds;
   const sg_scene_added **added = malloc((n + 1) * sizeof(sg_scene_added *));
-  bool good = added && sg_turn_index_init(&w->turn, w->in) && line_room(w);
+  bool good = added && sg_facing_index_init(&w->facings, w->in) && line_room(w);
 
   for (size_t i = 0; good && i < n; i++) {
     added[i] = &w->in->added[i];
@@ -518,7 +520,7 @@ make_lines(viewing *w)
     merge_lines(w, added);
   }
   free(added);
-  sg_turn_index_clear(&w->turn);
+  sg_facing_index_clear(&w->facings);
   return good;
 }
 

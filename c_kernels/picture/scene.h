@@ -36,14 +36,14 @@ typedef struct sg_scene_added {
 
 /* A line along a side of a triangle that is turned to the eye otherwise than
  * the triangle is (contour.h). */
-typedef struct sg_scene_turn {
+typedef struct sg_scene_facing {
   int32_t s;
   int32_t triangle;       /* its place in the model */
   uint32_t v[2];          /* where the side begins and ends: places */
   double from, to;        /* the part that the surface hides; equal: none */
   const int32_t *lies_on; /* [triangles] as of an added line */
   size_t triangles;
-} sg_scene_turn;
+} sg_scene_facing;
 
 /* What a scene is made from; the arrays belong to the caller. */
 typedef struct sg_scene_input {
@@ -52,8 +52,8 @@ typedef struct sg_scene_input {
   const bool *shown;           /* [vertices] that have a place; null: all */
   const sg_scene_added *added; /* [addeds] */
   size_t addeds;
-  const sg_scene_turn *turn; /* [turns] */
-  size_t turns;
+  const sg_scene_facing *facing; /* [facings] */
+  size_t facings;
   const bool *curved;  /* [polygons] that lie in curved sheets (smooth.h), whose
                           outlines are among `added`; null: none */
   const bool *faceted; /* [segments] that are what their facets are; null:
@@ -86,10 +86,10 @@ typedef struct sg_scene {
   sg_scene_fold *fold;  /* line by line */
   uint32_t *fold_begin; /* [lines + 1] null: no line has any */
   uint32_t *lies_begin; /* [lines + 1] null: no line says what it lies on */
-  int32_t *lies_on;     /* the triangles that added lines, and those with turns,
-                           lie on: places in the model */
-  sg_scene_mask *mask;  /* nearest first: sorted by low[2], rounded down to a
-                           float, then by triangle */
+  int32_t *lies_on; /* the triangles that added lines, and those with facings,
+                       lie on: places in the model */
+  sg_scene_mask *mask; /* nearest first: sorted by low[2], rounded down to a
+                          float, then by triangle */
   size_t vertices, lines, masks;
   double tolerance; /* what is nearer to a plane than this lies in it */
   double close;     /* what is nearer than this is in one place of the picture:

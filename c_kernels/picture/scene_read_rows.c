@@ -178,11 +178,11 @@ count_piece(void *data, const sg_live_row *r)
 }
 
 static void
-count_turn(void *data, const sg_live_row *r)
+count_facing(void *data, const sg_live_row *r)
 {
   piecing *p = data;
 
-  p->out->turns++;
+  p->out->facings++;
   p->out->lies += (size_t)sg_row_list(r, 5)[0];
 }
 
@@ -226,23 +226,23 @@ read_lies(piecing *p, const sg_live_row *r, unsigned column, int32_t s,
 }
 
 static void
-read_turn(void *data, const sg_live_row *r)
+read_facing(void *data, const sg_live_row *r)
 {
   piecing *p = data;
-  sg_scene_turn *turn = &p->out->turn[p->out->turns];
+  sg_scene_facing *facing = &p->out->facing[p->out->facings];
   int32_t s = sg_row_int(r, 0), i = sg_row_int(r, 2);
   int32_t t = sg_dense_triangle(&p->model->dense, s, sg_row_int(r, 1));
 
   if (t >= 0) {
     const int32_t *v = p->model->dense.corner[t];
     uint32_t a = (uint32_t)v[i - 1], b = (uint32_t)v[i % 3];
-    *turn = (sg_scene_turn){.s = s,
-                            .triangle = t,
-                            .v = {a < b ? a : b, a < b ? b : a},
-                            .from = sg_row_number(r, 3),
-                            .to = sg_row_number(r, 4)};
-    turn->triangles = read_lies(p, r, 5, s, &turn->lies_on);
-    p->out->turns++;
+    *facing = (sg_scene_facing){.s = s,
+                                .triangle = t,
+                                .v = {a < b ? a : b, a < b ? b : a},
+                                .from = sg_row_number(r, 3),
+                                .to = sg_row_number(r, 4)};
+    facing->triangles = read_lies(p, r, 5, s, &facing->lies_on);
+    p->out->facings++;
   }
 }
 
@@ -299,14 +299,14 @@ sg_scene_pieces_read(sg_call *call, const sg_scene_model *model,
 
   *out = (sg_scene_pieces){0};
   if (!sg_each_row(call, SG_CONTOUR, count_piece, &p) ||
-      !sg_each_row(call, SG_SURFACE_TURN, count_turn, &p)) {
+      !sg_each_row(call, SG_SURFACE_FACING, count_facing, &p)) {
     return false;
   }
   out->added = sg_call_alloc(call, out->n * sizeof *out->added);
-  out->turn = sg_call_alloc(call, out->turns * sizeof *out->turn);
+  out->facing = sg_call_alloc(call, out->facings * sizeof *out->facing);
   out->lies_on = sg_call_alloc(call, out->lies * sizeof *out->lies_on);
-  out->n = out->turns = out->lies = 0;
-  return out->added && out->turn && out->lies_on &&
+  out->n = out->facings = out->lies = 0;
+  return out->added && out->facing && out->lies_on &&
          sg_each_row(call, SG_CONTOUR, read_piece, &p) &&
-         sg_each_row(call, SG_SURFACE_TURN, read_turn, &p);
+         sg_each_row(call, SG_SURFACE_FACING, read_facing, &p);
 }

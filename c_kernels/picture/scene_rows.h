@@ -70,13 +70,13 @@ typedef struct sg_scene_screen {
 bool sg_scene_screen_read(sg_call *call, const sg_scene_model *model,
                           sg_scene_screen *out);
 
-/* The pieces of contour/13 as lines of a scene, and the rows of surface_turn/6:
- * those of the model's segments whose triangles are there. */
+/* The pieces of contour/13 as lines of a scene, and the rows of
+ * surface_facing/6: those of the model's segments whose triangles are there. */
 typedef struct sg_scene_pieces {
-  sg_scene_added *added; /* [n] */
-  sg_scene_turn *turn;   /* [turns] */
-  int32_t *lies_on;      /* what they lie on, one after another */
-  size_t n, turns, lies;
+  sg_scene_added *added;   /* [n] */
+  sg_scene_facing *facing; /* [facings] */
+  int32_t *lies_on;        /* what they lie on, one after another */
+  size_t n, facings, lies;
 } sg_scene_pieces;
 
 bool sg_scene_pieces_read(sg_call *call, const sg_scene_model *model,

@@ -297,7 +297,7 @@ trim_arrays(sg_arrangement *a)
 }
 
 void
-sg_arrangement_shed(sg_arrangement *a, const sg_leaf_views *views)
+sg_arrangement_compact(sg_arrangement *a, const sg_leaf_views *views)
 {
   trim_arrays(a);
   sg_key_table_clear(&a->barrier);

@@ -107,7 +107,7 @@ bool sg_arrangement_seal(sg_arrangement *a, sg_pool *pool,
 
 /* Frees what only sealing needs, for who keeps an arrangement for long: from
  * here on it looks into the trees of wanted leaves, and into `views`, alone. */
-void sg_arrangement_shed(sg_arrangement *a, const sg_leaf_views *views);
+void sg_arrangement_compact(sg_arrangement *a, const sg_leaf_views *views);
 
 /* How many components a wanted leaf has; and one of them. */
 size_t sg_arrangement_components(const sg_arrangement *a, int32_t s);

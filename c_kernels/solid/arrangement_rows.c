@@ -305,7 +305,7 @@ own_rows(sg_call *call, const sg_arrangement_handle *h)
 /* Lets go of the cut set, of the trees of leaves that are not wanted, and of
  * all rows but those of the others. */
 static bool
-shed(sg_call *call, sg_arrangement_handle *h)
+compact(sg_call *call, sg_arrangement_handle *h)
 {
   const sg_version *own = own_rows(call, h);
 
@@ -319,7 +319,7 @@ shed(sg_call *call, sg_arrangement_handle *h)
   }
   h->version = own;
   h->world = sg_world_keep(h->set->world);
-  sg_arrangement_shed(h->arrangement, &h->views);
+  sg_arrangement_compact(h->arrangement, &h->views);
   sg_cut_set_let_go(h->set);
   h->set = NULL;
   for (size_t i = 0; i < h->n; i++) {
@@ -342,5 +342,5 @@ sg_door_arrangement_seal(sg_call *call, sg_arrangement_handle *h)
   h->sealing = true; /* if that fails it is half done, and good for nothing */
   return (sg_arrangement_seal(h->arrangement, pool, &call->cancel) ||
           sg_call_ended(call)) &&
-         sg_arrangement_make_origins(call, h) && shed(call, h);
+         sg_arrangement_make_origins(call, h) && compact(call, h);
 }

@@ -193,7 +193,7 @@ drop_pictures(S) :-
     retractall_facts(joint(S, _, _, _, _, _)),
     retractall_facts(piece(S, _, _)),
     retractall_facts(contour(S, _, _, _, _, _, _, _, _, _, _, _, _)),
-    retractall_facts(surface_turn(S, _, _, _, _, _)),
+    retractall_facts(surface_facing(S, _, _, _, _, _)),
     retractall_facts(screen(S, _, _, _, _)).
 
 was_changed(S) :-

@@ -8,7 +8,7 @@
 :- use_module(explain_pair, [decided_by/2]).
 :- use_module('../picture/hidden_lines',
               [ least_drawn/1, open_scene/2, hides/2, hides/4, lies_on/4,
-                line_turn/7, line_parts/5, substitute_outline/2
+                line_facing/7, line_parts/5, substitute_outline/2
               ]).
 :- use_module('../interval',
               [intervals_union/3, intervals_subtract/3]).
@@ -221,7 +221,7 @@ own_surface(S, E, _, Because) :-
             Because).
 own_surface(S, E, Look, Because) :-
     findall(From-because(turned_away(S2, P, From, To), []),
-            ( line_turn(S, E, S2, T, From, To, _), From < To, hides(S, S2),
+            ( line_facing(S, E, S2, T, From, To, _), From < To, hides(S, S2),
               once(t(S2, P, T, _, _, _)) ),
             Keyed0),
     sort(Keyed0, Keyed),
@@ -441,7 +441,7 @@ is_known_on(line(_, S, E, _, _), S2, P) :-
     !.
 is_known_on(line(_, S, E, _, _), S2, P) :-
     E > 0,
-    line_turn(S, E, S2, _, _, _, Ts),
+    line_facing(S, E, S2, _, _, _, Ts),
     member(T, Ts),
     t(S2, P, T, _, _, _),
     !.

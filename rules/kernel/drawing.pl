@@ -53,13 +53,14 @@ Foreign predicates; see kernel.pl.
 %!               +Rho:number, +Kind:projection, +Smooth:smoothness,
 %!               +Known:known_model) is semidet.
 %
-%   Replaces contour/13 and surface_turn/6 of the current world by the outlines
-%   of the smooth surfaces of Segments, `all` or a list, seen from there, and by
-%   the lines that they turn, as contour.pl defines them. Smooth is
-%   smooth(Crease, Faceted): over which bend, in degrees, two faces do not hang
-%   together smoothly; which segments have no smooth surfaces. screen/5 holds
-%   the same view. Known are known_surfaces/1, or `kept`: what was known when
-%   the model of these segments was made, whose rows have not changed since.
+%   Replaces contour/13 and surface_facing/6 of the current world by the
+%   outlines of the smooth surfaces of Segments (`all` or a list), seen from
+%   there, and by the lines of which a surface says otherwise than its triangles
+%   whether they face the eye. contour.pl defines both. Smooth is smooth(Crease,
+%   Faceted): two faces that bend by more than Crease degrees are no smooth
+%   surface, and the segments Faceted have none. screen/5 holds the same view.
+%   Known is known_surfaces/1, or `kept`: what was known when the model of these
+%   segments was made, whose rows have not changed since.
 %   Fails if none is kept. Inexact.
 
 /* - - - scene_rows.c - - - */
@@ -68,7 +69,7 @@ Foreign predicates; see kernel.pl.
 %!             +Smooth:drawn_outlines, +Known:known_model,
 %!             -Scene:scene) is semidet.
 %
-%   Scene is what screen/5, contour/13 and surface_turn/6 of the current world
+%   Scene is what screen/5, contour/13 and surface_facing/6 of the current world
 %   show of Segments, `all` or a list. Smooth is what contour/13 was made with,
 %   see fill_contour/7 (there Known, too), or edges(Faceted): all outlines run
 %   along edges. Depth: see view_depth/5; Tolerance: what counts as equal, in a
@@ -99,7 +100,7 @@ Foreign predicates; see kernel.pl.
 %   True when triangle T of segment S2 hides the part of edge E of segment S
 %   from From to To (0.0 at its start in the picture, 1.0 at its end), in order
 %   of From. A triangle never hides a line in its plane, nor one that lies on
-%   its polygon (lies_on/4 of hidden_lines.pl) or beside it (line_turn/7).
+%   its polygon (lies_on/4 of hidden_lines.pl) or beside it (line_facing/7).
 %   Triangles seen edge-on and the backs of solids hide nothing. One that an
 %   outline divides hides as its parts do (hiding_triangles/3 of
 %   tests/oracle/contour_hiding.pl), each an answer. Inexact.

@@ -21,8 +21,8 @@ that is loaded can change what a file means.
 
 Besides the relations of the schema there is one fact that only files use:
 `curve(S, [V1, V2, ...])`, a chain of edges (PL-4). The relations of the
-picture (screen/5, contour/13, surface_turn/6, drawn/7) are computed and may not
-stand in a file.
+picture (screen/5, contour/13, surface_facing/6, drawn/7) are computed and may
+not stand in a file.
 
 Every error is error(model_error(What), location(File, Line, Column)), lines
 and columns counted from 1. What is one of
@@ -227,7 +227,7 @@ name_arity(Name, Name, 0).
 
 computed(screen).
 computed(contour).
-computed(surface_turn).
+computed(surface_facing).
 computed(drawn).
 
 file_relation(curve, 2).

@@ -32,7 +32,7 @@ triangle hide the parts into which the ends of the piece divide it.
 
 %!  find_contours(+Segments, +Crease) is det.
 %
-%   Fill contour/13 and surface_turn/6 of the current world for the view that
+%   Fill contour/13 and surface_facing/6 of the current world for the view that
 %   screen/5 holds, from Segments, `all` or a list. Faces that bend by no more
 %   than Crease degrees hang together smoothly.
 

@@ -6,7 +6,7 @@
             hides/2,                    % +S, +S2
             hides/4,                    % +S, +E, +S2, +T
             lies_on/4,                  % ?S, ?E, ?S2, -P
-            line_turn/7,                % +S, +E, -S2, -T, -From, -To, -Ts
+            line_facing/7,              % +S, +E, -S2, -T, -From, -To, -Ts
             hidden_interval/5,          % +Scene, +S, +E, -From, -To
             line_parts/5,               % +Scene, +S, +E, -Visible, -Hidden
             hidden_by/6,                % ?S, ?E, -S2, -T, -From, -To
@@ -36,7 +36,7 @@
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
               [ segment/3, e/5, t/6, line/9, edge_polygon/3, contour/13,
-                surface_turn/6,
+                surface_facing/6,
                 assert_fact/1, retractall_facts/1, facts_transaction/1
               ]).
 :- use_module('../kernel',
@@ -123,7 +123,7 @@ outlines(Which, Segments, Crease) :-
     (   Which == feature
     ->  find_contours(Segments, Crease)
     ;   retractall_facts(contour(_,_,_,_,_,_,_,_,_,_,_,_,_)),
-        retractall_facts(surface_turn(_,_,_,_,_,_))
+        retractall_facts(surface_facing(_,_,_,_,_,_))
     ).
 
 one_of(Domain, Values, Value) :-
@@ -158,7 +158,7 @@ seen_through(Pairs) :-
 %!  open_scene(-Scene, +Options) is det.
 %
 %   True when Scene is what the current world's screen/5, contour/13 and
-%   surface_turn/6 show: the lines and triangles for the joins scene_edge/5,
+%   surface_facing/6 show: the lines and triangles for the joins scene_edge/5,
 %   occluder/7 and overlap/9. It does not follow later changes. Options
 %   segments(List), lines(Which), crease(Degrees) and tolerance(T) as for
 %   picture/1.
@@ -230,17 +230,17 @@ same_ends(S, V1, V2, S2, W1, W2) :-
 same_ends(S, V1, V2, S2, W1, W2) :-
     line(_, S2, _, W1, W2, S, _, V1, V2).
 
-%!  line_turn(+S, +E, -S2, -T, -From, -To, -Ts) is nondet.
+%!  line_facing(+S, +E, -S2, -T, -From, -To, -Ts) is nondet.
 %
 %   True when a smooth surface of segment S2 turns edge E of segment S otherwise
-%   than its triangle T is turned: surface_turn/6. It hides the part from From
+%   than its triangle T is turned: surface_facing/6. It hides the part from From
 %   to To (0.0 at the start of E in the picture, 1.0 at its end; equal: none),
 %   and the triangles Ts of S2 do not hide E: the join occluder/7 keeps to that.
 
-line_turn(S, E, S2, T, From, To, Ts) :-
+line_facing(S, E, S2, T, From, To, Ts) :-
     e(S, E, V1, V2, _),
     copied_ends(S, V1, V2, S2, W1, W2),
-    surface_turn(S2, T, I, Low, High, Ts),
+    surface_facing(S2, T, I, Low, High, Ts),
     t(S2, _, T, A, B, C),
     side_ends(I, A, B, C, U1, U2),
     once(( W1-W2 == U1-U2 ; W1-W2 == U2-U1 )),
@@ -283,7 +283,7 @@ hidden_interval(_, S, E, From, 1.0) :-
     hides(S, S).
 hidden_interval(_, S, E, From, To) :-
     E > 0,
-    line_turn(S, E, S2, _, From, To, _),
+    line_facing(S, E, S2, _, From, To, _),
     From < To,
     hides(S, S2).
 hidden_interval(Scene, S, E, From, To) :-

@@ -20,7 +20,7 @@ scene_edge/5 reports it, decides its role:
   - Faces: how often polygons use the edge
   - Towards, Away: how many of these face the eye, or face away from it; one
     seen edge-on is neither (step 1); one of a solid that stands for a smooth
-    surface faces the eye if that shows some of the edge (line_turn/7)
+    surface faces the eye if that shows some of the edge (line_facing/7)
   - Left, Right: how many lie on the left and right of the line in the picture
   - Bend: degrees by which they are not flat, the largest of all pairs; facets
     of known surfaces (known_surface.pl) bend as these do, those of one by one

@@ -4,7 +4,7 @@
             arranged_solid/3,           % +Arrangement, +Senses, -Solid
             default_senses/4,           % +Arrangement, +Expression, +Open,
                                         % -Senses
-            passing_vertices/2,         % +Arrangement, -Passing
+            contact_vertices/2,         % +Arrangement, -Contacts
             pieces_numbers/2,           % +Arrangement, -Numbers
             pieces_changed/3,           % +Arrangement, +Numbers, -Changed
             leaves_around/3,            % +Arrangement, +Leaves, -Around
@@ -26,7 +26,7 @@
 :- use_module('../csg/leaf', [were_cut/2]).
 :- use_module('../penetration/penetration', [leaf_lines/4, touching/2]).
 :- use_module('../penetration/resolve', [tolerance_reach/2]).
-:- use_module(passing, [passing_places/2]).
+:- use_module(contact_origin, [contact_places/2]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
               [ v/5, segment/3, segment_stamps/2, segments_key/2,
@@ -85,7 +85,7 @@ with_arrangement(Leaves0, Options, Goal) :-
     maplist(leaf_key(Tolerance), NearPairs, Keys),
     setup_call_cleanup(
         with_mutex(sg_pieces, held(Kept, Held)),
-        ( current(Leaves, Keys, Kept, Current0, Passing0, Stale0),
+        ( current(Leaves, Keys, Kept, Current0, Contacts0, Stale0),
           hanging_together(Stale0, Near, Kept, Stale),
           include_current(Current0, Stale, Current),
           counted(sg_pieces_made, Stale),
@@ -96,8 +96,8 @@ with_arrangement(Leaves0, Options, Goal) :-
               ( keep(Leaves, Keys, Fresh, Touch),
                 append(Current, Fresh, Pieces0),
                 sort(1, @<, Pieces0, Pieces),
-                passing(Passing0, Stale, Touch, Passing),
-                call(Goal, arrangement(Pieces, Passing, Near))
+                contacts(Contacts0, Stale, Touch, Contacts),
+                call(Goal, arrangement(Pieces, Contacts, Near))
               ),
               drop_fresh(Fresh))
         ),
@@ -129,7 +129,7 @@ leaf_key(Tolerance, S-Others, key(Tolerance, Key)) :-
 /* - - - what is kept - - - */
 
 %   kept(-Kept): an assoc from leaves to their last two
-%   entry(Key, Arrangement, Cluster, Passing), the newest first.
+%   entry(Key, Arrangement, Cluster, Contacts), the newest first.
 
 %
 %   What is kept is held, once for each entry. Two threads may be at it in one
@@ -156,25 +156,25 @@ entries(S, Kept, Entries) :-
     ;   Entries = []
     ).
 
-%   current(+Leaves, +Keys, +Kept, -Current, -Passing, -Stale): Current has
-%   S-Arrangement of those that are kept under their keys, and Passing S-Places
+%   current(+Leaves, +Keys, +Kept, -Current, -Contacts, -Stale): Current has
+%   S-Arrangement of those that are kept under their keys, and Contacts S-Places
 %   of those among them that have some.
 
 current([], [], _, [], [], []).
-current([S|Ss], [Key|Keys], Kept, Current, Passing, Stale) :-
+current([S|Ss], [Key|Keys], Kept, Current, Contacts, Stale) :-
     entries(S, Kept, Entries),
     (   memberchk(entry(Key, Arrangement, _, Places), Entries)
     ->  Current = [S-Arrangement|Current1],
         Stale = Stale1,
         (   Places == []
-        ->  Passing = Passing1
-        ;   Passing = [S-Places|Passing1]
+        ->  Contacts = Contacts1
+        ;   Contacts = [S-Places|Contacts1]
         )
     ;   Current = Current1,
-        Passing = Passing1,
+        Contacts = Contacts1,
         Stale = [S|Stale1]
     ),
-    current(Ss, Keys, Kept, Current1, Passing1, Stale1).
+    current(Ss, Keys, Kept, Current1, Contacts1, Stale1).
 
 %   hanging_together(+Stale0, +Near, +Kept, -Stale): with every leaf, and every
 %   one near it, those it was made to touch.
@@ -260,17 +260,17 @@ is_alive(S) :-
 forget_leaf(S, Kept0, Kept) :-
     del_assoc(S, Kept0, _, Kept).
 
-keep_leaf(KeyOf, touch(Clusters, Passings), S-Arrangement, Kept0-Old0,
+keep_leaf(KeyOf, touch(Clusters, Touched), S-Arrangement, Kept0-Old0,
           Kept-Old) :-
     get_assoc(S, KeyOf, Key),
     cluster(S, Clusters, Cluster),
-    passing_of(S, Passings, Passing),
+    contacts_of(S, Touched, Contacts),
     entries(S, Kept0, Entries0),
     arrangement_hold(Arrangement),
     (   Entries0 = [Last,entry(_, Gone, _, _)|_]
-    ->  Entries = [entry(Key, Arrangement, Cluster, Passing),Last],
+    ->  Entries = [entry(Key, Arrangement, Cluster, Contacts),Last],
         Old = [Gone|Old0]
-    ;   Entries = [entry(Key, Arrangement, Cluster, Passing)|Entries0],
+    ;   Entries = [entry(Key, Arrangement, Cluster, Contacts)|Entries0],
         Old = Old0
     ),
     put_assoc(S, Kept0, Entries, Kept).
@@ -282,32 +282,32 @@ cluster(S, Clusters, Cluster) :-
     ;   Cluster = []
     ).
 
-passing_of(S, Passings, Passing) :-
-    (   memberchk(S-Passing0, Passings)
-    ->  Passing = Passing0
-    ;   Passing = []
+contacts_of(S, Touched, Contacts) :-
+    (   memberchk(S-Contacts0, Touched)
+    ->  Contacts = Contacts0
+    ;   Contacts = []
     ).
 
-%   passing(+Kept, +Stale, +Touch, -Passing): the vertices that leaves have in
-%   pieces alone, as S-Places, of those that have some (passing.pl): what is
-%   kept of leaves that are not Stale, and what is new.
+%   contacts(+Kept, +Stale, +Touch, -Contacts): the vertices that leaves have in
+%   pieces alone, as S-Places, of those that have some (contact_origin.pl): what
+%   is kept of leaves that are not Stale, and what is new.
 
-passing(Kept, Stale, touch(_, Passings), Passing) :-
+contacts(Kept, Stale, touch(_, Touched), Contacts) :-
     exclude(is_among(Stale), Kept, Old),
-    include(is_among(Stale), Passings, New),
-    append(Old, New, Passing).
+    include(is_among(Stale), Touched, New),
+    append(Old, New, Contacts).
 
 /* - - - new pieces - - - */
 
 %   fresh_pieces(+Stale, +Near, +Tolerance, -Fresh, -Touch): what is near stale
 %   leaves is cut with them, so that all lines that meet one of theirs are
 %   there.
-%   Touch: touch(Clusters, Passings), those that were made to touch, as lists,
+%   Touch: touch(Clusters, Touched), those that were made to touch, as lists,
 %   and the vertices they got for that.
 
 fresh_pieces([], _, _, [], touch([], [])) :-
     !.
-fresh_pieces(Stale, Near, Tolerance, Fresh, touch(Clusters, Passings)) :-
+fresh_pieces(Stale, Near, Tolerance, Fresh, touch(Clusters, Touched)) :-
     around(Stale, Near, Segments),
     findall(A-B,
             ( member(A, Segments),
@@ -322,7 +322,7 @@ fresh_pieces(Stale, Near, Tolerance, Fresh, touch(Clusters, Passings)) :-
     segment_stamps(Segments, Stamps),
     facts_snapshot(sg_arrangement:arranged(Pairs, Stamps, Stale,
                                            Tolerance, Arrangement,
-                                           Changed-Passings)),
+                                           Changed-Touched)),
     findall(S-Arrangement, member(S, Stale), Fresh),
     clusters(Changed, Near, Clusters).
 
@@ -345,18 +345,18 @@ arranged(Pairs, Stamps, Wanted, Tolerance, Arrangement, Changed) :-
                sg_arrangement:in_pieces(Stamps, Wanted, Tolerance,
                                         Arrangement, Changed)).
 
-in_pieces(Stamps0, Wanted, Tolerance, Arrangement, Changed-Passings, Set,
+in_pieces(Stamps0, Wanted, Tolerance, Arrangement, Changed-Touched, Set,
           Polygons, Weights) :-
     pairs_keys(Stamps0, Segments),
     segment_stamps(Segments, Stamps),
     ord_subtract(Stamps, Stamps0, ChangedStamps),
     pairs_keys(ChangedStamps, Changed),
-    findall(S-Passing,
+    findall(S-Contacts,
             ( member(S, Changed),
-              passing_places(S, Passing),
-              Passing \== []
+              contact_places(S, Contacts),
+              Contacts \== []
             ),
-            Passings),
+            Touched),
     tolerance_reach(Tolerance, Reach),
     divided(Set, leaves(Segments, Wanted, Weights), Polygons, Reach,
             Arrangement).
@@ -442,12 +442,12 @@ components(arrangement(Pieces, _, _), Components) :-
 arranged_solid(arrangement(Pieces, _, _), Senses, Solid) :-
     arrangement_select(Pieces, Senses, Solid).
 
-%!  passing_vertices(+Arrangement, -Passing:list) is det.
+%!  contact_vertices(+Arrangement, -Contacts:list) is det.
 %
-%   Passing are S-Places of the leaves that were made to touch others, as of
-%   passing_places/2: vertices that they have in pieces alone.
+%   Contacts are S-Places of the leaves that were made to touch others, as of
+%   contact_places/2: vertices that they have in pieces alone.
 
-passing_vertices(arrangement(_, Passing, _), Passing).
+contact_vertices(arrangement(_, Contacts, _), Contacts).
 
 %!  default_senses(+Arrangement, +Expression, +Open:list, -Senses:list) is det.
 %
@@ -513,8 +513,8 @@ leaves_around(arrangement(_, _, Near), Leaves, Around) :-
 %   Part is an arrangement of those of the leaves of Arrangement that are in
 %   Leaves, ascending, with the pieces that they have there.
 
-part_of_arrangement(arrangement(Pieces0, Passing, Near), Leaves,
-                    arrangement(Pieces, Passing, Near)) :-
+part_of_arrangement(arrangement(Pieces0, Contacts, Near), Leaves,
+                    arrangement(Pieces, Contacts, Near)) :-
     include(is_among(Leaves), Pieces0, Pieces).
 
 %!  pieces_statistics(-Statistics:dict) is det.

@@ -8,7 +8,7 @@
           ]).
 :- use_module(arrangement,
               [ with_arrangement/3, components/2, arranged_solid/3,
-                default_senses/4, passing_vertices/2, pieces_numbers/2,
+                default_senses/4, contact_vertices/2, pieces_numbers/2,
                 pieces_changed/3, leaves_around/3, part_of_arrangement/3
               ]).
 :- use_module('../csg/csg_record', [not_kept/2, surfaces_among/2]).
@@ -21,7 +21,7 @@
               ]).
 :- use_module(operand, [checked_operand/1]).
 :- use_module('../polygon/triangulation', [new_segments_complete/0]).
-:- use_module(passing, [passing_named/2]).
+:- use_module(contact_origin, [contact_origins/2]).
 :- use_module('../penetration/resolve', [tolerance_reach/2]).
 :- use_module('../csg/csg_rows', [drop_boundary/1]).
 :- use_module('../csg/source', [source_kept/3]).
@@ -92,10 +92,10 @@ boolean(Expression, S, Options0) :-
     (   made_around_changes(Expression, Leaves, S, Options, Numbers)
     ->  How = around
     ;   How = whole,
-        made(Expression, Leaves, Options, Solid, Passing, Numbers),
+        made(Expression, Leaves, Options, Solid, Contacts, Numbers),
         setup_call_cleanup(
             true,
-            facts_transaction(sg_boolean:written(Solid, S, Expression, Passing,
+            facts_transaction(sg_boolean:written(Solid, S, Expression, Contacts,
                                                  Options)),
             solid_close(Solid))
     ),
@@ -126,14 +126,14 @@ refuse_large(Tolerance, Smallest) :-
     ;   true
     ).
 
-%   made(+Expression, +Leaves, +Options, -Solid, -Passing, -Numbers): it must be
-%   closed, if its operands are. Where sheets of one operand nearly lie on each
-%   other, what was made to touch may have come apart, and one face of many may
-%   be opened by merging: then the one or the other is not done.
+%   made(+Expression, +Leaves, +Options, -Solid, -Contacts, -Numbers): it must
+%   be closed if its operands are. If sheets of one operand nearly lie on each
+%   other, touching may open the result, and so may merging of faces; then that
+%   step is left out.
 
-made(Expression, Leaves, Options, Solid, Passing, Numbers) :-
+made(Expression, Leaves, Options, Solid, Contacts, Numbers) :-
     attempt(Options, Attempt, What),
-    selected_solid(Expression, Leaves, Attempt, Solid0, Passing0, Numbers0),
+    selected_solid(Expression, Leaves, Attempt, Solid0, Contacts0, Numbers0),
     (   is_open(Leaves, Solid0)
     ->  solid_close(Solid0),
         maplist(checked_leaf, Leaves),
@@ -144,7 +144,7 @@ made(Expression, Leaves, Options, Solid, Passing, Numbers) :-
     ),
     !,
     Solid = Solid0,
-    Passing = Passing0,
+    Contacts = Contacts0,
     (   What == first,
         decision_is_default(stays/3),
         decision_is_default(merge_faces/2)
@@ -162,17 +162,17 @@ attempt(Options, [tolerance(0)|Options], contacts) :-
     tolerance_reach(Tolerance, Reach),
     Reach > 0.
 
-selected_solid(Expression, Leaves, Options, Solid, Passing, Numbers) :-
+selected_solid(Expression, Leaves, Options, Solid, Contacts, Numbers) :-
     with_arrangement(Leaves, Options,
-                     sg_boolean:selected(Expression, Solid, Passing, Numbers)),
+                     sg_boolean:selected(Expression, Solid, Contacts, Numbers)),
     catch(merged(Solid, Options),
           Error,
           ( solid_close(Solid),
             throw(Error)
           )).
 
-selected(Expression, Solid, Passing, Numbers, Arrangement) :-
-    passing_vertices(Arrangement, Passing),
+selected(Expression, Solid, Contacts, Numbers, Arrangement) :-
+    contact_vertices(Arrangement, Contacts),
     pieces_numbers(Arrangement, Numbers),
     select_boundary(Arrangement, Expression, Solid).
 
@@ -197,13 +197,13 @@ merged(Solid, Options) :-
     ;   stage(faces, faces_merged(Solid, Options))
     ).
 
-written(Solid, S, Expression, Passing, Options) :-
+written(Solid, S, Expression, Contacts, Options) :-
     (   segment(S, _, _)
     ->  true
     ;   assert_fact(segment(S, solid, Expression))
     ),
     stage(write, ( rows_written(Solid, S, Options),
-                   passing_named(S, Passing)
+                   contact_origins(S, Contacts)
                  )).
 
 rows_written(Solid, S, Options) :-
@@ -236,24 +236,24 @@ made_around_changes(Expression, Leaves, S, Options, Numbers) :-
     surfaces_among(Leaves, []),
     with_arrangement(Leaves, Options,
                      sg_boolean:selected_around(Expression, Leaves, S, Earlier,
-                                                Region, Solid, Passing,
+                                                Region, Solid, Contacts,
                                                 Numbers)),
     call_cleanup(
         ( stage(faces, region_faces_merged(Solid, Region, Options)),
           facts_transaction(sg_boolean:written_around(Solid, S, Region,
-                                                      Passing))
+                                                      Contacts))
         ),
         ( solid_close(Solid),
           region_close(Region)
         )),
     !.
 
-selected_around(Expression, Leaves, S, Earlier, Region, Solid, Passing, Numbers,
-                Arrangement) :-
+selected_around(Expression, Leaves, S, Earlier, Region, Solid, Contacts,
+                Numbers, Arrangement) :-
     pieces_changed(Arrangement, Earlier, Changed),
     leaves_around(Arrangement, Changed, Around),
     are_few(Around, Leaves),
-    passing_vertices(Arrangement, Passing),
+    contact_vertices(Arrangement, Contacts),
     pieces_numbers(Arrangement, Numbers),
     stage(write, solid_region(S, Around, Region)),
     (   catch(selected_region(Region, Expression, Leaves, Solid, Arrangement),
@@ -282,9 +282,9 @@ are_few(Some, Leaves) :-
     length(Leaves, All),
     2*N =< All.
 
-written_around(Solid, S, Region, Passing) :-
+written_around(Solid, S, Region, Contacts) :-
     stage(write, ( solid_write_region(Solid, S, Region),
-                   passing_named(S, Passing)
+                   contact_origins(S, Contacts)
                  )).
 
 %!  select_boundary(+Arrangement, +Expression, -Solid) is det.

@@ -8,12 +8,12 @@
           ]).
 :- use_module(arrangement,
               [ with_arrangement/3, components/2, arranged_solid/3,
-                passing_vertices/2
+                contact_vertices/2
               ]).
 :- use_module(closing, [closed_by_caps/1]).
 :- use_module('../decision', [decision/2]).
 :- use_module('../kernel', [solid_close/1, solid_is_closed/1, solid_write/2]).
-:- use_module(passing, [passing_named/2]).
+:- use_module(contact_origin, [contact_origins/2]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
               [ origin/3, p/3, segment/3, assert_fact/1, facts_snapshot/1,
@@ -68,11 +68,11 @@ trimmed(S, Others0, Side, Options, T) :-
     ->  T = S
     ;   Chosen == nothing
     ->  throw(error(geometry_error(trim(nothing_left(S, Side))), _))
-    ;   Chosen = solid(Solid, Passing),
+    ;   Chosen = solid(Solid, Contacts),
         setup_call_cleanup(
             true,
             facts_transaction(
-                sg_trimmed:written(Solid, Passing,
+                sg_trimmed:written(Solid, Contacts,
                                    trimmed(S, Side, Others), T)),
             solid_close(Solid))
     ).
@@ -87,7 +87,7 @@ has_faces(S) :-
     ).
 
 %   chosen(+S, +Others, +Side, +Options, -Chosen): `all`, `nothing`, or a handle
-%   of what stays, with the vertices that S has in passing.
+%   of what stays, with the vertices of S that were made to touch.
 
 chosen(S, Others, Side, Options, Chosen) :-
     maplist(closed_by_caps, Others),
@@ -105,12 +105,12 @@ selected(S, Others, Side, Chosen, Arrangement) :-
     ;   Stay == []
     ->  Chosen = nothing
     ;   findall(C-1, ( member(Component, Stay), arg(1, Component, C) ), Senses),
-        passing_vertices(Arrangement, Passing),
+        contact_vertices(Arrangement, Contacts),
         stage(pieces, arranged_solid(Arrangement, Senses, Solid)),
-        Chosen = solid(Solid, Passing)
+        Chosen = solid(Solid, Contacts)
     ).
 
-written(Solid, Passing, Term, T) :-
+written(Solid, Contacts, Term, T) :-
     fresh_id(segment, 0, T),
     (   solid_is_closed(Solid)
     ->  Kind = solid
@@ -118,7 +118,7 @@ written(Solid, Passing, Term, T) :-
     ),
     assert_fact(segment(T, Kind, Term)),
     stage(write, ( solid_write(Solid, T),
-                   passing_named(T, Passing)
+                   contact_origins(T, Contacts)
                  )).
 
 :- decision(stays_trimmed/4, "Which pieces of a part stay when it is trimmed").

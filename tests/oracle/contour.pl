@@ -1,6 +1,6 @@
 :- module(sg_oracle_contour,
           [ contour_pieces/3,           % +S, +Crease, -Pieces
-            surface_turns/3             % +S, +Crease, -Turns
+            surface_facings/3          % +S, +Crease, -Facings
           ]).
 :- use_module(contour_adjacent,
               [ beside_piece/4, is_point/2, end_rise/4, piece_place/5,
@@ -8,7 +8,7 @@
               ]).
 :- use_module(contour_side,
               [current_eye/1, corner_g/4, side_zero/3, towards_eye/4]).
-:- use_module(contour_turn, [side_turn/3]).
+:- use_module(contour_facing, [side_facing/3]).
 :- use_module(smooth_sheet,
               [ smooth_sheets/3, smooth_side/3, across_side/3,
                 convex_side/2, coarse_triangle/2, curved_triangle/2,
@@ -41,7 +41,8 @@ that. What hides lines beside a piece is said in contour_hiding.pl.
 
 A piece that reaches the end of its sheet (a crease, a border, a penetration
 line) ends there, at the zero of the side, and what is seen of the line does
-too (contour_turn.pl). Where a smooth surface would bulge at its triangle, which
+too (contour_facing.pl).
+Where a smooth surface would bulge at its triangle, which
 is of no known surface, it goes to that end of the side at which the triangles
 themselves turn from the eye: there the line is outermost in the picture. At an
 apex, which has no normal, a piece ends in it.
@@ -138,20 +139,20 @@ parted_corner(T, I1, I2, Corner) :-
     ;   Corner = T-I2
     ).
 
-%!  surface_turns(+S, +Crease, -Turns) is det.
+%!  surface_facings(+S, +Crease, -Facings) is det.
 %
-%   Turns, sorted, are turn(T, I, From, To, Ts) for the rows of surface_turn/6
-%   that segment S has in the picture of screen/5: the rule that find_contours/2
-%   follows. Slow.
+%   Facings, sorted, are facing(T, I, From, To, Ts) for the rows of
+%   surface_facing/6 that segment S has in the picture of screen/5: the rule that
+%   find_contours/2 follows. Slow.
 
-surface_turns(S, Crease, Turns) :-
+surface_facings(S, Crease, Facings) :-
     contour_context(S, Crease, Context, _),
     Context = context(_, Sheets, _, _, _),
-    findall(Turn,
+    findall(Facing,
             ( curved_triangle(Sheets, T), member(I, [1,2,3]),
-              side_turn(Context, T-I, Turn) ),
-            Turns0),
-    sort(Turns0, Turns).
+              side_facing(Context, T-I, Facing) ),
+            Facings0),
+    sort(Facings0, Facings).
 
 %   contour_context(S, Crease, Context, Acrosses): Context is context(S, Sheets,
 %   Eye, Gs, Found), how the segment lies to the eye: its sheets, the g of their

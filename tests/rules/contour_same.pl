@@ -1,15 +1,15 @@
 :- module(test_contour_same,
           [ same_as_rule/2              % +S, +Crease
           ]).
-:- use_module(tests('oracle/contour'), [contour_pieces/3, surface_turns/3]).
-:- use_module(rules(store), [contour/13, surface_turn/6]).
+:- use_module(tests('oracle/contour'), [contour_pieces/3, surface_facings/3]).
+:- use_module(rules(store), [contour/13, surface_facing/6]).
 /** <module> The pieces of contour/13 against their rule, for tests.
 */
 
 %!  same_as_rule(+S, +Crease) is semidet.
 %
 %   True when the pieces that segment S has in contour/13, the kernel's, are
-%   those that the rule says, and its turns in surface_turn/6, too.
+%   those that the rule says, and its facings in surface_facing/6, too.
 
 same_as_rule(S, Crease) :-
     contour_pieces(S, Crease, Rule),
@@ -21,19 +21,19 @@ same_as_rule(S, Crease) :-
     length(Rule, N),
     length(Kernel, N),
     maplist(same_piece, Rule, Kernel),
-    same_turns(S, Crease).
+    same_facings(S, Crease).
 
-same_turns(S, Crease) :-
-    surface_turns(S, Crease, Rule),
-    findall(turn(T,I,From,To,Ts),
-            ( surface_turn(S, T, I, From, To, Ts0), msort(Ts0, Ts) ),
+same_facings(S, Crease) :-
+    surface_facings(S, Crease, Rule),
+    findall(facing(T,I,From,To,Ts),
+            ( surface_facing(S, T, I, From, To, Ts0), msort(Ts0, Ts) ),
             Kernel0),
     sort(Kernel0, Kernel),
     length(Rule, N),
     length(Kernel, N),
-    maplist(same_turn, Rule, Kernel).
+    maplist(same_facing, Rule, Kernel).
 
-same_turn(turn(T,I,From,To,Ts), turn(T,I,From2,To2,Ts)) :-
+same_facing(facing(T,I,From,To,Ts), facing(T,I,From2,To2,Ts)) :-
     close_to(From, From2),
     close_to(To, To2).
 

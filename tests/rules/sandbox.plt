@@ -24,7 +24,7 @@ reads([ area/2, bounding_box/3, chain/5, chain_length/2, chain_points/2,
         origin/3, p/3, penetration_chains/1, piece/3,
         plane/6, polygon_from/5, projection/1, query/2, relation/3,
         relation_column/5, root_segment/1, rule_file/1, rules/0, screen/5,
-        segment/3, shell_facets/2, smooth_surface/3, surface_turn/6, t/6,
+        segment/3, shell_facets/2, smooth_surface/3, surface_facing/6, t/6,
         title_block/2, touches/2, true_length_rows/2, unfolding/2, v/5,
         vertex_exact/5, vertex_from/4, vertex_half_edge/2, vertex_point/2,
         view/3, volume/2, winding/3

@@ -68,7 +68,7 @@ rows([ segment(1, solid, cube), segment(2, surface, "a name"),
        screen(2,1,0.5,0.5,1.0),
        contour(1,1,1,1,0.5,2,0.25,1.0,[1,2],0.125,0.0,0.0,0.5),
        contour(1,2,1,2,0.25,3,0.0,0.0,[],0.0,0.0,0.0,0.0),
-       surface_turn(1,1,3,0.0,0.5,[2]), surface_turn(1,2,1,0.0,0.0,[]),
+       surface_facing(1,1,3,0.0,0.5,[2]), surface_facing(1,2,1,0.0,0.0,[]),
        drawn(5,1,-1,0.0,0.5,visible,outline),
        drawn(1,1,1,0.0,1.0,visible,outline), drawn(2,1,2,0.0,0.5,hidden,mesh),
        drawn(3,1,2,0.5,1.0,visible,mesh), drawn(4,2,1,0.0,1.0,visible,border)

@@ -310,7 +310,8 @@ filled :-
               from_p(1,1,7,7,1), line(1,1,1,1,2,1,1,1,2), piece(1,1,1),
               joint(1,1,1,2,fold,90), screen(1,1,0,0,0),
               contour(1,1,1,1,0,2,0,0,[1],0,0,0,0),
-              surface_turn(1,1,1,0,1,[1]), drawn(1,1,1,0,1,visible,outline) ]).
+              surface_facing(1,1,1,0,1,[1]),
+              drawn(1,1,1,0,1,visible,outline) ]).
 
 dangling_target(Row, Position, Target) :-
     functor(Row, Name, _),

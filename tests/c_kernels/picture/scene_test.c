@@ -5,12 +5,12 @@
 #include "picture/parts.h"
 #include "tests/check.h"
 
-/* The scene of a model with added lines, and a turn or null, from its
+/* The scene of a model with added lines, and a facing or null, from its
  * projection. */
 static sg_scene *
 scene_turned(const sg_scene_model *seen, const model *m, const bool *shown,
              const sg_scene_added *added, size_t addeds,
-             const sg_scene_turn *turn)
+             const sg_scene_facing *facing)
 {
   double(*screen)[3] = malloc((m->vertices + 1) * sizeof *screen);
   sg_scene_input in = {.model = seen,
@@ -18,8 +18,8 @@ scene_turned(const sg_scene_model *seen, const model *m, const bool *shown,
                        .shown = shown,
                        .added = added,
                        .addeds = addeds,
-                       .turn = turn,
-                       .turns = turn ? 1 : 0,
+                       .facing = facing,
+                       .facings = facing ? 1 : 0,
                        .depth = m->depth,
                        .tolerance = 1e-9};
   bool memory;
@@ -70,20 +70,20 @@ is_visible(const sg_scene *scene, int32_t s, int32_t e)
   return is_part_visible(scene, s, e, 0.0, 1.0);
 }
 
-/* An edge below a triangle; it has a turn, on a surface beside which that
+/* An edge below a triangle; it has a facing, on a surface beside which that
  * triangle is, and which hides a part of it. */
 static void
 turned_line(void)
 {
   model *m = model_new();
   const int32_t above = 0;
-  sg_scene_turn turn = {.s = 1,
-                        .triangle = 1,
-                        .v = {3, 4},
-                        .from = 0.25,
-                        .to = 0.5,
-                        .lies_on = &above,
-                        .triangles = 1};
+  sg_scene_facing facing = {.s = 1,
+                            .triangle = 1,
+                            .v = {3, 4},
+                            .from = 0.25,
+                            .to = 0.5,
+                            .lies_on = &above,
+                            .triangles = 1};
   sg_scene_model *seen;
   sg_scene *scene;
 
@@ -99,10 +99,10 @@ turned_line(void)
   model_project(m, 270, 0, 9, false);
   seen = model_scene_model(m, NULL);
   scene = scene_with(seen, m, NULL, NULL, 0);
-  CHECK("without a turn it is hidden",
+  CHECK("without a facing it is hidden",
         !is_part_visible(scene, 1, 4, 0.0, 0.25) && !is_visible(scene, 1, 4));
   sg_scene_close(scene);
-  scene = scene_turned(seen, m, NULL, NULL, 0, &turn);
+  scene = scene_turned(seen, m, NULL, NULL, 0, &facing);
   CHECK("with it the surface alone hides it",
         is_part_visible(scene, 1, 4, 0.0, 0.25) &&
             is_part_visible(scene, 1, 4, 0.5, 1.0));

@@ -147,7 +147,7 @@ turned_wrongly(Name, Seed, Eye-turn(S,E,From,To)) :-
     member(Eye, Eyes),
     pictured(Eye, Options),
     drawn(_, S, E, _, _, _, penetration),
-    line_turn(S, E, S2, T, From, To, _),
+    line_facing(S, E, S2, T, From, To, _),
     From < To,
     \+ ( t(S2, P, T, _, _, _),
          explained(S, E, Options, turned_away(S2, P, From, To)),
@@ -180,8 +180,8 @@ test(explained,
 test(all_edges) :-
     in_new_world(( made_scene(lens, 1, Options, [Eye|_]),
                    pictured(Eye, Options),
-                   once(surface_turn(_, _, _, _, _, _)),
+                   once(surface_facing(_, _, _, _, _, _)),
                    pictured(Eye, [lines(all)|Options]),
-                   \+ surface_turn(_, _, _, _, _, _) )).
+                   \+ surface_facing(_, _, _, _, _, _) )).
 
 :- end_tests(line_end).

@@ -1,5 +1,5 @@
-/* scene_turn.c -- see scene_turn.h */
-#include "scene_turn.h"
+/* scene_facing.c -- see scene_facing.h */
+#include "scene_facing.h"
 
 #include <stdlib.h>
 
@@ -14,18 +14,18 @@ key_of(const uint32_t *same, uint32_t a, uint32_t b)
 static int
 compare(const void *a, const void *b)
 {
-  const sg_keyed_turn *x = a, *y = b;
+  const sg_keyed_facing *x = a, *y = b;
 
   return x->key != y->key ? (x->key > y->key) - (x->key < y->key)
-                          : (x->turn > y->turn) - (x->turn < y->turn);
+                          : (x->facing > y->facing) - (x->facing < y->facing);
 }
 
 bool
-sg_turn_index_init(sg_turn_index *index, const sg_scene_input *in)
+sg_facing_index_init(sg_facing_index *index, const sg_scene_input *in)
 {
-  size_t n = in->turns;
+  size_t n = in->facings;
 
-  *index = (sg_turn_index){.same = in->model->same, .n = n};
+  *index = (sg_facing_index){.same = in->model->same, .n = n};
   if (n == 0) {
     return true;
   }
@@ -35,33 +35,33 @@ sg_turn_index_init(sg_turn_index *index, const sg_scene_input *in)
     return false;
   }
   for (size_t i = 0; i < n; i++) {
-    const sg_scene_turn *turn = &in->turn[i];
-    index->item[i] =
-        (sg_keyed_turn){key_of(index->same, turn->v[0], turn->v[1]), turn};
-    index->has[index->same[turn->v[0]]] = true;
-    index->has[index->same[turn->v[1]]] = true;
+    const sg_scene_facing *facing = &in->facing[i];
+    index->item[i] = (sg_keyed_facing){
+        key_of(index->same, facing->v[0], facing->v[1]), facing};
+    index->has[index->same[facing->v[0]]] = true;
+    index->has[index->same[facing->v[1]]] = true;
   }
   qsort(index->item, n, sizeof *index->item, compare);
   return true;
 }
 
 void
-sg_turn_index_clear(sg_turn_index *index)
+sg_facing_index_clear(sg_facing_index *index)
 {
   free(index->item);
   free(index->has);
-  *index = (sg_turn_index){0};
+  *index = (sg_facing_index){0};
 }
 
-sg_turns
-sg_turn_index_find(const sg_turn_index *index, uint32_t a, uint32_t b)
+sg_facings
+sg_facing_index_find(const sg_facing_index *index, uint32_t a, uint32_t b)
 {
   size_t low = 0, high = index->n, end;
   uint64_t key;
 
   if (index->n == 0 || !index->has[index->same[a]] ||
       !index->has[index->same[b]]) {
-    return (sg_turns){0};
+    return (sg_facings){0};
   }
   key = key_of(index->same, a, b);
   while (low < high) {
@@ -74,28 +74,29 @@ sg_turn_index_find(const sg_turn_index *index, uint32_t a, uint32_t b)
   }
   for (end = low; end < index->n && index->item[end].key == key; end++) {
   }
-  return (sg_turns){index->item + low, end - low};
+  return (sg_facings){index->item + low, end - low};
 }
 
 size_t
-sg_turns_lies(const sg_turns *turns)
+sg_facings_lies(const sg_facings *facings)
 {
   size_t sum = 0;
 
-  for (size_t i = 0; i < turns->n; i++) {
-    sum += turns->item[i].turn->triangles;
+  for (size_t i = 0; i < facings->n; i++) {
+    sum += facings->item[i].facing->triangles;
   }
   return sum;
 }
 
 sg_scene_fold
-sg_turn_fold(const sg_turn_index *index, const sg_scene_turn *turn, uint32_t a)
+sg_facing_fold(const sg_facing_index *index, const sg_scene_facing *facing,
+               uint32_t a)
 {
-  bool forward = index->same[turn->v[0]] == index->same[a];
+  bool forward = index->same[facing->v[0]] == index->same[a];
 
-  return (sg_scene_fold){.s = turn->s,
-                         .from = forward ? turn->from : 1.0 - turn->to,
-                         .to = forward ? turn->to : 1.0 - turn->from};
+  return (sg_scene_fold){.s = facing->s,
+                         .from = forward ? facing->from : 1.0 - facing->to,
+                         .to = forward ? facing->to : 1.0 - facing->from};
 }
 
 sg_scene_folds

@@ -1,6 +1,6 @@
-:- module(sg_passing,
-          [ passing_places/2,           % +S, -Passing
-            passing_named/2             % +S, +Passing
+:- module(sg_contact_origin,
+          [ contact_places/2,           % +S, -Contacts
+            contact_origins/2           % +S, +Contacts
           ]).
 :- use_module('../store',
               [ e/5, t/6, leaf_v/5, leaf_e/5, from_v/4, origin/3,
@@ -12,38 +12,38 @@
 :- use_module(library(lists), [member/2]).
 :- use_module(library(ordsets), [ord_intersection/2]).
 :- use_module(library(pairs), [group_pairs_by_key/2]).
-/** <module> Vertices that leaves have in passing.
+/** <module> What vertices of a result were made to touch.
 
-Before solids are combined, what is nearer than the tolerance is made to touch
-(resolve.pl): vertices of leaves are moved, and leaves get vertices in the
-middle of edges and faces. That is undone when the snapshot ends. What came of
-it in the result is said here in terms of what the leaves have: their vertices,
-edges and faces.
+Before solids are combined, resolve.pl makes features touch that are nearer to
+each other than the tolerance. It moves vertices of leaves, and gives leaves new
+vertices on edges and faces. The leaves get their rows back when the snapshot
+ends, but the result keeps these vertices. Here they get origins that name
+vertices, edges and faces that the leaves still have:
 
-  - A vertex V of one leaf S that others were made to touch is that vertex, and
-    has the origin near(on(S-V, Places)): Places are S0-v(V0), S0-e(E) and
-    S0-p(P), what of the others is there.
-  - Where edges pass each other, the vertex has the origin
+  - If others were made to touch a vertex V of one leaf S, it has the origin
+    near(on(S-V, Places)). Places are S0-v(V0), S0-e(E) and S0-p(P): the
+    features of the others that are there.
+  - If two edges pass each other at the vertex, it has the origin
     near(ll(Edge1, Edge2)).
-  - A cut that was made with a part of an edge, or with a triangle of a face,
-    was made with that edge, or (S-p(P)) with that face: near(lpi(...)).
+  - If the cut was made with a part of an edge, or with a triangle of a face,
+    the origin near(lpi(...)) names that edge, or that face as S-p(P).
 
 Origins near(_) are not exact.
 */
 
-%!  passing_places(+S, -Passing) is det.
+%!  contact_places(+S, -Contacts) is det.
 %
-%   Passing is V-place(Origin, Feature, Polygons) of the vertices V of S where
-%   it was made to touch: Origin as of resolve.pl; Feature v(V), of a vertex
-%   that was moved, or the edge e(E) or face p(P) that V was put on; and then
-%   Polygons, those that have V. To be asked while it is so.
+%   Contacts are V-place(Origin, Feature, Polygons), one for each vertex V of S
+%   that was made to touch. Origin is as of resolve.pl. Feature is v(V) if V was
+%   moved, otherwise the edge e(E) or face p(P) that V was put on; Polygons are
+%   then those that have V. True only inside the snapshot of resolve.pl.
 
-passing_places(S, Passing) :-
+contact_places(S, Contacts) :-
     findall(V-Place,
             ( origin(S, v(V), near(Origin)),
               place(S, V, Origin, Place)
             ),
-            Passing).
+            Contacts).
 
 place(S, V, Origin, place(Origin, Feature, Polygons)) :-
     (   leaf_v(S, V, _, _, _)
@@ -85,24 +85,24 @@ part_of(S, Part, E) :-
     ->  E = E0
     ).
 
-%!  passing_named(+S, +Passing) is det.
+%!  contact_origins(+S, +Contacts) is det.
 %
 %   Rewrites from_v/4 and origin/3 of the result S so that they name nothing of
-%   Passing, a list of S0-Passing0 as passing_places/2 gave it for leaf S0,
+%   Contacts, a list of S0-Contacts0 as contact_places/2 gave it for leaf S0,
 %   which is gone now.
 
-passing_named(_, []) :-
+contact_origins(_, []) :-
     !.
-passing_named(S, Passing) :-
+contact_origins(S, Contacts) :-
     findall(S0-Places,
-            ( member(S0-Passing0, Passing),
-              list_to_assoc(Passing0, Places)
+            ( member(S0-Contacts0, Contacts),
+              list_to_assoc(Contacts0, Places)
             ),
             Pairs),
     list_to_assoc(Pairs, Touched),
     findall(Origin-at(S0,V0,Feature),
-            ( member(S0-Passing0, Passing),
-              member(V0-place(Origin, Feature, _), Passing0)
+            ( member(S0-Contacts0, Contacts),
+              member(V0-place(Origin, Feature, _), Contacts0)
             ),
             Ats0),
     sort(Ats0, Ats),

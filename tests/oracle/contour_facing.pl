@@ -1,5 +1,5 @@
-:- module(sg_oracle_contour_turn,
-          [ side_turn/3                 % +Context, +Side, -Turn
+:- module(sg_oracle_contour_facing,
+          [ side_facing/3               % +Context, +Side, -Facing
           ]).
 :- use_module(contour_adjacent,
               [ beside_piece/4, is_point/2, triangle_facing/3,
@@ -24,7 +24,7 @@ Lines on a smooth surface (creases, penetration lines, borders) are turned to
 the eye, or from it, as the surface is, not as the triangles are that stand for
 it. Where both say the same of a side nothing is told of it, nor where a smooth
 surface would bulge at its triangle, which is of no known surface. Else it has a
-*turn*, which says what the surface hides of the line: the part under whose
+*facing*, which says what the surface hides of the line: the part under whose
 surface the eye is (g < 0),
 
   - of a solid, if the other face goes down from the line, only where the eye is
@@ -41,19 +41,19 @@ the back of an open one is what is seen, and over and under change places; a
 solid hides the line on both sides of the outline with its triangles, and
 nothing is told of it.
 
-The fused kernel is c_kernels/picture/contour_turn.c.
+The fused kernel is c_kernels/picture/contour_facing.c.
 
 @see contour.pl
 */
 
 :- set_prolog_flag(optimise, true).
 
-%!  side_turn(+Context, +Side, -Turn) is semidet.
+%!  side_facing(+Context, +Side, -Facing) is semidet.
 %
-%   Turn is turn(T, I, From, To, Ts), the row of surface_turn/6 that Side, T-I,
-%   has. Context is of contour.pl.
+%   Facing is facing(T, I, From, To, Ts), the row of surface_facing/6 that
+%   Side, T-I, has. Context is of contour.pl.
 
-side_turn(Context, T-I, turn(T,I,From,To,Ts)) :-
+side_facing(Context, T-I, facing(T,I,From,To,Ts)) :-
     Context = context(S, Sheets, _, _, _),
     triangle_kind(Context, 1, T, mixed),
     line_runs(S, Sheets, T-I),
@@ -147,7 +147,7 @@ hidden_part(Context, Side, Sense, Surface, Hidden) :-
     ).
 
 %   If the other face goes up, and its triangle is not turned away, or only in a
-%   part, it has a turn of its own, or hides nothing.
+%   part, it has a facing of its own, or hides nothing.
 
 hidden_of_solid(Context, Side, T2-I2, Surface, Hidden) :-
     Context = context(S, Sheets, _, _, _),

@@ -1,5 +1,5 @@
-/* contour_turn.c -- see contour.h: lines on smooth surfaces that are turned to
- * the eye otherwise than their triangles are.
+/* contour_facing.c -- see contour.h: lines on smooth surfaces that are turned
+ * to the eye otherwise than their triangles are.
  */
 #include "contour_private.h"
 
@@ -145,7 +145,7 @@ hidden_of_open(const sg_contour_finder *f, uint32_t side, int sense,
 
 /* The same of a solid: where the eye is inside. If the other face goes up, that
  * is also where the eye is under that; unless its triangle is turned away, too,
- * all along the side, it has a turn of its own, or hides nothing. */
+ * all along the side, it has a facing of its own, or hides nothing. */
 static part
 hidden_of_solid(const sg_contour_finder *f, uint32_t side, part surface)
 {
@@ -185,7 +185,7 @@ seen_part(uint32_t side, part hidden, int sense)
 }
 
 bool
-sg_contour_turn(const sg_contour_finder *f, uint32_t side, sg_turn *out)
+sg_contour_facing(const sg_contour_finder *f, uint32_t side, sg_facing *out)
 {
   uint8_t flags = f->in->smooth->side[side];
   uint32_t t = side / 3;
@@ -205,8 +205,8 @@ sg_contour_turn(const sg_contour_finder *f, uint32_t side, sg_turn *out)
     return false;
   }
   hidden = hidden_part(f, side, sense, surface);
-  *out = (sg_turn){.seen = seen_part(side, hidden, sense),
-                   .from = hidden.from,
-                   .to = hidden.to};
+  *out = (sg_facing){.seen = seen_part(side, hidden, sense),
+                     .from = hidden.from,
+                     .to = hidden.to};
   return true;
 }
