@@ -142,7 +142,7 @@ parted_corner(T, I1, I2, Corner) :-
 %!  surface_facings(+S, +Crease, -Facings) is det.
 %
 %   Facings, sorted, are facing(T, I, From, To, Ts) for the rows of
-%   surface_facing/6 that segment S has in the picture of screen/5: the rule that
+%   surface_facing/6 of segment S in the picture of screen/5. The rule that
 %   find_contours/2 follows. Slow.
 
 surface_facings(S, Crease, Facings) :-
