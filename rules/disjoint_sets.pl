@@ -3,7 +3,7 @@
             sets_joined/4               % +A, +B, +Sets0, -Sets
           ]).
 :- use_module(library(assoc), [get_assoc/3, put_assoc/4]).
-/** <module> Disjoint sets: what hangs together with what, as it becomes known.
+/** <module> Disjoint sets: connected components, found link by link.
 
 Sets is an assoc, empty at first: every term is a set by itself then. It has the
 size of a root's set, and of other members another one that is nearer to the

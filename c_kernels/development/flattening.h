@@ -19,7 +19,7 @@
 typedef enum sg_joint_state {
   SG_JOINT_OPEN,      /* not tried */
   SG_JOINT_JOINED,    /* a fold */
-  SG_JOINT_SAME,      /* its faces hang together already */
+  SG_JOINT_SAME,      /* its faces are connected already */
   SG_JOINT_OVERLAP,   /* refused: something would overlap */
   SG_JOINT_FORBIDDEN, /* not to be joined */
   SG_JOINT_SHORT,     /* refused: its edge is too short to hold what hangs */

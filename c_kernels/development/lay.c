@@ -16,7 +16,7 @@ typedef struct place {
 
 /* ---- laying out --------------------------------------------------------- */
 
-/* Corners that hang together by folds are one *spot*. Spots are numbered as
+/* Corners that are connected by folds are one *spot*. Spots are numbered as
  * they are laid, so those of a piece lie together in memory. */
 typedef struct layer {
   const sg_flattening *fl;

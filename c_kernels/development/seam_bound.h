@@ -3,7 +3,7 @@
  * Layer: kernel. Inexact: angles and lengths are rounded.
  *
  * What is bent at a vertex is how much the angles round it are short of a whole
- * turn. Go round a part of a seam that hangs together, in the pieces beside it:
+ * turn. Go round a connected part of a seam, in the pieces beside it:
  * in the plane each such way turns once, to the left if it is the outside of a
  * piece and to the right if it is a hole. So, by Gauss and Bonnet, what the
  * part has at its vertices sums to a multiple of two whole turns (4 pi), if it

@@ -133,7 +133,7 @@ reach(exchange *x, uint32_t face, uint32_t j, size_t n)
   return n;
 }
 
-/* Over all folds from a face: how many faces hang together, which are queued
+/* Over all folds from a face: how many faces are connected, which are queued
  * behind n others. */
 static size_t
 spread(exchange *x, uint32_t root, size_t n)
@@ -157,7 +157,7 @@ spread(exchange *x, uint32_t root, size_t n)
   return n;
 }
 
-/* Faces become islands anew: what is joined hangs together. False: no memory,
+/* Faces become islands anew: joined faces are connected. False: no memory,
  * or stopped. */
 static bool
 regroup(exchange *x, const uint32_t *face, size_t faces, bool *stopped)
@@ -273,7 +273,7 @@ try_joint(exchange *x, uint32_t j, sg_joint_state *state, bool *stopped)
 
 /* ---- a turn ------------------------------------------------------------- */
 
-/* The fold that has to go so that the faces of a seam, which hang together, may
+/* The fold that has to go so that the faces of a seam, which are connected, may
  * be joined there; none, if all on the way come before it. */
 static uint32_t
 fold_for(exchange *x, uint32_t j)

@@ -6,7 +6,7 @@
  * refused might be worth more than a fold that is in its way. So seams are
  * tried once more, in that order. A *turn* for one of them:
  *
- * - If its faces hang together, the fold on the way between them that comes
+ * - If its faces are connected, the fold on the way between them that comes
  * last in the order is taken back, if it comes after the seam.
  * - The seam is joined. As long as two faces would overlap, the fold on the way
  *   between them that comes last is taken back: SG_EXCHANGE_CUTS at most.

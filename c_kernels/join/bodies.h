@@ -1,4 +1,4 @@
-/* bodies.h -- what hangs together of a segment over its vertices.
+/* bodies.h -- the components of a segment, connected by vertices.
  *
  * Layer: kernel. A BODY is a largest set of leaf triangles that go from one to
  * the other over corners they share: a shell, or shells that have a vertex in

@@ -25,9 +25,9 @@ typedef void sg_fan_read(const void *data, size_t place, sg_fan_triangle *out);
  * they lie round it. */
 typedef struct sg_fans sg_fans;
 
-/* *out is null if so little hangs together that it is not worth it. Corners are
- * one where their names are equal, or if `by_place`, where they are. False: no
- * memory. Owner: sg_fans_close() in any case. Cost: linear. */
+/* *out is null if so few corners are connected that it is not worth it. Corners
+ * are one where their names are equal, or if `by_place`, where they are. False:
+ * no memory. Owner: sg_fans_close() in any case. Cost: linear. */
 bool sg_fans_open(const sg_bvh *tree, sg_fan_read *read, const void *data,
                   bool by_place, sg_fans **out);
 void sg_fans_close(sg_fans *fans);

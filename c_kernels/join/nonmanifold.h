@@ -3,7 +3,7 @@
  * Layer: kernel. At a plain vertex the triangles go round it once, each edge
  * between two of them. A NON-MANIFOLD vertex is any other: the end of an edge
  * of more than two triangles, a vertex that two sheets have in common, one at a
- * border. What hangs together may change its mind there, about what is inside.
+ * border. What is connected may change its mind there, about what is inside.
  */
 #ifndef SG_NONMANIFOLD_H
 #define SG_NONMANIFOLD_H

@@ -3,7 +3,7 @@
  *
  * A corner is a directed edge of a face together with the vertex it starts
  * from. Edges are mates in pairs of opposite ones; corners at a vertex that
- * hang together by mates are a fan. Exchanging the mates of two pairs at an
+ * are connected by mates are a fan. Exchanging the mates of two pairs at an
  * edge parts a fan that has both pairs into two, so one can go on doing that
  * until no edge has two pairs between the same two fans.
  */

@@ -1,6 +1,6 @@
 /* cut_face.c -- what lies inside a face is no line: see cut_set.h.
  *
- * A face is what hangs together flat, of however many polygons: a mesh's
+ * A face is a connected flat part, of one polygon or many: a mesh's
  * triangles are polygons of their own. Where the faces of two segments lie on
  * each other, their borders are lines, and the edges between polygons of one
  * face are none; nor is a vertex inside a face a contact. Vertices of a segment

@@ -45,7 +45,7 @@ sg_resolve_clear(sg_resolve *r)
   free(r->seam.item);
 }
 
-/* ---- segments that hang together ---- */
+/* ---- connected segments ---- */
 
 static uint32_t
 segment_root(const sg_resolve *r, uint32_t i)

@@ -19,7 +19,7 @@
  *   }
  *   sg_resolve_clear(&r);
  *
- * Contacts that are exact in all segments that hang together are left alone.
+ * Contacts that are exact in all segments that are connected are left alone.
  * Inexact but for the contacts' own exactness; deterministic.
  */
 #ifndef SG_RESOLVE_H

@@ -1,16 +1,16 @@
 /* smooth.h -- where a surface is smooth: sheets of triangles, and their
  * normals.
  *
- * Layer: kernel. Two triangles hang together smoothly where they alone share a
+ * Layer: kernel. Two triangles are connected smoothly where they alone share a
  * side, run along it in opposite directions, and their faces bend by no more
  * than the crease angle, or not at all if a penetration line runs there, and it
- * is no edge by the terms (known_surface.h). What hangs together is a *sheet*.
+ * is no edge by the terms (known_surface.h). A component is a *sheet*.
  *
  * Where polygons are facets of a known surface (known_surface.h), this says how
  * much they bend, and which way they look at a vertex; facets of one surface
- * hang together, even where a penetration line runs.
+ * are connected, even where a penetration line runs.
  *
- * The corners of a sheet's triangles at a vertex that hang together form a
+ * The corners of a sheet's triangles at a vertex that are connected form a
  * *fan*; a vertex on a crease has one for each sheet there, or several. A fan
  * has one normal: the mean of its faces', weighted by their area and by the
  * angle they fill there. If a face leans more than the crease angle from it the

@@ -189,10 +189,10 @@ only_pairs(const sg_work *work, int32_t v)
   return true;
 }
 
-/* The pairs that hang together with `first`, one edge of each, marked as seen
+/* The pairs that are connected with `first`, one edge of each, marked as seen
  * by this search; returns how many. `out` has room for all edges. */
 static size_t
-hanging_together(sg_work *work, int32_t first, int32_t *out)
+connected(sg_work *work, int32_t first, int32_t *out)
 {
   sg_work_edge_row *edge = work->edge;
   size_t n = 0;
@@ -231,7 +231,7 @@ drop_outer_pairs(sg_work *work)
         !(opposite = opposite_of(work, e))) {
       continue;
     }
-    size_t n = hanging_together(work, e, pair);
+    size_t n = connected(work, e, pair);
     done = winding(work, e, opposite, &around);
     for (size_t i = 0; done && around == 0 && i < n; i++) {
       int32_t other = opposite_of(work, pair[i]);

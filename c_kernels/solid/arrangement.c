@@ -193,7 +193,7 @@ note_edge(sg_arrangement *a, uint32_t leaf, int32_t v1, int32_t v2)
   return true;
 }
 
-/* Where a leaf is not one sheet, nothing hangs together, and its edges of more
+/* Where a leaf is not one sheet, nothing is connected, and its edges of more
  * than two triangles are as lines. */
 static bool
 note_nonmanifold(sg_arrangement *a, const sg_cancel *cancel)

@@ -1,7 +1,7 @@
-/* arrangement_part.c -- what hangs together: see arrangement.h.
+/* arrangement_part.c -- connected components: see arrangement.h.
  *
  * Layer: kernel. A vertex that is on no other leaf is on one side of each of
- * them, and so is everything that has it. Beside that, cells hang together
+ * them, and so is everything that has it. Beside that, cells are connected
  * over edges that are no lines.
  */
 #include "arrangement_private.h"
@@ -416,7 +416,7 @@ sg_arrangement_flood(sg_arrangement *a, sg_pool *pool, const sg_cancel *cancel)
 
 /* ---- components ---- */
 
-/* Nothing of one leaf hangs together with anything of another: leaves are
+/* Nothing of one leaf is connected with anything of another: leaves are
  * tasks, and their components come one leaf after another. */
 typedef struct finding {
   sg_arrangement *a;

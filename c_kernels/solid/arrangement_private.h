@@ -1,6 +1,6 @@
 /* arrangement_private.h -- the inside of arrangement.h.
  *
- * Layer: kernel. What hangs together is found by union of NODES: first one for
+ * Layer: kernel. Components are found by union of NODES: first one for
  * each vertex of each leaf, by its place in the leaf's table of ids, then one
  * for each polygon that is not cut but has a vertex on another leaf, and one
  * for each cell of those that are cut.
@@ -134,7 +134,7 @@ sg_arranged_corners(const sg_arrangement *a, uint32_t row, int32_t v[3])
 void sg_cell_corners(const sg_arrangement *a, const sg_cell *cell,
                      const sg_cell_triangle *triangle, sg_point out[3]);
 
-/* A new node that hangs together with nothing; SG_NO_KEY: no memory. */
+/* A new node, connected with nothing; SG_NO_KEY: no memory. */
 uint32_t sg_arrangement_new_node(sg_arrangement *a);
 static inline uint32_t
 sg_arrangement_root(sg_arrangement *a, uint32_t node)
@@ -148,7 +148,7 @@ void sg_arrangement_hang(sg_arrangement *a, uint32_t node, uint32_t other);
 bool sg_arrangement_find_made(sg_arrangement *a, sg_pool *pool,
                               const sg_cancel *cancel);
 
-/* Components from what hangs together (arrangement_part.c). */
+/* Components from the nodes (arrangement_part.c). */
 bool sg_arrangement_find_auxiliary(sg_arrangement *a, sg_pool *pool,
                                    const sg_cancel *cancel);
 bool sg_arrangement_flood(sg_arrangement *a, sg_pool *pool,

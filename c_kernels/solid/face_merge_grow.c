@@ -1,6 +1,6 @@
 /* face_merge_grow.c -- which faces become one: see face_merge_private.h.
  *
- * Layer: kernel. Faces that might be one hang together in patches. Mostly one
+ * Layer: kernel. Faces that might be one are connected in patches. Mostly one
  * plane fits all of a patch; else groups grow in it, the largest face first.
  */
 #include "face_merge_private.h"
@@ -31,7 +31,7 @@ typedef struct growth {
   uint8_t *state;     /* [faces] */
   uint32_t *mark;     /* [faces]: the last attempt that had the face */
   uint32_t attempt;
-  uint32_t *patch; /* [n]: of the faces that hang together */
+  uint32_t *patch; /* [n]: of the faces that are connected */
   size_t n;
 } growth;
 
@@ -401,7 +401,7 @@ find_sizes(void *data, size_t block)
   }
 }
 
-/* The faces that hang together with this one; false: stopped. */
+/* The faces that are connected with this one; false: stopped. */
 static bool
 find_patch(growth *g, uint32_t face)
 {

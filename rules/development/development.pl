@@ -47,7 +47,7 @@
 
 Each face lies in a frame of its own (DV-4). Two faces that share an edge are
 joined by laying the one with its edge on that of the other. All joints are
-tried, in an order; one is taken if its faces do not hang together already and
+tried, in an order; one is taken if its faces are not connected already and
 nothing would overlap. What is joined is a piece; a joint that is not taken is a
 seam. The order is that of the least seam (DV-6): flat edges first, then the
 longest; then folds are exchanged for better ones (development_search.pl). So a
@@ -461,7 +461,7 @@ other(P, Other, P, Other).
 %     - overlap(P1, P2)
 %       Joined, it would have laid polygon P2 on P1.
 %     - exchange(Js, J2, P1, P2)
-%       Its faces hang together by the joints Js, of which J2 comes after it in
+%       Its faces are connected by the joints Js, of which J2 comes after it in
 %       the order. With J2 cut instead, polygon P2 would lie on P1.
 %     - cut_by_wish
 %       It was to be cut.
@@ -470,7 +470,7 @@ other(P, Other, P, Other).
 %     - short
 %       The edge is too short to hold what would hang on it, or has no length.
 %     - chosen(Js)
-%       Its faces hang together by the joints Js, one of which could be cut
+%       Its faces are connected by the joints Js, one of which could be cut
 %       instead, for a shorter seam: it was to be cut, or no effort was left.
 %     - free
 %       Nothing is against it, in a pattern of which only the rows are known: it
@@ -537,7 +537,7 @@ way_reason(Way, Folds, Flattening, Order, J, Reason) :-
     ).
 
 %   parted(Way, Folds, Flattening, Order, J, Lasts, Result): with the folds
-%   Lasts cut the faces of J do not hang together, and joining J has this
+%   Lasts cut the faces of J are not connected, and joining J has this
 %   Result. There are several ways where faces close all round a flat vertex.
 
 parted(Way, Folds0, Flattening, Order, J, [Last|Lasts], Result) :-

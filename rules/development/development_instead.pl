@@ -26,7 +26,7 @@ yet (all the parts of a divided edge), and may let faces overlap.
 %     - overlap(P1, P2)
 %       Polygon P2 would lie on P1.
 %     - none
-%       J may not be joined, or its faces hang together in yet another way.
+%       J may not be joined, or its faces are connected in yet another way.
 %
 %   @error existence_error(development, D): see seam_reason/3
 

@@ -226,7 +226,7 @@ Foreign predicates; see kernel.pl.
 %   The segments Wanted, which are among Segments, in pieces along the lines of
 %   cut set Set, which is sealed. Polygons that were entered are told with what
 %   they became, as work(S, P, Work), all at once; what touches within Reach is
-%   made one where nothing else helps. Sealing finds what hangs together, and on
+%   made one where nothing else helps. Sealing finds the components, and on
 %   which side of each segment that is; then the set, and what else it was made
 %   from, is let go. An arrangement is held once when it is opened, and closed
 %   when it is dropped as often as it was held.

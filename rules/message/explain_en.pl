@@ -425,7 +425,7 @@ statement_en(cut_open(Part)) -->
        is cut open along one generator: the shortest, or as --seam or --cut \c
        say'-[Part] ].
 statement_en(unrolled(Part)) -->
-    [ '~w is unrolled as the round surface it is: its facets hang together in \c
+    [ '~w is unrolled as the round surface it is: its facets are connected in \c
        the order that they have round it'-[Part] ].
 statement_en(kept_by_wish) -->
     [ 'it was to be kept (unfolding/2, --keep)' ].

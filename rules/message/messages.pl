@@ -433,7 +433,7 @@ notice_en(nothing_to_explain(Item)) -->
 %   Why contacts within the tolerance were not made to touch (resolve.pl).
 
 contacts_en(wide(S, V)) -->
-    [ 'vertex ~d of segment ~d hangs together with others over more than '-
+    [ 'vertex ~d of segment ~d is connected with others over more than '-
       [V, S], 'three tolerances;', nl,
       '  what touches within the tolerance was left as it is.' ].
 contacts_en(stuck(S, P)) -->

@@ -161,7 +161,7 @@ pattern_opened(Width, Pieces0, Pieces, Tabs) :-
         Tabs = Tabs0
     ).
 
-%   worth_parting(Share0-Share1, More): pieces that hang together are wanted
+%   worth_parting(Share0-Share1, More): pieces that are connected are wanted
 %   too, so More pieces are only made if more than a tenth of the seam would be
 %   without tabs, more than half of that gets some, and as much of the seam for
 %   each of them as this.

@@ -75,7 +75,7 @@ walked(Side, Start, Leaving0, Leaving, Loop) :-
         Loop = []
     ).
 
-%   Where the piece hangs together in a point alone several sides go on from
+%   Where the piece is connected by a point alone several sides go on from
 %   there. The face on the left of Side is on the left of the next one too: the
 %   first one met clockwise from where Side came from.
 

@@ -9,7 +9,7 @@
 :- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> Slits too narrow for a tab, opened: the piece is parted at folds.
 
-The two sides of a slit hang together by folds, from face to face. Where one of
+The two sides of a slit are connected by folds, from face to face. Where one of
 these folds is cut, the slit is the gap between two pieces, and has room for
 tabs. That fold is taken first which opens the most slits; of several the
 shortest, as it is a seam from now on.

@@ -456,7 +456,7 @@ run_end(Side, From, End) :-
     ;   Side = side(_, _, _, End, _)
     ).
 
-%   shape_part(Shapes, Name, P, Sides, Part): what hangs together of them.
+%   shape_part(Shapes, Name, P, Sides, Part): a component of them.
 
 shape_part(Shapes, Name, P, Sides, piece(Name,[face(P,Own)],Left)) :-
     findall(I, nth1(I, Shapes, _), Is),

@@ -50,7 +50,7 @@ The rules of section 5 of the paper, over the joins of kernel.pl:
 
   1. Candidate pairs of leaf triangles come from trees of boxes; what a pair
      has in common is a *cut*, exact, its ends known by their features. In a
-     common plane only borders of faces are lines: what hangs together flat is
+     common plane only borders of faces are lines: a connected flat part is
      one face, of however many polygons (a mesh's triangles), and an edge inside
      it is none.
   2. Each piece of a cut enters both its polygons as an edge pair, so that the
@@ -106,7 +106,7 @@ penetrate :-
 %   with itself: where it goes through itself or lies on itself, but not where
 %   its triangles are neighbours (share vertices). Nothing is made to touch
 %   inside S first, unless it is a join (joined_segment/1): then each part of it
-%   that hangs together is made to touch the others. Its lines have S1 = S2, and
+%   that is connected is made to touch the others. Its lines have S1 = S2, and
 %   an edge pair in each polygon.
 
 penetrate(Pairs) :-
@@ -244,7 +244,7 @@ met_leaves(All, Pairs, Tolerance, Met) :-
     leaves_restored(All),
     met_pairs(All, Pairs, Tolerance, Met).
 
-%   Contacts hang together, so they are made to touch in all pairs of these
+%   Contacts are connected, so they are made to touch in all pairs of these
 %   segments. Mostly those are the pairs that are to be cut.
 
 penetrated(Pairs, Tolerance) :-

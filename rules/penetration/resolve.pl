@@ -42,7 +42,7 @@ in penetration.pl; it is not exact. What was there before is kept
 %
 %   True if something was made to touch in the segments of cut set Set: then
 %   the world has changed, and Set no longer shows it. Tolerance is as for
-%   tolerance_reach/2, positive. Contacts that hang together over more than
+%   tolerance_reach/2, positive. Contacts that are connected over more than
 %   three tolerances, or that a polygon cannot take in, are tried again with
 %   less; in the end nothing is changed, with a warning: the lines are right
 %   for the model as it is, but may have splinters. Where anything moves

@@ -34,7 +34,7 @@ triangle hide the parts into which the ends of the piece divide it.
 %
 %   Fill contour/13 and surface_facing/6 of the current world for the view that
 %   screen/5 holds, from Segments, `all` or a list. Faces that bend by no more
-%   than Crease degrees hang together smoothly.
+%   than Crease degrees are connected smoothly.
 
 find_contours(Segments, Crease) :-
     current_view(Theta, Phi, Rho, Kind),

@@ -42,7 +42,7 @@ point_moved([[A, B, C], [D, E, F]], X0-Y0, X-Y) :-
 
 %!  region_islands(+Region, -Islands) is det.
 %
-%   Islands are the parts of Region that hang together, each island(Outline,
+%   Islands are the parts of Region that are connected, each island(Outline,
 %   Holes, Bays): Outline a counter-clockwise loop, Holes the clockwise loops of
 %   its holes. Bays are those of holes that touch another loop in a point. No
 %   loop meets itself, and no three points in a row are on one line. Of a region

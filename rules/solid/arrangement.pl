@@ -56,7 +56,7 @@ twice.
 The pieces of a leaf depend on that leaf and on those near it. They are kept
 with the world under the stamps of these; a leaf that is edited, or moved, makes
 stale what it is near to and was near to, and nothing else. Where leaves were
-made to touch (resolve.pl) they hang together: all of them are stale at once,
+made to touch (resolve.pl) they are connected: all of them are stale at once,
 since a vertex that they share is shared by moving it.
 
 @see c_kernels/solid/arrangement.h; rows CB-1, CB-3 and CB-4
@@ -86,7 +86,7 @@ with_arrangement(Leaves0, Options, Goal) :-
     setup_call_cleanup(
         with_mutex(sg_pieces, held(Kept, Held)),
         ( current(Leaves, Keys, Kept, Current0, Contacts0, Stale0),
-          hanging_together(Stale0, Near, Kept, Stale),
+          connected(Stale0, Near, Kept, Stale),
           include_current(Current0, Stale, Current),
           counted(sg_pieces_made, Stale),
           counted(sg_pieces_found, Current),
@@ -176,10 +176,10 @@ current([S|Ss], [Key|Keys], Kept, Current, Contacts, Stale) :-
     ),
     current(Ss, Keys, Kept, Current1, Contacts1, Stale1).
 
-%   hanging_together(+Stale0, +Near, +Kept, -Stale): with every leaf, and every
+%   connected(+Stale0, +Near, +Kept, -Stale): with every leaf, and every
 %   one near it, those it was made to touch.
 
-hanging_together(Stale0, Near, Kept, Stale) :-
+connected(Stale0, Near, Kept, Stale) :-
     around(Stale0, Near, Around),
     findall(S,
             ( member(A, Around),
@@ -193,7 +193,7 @@ hanging_together(Stale0, Near, Kept, Stale) :-
     ord_union(Stale0, Touching, Stale1),
     (   Stale1 == Stale0
     ->  Stale = Stale0
-    ;   hanging_together(Stale1, Near, Kept, Stale)
+    ;   connected(Stale1, Near, Kept, Stale)
     ).
 
 around(Ss, Near, Around) :-

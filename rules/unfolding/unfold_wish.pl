@@ -337,7 +337,7 @@ last_of_two(_, _, _, From, Keep, Keep, From).
                 *             ORDER            *
                 *******************************/
 
-%   kept_sets(S, Wishes, Sets): Sets say which polygons hang together by edges
+%   kept_sets(S, Wishes, Sets): Sets say which polygons are connected by edges
 %   that are kept. They cannot go round, unless that lies flat.
 
 kept_sets(S, Wishes, Sets) :-

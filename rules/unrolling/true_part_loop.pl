@@ -31,7 +31,7 @@ facet_parted(Shape, Facet, Facets) :-
     ;   Facets = [Facet]
     ).
 
-%   loops(Halves, Loops): those that hang together.
+%   loops(Halves, Loops): the connected ones.
 
 loops([], []).
 loops([Half|Halves0], [Loop|Loops]) :-

@@ -392,8 +392,8 @@ facets_as_drawn(S, Facets0, Shape, Facets) :-
     append(Parted, Facets1),
     sort(1, @=<, Facets1, Facets).
 
-%   put_together(Shape, Transitions, Drawn-Group, Facets): one for each part of
-%   the facet that hangs together. Transitions are the segments of that kind.
+%   put_together(Shape, Transitions, Drawn-Group, Facets): one for each
+%   connected part of the facet. Transitions are the segments of that kind.
 
 put_together(_, _, _-[Facet], [Facet]) :-
     !.
@@ -404,7 +404,7 @@ put_together(Shape, Transitions, drawn(D, PD)-Group, Facets) :-
     ->  true
     ;   Group = [facet(_, T1, T2, _)|_]         % of a flat part
     ),
-    hanging_together(Group, Parts),
+    connected(Group, Parts),
     maplist(one_facet(Shape, T1, T2), Parts, Facets).
 
 %   Facets of a transition may stand for one that is a part of another cone.
@@ -445,13 +445,13 @@ rim_settled(Level, Shape, Halves0, Halves) :-
     ;   Halves = Halves0
     ).
 
-%   hanging_together(Facets, Parts): those with a half-edge in common, once each
+%   connected(Facets, Parts): those with a half-edge in common, once each
 %   way, are of one part.
 
-hanging_together([], []).
-hanging_together([Facet|Facets], [Part|Parts]) :-
+connected([], []).
+connected([Facet|Facets], [Part|Parts]) :-
     grown([Facet], Facets, Part, Rest),
-    hanging_together(Rest, Parts).
+    connected(Rest, Parts).
 
 grown([], Rest, [], Rest).
 grown([Facet|Queue], Others, [Facet|Part], Rest) :-
@@ -531,7 +531,7 @@ whole(P, P).
 pieces_together(_-[Facet], [Facet]) :-
     !.
 pieces_together(_-Group, Facets) :-
-    hanging_together(Group, Parts),
+    connected(Group, Parts),
     maplist(one_of_pieces, Parts, Facets).
 
 one_of_pieces([Facet], Facet) :-

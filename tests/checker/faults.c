@@ -34,7 +34,7 @@ corners_of(const double *out[3], const soup *s, int triangle)
   }
 }
 
-/* - - - groups of things that hang together - - - */
+/* - - - groups of things that are connected - - - */
 
 static int
 group_of(int *parent, int i)

@@ -72,7 +72,7 @@ check "no such polygon" complains 2 'There are 1 - 6 .base, top, side.1..4..' \
   sanggwan unfold "$box" --root lid
 check "no such edge" complains 2 'base and top have no edge in common' \
   sanggwan unfold "$box" --cut base-top
-check "an order that does not hang together" complains 2 \
+check "an order that is not connected" complains 2 \
   'polygon 2 .top. has no edge in common with one before it' \
   sanggwan unfold "$box" --order base,top
 check "the root removed" complains 2 'the root, polygon 1 .base., is to be' \

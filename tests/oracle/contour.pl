@@ -26,7 +26,7 @@ The side of a vertex that a surface turns to the eye is told by g = normal .
 direction to the eye, with the normal of the vertex's fan (smooth_sheet.pl).
 Along the sides of a curved sheet's triangles g runs linearly, and the outline
 goes through its zeros: across a triangle whose corners differ runs one piece.
-Zero counts as turned to the eye, so that pieces hang together whatever lies
+Zero counts as turned to the eye, so that pieces are connected whatever lies
 where.
 
 A side is a chord: at its zero the surface is above it, by a part of the square

@@ -37,11 +37,11 @@
 :- use_module(library(pairs), [group_pairs_by_key/2, pairs_keys_values/3]).
 /** <module> Smooth sheets: which triangles of a segment are one smooth surface.
 
-Two triangles hang together smoothly where they alone share a side, run along
+Two triangles are connected smoothly where they alone share a side, run along
 it in opposite directions, and their faces bend by no more than the crease
 angle, or not at all if a penetration line runs there, and it is no edge by the
-terms (known_surface.pl). What hangs together is a *sheet*; the corners of a
-sheet at a vertex that hang together are a *fan*. A fan has one normal, the mean
+terms (known_surface.pl). A component is a *sheet*; the corners of a
+sheet at a vertex that are connected are a *fan*. A fan has one normal, the mean
 of its faces' normals, weighted by their area and by the angle they fill there;
 where a face leans more than the crease angle from it, the vertex is an apex and
 has none.
@@ -82,7 +82,7 @@ c_kernels/picture/smooth.c is the fused kernel.
 
 %!  smooth_sheets(+S, +Crease, -Sheets) is det.
 %
-%   Sheets says how the triangles of segment S hang together, for the other
+%   Sheets says how the triangles of segment S are connected, for the other
 %   predicates here. Crease: degrees.
 
 smooth_sheets(S, Crease, Sheets) :-
@@ -385,7 +385,7 @@ corner_place(Sheets, Corner, Place) :-
 
 /* - - - fans - - - */
 
-%   Corners hang together over the two sides of a triangle that meet there.
+%   Corners are connected over the two sides of a triangle that meet there.
 
 fans([], _, Fans, Fans, Members, Members).
 fans([Corner|Corners], Sides, Fans0, Fans, Members0, Members) :-

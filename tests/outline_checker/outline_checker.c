@@ -16,7 +16,7 @@
  *     NAME: silhouette=N bare=N run=N farthest=D at=X,Y
  *
  * bare: dots of the silhouette that have no drawn line within NEAR dots; run:
- * of these the most that hang together, which begin at X,Y of the input;
+ * of these the most that are connected, which begin at X,Y of the input;
  * farthest: how far from a line one of them is, in dots, at most FAR.
  */
 #include <math.h>
@@ -131,7 +131,7 @@ draw(dots *d, const double *l)
 
 /* --------------------------------------------------------------- regions */
 
-/* Gives the dots that hang together with `start` over dots for which `of` is
+/* Gives the dots that are connected with `start` over dots for which `of` is
  * `value` the number `name` in `out`, and counts them. Eight neighbours, or
  * four. */
 static size_t

@@ -1,5 +1,5 @@
 /* edges.h -- is every edge of the solid a fold, a seam with its two sides, or a
- * border, and are the pieces what hangs together by folds? */
+ * border, and are the pieces connected by folds? */
 #ifndef SG_PATTERN_CHECKER_EDGES_H
 #define SG_PATTERN_CHECKER_EDGES_H
 
@@ -11,7 +11,7 @@ typedef struct edge_faults {
   size_t unpaired; /* sides that have no joint and are no border */
   size_t mismatch; /* joints of sides that were not one edge, folds of sides
                     * that lie apart */
-  size_t cut;      /* pieces that do not hang together, or do by more than one
+  size_t cut;      /* pieces that are not connected, or are by more than one
                     * number */
   size_t loose;    /* sides of no polygon or of two, in two joints */
   real seam;       /* the length of all seams, each once */
@@ -24,7 +24,7 @@ typedef struct edge_faults {
 
 void check_edges(const pattern *p, edge_faults *out);
 
-/* Sets of items that hang together: each item's way to the first of its set. */
+/* Sets of items that are connected: each item's way to the first of its set. */
 int *sets_of(size_t n);
 int set_of(int *sets, int item);
 /* False: they were of one set already. */

@@ -244,7 +244,7 @@ check_bent(void)
   unfold(m, SG_ORDER_LONGEST, &u);
   CHECK("a polygon that is not flat is its triangles",
         u.faces.bents == 1 && u.faces.faces == 2 && u.faces.chords == 2);
-  CHECK("which hang together", u.layout.pieces == 1 && u.joints.n == 1);
+  CHECK("which are connected", u.layout.pieces == 1 && u.joints.n == 1);
   forget(&u);
   memcpy(m->corner[1], m->corner[0], sizeof m->corner[1]);
   unfold(m, SG_ORDER_LONGEST, &u);

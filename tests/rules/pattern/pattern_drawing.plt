@@ -247,7 +247,7 @@ test(divided_along_lines) :-
                           Name \== sheet ), Xs),
              length(Xs, Parts),
              assertion(Parts =:= N) )).
-% Faces that are all longer than the page: their halves hang together.
+% Faces that are all longer than the page: their halves are connected.
 test(divided_both_ways, [ Parts-Folds == 2-20 ]) :-
     drawn(strip_pattern(11, 15, 400), [page('A4')], Drawings),
     assertion(right(Drawings)),

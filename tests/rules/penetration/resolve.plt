@@ -313,7 +313,7 @@ test(tangles, [ forall(member(N-Last, [2-40,3-40,4-20,6-8])),
               Fault \== none ),
             Bad).
 
-% Some pairs only: contacts hang together all the same.
+% Some pairs only: contacts are connected all the same.
 test(some_pairs, Bad == []) :-
     findall(Seed-Pairs,
             ( between(1, 20, Seed),

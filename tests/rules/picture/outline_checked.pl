@@ -49,7 +49,7 @@ between(X0, Y0, X1, Y1, F, X-Y) :-
 %
 %   Results are outline(Name, Silhouette, Bare, Run, Farthest, At), in dots
 %   of a picture of 1000: how many dots the silhouette has, how many of them no
-%   visible line within 2.5 dots, the most of these that hang together, how far
+%   visible line within 2.5 dots, the most of these that are connected, how far
 %   the farthest is from a line, and where the run begins, X-Y of the picture.
 
 check_outlines(pictures(File, Out), Results) :-

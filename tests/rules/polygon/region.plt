@@ -119,7 +119,7 @@ test(turned, [ setup(set_random(seed(1989))), forall(between(1, 60, _)) ]) :-
     same_points(Islands, Again).
 
 % Cells of a chessboard, some of them there: all corners lie at the heights of
-% others. Islands are the cells that hang together by sides, no hole is lost.
+% others. Islands are the cells that are connected by sides, no hole is lost.
 test(cells, [ setup(set_random(seed(1990))), forall(between(1, 120, I)) ]) :-
     Share is 0.3+0.1*(I mod 6),
     findall(X-Y, ( between(1, 6, X), between(1, 6, Y), maybe(Share) ), Cells),
@@ -157,7 +157,7 @@ within(Hole, Outline) :-
     maplist(max_list, [Xs,Ys,Us,Vs], [X1,Y1,U1,V1]),
     X0 >= U0, Y0 >= V0, X1 =< U1, Y1 =< V1.
 
-% How many cells hang together, patch by patch.
+% How many cells are connected, patch by patch.
 patches([], []).
 patches([Cell|Cells], [Size|Sizes]) :-
     patch([Cell], Cells, Left, 0, Size),

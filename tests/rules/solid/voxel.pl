@@ -121,7 +121,7 @@ edges_squares(Squares, EdgesSquares) :-
 
 within_face(_-[square(Axis,Sense,_),square(Axis,Sense,_)]).
 
-%   faces(+Squares, +EdgesSquares, -N): squares that hang together.
+%   faces(+Squares, +EdgesSquares, -N): squares that are connected.
 
 faces(Squares, EdgesSquares, N) :-
     findall(S-T,

@@ -244,7 +244,7 @@ test(order_not_where_cut, Pairs == [[1,3],[1,4]]) :-
     hexagonal(Prism),
     wanted_of(Prism, [order([1,3,4]), cut(3-4)], wanted(_, _, Keep, _)),
     findall(Ps, ( member(edge(_, P, Q), Keep), sort([P,Q], Ps) ), Pairs).
-test(order_where_kept, N == 2) :-       % 3 and 4 hang together already
+test(order_where_kept, N == 2) :-       % 3 and 4 are connected already
     hexagonal(Prism),
     wanted_of(Prism, [keep(3-4), order([1,3,4])], wanted(_, _, Keep, _)),
     length(Keep, N).
