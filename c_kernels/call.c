@@ -1,5 +1,6 @@
 /* call.c -- see call.h. */
 #include "call.h"
+#include "engine/list.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -307,15 +308,9 @@ sg_call_read_all(sg_call *call, const sg_input *in, size_t most, char **out,
   *n = 0;
   do {
     *n += got;
-    if (room - *n < CHUNK) {
-      room = 2 * room + CHUNK;
-      char *more = realloc(*out, room);
-
-      if (!more) {
-        sg_call_no_memory(call);
-        break;
-      }
-      *out = more;
+    if (!sg_list_need(out, *n + CHUNK, &room, 1)) {
+      sg_call_no_memory(call);
+      break;
     }
     got = sg_call_read(call, in, *out + *n, CHUNK);
   } while (got > 0 && *n <= most);

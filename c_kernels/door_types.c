@@ -4,7 +4,7 @@
  */
 #include "door.h"
 
-#include "ids.h"
+#include "engine/search.h"
 
 #include <SWI-Stream.h>
 #include <errno.h>

@@ -1,5 +1,6 @@
 /* ids.c -- entries on leaves, leaves in a directory. */
 #include "ids.h"
+#include "search.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -53,34 +54,20 @@ sg_ids_drop(sg_ids *ids)
 static size_t
 leaf_of(const sg_ids *ids, int32_t s)
 {
-  size_t low = 0, high = ids->count;
+  size_t next;
 
-  while (high - low > 1) {
-    size_t middle = (low + high) / 2;
-    if (ids->leaf[middle]->of[0].s <= s) {
-      low = middle;
-    } else {
-      high = middle;
-    }
-  }
-  return low;
+  SG_SEARCH(next, 1, ids->count, ids->leaf[next]->of[0].s <= s);
+  return next - 1;
 }
 
 /* The first entry that is not before s. */
 static uint32_t
 place_of(const leaf *l, int32_t s)
 {
-  uint32_t low = 0, high = l->count;
+  size_t at;
 
-  while (low < high) {
-    uint32_t middle = (low + high) / 2;
-    if (l->of[middle].s < s) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return low;
+  SG_SEARCH(at, 0, l->count, l->of[at].s < s);
+  return (uint32_t)at;
 }
 
 static bool

@@ -1,5 +1,6 @@
 /* index.c -- chains of rows and of members, by hash. */
 #include "index_hash.h"
+#include "list.h"
 #include "table.h"
 
 #include <stdlib.h>
@@ -54,7 +55,8 @@ sg_index_clear(sg_index *index)
   index->link = NULL;
   index->head = NULL;
   index->bits = 0;
-  index->links = index->pages = index->link_room = index->link_used = 0;
+  index->links = index->pages = index->page_room = index->link_room =
+      index->link_used = 0;
   index->linked = 0;
   index->lates = 0;
   index->free = SG_NO_ROW;
@@ -170,18 +172,13 @@ reserve_heads(sg_index *index, const sg_table *table, size_t links)
 static bool
 reserve_next(sg_index *index, size_t pages)
 {
-  uint32_t **next;
-
-  if (pages <= index->pages) {
-    return true;
-  }
-  if (!(next = realloc(index->next, pages * sizeof(*next)))) {
+  if (!sg_list_need(&index->next, pages, &index->page_room,
+                    sizeof(*index->next))) {
     return false;
   }
-  index->next = next;
   while (index->pages < pages) {
-    next[index->pages] = malloc(SG_PAGE_ROWS * sizeof(**next));
-    if (!next[index->pages]) {
+    index->next[index->pages] = malloc(SG_PAGE_ROWS * sizeof(**index->next));
+    if (!index->next[index->pages]) {
       return false;
     }
     index->pages++;
@@ -199,17 +196,11 @@ link_take(sg_index *index)
     index->free = index->link[at].next;
     return at;
   }
-  if (index->link_used == index->link_room) {
-    size_t room = index->link_room ? 2 * index->link_room : 64;
-    sg_link *link = realloc(index->link, room * sizeof(*link));
-    if (!link || room >= SG_NO_ROW) {
-      index->link = link ? link : index->link;
-      return SG_NO_ROW;
-    }
-    index->link = link;
-    index->link_room = room;
-  }
-  return (uint32_t)index->link_used++;
+  return index->link_used < SG_NO_ROW &&
+                 sg_list_grow(&index->link, index->link_used, &index->link_room,
+                              sizeof(*index->link))
+             ? (uint32_t)index->link_used++
+             : SG_NO_ROW;
 }
 
 static bool

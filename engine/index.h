@@ -43,7 +43,7 @@ typedef struct sg_index {
   uint32_t *head;  /* row or link, SG_NO_ROW: none; null: nothing is linked */
   size_t links;    /* chained at present */
   uint32_t **next; /* row index: [pages][SG_PAGE_ROWS] */
-  size_t pages;
+  size_t pages, page_room;
   sg_link *link; /* member index: [link_room] */
   size_t link_room;
   size_t link_used; /* links below were used once */

@@ -1,4 +1,6 @@
 /* runs.c -- rows that need no place in the index of keys: see runs.h. */
+#include "list.h"
+#include "search.h"
 #include "table.h"
 
 #include <stdlib.h>
@@ -56,18 +58,12 @@ sg_runs_id(const sg_table *table, sg_row row)
 static size_t
 place_of(const sg_runs *runs, int32_t s, sg_row row)
 {
-  size_t low = 0, high = runs->count;
+  const sg_run *run = runs->run;
+  size_t at;
 
-  while (low < high) {
-    size_t middle = (low + high) / 2;
-    const sg_run *run = &runs->run[middle];
-    if (run->s < s || (run->s == s && run->row < row)) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return low;
+  SG_SEARCH(at, 0, runs->count,
+            run[at].s < s || (run[at].s == s && run[at].row < row));
+  return at;
 }
 
 static void
@@ -75,17 +71,9 @@ insert(sg_runs *runs, const sg_run *run)
 {
   size_t place = place_of(runs, run->s, run->row);
 
-  if (run->n < SHORTEST || runs->count == MOST) {
-    return;
-  }
-  if (runs->count == runs->room) {
-    size_t room = runs->room ? 2 * runs->room : 8;
-    sg_run *more = realloc(runs->run, room * sizeof(*more));
-    if (!more) {
-      return; /* the index takes them */
-    }
-    runs->run = more;
-    runs->room = room;
+  if (run->n < SHORTEST || runs->count == MOST ||
+      !sg_list_grow(&runs->run, runs->count, &runs->room, sizeof(*run))) {
+    return; /* without memory the index takes them */
   }
   memmove(&runs->run[place + 1], &runs->run[place],
           (runs->count - place) * sizeof(*run));

@@ -1,4 +1,5 @@
 /* store.c -- worlds and their versions: life, transactions, undo. */
+#include "list.h"
 #include "world.h"
 
 #include <stdlib.h>
@@ -168,18 +169,8 @@ sg_world_own(sg_world *world)
 static bool
 stack_reserve(sg_stack *stack)
 {
-  size_t room = stack->room ? 2 * stack->room : 8;
-  sg_version **version;
-
-  if (stack->count < stack->room) {
-    return true;
-  }
-  if (!(version = realloc(stack->version, room * sizeof(sg_version *)))) {
-    return false;
-  }
-  stack->version = version;
-  stack->room = room;
-  return true;
+  return sg_list_grow(&stack->version, stack->count, &stack->room,
+                      sizeof(*stack->version));
 }
 
 void
@@ -401,19 +392,9 @@ sg_world_release(sg_world *world)
 static bool
 begin_reserve(sg_world *world)
 {
-  if (!stack_reserve(&world->open) || !stack_reserve(&world->undo)) {
-    return false;
-  }
-  if (world->open.count == world->changes_room) {
-    size_t room = world->changes_room ? 2 * world->changes_room : 8;
-    uint64_t *at = realloc(world->changes_at, room * sizeof(*at));
-    if (!at) {
-      return false;
-    }
-    world->changes_at = at;
-    world->changes_room = room;
-  }
-  return true;
+  return stack_reserve(&world->open) && stack_reserve(&world->undo) &&
+         sg_list_grow(&world->changes_at, world->open.count,
+                      &world->changes_room, sizeof(*world->changes_at));
 }
 
 sg_status

@@ -1,30 +1,15 @@
 /* suspect.c -- sorted lists of what may be missing. */
 #include "suspect.h"
+#include "list.h"
+#include "search.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 bool
-sg_grow(void *array, size_t n, size_t *room, size_t size)
-{
-  void *old, *more;
-
-  if (n < *room) {
-    return true;
-  }
-  memcpy(&old, array, sizeof old);
-  if (!(more = realloc(old, (2 * *room + 8) * size))) {
-    return false;
-  }
-  memcpy(array, &more, sizeof more);
-  *room = 2 * *room + 8;
-  return true;
-}
-
-bool
 sg_suspect_gone(sg_suspects *x, int32_t s, int32_t id)
 {
-  if (!sg_grow(&x->gone, x->n, &x->room, sizeof *x->gone)) {
+  if (!sg_list_grow(&x->gone, x->n, &x->room, sizeof *x->gone)) {
     return false;
   }
   x->gone[x->n++] = (sg_id_pair){s, id};
@@ -40,14 +25,6 @@ compare_pairs(const void *a, const void *b)
     return x->s < y->s ? -1 : 1;
   }
   return (x->id > y->id) - (x->id < y->id);
-}
-
-static int
-compare_ints(const void *a, const void *b)
-{
-  int32_t x = *(const int32_t *)a, y = *(const int32_t *)b;
-
-  return (x > y) - (x < y);
 }
 
 static int32_t
@@ -98,7 +75,7 @@ sg_suspects_order(sg_suspects *x)
   }
   x->n = n;
   if (x->ofs > 1) {
-    qsort(x->of, x->ofs, sizeof *x->of, compare_ints);
+    qsort(x->of, x->ofs, sizeof *x->of, sg_compare_ids);
   }
   find_range(x);
 }
@@ -117,7 +94,7 @@ sg_may_concern(const sg_suspects *x, int32_t s)
 {
   return x->all ||
          (x->n > 0 && s >= x->gone[0].s && s <= x->gone[x->n - 1].s) ||
-         (x->ofs > 0 && bsearch(&s, x->of, x->ofs, sizeof s, compare_ints));
+         (x->ofs > 0 && bsearch(&s, x->of, x->ofs, sizeof s, sg_compare_ids));
 }
 
 void

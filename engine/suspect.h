@@ -24,8 +24,6 @@ typedef struct sg_suspects {
   int32_t first_s, last_s, first_id, last_id;
 } sg_suspects;
 
-/* Room for one more of `size` bytes in *array, which is a pointer. */
-bool sg_grow(void *array, size_t n, size_t *room, size_t size);
 bool sg_suspect_gone(sg_suspects *x, int32_t s, int32_t id);
 /* Before one is looked for. */
 void sg_suspects_order(sg_suspects *x);

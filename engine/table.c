@@ -1,6 +1,7 @@
 /* table.c -- pages of cells and their slots. */
 #include "table.h"
 #include "index_hash.h"
+#include "list.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -154,14 +155,9 @@ sg_table_reserve(sg_table *table, size_t n)
   if (n >= SG_NO_ROW - table->slots) {
     return false; /* row numbers have 32 bits */
   }
-  if (need > table->page_room) {
-    size_t room = need + need / 2 + 4;
-    sg_page **page = realloc(table->page, room * sizeof(*page));
-    if (!page) {
-      return false;
-    }
-    table->page = page;
-    table->page_room = room;
+  if (!sg_list_need(&table->page, need, &table->page_room,
+                    sizeof(*table->page))) {
+    return false;
   }
   while (table->pages < need) {
     sg_page *page = page_open(table->info);

@@ -1,5 +1,6 @@
 /* term.c -- the builder of coded terms. */
 #include "term.h"
+#include "list.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -35,10 +36,9 @@ extend(sg_term_builder *b, size_t words)
     return NULL;
   }
   if (need > b->room) {
-    size_t room = 2 * need;
     bool few = b->word == b->few;
-    uint32_t *word = realloc(few ? NULL : b->word, room * sizeof(*word));
-    if (!word) {
+    uint32_t *word = few ? NULL : b->word;
+    if (!sg_list_widen(&word, need, &b->room, sizeof(*word))) {
       b->failed = b->no_memory = true;
       return NULL;
     }
@@ -46,7 +46,6 @@ extend(sg_term_builder *b, size_t words)
       memcpy(word, b->few, b->count * sizeof(*word));
     }
     b->word = word;
-    b->room = room;
   }
   b->count = need;
   return b->word + need - words;

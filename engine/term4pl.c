@@ -1,4 +1,5 @@
 /* term4pl.c -- ground Prolog terms to words (term.h) and back. */
+#include "list.h"
 #include "world4pl.h"
 
 #include <pthread.h>
@@ -44,20 +45,14 @@ sg_symbol_atom(int32_t symbol)
   size_t place = (size_t)symbol;
 
   pthread_mutex_lock(&symbols.lock);
-  if (place >= symbols.room) {
-    size_t room = 2 * place + 64;
-    atom_t *more = realloc(symbols.atom, room * sizeof(*more));
-    if (more) {
-      memset(more + symbols.room, 0, (room - symbols.room) * sizeof(*more));
-      symbols.atom = more;
-      symbols.room = room;
-    }
-  }
-  atom = place < symbols.room ? symbols.atom[place] : 0;
+  bool kept = sg_list_need_zeroed(&symbols.atom, place + 1, &symbols.room,
+                                  sizeof(*symbols.atom));
+
+  atom = kept ? symbols.atom[place] : 0;
   if (!atom) {
     atom = new_symbol_atom(symbol);
-    if (place < symbols.room) {
-      symbols.atom[place] = atom; /* else no memory: made again next time */
+    if (kept) { /* else no memory: made again next time */
+      symbols.atom[place] = atom;
     }
   }
   pthread_mutex_unlock(&symbols.lock);

@@ -1,4 +1,5 @@
 /* version.c -- maps: which rows of a table one version shows. */
+#include "search.h"
 #include "table.h"
 
 #include <stdlib.h>
@@ -219,36 +220,11 @@ sg_map_used_id(sg_map *map, int32_t s, int32_t id)
 
 /* ---- the rows of some segments ------------------------------------------ */
 
-/* The place of the first that is not before id. */
-static size_t
-first_from(const int32_t *s, size_t n, int32_t id)
-{
-  size_t low = 0, high = n;
-
-  while (low < high) {
-    size_t middle = (low + high) / 2;
-    if (s[middle] < id) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return low;
-}
-
-static bool
-is_among(const int32_t *s, size_t n, int32_t id)
-{
-  size_t place = first_from(s, n, id);
-
-  return place < n && s[place] == id;
-}
-
 /* False: no row of one of the segments is on the page. */
 static bool
 may_have_any(const sg_page *page, const int32_t *s, size_t n)
 {
-  size_t place = first_from(s, n, sg_page_first(page));
+  size_t place = sg_first_id(s, n, sizeof *s, sg_page_first(page));
 
   return place < n && s[place] <= sg_page_last(page);
 }
@@ -275,12 +251,12 @@ find_rows(const sg_live *live, const int32_t *s, size_t n, uint64_t *out)
 
   if (is_of_one(of)) {
     memcpy(out, live->word, sizeof live->word);
-    return is_among(s, n, of[0]);
+    return sg_find_id(s, n, of[0]) != SIZE_MAX;
   }
   memset(out, 0, sizeof live->word);
   for (unsigned r = sg_live_next(live->word, 0); r < SG_PAGE_ROWS;
        r = sg_live_next(live->word, r + 1)) {
-    among = of[r] == last ? among : is_among(s, n, of[r]);
+    among = of[r] == last ? among : sg_find_id(s, n, of[r]) != SIZE_MAX;
     last = of[r];
     any = any || among;
     out[r / 64] |= (uint64_t)among << r % 64;

@@ -1,5 +1,7 @@
 /* walk.c -- reading a version: values, views, walks over matching rows. */
 #include "index_hash.h"
+#include "list.h"
+#include "search.h"
 #include "world.h"
 
 #include <stdlib.h>
@@ -162,29 +164,16 @@ gathered_rows(sg_walk *walk)
 static bool
 gather_row(sg_walk *walk, sg_row row)
 {
-  if (walk->count == walk->room) {
-    size_t room = 4 * walk->room;
-    sg_row *rows = realloc(walk->rows, room * sizeof(*rows));
-    if (!rows) {
-      return false;
-    }
-    if (!walk->rows) {
-      memcpy(rows, walk->few, sizeof(walk->few));
-    }
-    walk->rows = rows;
-    walk->room = room;
+  bool few = !walk->rows;
+
+  if (!sg_list_grow(&walk->rows, walk->count, &walk->room, sizeof(row))) {
+    return false;
+  }
+  if (few && walk->rows) {
+    memcpy(walk->rows, walk->few, sizeof(walk->few));
   }
   gathered_rows(walk)[walk->count++] = row;
   return true;
-}
-
-static int
-by_row(const void *a, const void *b)
-{
-  sg_row x = *(const sg_row *)a;
-  sg_row y = *(const sg_row *)b;
-
-  return (x > y) - (x < y);
 }
 
 /* Ascending and without doubles; chains mostly run from new to old. */
@@ -201,7 +190,7 @@ order_rows(sg_walk *walk)
   }
   for (size_t i = 1; i < walk->count; i++) {
     if (rows[i - 1] >= rows[i]) {
-      qsort(rows, walk->count, sizeof(*rows), by_row);
+      qsort(rows, walk->count, sizeof(*rows), sg_compare_numbers);
       break;
     }
   }

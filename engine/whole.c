@@ -11,6 +11,7 @@
  * References lead to relations above (relations.def), so one pass downwards
  * finds all rows: by indexes where few rows have gone, or by one look at all.
  */
+#include "list.h"
 #include "suspect.h"
 #include "world.h"
 
@@ -137,7 +138,7 @@ hit(check *c, const sg_breach *found, const sg_page *page)
     *c->breach = *found;
     return true;
   }
-  if (!sg_grow(&c->drop, c->n, &c->room, sizeof *c->drop)) {
+  if (!sg_list_grow(&c->drop, c->n, &c->room, sizeof *c->drop)) {
     return false;
   }
   c->drop[c->n++] = (dropped){relation, found->row};
@@ -412,7 +413,7 @@ read_mark(void *data, sg_mark_kind kind, sg_relation relation, int32_t s,
   case SG_MARK_MADE:
     return is_there(c, relation, s, id) || sg_suspect_gone(x, s, id);
   case SG_MARK_GONE_OF:
-    if (!sg_grow(&x->of, x->ofs, &x->of_room, sizeof *x->of)) {
+    if (!sg_list_grow(&x->of, x->ofs, &x->of_room, sizeof *x->of)) {
       return false;
     }
     x->of[x->ofs++] = s;
@@ -422,7 +423,7 @@ read_mark(void *data, sg_mark_kind kind, sg_relation relation, int32_t s,
     x->all = true;
     return true;
   case SG_MARK_ROW:
-    if (!sg_grow(&x->row, x->rows, &x->row_room, sizeof *x->row)) {
+    if (!sg_list_grow(&x->row, x->rows, &x->row_room, sizeof *x->row)) {
       return false;
     }
     x->row[x->rows++] = row;

@@ -206,6 +206,8 @@ layer(c_kernels, _, Name,          rows) :-
 layer(doors,     _, _,             rows).
 layer(engine,    _, cancel,        shared).
 layer(engine,    _, column,        shared).
+layer(engine,    _, list,          shared).
+layer(engine,    _, search,        shared).
 layer(engine,    _, sheet,         shared).
 
 %   prolog_side(Layer): it may know SWI-Prolog. Kernels and the store do not,
@@ -228,6 +230,7 @@ below(Layer, Layer).
 below(pure(_), shared).
 below(rows, shared).
 below(rows, pure(_)).
+below(arguments, shared).
 below(arguments, rows).
 below(arguments, pure(c_kernels)).
 below(arguments, glue(engine)).

@@ -13,6 +13,7 @@
 :- use_module(library(pldoc/doc_process), [doc_comment/4]).
 :- use_module(library(check)).
 :- use_module(library(occurs)).
+:- use_module(library(pcre), [re_match/2]).
 :- use_module(library(readutil)).
 :- use_module(unreached, [load_oracles/0, unreached/1]).
 
@@ -97,6 +98,22 @@ finding(What) :-
     Most > 127,
     format(atom(What), '~w: not ASCII, and without :- encoding(utf8)', [File]).
 
+%   What C has once: the growing array, the binary search, the table of open
+%   addressing, and the order of numbers.
+
+finding(What) :-
+    member(Pattern, ['engine/*.[ch]', 'c_kernels/*.[ch]',
+                     'c_kernels/*/*.[ch]']),
+    expand_file_name(Pattern, Files),
+    member(File, Files),
+    read_file_to_string(File, Text, [encoding(utf8)]),
+    split_string(Text, "\n", "", Lines),
+    nth1(N, Lines, Line),
+    once_in(Regex, Homes, Use),
+    \+ memberchk(File, Homes),
+    re_match(Regex, Line),
+    format(atom(What), '~w:~d: ~w', [File, N, Use]).
+
 %   The names of files are made of words of the glossary and of plain ones, in
 %   the singular or the plural.
 
@@ -134,6 +151,27 @@ known_words(Known) :-
             ),
             Terms),
     append(Plain, Terms, Known).
+
+%   once_in(Regex, Files, What): what a line of C shows that does again what
+%   stands in one place; these files may.
+
+once_in("\\brealloc\\(",
+        [ 'engine/list.c',
+          'engine/version.c',   % a directory: its length is no room to grow
+          'c_kernels/call.c'    % what a call frees at its end
+        ],
+        'arrays grow by engine/list.h').
+once_in("^ *(size_t|u?int32_t|unsigned|int) \\w+ = [^;]* / 2;",
+        [],
+        'searched by SG_SEARCH (engine/search.h)').
+once_in("\\+ 1\\) & ",
+        [ 'c_kernels/rows/key_table.c',
+          'c_kernels/solid/solid_border.c'  % half-edges, that leave again
+        ],
+        'tables are rows/key_table.h').
+once_in("u?int(32|64)_t x = \\*\\(const u?int(32|64)_t \\*\\)a, y",
+        ['engine/search.c'],
+        'numbers are compared by engine/search.h').
 
 %   What is less is rounding of one operation, what is more a size.
 

@@ -1,6 +1,6 @@
 /* flat_index.c -- see flat_index.h. */
 #include "flat_index.h"
-#include "rows/list.h"
+#include "engine/list.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,6 @@
 /* seam_exchange.c -- see seam_exchange.h. */
 #include "seam_exchange.h"
+#include "engine/search.h"
 
 #include "rows/sort.h"
 
@@ -337,14 +338,6 @@ join_seam(exchange *x, uint32_t j, bool *joined, bool *stopped)
   return true;
 }
 
-static int
-compare_ranks(const void *a, const void *b)
-{
-  uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
-
-  return (x > y) - (x < y);
-}
-
 /* The joints between islands that were touched and others, in order, each once
  * or twice. False: no memory, or stopped. */
 static bool
@@ -365,7 +358,7 @@ find_again(exchange *x, size_t *count, bool *stopped)
     }
   }
   sg_sort_end end =
-      sg_sort(x->again, n, sizeof *x->again, compare_ranks, x->cancel);
+      sg_sort(x->again, n, sizeof *x->again, sg_compare_numbers, x->cancel);
 
   *count = n;
   *stopped = end == SG_SORT_STOPPED;

@@ -1,6 +1,6 @@
 /* seam_moats.c -- see seam_moats.h. */
 #include "seam_moats.h"
-#include "rows/list.h"
+#include "engine/list.h"
 
 #include <math.h>
 #include <stdlib.h>

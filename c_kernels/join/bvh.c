@@ -1,4 +1,5 @@
 #include "bvh.h"
+#include "engine/search.h"
 
 #include <assert.h>
 #include <float.h>
@@ -267,14 +268,6 @@ scatter(void *data, size_t block)
   }
 }
 
-static int
-compare_keys(const void *x, const void *y)
-{
-  uint64_t a = *(const uint64_t *)x, b = *(const uint64_t *)y;
-
-  return (a > b) - (a < b);
-}
-
 /* Sorts n items with the same high half by the low one. */
 static void
 sort_run(const grower *g, const uint64_t *from, uint64_t *to, size_t n)
@@ -290,7 +283,7 @@ sort_run(const grower *g, const uint64_t *from, uint64_t *to, size_t n)
     to[j] = key;
   }
   if (n > SHORT) {
-    qsort(to, n, sizeof *to, compare_keys);
+    qsort(to, n, sizeof *to, sg_compare_keys);
   }
 }
 

@@ -1,5 +1,5 @@
 #include "bvh_join.h"
-#include "rows/list.h"
+#include "engine/list.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,8 +1,8 @@
 /* nonmanifold.c -- see nonmanifold.h: the corners of all triangles, by their
  * vertices. */
 #include "nonmanifold.h"
-#include "ids.h"
-#include "rows/list.h"
+#include "engine/list.h"
+#include "engine/search.h"
 
 #include <stdlib.h>
 
@@ -86,17 +86,10 @@ by_next(const void *x, const void *y)
 static const corner *
 find_next(const corner *c, size_t n, uint32_t next)
 {
-  size_t low = 0, high = n;
+  size_t at;
 
-  while (low < high) {
-    size_t middle = (low + high) / 2;
-    if (c[middle].next < next) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return low < n && c[low].next == next ? &c[low] : NULL;
+  SG_SEARCH(at, 0, n, c[at].next < next);
+  return at < n && c[at].next == next ? &c[at] : NULL;
 }
 
 static void

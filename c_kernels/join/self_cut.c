@@ -1,8 +1,8 @@
 /* self_cut.c -- the join of a segment with itself (self_cut.h). */
 #include "self_cut.h"
 
+#include "engine/list.h"
 #include "polygon/flatness.h"
-#include "rows/list.h"
 #include "rows/places.h"
 #include "self_join.h"
 

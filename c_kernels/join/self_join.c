@@ -1,7 +1,7 @@
 /* self_join.c -- see self_join.h. */
 #include "self_join_private.h"
 
-#include "rows/list.h"
+#include "engine/list.h"
 #include "spine.h"
 
 #include <stdlib.h>

@@ -1,8 +1,8 @@
 #include "spine.h"
 
+#include "engine/list.h"
 #include "number/vector.h"
 #include "rows/key_table.h"
-#include "rows/list.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -6,7 +6,7 @@
  */
 #include "tour.h"
 
-#include "rows/list.h"
+#include "engine/list.h"
 #include "winding.h"
 
 #include <float.h>

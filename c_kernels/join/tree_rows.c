@@ -2,8 +2,8 @@
 #include "tree_rows.h"
 
 #include "doors/world.h"
-#include "ids.h"
-#include "rows/list.h"
+#include "engine/list.h"
+#include "engine/search.h"
 
 #include <pthread.h>
 #include <stdlib.h>

@@ -9,10 +9,10 @@
  */
 #include "boundary_private.h"
 
+#include "engine/list.h"
 #include "number/exact.h"
 #include "rows/disjoint.h"
 #include "rows/edge_pairs.h"
-#include "rows/list.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -11,9 +11,9 @@
  * divided, cancel.
  */
 #include "boundary.h"
+#include "engine/list.h"
 #include "number/exact.h"
 #include "rows/key_table.h"
-#include "rows/list.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,9 +1,9 @@
 /* boundary_loop.c -- every face as a loop that begins with its lowest vertex,
  * or as triangles (boundary_mesh.h). */
 #include "boundary_private.h"
+#include "engine/list.h"
 #include "join/cut.h"
 #include "number/exact.h"
-#include "rows/list.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -3,7 +3,7 @@
  * Layer: rows.
  */
 #include "boundary_mesh.h"
-#include "ids.h"
+#include "engine/search.h"
 #include "mesh_rows.h"
 #include "rows/dense_rows.h"
 

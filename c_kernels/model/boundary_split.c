@@ -2,8 +2,8 @@
  * (boundary_private.h). */
 #include "boundary_private.h"
 
+#include "engine/list.h"
 #include "rows/key_table.h"
-#include "rows/list.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,8 +1,8 @@
 /* boundary_touched.c -- see boundary_touched.h. */
 #include "boundary_touched.h"
 
+#include "engine/list.h"
 #include "rows/key_table.h"
-#include "rows/list.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* census.c -- half-edges, shells and fans (census.h). */
 #include "census_private.h"
+#include "engine/list.h"
 #include "rows/disjoint.h"
-#include "rows/list.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,6 @@
 /* mesh.c -- building, cleaning and choosing: what all formats share. */
 #include "mesh.h"
+#include "engine/list.h"
 #include "mesh_private.h"
 #include "polygon/flatness.h"
 
@@ -35,29 +36,12 @@ const char *const sg_mesh_code_name[SG_MESH_CODES] = {
 
 /* Building --------------------------------------------------------------- */
 
-/* Room for one more item of `size` bytes; grows by half. */
-static bool
-grow(void **array, size_t *room, size_t count, size_t size)
-{
-  if (count < *room) {
-    return true;
-  }
-  size_t more = *room + *room / 2 + 64;
-  void *bigger = more < SIZE_MAX / size ? realloc(*array, more * size) : NULL;
-  if (!bigger) {
-    return false;
-  }
-  *array = bigger;
-  *room = more;
-  return true;
-}
-
 bool
 sg_mesh_add_vertex(sg_mesh *mesh, const double xyz[3])
 {
   if (mesh->vertices >= INT32_MAX ||
-      !grow((void **)&mesh->vertex, &mesh->vertex_room, mesh->vertices,
-            sizeof *mesh->vertex)) {
+      !sg_list_grow(&mesh->vertex, mesh->vertices, &mesh->vertex_room,
+                    sizeof *mesh->vertex)) {
     return false;
   }
   double *p = mesh->vertex[mesh->vertices++];
@@ -71,8 +55,8 @@ bool
 sg_mesh_add_corner(sg_mesh_lists *lists, int32_t vertex)
 {
   if (lists->corners >= INT32_MAX ||
-      !grow((void **)&lists->corner, &lists->corner_room, lists->corners,
-            sizeof *lists->corner)) {
+      !sg_list_grow(&lists->corner, lists->corners, &lists->corner_room,
+                    sizeof *lists->corner)) {
     return false;
   }
   lists->corner[lists->corners++] = vertex;
@@ -82,19 +66,11 @@ sg_mesh_add_corner(sg_mesh_lists *lists, int32_t vertex)
 bool
 sg_mesh_end_list(sg_mesh_lists *lists, int32_t segment)
 {
-  if (lists->count + 1 >= lists->room) {
-    size_t room = lists->room + lists->room / 2 + 64;
-    uint32_t *start = realloc(lists->start, room * sizeof *start);
-    if (!start) {
-      return false;
-    }
-    lists->start = start;
-    int32_t *of = realloc(lists->segment, room * sizeof *of);
-    if (!of) {
-      return false;
-    }
-    lists->segment = of;
-    lists->room = room;
+  if (!sg_list_grow(&lists->start, lists->count + 1, &lists->start_room,
+                    sizeof *lists->start) ||
+      !sg_list_grow(&lists->segment, lists->count, &lists->room,
+                    sizeof *lists->segment)) {
+    return false;
   }
   lists->start[0] = 0;
   lists->segment[lists->count] = segment;
@@ -106,8 +82,8 @@ int32_t
 sg_mesh_add_segment(sg_mesh *mesh, const char *name, size_t n)
 {
   if (mesh->segments >= INT32_MAX ||
-      !grow((void **)&mesh->name, &mesh->name_room, mesh->segments,
-            sizeof *mesh->name)) {
+      !sg_list_grow(&mesh->name, mesh->segments, &mesh->name_room,
+                    sizeof *mesh->name)) {
     return -1;
   }
   char *copy = n ? malloc(n + 1) : NULL;

@@ -84,11 +84,11 @@ typedef struct sg_mesh_error {
  * corner[start[i]] .. corner[start[i + 1] - 1], in part segment[i]. */
 typedef struct sg_mesh_lists {
   size_t count;
-  size_t corners;           /* start[count], while no list is open */
-  uint32_t *start;          /* [count + 1], null if there is no list */
-  int32_t *corner;          /* [corners] */
-  int32_t *segment;         /* [count] */
-  size_t room, corner_room; /* private */
+  size_t corners;   /* start[count], while no list is open */
+  uint32_t *start;  /* [count + 1], null if there is no list */
+  int32_t *corner;  /* [corners] */
+  int32_t *segment; /* [count] */
+  size_t start_room, corner_room, room; /* private */
 } sg_mesh_lists;
 
 typedef struct sg_mesh {

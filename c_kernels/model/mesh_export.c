@@ -1,7 +1,7 @@
 /* mesh_export.c -- see mesh_export.h. */
 #include "mesh_export.h"
+#include "engine/list.h"
 #include "polygon/loops.h"
-#include "rows/list.h"
 
 #include <math.h>
 #include <stdlib.h>

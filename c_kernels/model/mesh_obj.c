@@ -7,17 +7,17 @@
  * Lines of materials, normals, textures and free-form surfaces are skipped.
  */
 #include "mesh_private.h"
+#include "rows/key_table.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 typedef struct sg_obj {
   sg_mesh_reader *r;
-  size_t vertices; /* in the whole file */
-  bool by_object;  /* there is an `o` */
-  int32_t segment; /* the current one, -1 before the first */
-  int32_t *slot;   /* hash table of names: segments or -1 */
-  size_t size, used;
+  size_t vertices;    /* in the whole file */
+  bool by_object;     /* there is an `o` */
+  int32_t segment;    /* the current one, -1 before the first */
+  sg_key_table names; /* hashes of names, to segments */
 } sg_obj;
 
 /* Names ------------------------------------------------------------------ */
@@ -33,43 +33,26 @@ hash_name(const char *text, size_t n)
   return h ^ h >> 29;
 }
 
-static int32_t *
-find_name(sg_obj *obj, const char *text, size_t n)
+/* Where the segment of a name stands; null: no memory. Names that have the same
+ * hash differ in the last word of their keys. */
+static uint32_t *
+place_of_name(sg_obj *obj, const char *text, size_t n)
 {
-  size_t i = hash_name(text, n) & (obj->size - 1);
+  uint64_t h = hash_name(text, n);
+  uint32_t key[3] = {(uint32_t)h, (uint32_t)(h >> 32), 0};
 
-  for (; obj->slot[i] >= 0; i = (i + 1) & (obj->size - 1)) {
-    const char *name = obj->r->mesh->name[obj->slot[i]];
+  for (;; key[2]++) {
+    uint32_t *at = sg_key_table_put(&obj->names, key);
+
+    if (!at || *at == SG_NO_KEY) {
+      return at;
+    }
+    const char *name = obj->r->mesh->name[*at];
+
     if (name ? strlen(name) == n && !memcmp(name, text, n) : n == 0) {
-      break;
+      return at;
     }
   }
-  return &obj->slot[i];
-}
-
-static bool
-grow_names(sg_obj *obj)
-{
-  if (2 * obj->used < obj->size) {
-    return true;
-  }
-  int32_t *old = obj->slot;
-  size_t old_size = obj->size;
-  int32_t *bigger = malloc((2 * old_size + 64) * sizeof *bigger);
-  if (!bigger) {
-    return sg_mesh_fail(obj->r, SG_MESH_NO_MEMORY, NULL, NULL);
-  }
-  obj->slot = bigger;
-  obj->size = old_size ? 2 * old_size : 64;
-  memset(obj->slot, -1, obj->size * sizeof *obj->slot);
-  for (size_t i = 0; i < old_size; i++) {
-    if (old[i] >= 0) {
-      const char *name = obj->r->mesh->name[old[i]];
-      *find_name(obj, name ? name : "", name ? strlen(name) : 0) = old[i];
-    }
-  }
-  free(old);
-  return true;
 }
 
 static bool
@@ -79,19 +62,19 @@ start_segment(sg_obj *obj, const sg_word *name)
   size_t n = strnlen(name->text, name->n);
   sg_word cut = {name->text, n, name->line};
 
-  if (!grow_names(obj)) {
-    return false;
+  uint32_t *place = place_of_name(obj, cut.text, n);
+
+  if (!place) {
+    return sg_mesh_fail(obj->r, SG_MESH_NO_MEMORY, NULL, NULL);
   }
-  int32_t *slot = find_name(obj, cut.text, n);
-  if (*slot < 0) {
+  if (*place == SG_NO_KEY) {
     int32_t s = sg_mesh_segment(obj->r, &cut);
     if (s < 0) {
       return false;
     }
-    *slot = s;
-    obj->used++;
+    *place = (uint32_t)s;
   }
-  obj->segment = *slot;
+  obj->segment = (int32_t)*place;
   return true;
 }
 
@@ -236,7 +219,7 @@ survey(sg_obj *obj)
 bool
 sg_obj_read(sg_mesh_reader *r)
 {
-  sg_obj obj = {.r = r, .segment = -1};
+  sg_obj obj = {.names = {.words = 3}, .r = r, .segment = -1};
   sg_word w;
 
   r->hash = r->backslash = true;
@@ -245,6 +228,6 @@ sg_obj_read(sg_mesh_reader *r)
     good = sg_mesh_tick(r) && read_line(&obj, &w);
     sg_word_skip_line(r);
   }
-  free(obj.slot);
+  sg_key_table_clear(&obj.names);
   return good;
 }

@@ -1,6 +1,7 @@
 /* mesh_part.c -- see mesh_part.h. Lists are ordered by segment once (counting
  * sort), so that each segment costs only what it has. */
 #include "mesh_part.h"
+#include "engine/search.h"
 #include "rows/edge_pairs.h"
 
 #include <stdlib.h>
@@ -83,14 +84,6 @@ sg_mesh_parts_close(sg_mesh_parts *parts)
   }
 }
 
-static int
-compare(const void *a, const void *b)
-{
-  int32_t x = *(const int32_t *)a, y = *(const int32_t *)b;
-
-  return (x > y) - (x < y);
-}
-
 static void
 add_edges(sg_mesh_parts *parts, const sg_mesh_lists *lists,
           const sg_list_order *order, size_t s, bool closed, sg_mesh_part *out)
@@ -122,7 +115,7 @@ gather_vertices(sg_mesh_parts *parts, sg_mesh_part *out)
       }
     }
   }
-  qsort(parts->vertex, out->vertices, sizeof *parts->vertex, compare);
+  qsort(parts->vertex, out->vertices, sizeof *parts->vertex, sg_compare_ids);
 }
 
 static void

@@ -1,6 +1,6 @@
 /* text_limits.c -- what of a text is too deep or too long (text_limits.h). */
 #include "model/text_limits.h"
-#include "rows/list.h"
+#include "engine/list.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,5 +1,6 @@
 /* flat_shapes.c -- see flat_shapes.h */
 #include "flat_shapes.h"
+#include "engine/list.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -105,23 +106,11 @@ turned_round(const sg_flat_shape *shape)
 static bool
 have_room(sg_flat_shapes *shapes)
 {
-  if (shapes->n < shapes->room) {
-    return true;
-  }
-  size_t room = shapes->room ? 2 * shapes->room : 64;
-  sg_flat_shape *more = realloc(shapes->shape, room * sizeof *more);
-
-  if (!more) {
-    return false;
-  }
-  shapes->shape = more;
-  if (shapes->room == 0
-          ? !sg_flat_stock_make(room, shapes->size, &shapes->stock)
-          : !sg_flat_stock_reserve(&shapes->stock, room)) {
-    return false;
-  }
-  shapes->room = room;
-  return true;
+  return sg_list_grow(&shapes->shape, shapes->n, &shapes->room,
+                      sizeof *shapes->shape) &&
+         (shapes->stock.box
+              ? sg_flat_stock_reserve(&shapes->stock, shapes->room)
+              : sg_flat_stock_make(shapes->room, shapes->size, &shapes->stock));
 }
 
 bool

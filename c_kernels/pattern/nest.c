@@ -1,7 +1,7 @@
 /* nest.c -- see nest.h */
 #include "nest.h"
+#include "engine/list.h"
 #include "nest_mask.h"
-#include "rows/list.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* nest_mask.c -- a piece at an angle: see nest_mask.h. */
 #include "nest_mask.h"
-#include "rows/list.h"
+#include "engine/list.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 #include "cut_enter.h"
-#include "rows/list.h"
+#include "engine/list.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -10,10 +10,10 @@
 
 #include "doors/penetration.h"
 
+#include "engine/list.h"
 #include "polygon/flatness.h"
 #include "polygon/plane.h"
 #include "rows/grain_rows.h"
-#include "rows/list.h"
 #include "rows/pattern_rows.h"
 
 #include <math.h>

@@ -5,6 +5,7 @@
  * cheaper than to build the indexes of the relations.
  */
 #include "cut_rows.h"
+#include "engine/list.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -89,14 +90,8 @@ see_edges(const int32_t *list, uint8_t **seen, size_t *room)
     size_t at = (size_t)list[i] / 8;
     uint8_t bit = (uint8_t)(1 << list[i] % 8);
 
-    if (at >= *room) {
-      uint8_t *grown = realloc(*seen, 2 * at + 64);
-      if (!grown) {
-        return -1;
-      }
-      memset(grown + *room, 0, 2 * at + 64 - *room);
-      *seen = grown;
-      *room = 2 * at + 64;
+    if (!sg_list_need_zeroed(seen, at + 1, room, sizeof **seen)) {
+      return -1;
     }
     if ((*seen)[at] & bit) {
       return 1;

@@ -9,10 +9,10 @@
 #include "cut_rows.h"
 
 #include "doors/penetration.h"
-#include "ids.h"
+#include "engine/list.h"
+#include "engine/search.h"
 #include "join/bvh_join.h"
 #include "join/self_leaf.h"
-#include "rows/list.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 #include "cut_point.h"
 
+#include "engine/list.h"
 #include "join/cut.h"
-#include "rows/list.h"
 
 #include <stdlib.h>
 #include <string.h>

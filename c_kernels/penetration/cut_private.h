@@ -3,7 +3,7 @@
 #define SG_CUT_PRIVATE_H
 
 #include "cut_set.h"
-#include "rows/list.h"
+#include "engine/list.h"
 
 /* Adds a piece, or finds the same one. Along an edge the smaller polygon
  * counts. False: no memory. */

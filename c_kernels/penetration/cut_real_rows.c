@@ -5,6 +5,7 @@
  * number, what is found for a polygon of many edges in a table.
  */
 #include "cut_rows.h"
+#include "engine/list.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -142,31 +143,13 @@ find_bits(sg_cut_handle *handle, uint32_t triangle)
                         : find_many(handle, leaf->s, leaf->p, list, v);
 }
 
-/* Room for the bits of every triangle of the model. */
-static bool
-make_room(sg_cut_handle *handle)
-{
-  size_t n = handle->set.model.triangles;
-
-  if (n > handle->real_room) {
-    uint8_t *grown = realloc(handle->real, 2 * n);
-
-    if (!grown) {
-      return false;
-    }
-    memset(grown + handle->real_room, 0, 2 * n - handle->real_room);
-    handle->real = grown;
-    handle->real_room = 2 * n;
-  }
-  return true;
-}
-
 int
 sg_cut_is_real(void *data, uint32_t triangle, int edge)
 {
   sg_cut_handle *handle = data;
 
-  if (!make_room(handle)) {
+  if (!sg_list_need_zeroed(&handle->real, handle->set.model.triangles,
+                           &handle->real_room, sizeof *handle->real)) {
     return -1;
   }
   if (handle->real[triangle] == 0) {

@@ -7,8 +7,8 @@
 #include "leaf_rows.h"
 
 #include "doors/world.h"
+#include "engine/list.h"
 #include "rows/key_table.h"
-#include "rows/list.h"
 
 #include <stdlib.h>
 

@@ -26,9 +26,9 @@
 #define SG_RESOLVE_H
 
 #include "engine/cancel.h"
+#include "engine/list.h"
 #include "join/contact.h"
 #include "rows/key_table.h"
-#include "rows/list.h"
 
 /* Whether side `side` (from corner `side` on) of a leaf triangle is a real
  * edge, and no chord: 1 or 0; -1: no memory. */

@@ -1,5 +1,6 @@
 /* resolve_point.c -- making things touch: shared points, where they are in
  * each segment, and the seams between them. See resolve.h. */
+#include "engine/search.h"
 #include "resolve.h"
 
 #include "rows/sort.h"
@@ -489,17 +490,10 @@ near_of_points(sg_resolve *r)
 static size_t
 first_near(const sg_resolve *r, uint32_t point)
 {
-  size_t a = 0, b = r->near.n;
+  size_t at;
 
-  while (a < b) {
-    size_t middle = a + (b - a) / 2;
-    if (r->near.item[middle].n < point) {
-      a = middle + 1;
-    } else {
-      b = middle;
-    }
-  }
-  return a;
+  SG_SEARCH(at, 0, r->near.n, r->near.item[at].n < point);
+  return at;
 }
 
 /* A point of segment s may be on polygon p, as far as its place tells. */

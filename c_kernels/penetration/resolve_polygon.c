@@ -1,5 +1,6 @@
 /* resolve_polygon.c -- one polygon with its shared points: see the header. */
 #include "resolve_polygon.h"
+#include "engine/search.h"
 
 #include "polygon/delaunay.h"
 #include "polygon/triangulate.h"
@@ -172,21 +173,13 @@ static bool
 add_seams(maker *m)
 {
   const sg_resolve *r = m->r;
-  size_t a = 0, b = r->seam.n;
+  const sg_resolve_seam *seam = r->seam.item;
+  size_t a;
 
-  while (a < b) {
-    size_t middle = a + (b - a) / 2;
-    const sg_resolve_seam *seam = &r->seam.item[middle];
-    if (compare_polygons(seam->s, seam->p, m->s, m->p) < 0) {
-      a = middle + 1;
-    } else {
-      b = middle;
-    }
-  }
-  for (;
-       a < r->seam.n && r->seam.item[a].s == m->s && r->seam.item[a].p == m->p;
-       a++) {
-    if (is_stopped(m, a) || !add_seam(m, &r->seam.item[a])) {
+  SG_SEARCH(a, 0, r->seam.n,
+            compare_polygons(seam[a].s, seam[a].p, m->s, m->p) < 0);
+  for (; a < r->seam.n && seam[a].s == m->s && seam[a].p == m->p; a++) {
+    if (is_stopped(m, a) || !add_seam(m, &seam[a])) {
       return false;
     }
   }
@@ -198,18 +191,12 @@ add_seams(maker *m)
 static size_t
 first_inside(const sg_resolve *r, int32_t s, int32_t p)
 {
-  size_t a = r->first_inside, b = r->place.n;
+  const sg_resolve_place *place = r->place.item;
+  size_t at;
 
-  while (a < b) {
-    size_t middle = a + (b - a) / 2;
-    const sg_resolve_place *place = &r->place.item[middle];
-    if (compare_polygons(place->s, place->p, s, p) < 0) {
-      a = middle + 1;
-    } else {
-      b = middle;
-    }
-  }
-  return a;
+  SG_SEARCH(at, r->first_inside, r->place.n,
+            compare_polygons(place[at].s, place[at].p, s, p) < 0);
+  return at;
 }
 
 static bool

@@ -1,9 +1,9 @@
 /* contour.c -- see contour.h */
 #include "contour_private.h"
 
+#include "engine/list.h"
 #include "number/bounds.h"
 #include "number/vector.h"
-#include "rows/list.h"
 
 #include <math.h>
 #include <stdlib.h>

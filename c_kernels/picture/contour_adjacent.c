@@ -1,9 +1,10 @@
 /* contour_adjacent.c -- see contour.h: the triangles that lie beside a piece.
  */
 #include "contour_private.h"
+#include "engine/search.h"
 
+#include "engine/list.h"
 #include "number/bounds.h"
-#include "rows/list.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -170,14 +171,6 @@ find_beside(sg_contour_finder *f, const sg_contour *piece)
   return walk(f, &s, piece->t);
 }
 
-static int
-compare(const void *a, const void *b)
-{
-  uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
-
-  return (x > y) - (x < y);
-}
-
 bool
 sg_contour_find_adjacent(sg_contour_finder *f, sg_contour *piece)
 {
@@ -186,7 +179,7 @@ sg_contour_find_adjacent(sg_contour_finder *f, sg_contour *piece)
   if (!find_beside(f, piece)) {
     return false;
   }
-  qsort(f->queue, f->queued, sizeof *f->queue, compare);
+  qsort(f->queue, f->queued, sizeof *f->queue, sg_compare_numbers);
   if (!sg_list_need(&out->beside, out->besides + f->queued, &out->beside_room,
                     sizeof *out->beside)) {
     return false;

@@ -1,8 +1,9 @@
 /* hide_search.c -- see hide_search.h */
 #include "hide_search.h"
+#include "engine/search.h"
 
+#include "engine/list.h"
 #include "number/bounds.h"
-#include "rows/list.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -232,21 +233,11 @@ is_beside(const sg_scene *scene, const sg_scene_mask *mask, const double a[3],
 bool
 sg_hide_sees_through(const sg_hide_throughs *through, int32_t s, int32_t s2)
 {
-  size_t low = 0, high = through ? through->n : 0;
+  const sg_hide_through *pair = through ? through->pair : NULL;
+  size_t n = through ? through->n : 0, at;
 
-  while (low < high) {
-    size_t middle = low + (high - low) / 2;
-    const sg_hide_through *k = &through->pair[middle];
-    if (k->s == s && k->s2 == s2) {
-      return true;
-    }
-    if (k->s < s || (k->s == s && k->s2 < s2)) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return false;
+  SG_SEARCH(at, 0, n, pair[at].s < s || (pair[at].s == s && pair[at].s2 < s2));
+  return at < n && pair[at].s == s && pair[at].s2 == s2;
 }
 
 /* A question: a line, its box, and what was found. */

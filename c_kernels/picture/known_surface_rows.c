@@ -1,8 +1,9 @@
 /* known_surface_rows.c -- see known_surface_rows.h */
 #include "known_surface_rows.h"
+#include "engine/search.h"
 
+#include "engine/list.h"
 #include "rows/key_table.h"
-#include "rows/list.h"
 #include "rows/live_rows.h"
 
 #include <stdlib.h>
@@ -75,18 +76,11 @@ static const part *
 find_part(const parts *all, int32_t s, int32_t p)
 {
   const part key = {.s = s, .p = p};
-  size_t low = 0, high = all->n;
+  size_t at;
 
-  while (low < high) {
-    size_t middle = low + (high - low) / 2;
-    if (compare_parts(&all->part[middle], &key) < 0) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return low < all->n && all->part[low].s == s && all->part[low].p == p
-             ? &all->part[low]
+  SG_SEARCH(at, 0, all->n, compare_parts(&all->part[at], &key) < 0);
+  return at < all->n && all->part[at].s == s && all->part[at].p == p
+             ? &all->part[at]
              : NULL;
 }
 
@@ -190,17 +184,10 @@ find_segment(const following *f, int32_t s)
 static const sg_surface_run *
 find_run(const sg_surface_run_list *runs, int32_t p)
 {
-  size_t low = 0, high = runs->n;
+  size_t at;
 
-  while (low < high) {
-    size_t middle = low + (high - low) / 2;
-    if (runs->at[middle].first <= p) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return low > 0 ? &runs->at[low - 1] : NULL;
+  SG_SEARCH(at, 0, runs->n, runs->at[at].first <= p);
+  return at > 0 ? &runs->at[at - 1] : NULL;
 }
 
 /* ---- polygons ---- */

@@ -6,8 +6,8 @@
  */
 #include "parts.h"
 
+#include "engine/list.h"
 #include "number/bounds.h"
-#include "rows/list.h"
 #include "smooth.h"
 
 #include <pthread.h>

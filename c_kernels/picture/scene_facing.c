@@ -1,5 +1,6 @@
 /* scene_facing.c -- see scene_facing.h */
 #include "scene_facing.h"
+#include "engine/search.h"
 
 #include <stdlib.h>
 
@@ -56,7 +57,7 @@ sg_facing_index_clear(sg_facing_index *index)
 sg_facings
 sg_facing_index_find(const sg_facing_index *index, uint32_t a, uint32_t b)
 {
-  size_t low = 0, high = index->n, end;
+  size_t low, end;
   uint64_t key;
 
   if (index->n == 0 || !index->has[index->same[a]] ||
@@ -64,14 +65,7 @@ sg_facing_index_find(const sg_facing_index *index, uint32_t a, uint32_t b)
     return (sg_facings){0};
   }
   key = key_of(index->same, a, b);
-  while (low < high) {
-    size_t middle = low + (high - low) / 2;
-    if (index->item[middle].key < key) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
+  SG_SEARCH(low, 0, index->n, index->item[low].key < key);
   for (end = low; end < index->n && index->item[end].key == key; end++) {
   }
   return (sg_facings){index->item + low, end - low};

@@ -2,7 +2,7 @@
  * scene_rows.h.
  */
 #include "contour.h"
-#include "ids.h"
+#include "engine/search.h"
 #include "known_surface_rows.h"
 #include "rows/dense_rows.h"
 #include "rows/live_rows.h"

@@ -1,7 +1,7 @@
 /* smooth_kept_rows.c -- the smooth sheets of the models of scenes, kept with
  * them: see scene_rows.h.
  */
-#include "ids.h"
+#include "engine/search.h"
 #include "scene_rows.h"
 
 #include <pthread.h>

@@ -1,13 +1,13 @@
 /* complete.c -- planes and triangles for whole segments: see complete.h. */
 #include "complete_private.h"
 
+#include "engine/list.h"
 #include "flatness.h"
 #include "plane.h"
 #include "ring_ears.h"
 #include "rows/by_segment.h"
 #include "rows/key_table.h"
 #include "rows/keys.h"
-#include "rows/list.h"
 #include "rows/sort.h"
 #include "triangulate.h"
 

@@ -1,7 +1,7 @@
 /* complete_rows.c -- the rows that a completion writes: see complete_private.h.
  */
 #include "complete_private.h"
-#include "rows/list.h"
+#include "engine/list.h"
 
 #include <stdlib.h>
 

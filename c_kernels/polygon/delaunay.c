@@ -1,8 +1,8 @@
 /* delaunay.c -- better triangles: see delaunay.h. */
 #include "delaunay.h"
 
+#include "engine/list.h"
 #include "rows/key_table.h"
-#include "rows/list.h"
 
 #include <math.h>
 #include <stdlib.h>

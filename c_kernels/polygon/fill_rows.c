@@ -1,7 +1,7 @@
 /* fill_rows.c -- planes and triangles of whole segments. */
 #include "complete.h"
 #include "doors/world.h"
-#include "ids.h"
+#include "engine/search.h"
 #include "rows/append_rows.h"
 #include "rows/grain_rows.h"
 #include "rows/live_rows.h"

@@ -1,8 +1,8 @@
 /* loops.c -- see loops.h. Edges in loop order, the common case, need no
  * search; others are sorted by their start. */
 #include "loops.h"
-#include "ids.h"
-#include "rows/list.h"
+#include "engine/list.h"
+#include "engine/search.h"
 
 #include <stdlib.h>
 

@@ -2,7 +2,7 @@
 #include "triangulate.h"
 
 #include "delaunay.h"
-#include "rows/list.h"
+#include "engine/list.h"
 
 #include <stdlib.h>
 

@@ -2,8 +2,9 @@
  *
  * Layer: kernel. Vertices and edges are rows of two growing arrays; edges hang
  * in three lists: the queue of all, those leaving and those entering a vertex.
- * Ids are found through a hash of open addressing.
+ * Ids are found through a hash table.
  */
+#include "engine/list.h"
 #include "work_private.h"
 
 #include <float.h>
@@ -11,7 +12,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SLOTS_KEPT = 256 }; /* by sg_work_clear(); emptying more costs more */
+enum {
+  SLOTS_KEPT = 256, /* by sg_work_clear(); emptying more costs more */
+  MOST_ROWS = INT32_MAX / 2
+};
 
 /* ---- life --------------------------------------------------------------- */
 
@@ -41,6 +45,7 @@ sg_work_open(const double normal[3])
   sg_work *work = calloc(1, sizeof *work);
 
   if (work) {
+    sg_key_table_init(&work->ids, 1);
     look_along(work, normal);
     forget_proven(work);
   }
@@ -64,13 +69,7 @@ sg_work_clear(sg_work *work, const double normal[3])
   sg_work_grid_close(&work->tips);
   work->simple = SG_NOT_ASKED;
   forget_proven(work);
-  if (work->slots > SLOTS_KEPT) {
-    free(work->slot);
-    work->slot = NULL;
-    work->slots = 0;
-  } else if (work->slots) {
-    memset(work->slot, 0, work->slots * sizeof *work->slot);
-  }
+  sg_key_table_empty(&work->ids, SLOTS_KEPT);
   work->vertices = work->edges = work->oldest = work->youngest = 0;
   work->living = 0;
   look_along(work, normal);
@@ -85,7 +84,7 @@ sg_work_close(sg_work *work)
     sg_work_grid_close(&work->ends);
     sg_work_grid_close(&work->tips);
     free(work->vertex);
-    free(work->slot);
+    sg_key_table_clear(&work->ids);
     free(work->edge);
     free(work);
   }
@@ -99,64 +98,6 @@ sg_work_axis(const sg_work *work)
 
 /* ---- vertices ----------------------------------------------------------- */
 
-static uint32_t
-hash(int32_t id)
-{
-  uint32_t h = (uint32_t)id * 2654435769u;
-
-  return h ^ (h >> 15);
-}
-
-/* The slot that holds `id`, or the free one where it belongs. */
-static uint32_t
-slot_of(const sg_work *work, int32_t id)
-{
-  uint32_t i = hash(id) & (work->slots - 1);
-
-  while (work->slot[i] && work->vertex[work->slot[i] - 1].id != id) {
-    i = (i + 1) & (work->slots - 1);
-  }
-  return i;
-}
-
-static bool
-more_slots(sg_work *work)
-{
-  uint32_t slots = work->slots ? work->slots * 2 : 32;
-  int32_t *slot = calloc(slots, sizeof *slot);
-
-  if (!slot) {
-    return false;
-  }
-  free(work->slot);
-  work->slot = slot;
-  work->slots = slots;
-  for (int32_t v = 0; v < work->vertices; v++) {
-    slot[slot_of(work, work->vertex[v].id)] = v + 1;
-  }
-  return true;
-}
-
-/* Grows *rows (of `size` bytes) so that index `need` fits. */
-static bool
-make_room(void **rows, int32_t *room, int32_t need, size_t size)
-{
-  if (need < *room) {
-    return true;
-  }
-  if (need >= INT32_MAX / 2) {
-    return false;
-  }
-  int32_t more = *room < 8 ? 16 : *room * 2; /* most polygons are small */
-  void *grown = realloc(*rows, (size_t)more * size);
-  if (!grown) {
-    return false;
-  }
-  *rows = grown;
-  *room = more;
-  return true;
-}
-
 int32_t
 sg_work_vertex(sg_work *work, int32_t id, const sg_point *point)
 {
@@ -165,21 +106,22 @@ sg_work_vertex(sg_work *work, int32_t id, const sg_point *point)
   if (found != SG_WORK_NONE) {
     return found;
   }
-  if (((uint32_t)work->vertices + 1) * 2 > work->slots && !more_slots(work)) {
+  if (work->vertices >= MOST_ROWS ||
+      !sg_list_grow(&work->vertex, (size_t)work->vertices, &work->vertex_room,
+                    sizeof *work->vertex)) {
     return SG_WORK_NONE;
   }
-  void *rows = work->vertex;
-  if (!make_room(&rows, &work->vertex_room, work->vertices,
-                 sizeof *work->vertex)) {
+  uint32_t *number = sg_key_table_put(&work->ids, &(uint32_t){(uint32_t)id});
+
+  if (!number) {
     return SG_WORK_NONE;
   }
-  work->vertex = rows;
+  *number = (uint32_t)work->vertices;
   sg_work_vertex_row *row = &work->vertex[work->vertices];
   *row = (sg_work_vertex_row){.id = id, .along = {SG_WORK_NONE, SG_WORK_NONE}};
   sg_point_copy(&row->point, point);
   row->at[work->flip < 0] = point->p[(work->axis + 1) % 3];
   row->at[work->flip > 0] = point->p[(work->axis + 2) % 3];
-  work->slot[slot_of(work, id)] = work->vertices + 1;
   return work->vertices++;
 }
 
@@ -197,7 +139,9 @@ sg_work_note_along(sg_work *work, int32_t vertex, int32_t a, int32_t b)
 int32_t
 sg_work_find(const sg_work *work, int32_t id)
 {
-  return work->slots ? work->slot[slot_of(work, id)] - 1 : SG_WORK_NONE;
+  uint32_t found = sg_key_table_get(&work->ids, &(uint32_t){(uint32_t)id});
+
+  return found == SG_NO_KEY ? SG_WORK_NONE : (int32_t)found;
 }
 
 int32_t
@@ -262,12 +206,9 @@ unhang(sg_work *work, int32_t e)
 static bool
 edge_room(sg_work *work, int32_t n)
 {
-  void *rows = work->edge;
-  bool done =
-      make_room(&rows, &work->edge_room, work->edges + n, sizeof *work->edge);
-
-  work->edge = rows;
-  return done;
+  return work->edges < MOST_ROWS - n &&
+         sg_list_need(&work->edge, (size_t)(work->edges + n) + 1,
+                      &work->edge_room, sizeof *work->edge);
 }
 
 /* Is v a corner of the last triangle in whose way nothing was? */

@@ -1,5 +1,6 @@
 /* work_grid.c -- a uniform grid over segments of a plane: see work_grid.h. */
 #include "work_grid.h"
+#include "engine/list.h"
 
 #include <float.h>
 #include <math.h>
@@ -322,15 +323,10 @@ sg_work_grid_walk_drop(sg_work_grid_walk *walk)
 static bool
 push(sg_work_grid *grid, size_t cell, int32_t number)
 {
-  if (grid->entries == grid->room) {
-    int32_t room = grid->room < 64 ? 64 : grid->room * 2;
-    sg_work_grid_entry *entry =
-        realloc(grid->entry, (size_t)room * sizeof *entry);
-    if (!entry) {
-      return false;
-    }
-    grid->entry = entry;
-    grid->room = room;
+  if (grid->entries == INT32_MAX ||
+      !sg_list_grow(&grid->entry, (size_t)grid->entries, &grid->room,
+                    sizeof *grid->entry)) {
+    return false;
   }
   grid->entry[grid->entries] = (sg_work_grid_entry){number, grid->first[cell]};
   grid->first[cell] = ++grid->entries;

@@ -29,7 +29,8 @@ typedef struct sg_work_grid {
   int32_t cells[2];
   int32_t *first; /* [cells[0] * cells[1]]: entry + 1, 0 none */
   sg_work_grid_entry *entry;
-  int32_t entries, room;
+  int32_t entries;
+  size_t room;
   int32_t filled;  /* entries after the first filling: sg_work_grid_filled() */
   size_t held;     /* segments put in since it was opened */
   size_t expected; /* segments that shaped it */

@@ -3,7 +3,7 @@
  *
  * Layer: kernel. Exact throughout.
  */
-#include "rows/list.h"
+#include "engine/list.h"
 #include "work_private.h"
 
 #include <math.h>

@@ -5,6 +5,7 @@
  * vertex. Sorted along one axis of the picture, so that near ones are found
  * side by side.
  */
+#include "engine/search.h"
 #include "work_private.h"
 
 #include <math.h>
@@ -52,17 +53,10 @@ rows_open(rows *out, const sg_work *work)
 static size_t
 first_from(const rows *in, double low)
 {
-  size_t a = 0, b = in->n;
+  size_t at;
 
-  while (a < b) {
-    size_t middle = a + (b - a) / 2;
-    if (in->item[middle].along < low) {
-      a = middle + 1;
-    } else {
-      b = middle;
-    }
-  }
-  return a;
+  SG_SEARCH(at, 0, in->n, in->item[at].along < low);
+  return at;
 }
 
 static double

@@ -4,6 +4,7 @@
 
 #include "work.h"
 
+#include "rows/key_table.h"
 #include "work_grid.h"
 
 /* `at` is the picture: seen from outside, counter-clockwise is left. Rounded
@@ -29,11 +30,12 @@ struct sg_work {
   int axis; /* dropped */
   int flip; /* +1: the normal points along the axis, -1: against it */
   sg_work_vertex_row *vertex; /* [vertices] */
-  int32_t vertices, vertex_room;
-  int32_t *slot;          /* hash of ids: handle + 1, 0 free */
-  uint32_t slots;         /* a power of two, or 0 */
+  int32_t vertices;
+  size_t vertex_room;
+  sg_key_table ids;       /* to their vertices */
   sg_work_edge_row *edge; /* [edges], [0] unused */
-  int32_t edges, edge_room;
+  int32_t edges;
+  size_t edge_room;
   int32_t oldest, youngest;
   size_t living;
   uint32_t search;   /* the number of the last one */

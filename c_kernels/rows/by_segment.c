@@ -1,7 +1,7 @@
 #include "by_segment.h"
-#include "list.h"
+#include "engine/list.h"
 
-#include "ids.h"
+#include "engine/search.h"
 
 #include <stdlib.h>
 #include <string.h>

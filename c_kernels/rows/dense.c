@@ -1,8 +1,9 @@
 /* dense.c -- see dense.h. Rows are gathered as keys (segment place, id), sorted
  * if they are not so already, then copied in that order. */
 #include "dense.h"
+#include "engine/search.h"
 
-#include "list.h"
+#include "engine/list.h"
 #include "sort.h"
 
 #include <stdlib.h>
@@ -390,15 +391,8 @@ sg_dense_triangle(const sg_dense *d, int32_t s, int32_t t)
 size_t
 sg_dense_segment_of(const sg_dense *d, const uint32_t *begin, uint32_t place)
 {
-  size_t low = 0, high = d->segments;
+  size_t next;
 
-  while (high - low > 1) {
-    size_t middle = (low + high) / 2;
-    if (begin[middle] <= place) {
-      low = middle;
-    } else {
-      high = middle;
-    }
-  }
-  return low;
+  SG_SEARCH(next, 1, d->segments, begin[next] <= place);
+  return next - 1;
 }

@@ -1,6 +1,7 @@
 /* edge_pairs.c -- see edge_pairs.h: a counting sort by the lower vertex, then
  * each bucket by itself. */
 #include "edge_pairs.h"
+#include "engine/search.h"
 
 #include "sort.h"
 
@@ -23,19 +24,11 @@ key_of(const int32_t *from, const int32_t *to, size_t i)
   return upper << UPPER_BIT | (uint64_t)!forward << DIRECTION_BIT | i;
 }
 
-static int
-compare(const void *a, const void *b)
-{
-  uint64_t x = *(const uint64_t *)a, y = *(const uint64_t *)b;
-
-  return (x > y) - (x < y);
-}
-
 static sg_sort_end
 sort_keys(uint64_t *key, size_t n, const sg_cancel *cancel)
 {
   if (n > SMALL) {
-    return sg_sort(key, n, sizeof *key, compare, cancel);
+    return sg_sort(key, n, sizeof *key, sg_compare_keys, cancel);
   }
   for (size_t i = 1; i < n; i++) {
     uint64_t k = key[i];
@@ -144,17 +137,10 @@ sg_edge_group_find(const sg_edge_pairs *pairs, uint32_t v, uint32_t w,
                    sg_edge_group *group)
 {
   uint32_t low = v < w ? v : w, high = v < w ? w : v;
-  size_t from = pairs->bucket[low], to = pairs->bucket[low + 1];
-  size_t last = to;
+  size_t last = pairs->bucket[low + 1], from;
 
-  while (from < to) {
-    size_t middle = from + (to - from) / 2;
-    if (pairs->key[middle] >> UPPER_BIT < high) {
-      from = middle + 1;
-    } else {
-      to = middle;
-    }
-  }
+  SG_SEARCH(from, pairs->bucket[low], last,
+            pairs->key[from] >> UPPER_BIT < high);
   if (from == last || pairs->key[from] >> UPPER_BIT != high) {
     return false;
   }

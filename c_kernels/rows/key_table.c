@@ -18,6 +18,18 @@ sg_key_table_clear(sg_key_table *table)
   *table = (sg_key_table){table->words, 0, 0, NULL}; /* all 0 may be cleared */
 }
 
+void
+sg_key_table_empty(sg_key_table *table, size_t most)
+{
+  if (table->room > most) {
+    sg_key_table_clear(table);
+  } else if (table->n > 0) {
+    memset(table->slot, 0xff,
+           table->room * (table->words + 1) * sizeof *table->slot);
+    table->n = 0;
+  }
+}
+
 static uint32_t
 hash(const uint32_t *key, unsigned words)
 {

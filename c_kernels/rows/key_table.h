@@ -28,6 +28,9 @@ typedef struct sg_key_table {
 void sg_key_table_init(sg_key_table *table, unsigned words);
 void sg_key_table_clear(sg_key_table *table);
 
+/* Forgets all keys. A table of more than `most` slots gives back its memory. */
+void sg_key_table_empty(sg_key_table *table, size_t most);
+
 /* Room for n keys in all, so that it need not grow. False: no memory. */
 bool sg_key_table_reserve(sg_key_table *table, size_t n);
 

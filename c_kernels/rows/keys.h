@@ -6,6 +6,8 @@
 #ifndef SG_KEYS_H
 #define SG_KEYS_H
 
+#include "engine/search.h"
+
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
@@ -47,7 +49,7 @@ sg_keys_find(sg_keys *keys, int32_t s, int32_t id)
 {
   int32_t pair[2] = {s, id};
   int64_t key = sg_key_of(pair);
-  size_t low = 0, high = keys->n;
+  size_t at;
 
   if (keys->place < keys->n) {
     int64_t step = key - sg_key_of(sg_keys_at(keys, keys->place));
@@ -58,18 +60,11 @@ sg_keys_find(sg_keys *keys, int32_t s, int32_t id)
       return keys->place = (size_t)guess;
     }
   }
-  while (low < high) {
-    size_t middle = low + (high - low) / 2;
-    if (sg_key_of(sg_keys_at(keys, middle)) < key) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  if (low == keys->n || sg_key_of(sg_keys_at(keys, low)) != key) {
+  SG_SEARCH(at, 0, keys->n, sg_key_of(sg_keys_at(keys, at)) < key);
+  if (at == keys->n || sg_key_of(sg_keys_at(keys, at)) != key) {
     return SG_NOWHERE;
   }
-  return keys->place = low;
+  return keys->place = at;
 }
 
 #endif

@@ -1,6 +1,7 @@
 /* pattern_rows.c -- see pattern_rows.h.
  */
 #include "pattern_rows.h"
+#include "engine/list.h"
 
 #include "by_segment.h"
 #include "sort.h"
@@ -15,6 +16,7 @@ static bool
 find_patterns(const sg_version *version, int32_t **out, size_t *n)
 {
   sg_view view;
+  size_t room = 0;
   bool good = sg_version_view(version, SG_SEGMENT, &view);
 
   *out = NULL;
@@ -24,11 +26,9 @@ find_patterns(const sg_version *version, int32_t **out, size_t *n)
     for (unsigned r = sg_live_next(view.live[i], 0); good && r < SG_PAGE_ROWS;
          r = sg_live_next(view.live[i], r + 1)) {
       if (kind[r] == SG_SYMBOL_PATTERN) {
-        int32_t *more = realloc(*out, (*n + 1) * sizeof *more);
-        good = more != NULL;
+        good = sg_list_grow(out, *n, &room, sizeof **out);
         if (good) {
-          *out = more;
-          more[(*n)++] = view.column[0].page[i].i[r];
+          (*out)[(*n)++] = view.column[0].page[i].i[r];
         }
       }
     }

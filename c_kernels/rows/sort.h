@@ -6,7 +6,7 @@
 #define SG_SORT_H
 
 #include "engine/cancel.h"
-#include "ids.h"
+#include "engine/search.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,8 +1,8 @@
 /* arrangement.c -- nodes, lines, and opening an arrangement: see arrangement.h.
  */
 #include "arrangement_private.h"
-#include "ids.h"
-#include "rows/list.h"
+#include "engine/list.h"
+#include "engine/search.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -273,27 +273,13 @@ sg_arrangement_open(const sg_leaves *leaves, const sg_cancel *cancel)
   return a;
 }
 
-/* No more room than n things take; without memory it stays as it is. */
-static void *
-trimmed(void *array, size_t n, size_t size)
-{
-  void *less = realloc(array, n > 0 ? n * size : size);
-
-  if (less) {
-    array = less;
-  }
-  return array;
-}
-
 static void
 trim_arrays(sg_arrangement *a)
 {
-  a->cell = trimmed(a->cell, a->cells, sizeof *a->cell);
-  a->triangle = trimmed(a->triangle, a->triangles, sizeof *a->triangle);
-  a->side = trimmed(a->side, a->sides, sizeof *a->side);
-  a->cell_room = a->cells;
-  a->triangle_room = a->triangles;
-  a->side_room = a->sides;
+  sg_list_trim(&a->cell, a->cells, &a->cell_room, sizeof *a->cell);
+  sg_list_trim(&a->triangle, a->triangles, &a->triangle_room,
+               sizeof *a->triangle);
+  sg_list_trim(&a->side, a->sides, &a->side_room, sizeof *a->side);
 }
 
 void

@@ -5,9 +5,9 @@
  */
 #include "arrangement_private.h"
 
+#include "engine/list.h"
 #include "polygon/delaunay.h"
 #include "rows/disjoint.h"
-#include "rows/list.h"
 
 #include <stdatomic.h>
 #include <stdlib.h>

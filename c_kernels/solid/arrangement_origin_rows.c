@@ -3,6 +3,7 @@
  * when the pieces are.
  */
 #include "arrangement_rows.h"
+#include "engine/list.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -18,15 +19,8 @@ add_term(terms *all, const uint32_t *term)
 {
   size_t n = term ? sg_term_length(term) : 0;
 
-  if (all->n + n > all->room) {
-    size_t room = 2 * all->room + n + 1024;
-    uint32_t *more = realloc(all->word, room * sizeof *more);
-
-    if (!more) {
-      return false;
-    }
-    all->word = more;
-    all->room = room;
+  if (!sg_list_need(&all->word, all->n + n, &all->room, sizeof *all->word)) {
+    return false;
   }
   if (n > 0) {
     memcpy(all->word + all->n, term, n * sizeof *term);
@@ -53,17 +47,6 @@ add_origin(sg_arrangement_handle *h, terms *all, uint32_t point)
   return good;
 }
 
-/* They are kept for long: no more room than their words take. */
-static void
-trim_origins(sg_arrangement_handle *h, size_t words)
-{
-  uint32_t *less = realloc(h->origin, (words + 1) * sizeof *h->origin);
-
-  if (less) {
-    h->origin = less;
-  }
-}
-
 bool
 sg_arrangement_make_origins(sg_call *call, sg_arrangement_handle *h)
 {
@@ -86,8 +69,8 @@ sg_arrangement_make_origins(sg_call *call, sg_arrangement_handle *h)
       }
     }
   }
+  sg_list_trim(&all.word, all.n, &all.room, sizeof *all.word); /* kept long */
   h->origin = all.word;
-  trim_origins(h, all.n);
   return true;
 }
 

@@ -5,7 +5,7 @@
  * over edges that are no lines.
  */
 #include "arrangement_private.h"
-#include "rows/list.h"
+#include "engine/list.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -3,7 +3,7 @@
  */
 #include "arrangement_rows.h"
 #include "doors/boolean.h"
-#include "ids.h"
+#include "engine/search.h"
 
 #include <stdlib.h>
 #include <string.h>

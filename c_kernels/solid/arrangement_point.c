@@ -7,6 +7,7 @@
  * seen, to the leaf triangle there.
  */
 #include "arrangement_private.h"
+#include "engine/search.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -219,19 +220,12 @@ lift(int axis, const sg_point corner[3], mpq_t q[3])
 static size_t
 first_cut_row(const sg_arrangement *a, uint32_t leaf, int32_t p)
 {
-  size_t low = 0, high = a->cut_rows;
+  const sg_cut_row_of *row = a->cut_row;
+  size_t at;
 
-  while (low < high) {
-    size_t middle = (low + high) / 2;
-    const sg_cut_row_of *row = &a->cut_row[middle];
-
-    if (row->leaf < leaf || (row->leaf == leaf && row->p < p)) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return low;
+  SG_SEARCH(at, 0, a->cut_rows,
+            row[at].leaf < leaf || (row[at].leaf == leaf && row[at].p < p));
+  return at;
 }
 
 /* Whether q is inside the corners, seen along the axis. */

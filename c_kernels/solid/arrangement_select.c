@@ -4,7 +4,7 @@
  * doubles are the same; all others keep theirs.
  */
 #include "arrangement_choice.h"
-#include "rows/list.h"
+#include "engine/list.h"
 
 #include <stdlib.h>
 #include <string.h>

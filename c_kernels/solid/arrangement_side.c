@@ -8,8 +8,8 @@
  */
 #include "arrangement_private.h"
 
+#include "engine/list.h"
 #include "join/tour.h"
-#include "rows/list.h"
 
 #include <math.h>
 #include <stdlib.h>

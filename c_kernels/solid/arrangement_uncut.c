@@ -6,7 +6,7 @@
  * it fills them. So nothing depends on which thread did what.
  */
 #include "arrangement_choice.h"
-#include "rows/list.h"
+#include "engine/list.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* expression.c -- see expression.h. */
 #include "expression.h"
-#include "ids.h"
-#include "rows/list.h"
+#include "engine/list.h"
+#include "engine/search.h"
 
 #include <stdlib.h>
 

@@ -5,10 +5,11 @@
  * seen along the main axis of the face. Whatever comes out is used only if its
  * border is, edge for edge, the one that the other faces know.
  */
+#include "engine/search.h"
 #include "face_merge_hold.h"
 
+#include "engine/list.h"
 #include "polygon/delaunay.h"
-#include "rows/list.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -169,17 +170,10 @@ sides_are_apart(const filler *f)
 static side *
 first_side_of(const filler *f, uint32_t from)
 {
-  size_t low = 0, high = f->sides;
+  size_t at;
 
-  while (low < high) {
-    size_t middle = low + (high - low) / 2;
-    if (f->side[middle].from < from) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return low < f->sides && f->side[low].from == from ? &f->side[low] : NULL;
+  SG_SEARCH(at, 0, f->sides, f->side[at].from < from);
+  return at < f->sides && f->side[at].from == from ? &f->side[at] : NULL;
 }
 
 static bool
@@ -199,14 +193,6 @@ see_inside(filler *f, uint32_t half)
   return true;
 }
 
-static int
-compare_numbers(const void *a, const void *b)
-{
-  uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
-
-  return (x > y) - (x < y);
-}
-
 static bool
 find_inside(filler *f)
 {
@@ -217,7 +203,7 @@ find_inside(filler *f)
     return false;
   }
   if (f->insides) {
-    qsort(f->inside, f->insides, sizeof *f->inside, compare_numbers);
+    qsort(f->inside, f->insides, sizeof *f->inside, sg_compare_numbers);
   }
   for (size_t i = 0; i < f->insides; i++) {
     if (n == 0 || f->inside[n - 1] != f->inside[i]) {

@@ -5,7 +5,7 @@
  */
 #include "face_merge_private.h"
 
-#include "rows/list.h"
+#include "engine/list.h"
 #include "rows/sort.h"
 
 #include <math.h>

@@ -1,6 +1,7 @@
 /* face_merge_hold.c -- see face_merge_hold.h. */
 #include "face_merge_hold.h"
-#include "rows/list.h"
+#include "engine/list.h"
+#include "engine/search.h"
 
 #include <stdlib.h>
 
@@ -76,17 +77,10 @@ static size_t
 place_of(const sg_holds *holds, uint32_t from, uint32_t to)
 {
   const uint32_t key[2] = {from, to};
-  size_t low = 0, high = holds->n;
+  size_t at;
 
-  while (low < high) {
-    size_t middle = low + (high - low) / 2;
-    if (compare(holds->pair[middle], key) < 0) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return low;
+  SG_SEARCH(at, 0, holds->n, compare(holds->pair[at], key) < 0);
+  return at;
 }
 
 bool

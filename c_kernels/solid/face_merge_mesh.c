@@ -4,11 +4,12 @@
  * Layer: kernel. Everything a million triangles need that stay as they are; so
  * it goes by the places of vertices, each thread at its own.
  */
+#include "engine/search.h"
 #include "face_merge_private.h"
 
+#include "engine/list.h"
 #include "join/bvh.h"
 #include "number/vector.h"
-#include "rows/list.h"
 
 #include <float.h>
 #include <math.h>
@@ -108,18 +109,11 @@ static unsigned
 count_between(const sg_merge *m, uint32_t from, uint32_t to, uint32_t *half)
 {
   const sg_leaving *list = m->leaving + m->first[from];
-  size_t n = m->first[from + 1] - m->first[from], low = 0;
+  size_t n = m->first[from + 1] - m->first[from], low;
   unsigned count = 0;
 
   if (n > LONG) {
-    for (size_t high = n; low < high;) {
-      size_t middle = low + (high - low) / 2;
-      if (list[middle].to < to) {
-        low = middle + 1;
-      } else {
-        high = middle;
-      }
-    }
+    SG_SEARCH(low, 0, n, list[low].to < to);
     for (; low < n && list[low].to == to; low++) {
       *half = list[low].half;
       count++;

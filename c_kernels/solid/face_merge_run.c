@@ -6,8 +6,8 @@
  * farther than the tolerance. Source: U. Ramer, An iterative procedure for the
  * polygonal approximation of plane curves, 1972.
  */
+#include "engine/list.h"
 #include "face_merge_private.h"
-#include "rows/list.h"
 
 #include <math.h>
 #include <stdlib.h>

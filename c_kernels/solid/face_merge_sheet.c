@@ -5,8 +5,8 @@
  */
 #include "face_merge_sheet.h"
 
+#include "engine/list.h"
 #include "join/self_cut.h"
-#include "rows/list.h"
 
 #include <math.h>
 #include <stdlib.h>

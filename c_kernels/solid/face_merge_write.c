@@ -4,6 +4,7 @@
  * so nothing is written over that is still to be read; what parts are to keep
  * is set aside first.
  */
+#include "engine/search.h"
 #include "face_merge_private.h"
 
 #include <stdlib.h>
@@ -56,17 +57,10 @@ compare_parts(const void *a, const void *b)
 static size_t
 first_part(const sg_solid *solid, uint32_t face)
 {
-  size_t low = 0, high = solid->parts;
+  size_t at;
 
-  while (low < high) {
-    size_t middle = low + (high - low) / 2;
-    if (solid->part[middle].face < face) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return low;
+  SG_SEARCH(at, 0, solid->parts, solid->part[at].face < face);
+  return at;
 }
 
 /* What face `old` came from becomes what the face at hand came from. */

@@ -1,7 +1,7 @@
 /* operand_border.c -- see operand_border.h. */
 #include "operand_border.h"
 
-#include "rows/list.h"
+#include "engine/list.h"
 #include "rows/sort.h"
 
 #include <stdlib.h>

@@ -2,7 +2,7 @@
  * operand to another.
  */
 #include "doors/boolean.h"
-#include "ids.h"
+#include "engine/search.h"
 #include "rows/by_segment.h"
 #include "rows/dense_rows.h"
 

@@ -1,6 +1,6 @@
 /* sewing_rows.c -- shells of a segment that touch exactly, in its rows. */
 #include "doors/boolean.h"
-#include "ids.h"
+#include "engine/search.h"
 #include "rows/append_rows.h"
 #include "rows/dense_rows.h"
 #include "sewing.h"

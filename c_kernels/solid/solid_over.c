@@ -1,8 +1,8 @@
 /* solid_over.c -- what of the old rows stays: see solid_over.h. */
 #include "solid_over.h"
 
+#include "engine/list.h"
 #include "rows/key_table.h"
-#include "rows/list.h"
 
 #include <stdlib.h>
 #include <string.h>

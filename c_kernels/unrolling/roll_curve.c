@@ -1,6 +1,6 @@
 /* roll_curve.c -- see roll_curve.h. */
 #include "roll_curve.h"
-#include "rows/list.h"
+#include "engine/list.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -44,9 +44,36 @@ run_of_grid(const int n[3], double step)
   return run;
 }
 
+/* A table that is used again forgets its keys, and gives back much memory. */
+static void
+empties(void)
+{
+  sg_key_table table;
+  uint32_t count = 100;
+  bool gone = true;
+
+  sg_key_table_init(&table, 1);
+  sg_key_table_empty(&table, 0);
+  for (uint32_t k = 0; k < count; k++) {
+    sg_key_table_add(&table, &k);
+  }
+  size_t room = table.room;
+
+  sg_key_table_empty(&table, room);
+  for (uint32_t k = 0; k < count; k++) {
+    gone = gone && sg_key_table_get(&table, &k) == SG_NO_KEY;
+  }
+  CHECK("empty", gone && table.n == 0 && table.room == room);
+  CHECK("used again", sg_key_table_add(&table, &count) && table.n == 1);
+  sg_key_table_empty(&table, room - 1);
+  CHECK("memory given back", table.room == 0 && table.words == 1);
+  sg_key_table_clear(&table);
+}
+
 int
 main(void)
 {
+  empties();
   static const int grid[][3] = {
       {1, 1, 2000}, {2000, 1, 1}, {10, 10, 200}, {30, 30, 30}, {100, 1, 100}};
   static const double step[] = {1, 0.0625, 0.1};

@@ -1,5 +1,5 @@
 /* list_test.c -- the growing array. */
-#include "rows/list.h"
+#include "engine/list.h"
 
 #include "tests/check.h"
 
@@ -44,10 +44,40 @@ needs(void)
   free(pair);
 }
 
+static void
+zeroes(void)
+{
+  int32_t *bit = NULL;
+  size_t room = 0;
+  bool good = true;
+
+  for (size_t n = 1; good && n < 1000; n += 7) {
+    size_t before = room;
+
+    good = sg_list_need_zeroed(&bit, n, &room, sizeof *bit) && room >= n;
+    for (size_t i = before; i < room; i++) {
+      good = good && bit[i] == 0;
+      bit[i] = 1;
+    }
+    for (size_t i = 0; i < before; i++) {
+      good = good && bit[i] == 1;
+    }
+  }
+  CHECK("what is new is zeros, what was there stays", good);
+  sg_list_trim(&bit, 10, &room, sizeof *bit);
+  CHECK("trimmed", room == 10 && bit[9] == 1);
+  sg_list_trim(&bit, 20, &room, sizeof *bit);
+  CHECK("trimming makes no room", room == 10);
+  sg_list_trim(&bit, 0, &room, sizeof *bit);
+  CHECK("nothing is left", room == 0 && bit);
+  free(bit);
+}
+
 int
 main(void)
 {
   pushes();
   needs();
+  zeroes();
   return check_report();
 }

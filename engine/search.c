@@ -1,5 +1,5 @@
-/* ids.c -- see ids.h. */
-#include "ids.h"
+/* search.c -- see search.h. */
+#include "search.h"
 
 #include <stdlib.h>
 
@@ -7,6 +7,22 @@ int
 sg_compare_ids(const void *a, const void *b)
 {
   int32_t x = *(const int32_t *)a, y = *(const int32_t *)b;
+
+  return (x > y) - (x < y);
+}
+
+int
+sg_compare_numbers(const void *a, const void *b)
+{
+  uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
+
+  return (x > y) - (x < y);
+}
+
+int
+sg_compare_keys(const void *a, const void *b)
+{
+  uint64_t x = *(const uint64_t *)a, y = *(const uint64_t *)b;
 
   return (x > y) - (x < y);
 }

@@ -1,6 +1,6 @@
 /* list.h -- THE growing array.
  *
- * Layer: kernel.
+ * Layer: shared by the store and the kernels.
  *
  *   SG_LIST_OF(int32_t) all = {0};
  *   if (!SG_PUSH(all, 7)) no_memory();
@@ -31,6 +31,18 @@ sg_list_need(void *item, size_t need, size_t *room, size_t size)
 {
   return need <= *room || sg_list_widen(item, need, room, size);
 }
+
+/* The same, and what is new is all zeros. */
+bool sg_list_widen_zeroed(void *item, size_t need, size_t *room, size_t size);
+
+static inline bool
+sg_list_need_zeroed(void *item, size_t need, size_t *room, size_t size)
+{
+  return need <= *room || sg_list_widen_zeroed(item, need, room, size);
+}
+
+/* No more room than n take; without memory for that it stays as it is. */
+void sg_list_trim(void *item, size_t n, size_t *room, size_t size);
 
 /* Room for one behind n. */
 static inline bool

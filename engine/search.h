@@ -1,0 +1,53 @@
+/* search.h -- THE binary search, and numbers in order.
+ *
+ * Layer: shared by the store and the kernels.
+ */
+#ifndef SG_SEARCH_H
+#define SG_SEARCH_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* Sets `at`, a size_t, to the first place in from .. to - 1 for which `before`
+ * is false, to `to` if it is true of all. `before` is an expression of `at`: it
+ * is true of the first places and false of all that follow them.
+ *
+ *   SG_SEARCH(at, 0, n, row[at].id < id);
+ *   found = at < n && row[at].id == id;
+ */
+#define SG_SEARCH(at, from, to, before)                                        \
+  do {                                                                         \
+    size_t sg_low_ = (from), sg_high_ = (to);                                  \
+    while (sg_low_ < sg_high_) {                                               \
+      (at) = sg_low_ + (sg_high_ - sg_low_) / 2;                               \
+      if (before) {                                                            \
+        sg_low_ = (at) + 1;                                                    \
+      } else {                                                                 \
+        sg_high_ = (at);                                                       \
+      }                                                                        \
+    }                                                                          \
+    (at) = sg_low_;                                                            \
+  } while (0)
+
+/* The place of the first of n records of `size` bytes whose id, with which each
+ * begins, is not less than this one. The records ascend by it. */
+static inline size_t
+sg_first_id(const void *record, size_t n, size_t size, int32_t id)
+{
+  const char *first = record;
+  size_t at;
+
+  SG_SEARCH(at, 0, n, *(const int32_t *)(const void *)(first + at * size) < id);
+  return at;
+}
+
+/* Ascending, for qsort() and bsearch(): of int32_t, uint32_t, uint64_t. */
+int sg_compare_ids(const void *a, const void *b);
+int sg_compare_numbers(const void *a, const void *b);
+int sg_compare_keys(const void *a, const void *b);
+/* Sorts n ids and keeps each once; how many are left. */
+size_t sg_sort_ids(int32_t *id, size_t n);
+/* The place of an id among n ascending ones; SIZE_MAX: it has none. */
+size_t sg_find_id(const int32_t *id, size_t n, int32_t wanted);
+
+#endif
