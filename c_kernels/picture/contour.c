@@ -299,8 +299,8 @@ substitute_outline(const sg_contour_finder *f, uint32_t side)
 }
 
 /* Whether a side at which triangles turn from the eye is an outline: of a
- * coarse sheet always, of one that is drawn as smooth where it stands in, of
- * any other where a polygon is folded. */
+ * coarse sheet always, of a smooth one if it is a substitute outline, of any
+ * other if a polygon is folded. */
 static bool
 is_outline(const sg_contour_finder *f, uint32_t side)
 {
@@ -437,7 +437,7 @@ find_pieces(sg_contour_finder *f, const sg_cancel *cancel, bool *memory)
 
 /* False: no memory. */
 static bool
-find_beside(sg_contour_finder *f, sg_contour *piece)
+find_adjacent(sg_contour_finder *f, sg_contour *piece)
 {
   return piece->to == 0.0 || !has_length(f, piece) ||
          sg_contour_find_adjacent(f, piece);
@@ -445,7 +445,7 @@ find_beside(sg_contour_finder *f, sg_contour *piece)
 
 /* False: stopped, or no memory. */
 static bool
-find_besides(sg_contour_finder *f, const sg_cancel *cancel, bool *memory)
+find_adjacents(sg_contour_finder *f, const sg_cancel *cancel, bool *memory)
 {
   sg_contours *out = f->out;
 
@@ -455,7 +455,7 @@ find_besides(sg_contour_finder *f, const sg_cancel *cancel, bool *memory)
     if (i % POLL_PIECES == 0 && sg_cancelled(cancel)) {
       return false;
     }
-    if (!find_beside(f, piece)) {
+    if (!find_adjacent(f, piece)) {
       *memory = false;
       return false;
     }
@@ -475,7 +475,7 @@ find_all(sg_contour_finder *f, const sg_cancel *cancel, bool *memory)
   f->seen = calloc(triangles + 1, sizeof *f->seen);
   *memory = f->g && f->face && f->kind && f->sense && f->seen;
   return *memory && find_g(f, cancel) && find_senses(f, cancel) &&
-         find_pieces(f, cancel, memory) && find_besides(f, cancel, memory);
+         find_pieces(f, cancel, memory) && find_adjacents(f, cancel, memory);
 }
 
 bool
@@ -501,6 +501,6 @@ sg_contours_clear(sg_contours *contours)
 {
   free(contours->piece);
   free(contours->facing);
-  free(contours->beside);
+  free(contours->adjacent);
   *contours = (sg_contours){0};
 }

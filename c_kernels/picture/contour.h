@@ -39,7 +39,7 @@
  * next to a piece may lie before it. Which these are is a walk from its
  * triangle, over the strip of the picture that the piece sweeps across its
  * direction, on to neighbours as long as they are not yet turned to the eye as
- * a whole or lie outside the piece. They are said to be *beside* it and never
+ * a whole or lie outside the piece. They are *adjacent* to it and never
  * hide it.
  *
  * The outline of a coarse sheet runs along the sides of its triangles, between
@@ -47,12 +47,13 @@
  * would lie visibly inside what is seen of it, and triangles would hide it. So
  * does that of a polygon that is not flat, where its triangles fold.
  *
- * What is seen of a sheet that is drawn as smooth ends where its triangles turn
- * from the eye, too. As a rule a piece runs near; where it is hidden, or the
- * surface is coarser than it bends, it may not. So such a side *stands in* for
- * the outline: it is drawn where no other line is near (hide.h). It does where
- * a smooth surface would bulge at one of the two triangles; of a solid only
- * where the surface bends down, for else its own triangles hide it.
+ * What is seen of a smooth sheet also ends where its triangles turn from the
+ * eye. Usually a piece of the outline runs near such a side. If that piece is
+ * hidden, or the triangles are too coarse for the bend, none may. Then the side
+ * is a *substitute outline*: it is drawn where no other line is near (hide.h).
+ * A side is one if a smooth surface would bulge at one of its two triangles; of
+ * a solid also only if the surface bends down there, since otherwise the
+ * solid's own triangles hide the side.
  *
  * Lines on a smooth surface (creases, penetration lines, borders) are turned to
  * the eye, or from it, as the surface is, not as the triangles are. Where both
@@ -62,14 +63,14 @@
  * the other face goes down from the line, only where the eye is under that,
  * too, and if that goes up, all of the line if the eye is under that
  * everywhere; of an open surface only if its triangle runs from the line
- * towards the eye. The rest is not hidden by what is beside it, found as for a
- * piece. So what is seen of a line ends where the outline does. If the surface
- * bends towards the line of sight (the half with g < 0 is nearer), the back of
- * an open one is what is seen, and towards and away change places; a solid
- * hides the line on both sides of the outline, with its triangles.
+ * towards the eye. Adjacent triangles, found as for a piece, do not hide
+ * the rest. So what is seen of a line ends where the outline does. If the
+ * surface bends towards the line of sight (the half with g < 0 is nearer), the
+ * back of an open one is what is seen, and towards and away change places; a
+ * solid hides the line on both sides of the outline, with its triangles.
  *
  * Source: Hertzmann & Zorin 2000, Illustrating smooth surfaces, section 3
- * (interpolated contours); cusps, what is beside a piece, what stands in, and
+ * (interpolated contours); cusps, adjacent triangles, substitute outlines and
  * facings are ours.
  */
 #ifndef SG_CONTOUR_H
@@ -78,7 +79,7 @@
 #include "smooth.h"
 #include "view.h"
 
-/* `to` of a side that stands in. */
+/* `to` of a substitute outline. */
 #define SG_SUBSTITUTE 2.0
 
 typedef struct sg_contour_input {
@@ -102,7 +103,7 @@ typedef struct sg_contour {
                         SG_SUBSTITUTE */
   bool along;        /* it is a side, from end to end */
   int8_t sense;      /* -1: the half with g < 0 is the nearer one, else 1 */
-  size_t beside, besides; /* its places in sg_contours.beside */
+  size_t adjacent, adjacents; /* its places in sg_contours.adjacent */
 } sg_contour;
 
 /* A line along a side whose surface is turned to the eye otherwise than the
@@ -117,9 +118,10 @@ typedef struct sg_facing {
 typedef struct sg_contours {
   sg_contour *piece; /* [n], by triangle */
   sg_facing *facing; /* [facings], by triangle and side */
-  uint32_t *beside; /* [besides]: triangles, of each piece in ascending order */
-  size_t n, facings, besides;
-  size_t room, facing_room, beside_room;
+  uint32_t
+      *adjacent; /* [adjacents]: triangles, of each piece in ascending order */
+  size_t n, facings, adjacents;
+  size_t room, facing_room, adjacent_room;
 } sg_contours;
 
 /* False: stopped by the cancellation, or no memory (then *memory is false). The

@@ -1,4 +1,4 @@
-/* contour_adjacent.c -- see contour.h: the triangles that lie beside a piece.
+/* contour_adjacent.c -- see contour.h: the triangles adjacent to a piece.
  */
 #include "contour_private.h"
 #include "engine/search.h"
@@ -12,7 +12,7 @@
 /* Equal, in lengths of the piece. */
 #define SAME 1e-9
 
-/* A walk ends after so many triangles: what is farther is not beside. */
+/* A walk ends after so many triangles: what is farther is not adjacent. */
 enum { FARTHEST = 1024 };
 
 /* The strip of the picture that the piece sweeps across its direction. */
@@ -160,7 +160,7 @@ take_both(sg_contour_finder *f, const sg_contour *piece)
 }
 
 static bool
-find_beside(sg_contour_finder *f, const sg_contour *piece)
+find_adjacent(sg_contour_finder *f, const sg_contour *piece)
 {
   strip s;
 
@@ -176,18 +176,18 @@ sg_contour_find_adjacent(sg_contour_finder *f, sg_contour *piece)
 {
   sg_contours *out = f->out;
 
-  if (!find_beside(f, piece)) {
+  if (!find_adjacent(f, piece)) {
     return false;
   }
   qsort(f->queue, f->queued, sizeof *f->queue, sg_compare_numbers);
-  if (!sg_list_need(&out->beside, out->besides + f->queued, &out->beside_room,
-                    sizeof *out->beside)) {
+  if (!sg_list_need(&out->adjacent, out->adjacents + f->queued,
+                    &out->adjacent_room, sizeof *out->adjacent)) {
     return false;
   }
-  piece->beside = out->besides;
-  piece->besides = f->queued;
+  piece->adjacent = out->adjacents;
+  piece->adjacents = f->queued;
   for (size_t i = 0; i < f->queued; i++) {
-    out->beside[out->besides++] = f->queue[i];
+    out->adjacent[out->adjacents++] = f->queue[i];
   }
   return true;
 }

@@ -107,11 +107,12 @@ bool sg_contour_across(const sg_contour_finder *f, uint32_t t,
 bool sg_contour_bulges(const sg_contour_finder *f, uint32_t t);
 
 /* False: there, the line is turned to the eye as the triangle is, or none runs
- * there on a smooth surface. What is beside it is left open. */
+ * there on a smooth surface. Its adjacent triangles are left open. */
 bool sg_contour_facing(const sg_contour_finder *f, uint32_t side,
                        sg_facing *out);
 
-/* Appends what is beside the piece, and says how much. False: no memory. */
+/* Appends the triangles adjacent to the piece, and counts them. False: no
+ * memory. */
 bool sg_contour_find_adjacent(sg_contour_finder *f, sg_contour *piece);
 
 #endif

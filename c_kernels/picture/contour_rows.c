@@ -40,7 +40,7 @@ make_lists(const rows *r, const row_kind *of, sg_append *a)
   for (size_t k = 0; k < a->sheet.pages; k++) {
     const sg_sheet_page *page = &a->sheet.page[k];
     for (size_t i = 0; i < page->n; i++) {
-      length[i] = (int32_t)of->piece(r->contours, page->from + i)->besides;
+      length[i] = (int32_t)of->piece(r->contours, page->from + i)->adjacents;
     }
     if (!sg_append_lists(a, k, of->last, length)) {
       return false;
@@ -49,13 +49,13 @@ make_lists(const rows *r, const row_kind *of, sg_append *a)
   return true;
 }
 
-/* What lies beside a piece, after its length. */
+/* The triangles adjacent to a piece, after their number. */
 static void
-write_beside(const rows *r, const sg_contour *piece, int32_t *list)
+write_adjacent(const rows *r, const sg_contour *piece, int32_t *list)
 {
-  list[0] = (int32_t)piece->besides;
-  for (size_t j = 0; j < piece->besides; j++) {
-    uint32_t t = r->contours->beside[piece->beside + j];
+  list[0] = (int32_t)piece->adjacents;
+  for (size_t j = 0; j < piece->adjacents; j++) {
+    uint32_t t = r->contours->adjacent[piece->adjacent + j];
     list[j + 1] = r->dense->triangle_id[t];
   }
 }
@@ -81,7 +81,7 @@ write_row(rows *r, const sg_sheet_page *page, size_t i)
   for (size_t k = 0; k < 4; k++) {
     c[9 + k].f[i] = piece->rise[k / 2][k % 2] + 0.0;
   }
-  write_beside(r, piece, c[8].list[i]);
+  write_adjacent(r, piece, c[8].list[i]);
 }
 
 static void
@@ -97,7 +97,7 @@ write_facing(rows *r, const sg_sheet_page *page, size_t i)
   c[2].i[i] = facing->seen.side[0] + 1;
   c[3].f[i] = facing->from + 0.0;
   c[4].f[i] = facing->to + 0.0;
-  write_beside(r, &facing->seen, c[5].list[i]);
+  write_adjacent(r, &facing->seen, c[5].list[i]);
 }
 
 static bool

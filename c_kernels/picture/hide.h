@@ -41,8 +41,8 @@ typedef struct sg_overlap {
 /* The part of the line that the mask hides; false: none. The line is one of
  * scene->line. The mask never hides a line that lies on it: between two of its
  * corners, an edge of its polygon (or a copy of one, by a penetration line), or
- * said to lie on it; nor one in its plane. What stands in is hidden by a
- * mask behind it too, if that is near: there the surface goes on. */
+ * said to lie on it; nor one in its plane. A mask also hides a substitute
+ * outline that lies before it, if it is near: there the surface goes on. */
 bool sg_mask_hides(const sg_scene *scene, const sg_scene_mask *mask,
                    const sg_scene_line *line, sg_hidden *out);
 
@@ -73,8 +73,8 @@ sg_line_far_end(const sg_scene *scene, const sg_scene_line *line)
              : sg_larger(scene->at[line->a][2], scene->at[line->b][2]);
 }
 
-/* True if line a stands in where there is no line like b: near is as good as
- * on it. */
+/* True if line a is a substitute outline and b is not: then a yields to b
+ * where b is near, not only where b lies on it. */
 static inline bool
 sg_line_yields_near(const sg_scene_line *a, const sg_scene_line *b)
 {

@@ -351,7 +351,7 @@ substitute_outline(const work *w, size_t k)
          w->scene->line[w->line[k]].look.substitute_outline;
 }
 
-/* What stands in comes after all others. */
+/* Substitute outlines come after all other lines. */
 static bool
 before(const work *w, size_t j, size_t k)
 {
@@ -403,8 +403,9 @@ yields(const work *w, worker *of, size_t k, bool hidden)
   return true;
 }
 
-/* What is not longer than this is not drawn: of a line that stands in, what is
- * left of it between others that are near, but not a short one as a whole. */
+/* A part is drawn only if it is longer than this. A substitute outline that
+ * other lines interrupt is drawn only in gaps longer than what counts as near;
+ * one that is shorter as a whole is always drawn. */
 static double
 least_drawn(const work *w, size_t k)
 {

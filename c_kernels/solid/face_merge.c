@@ -17,7 +17,7 @@ clear(sg_merge *m)
   free(m->member);
   free(m->group);
   free(m->fate);
-  free(m->beside);
+  free(m->adjacent);
 }
 
 /* ---- which pairs -------------------------------------------------------- */
@@ -127,8 +127,8 @@ settle(sg_merge *m)
   sg_merge_end end = SG_MERGE_DONE;
 
   m->fate = malloc(m->solid->vertices + 1);
-  m->beside = malloc((m->solid->vertices + 1) * sizeof *m->beside);
-  if (!m->fate || !m->beside) {
+  m->adjacent = malloc((m->solid->vertices + 1) * sizeof *m->adjacent);
+  if (!m->fate || !m->adjacent) {
     return SG_MERGE_NO_MEMORY;
   }
   while (again && end == SG_MERGE_DONE) {

@@ -82,7 +82,7 @@ add_side(filler *f, uint32_t half)
 
   while (m->fate[to] == SG_DROPPED) {
     uint32_t next =
-        m->beside[to][0] == before ? m->beside[to][1] : m->beside[to][0];
+        m->adjacent[to][0] == before ? m->adjacent[to][1] : m->adjacent[to][0];
     half = border_between(m, label_of(f), to, next);
     if (half == SG_NOTHING) {
       return false;

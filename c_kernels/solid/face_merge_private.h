@@ -74,8 +74,8 @@ typedef struct sg_merge {
   size_t members, member_room;
   sg_group *group; /* [groups] */
   size_t groups, room;
-  uint8_t *fate;         /* [vertices]: SG_KEPT ... */
-  uint32_t (*beside)[2]; /* [vertices]: the neighbours of a straight one */
+  uint8_t *fate;           /* [vertices]: SG_KEPT ... */
+  uint32_t (*adjacent)[2]; /* [vertices]: the neighbours of a straight one */
   sg_merge_tight tight;
 } sg_merge;
 

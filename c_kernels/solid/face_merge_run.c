@@ -218,7 +218,7 @@ straighten_ring(runner *r)
 static uint32_t
 after(const sg_merge *m, uint32_t v, uint32_t before)
 {
-  return m->beside[v][0] == before ? m->beside[v][1] : m->beside[v][0];
+  return m->adjacent[v][0] == before ? m->adjacent[v][1] : m->adjacent[v][0];
 }
 
 /* Lists the run through v from one end to the other, or once round. */
@@ -226,7 +226,7 @@ static bool
 find_run(runner *r, uint32_t v)
 {
   const sg_merge *m = r->m;
-  uint32_t end = v, before = m->beside[v][1], least = v, next;
+  uint32_t end = v, before = m->adjacent[v][1], least = v, next;
 
   while (m->fate[end] == SG_STRAIGHT) { /* to an end of it */
     next = after(m, end, before);
@@ -242,9 +242,9 @@ find_run(runner *r, uint32_t v)
   r->n = 0;
   if (m->fate[end] == SG_STRAIGHT) { /* a ring */
     end = least;
-    before = is_before(m, m->beside[end][0], m->beside[end][1])
-                 ? m->beside[end][0]
-                 : m->beside[end][1];
+    before = is_before(m, m->adjacent[end][0], m->adjacent[end][1])
+                 ? m->adjacent[end][0]
+                 : m->adjacent[end][1];
   }
   uint32_t at = before, from = end;
   if (!push_vertex(r, end)) {

@@ -16,12 +16,12 @@ typedef struct around {
   uint32_t label[3]; /* different ones; the third stands for all others */
   unsigned labels;
   bool regular; /* all half-edges have twins */
-  uint32_t beside[2];
-  unsigned besides;
+  uint32_t adjacent[2];
+  unsigned adjacents;
   unsigned borders;
   struct {
     uint32_t label;
-    bool second;  /* to or from beside[1] */
+    bool second;  /* to or from adjacent[1] */
     bool leaving; /* from the vertex */
   } border[MOST];
 } around;
@@ -45,14 +45,14 @@ note_border(around *a, uint32_t label, uint32_t other, bool leaving)
 {
   unsigned i = 0;
 
-  while (i < a->besides && a->beside[i] != other) {
+  while (i < a->adjacents && a->adjacent[i] != other) {
     i++;
   }
   if (i == 2 || a->borders == MOST) {
     return false;
   }
-  if (i == a->besides) {
-    a->beside[a->besides++] = other;
+  if (i == a->adjacents) {
+    a->adjacent[a->adjacents++] = other;
   }
   a->border[a->borders].label = label;
   a->border[a->borders].second = i == 1;
@@ -111,7 +111,7 @@ borders_found(const sg_merge *m, uint32_t v, around *a)
 }
 
 static uint8_t
-fate_of(const sg_merge *m, uint32_t v, uint32_t beside[2])
+fate_of(const sg_merge *m, uint32_t v, uint32_t adjacent[2])
 {
   around a = {0};
 
@@ -123,7 +123,7 @@ fate_of(const sg_merge *m, uint32_t v, uint32_t beside[2])
   if (a.borders == 0) {
     return a.labels == 1 ? SG_INNER : SG_KEPT;
   }
-  if (a.besides != 2 || a.beside[0] == v || a.beside[1] == v) {
+  if (a.adjacents != 2 || a.adjacent[0] == v || a.adjacent[1] == v) {
     return SG_KEPT;
   }
   for (uint32_t i = m->first[v]; i < m->first[v + 1]; i++) {
@@ -131,8 +131,8 @@ fate_of(const sg_merge *m, uint32_t v, uint32_t beside[2])
       return SG_KEPT;
     }
   }
-  beside[0] = a.beside[0];
-  beside[1] = a.beside[1];
+  adjacent[0] = a.adjacent[0];
+  adjacent[1] = a.adjacent[1];
   return SG_STRAIGHT;
 }
 
@@ -147,7 +147,7 @@ do_block(void *data, size_t block)
       return;
     }
     if (m->fate[v] == SG_ASKED) {
-      m->fate[v] = fate_of(m, (uint32_t)v, m->beside[v]);
+      m->fate[v] = fate_of(m, (uint32_t)v, m->adjacent[v]);
     }
   }
 }

@@ -288,8 +288,8 @@ hiding_faces(Line, Covers, Faces, Part, Because) :-
     keysort(Keyed0, Keyed),
     pairs_values(Keyed, Because).
 
-%   face_hides(Line, Covers, Polygon, Part, Behind, Because): what stands in is
-%   not drawn either where the polygon is near behind it.
+%   face_hides(Line, Covers, Polygon, Part, Behind, Because): a substitute
+%   outline is not drawn either where the polygon is near behind it.
 
 face_hides(Line, Covers, S-P, From-To, Behind, Because) :-
     (   Behind < 0.0

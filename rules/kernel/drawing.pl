@@ -89,8 +89,8 @@ Foreign predicates; see kernel.pl.
 
 %!  scene_near(+Scene:scene, -Near:number) is det.
 %
-%   Near, standardised, is how near a line must be to what stands in to tell of
-%   it: 1/400 of the picture's longer side.
+%   A substitute outline yields to a line that is nearer than Near,
+%   standardised: 1/400 of the picture's longer side.
 
 /* - - - occluder_rows.c - - - */
 
@@ -112,9 +112,9 @@ Foreign predicates; see kernel.pl.
 %!          -To:number, -From2:number, -To2:number) is nondet.
 %
 %   True when the part of edge E of segment S from From to To lies, in the
-%   picture, on the part of edge E2 of S2 from From2 to To2. If E stands in
-%   (contour.pl) and E2 does not, it need only be near there, and E run along E2
-%   more than across. Inexact.
+%   picture, on the part of edge E2 of S2 from From2 to To2. If E is a
+%   substitute outline and E2 is not, E need only be near E2 there, and run
+%   along it more than across. Inexact.
 %
 %   @error existence_error(drawn_edge, E)
 

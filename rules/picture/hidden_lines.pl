@@ -50,12 +50,12 @@ dashed; nothing is drawn twice: where lines lie on one another in the picture a
 visible one is drawn, not a hidden one, and the role and the order of the edges
 decide between two of a kind (a box seen squarely has no hidden line at all).
 
-What is seen of a smooth surface ends where its triangles turn from the eye.
-Such a side stands in for the outline (contour.pl), where there is no other
-line: it comes last, and yields to lines that are near, nearer than 1/400 of the
-picture, and that it runs along more than across; and it is drawn only where it
-is seen, with nothing near behind it, for there the surface goes on. So wherever
-what is seen ends there is a line, and no second one beside it.
+What is seen of a smooth surface ends where its triangles turn from the eye. If
+no other line is there, such a side is drawn as a substitute outline
+(contour.pl). It comes last. It yields to a line that is nearer than 1/400 of
+the picture if it runs along that line more than across. It is drawn only where
+it is seen and nothing is near behind it, since otherwise the surface goes on
+there. So there is one line, and only one, wherever what is seen ends.
 
 Near the outline of a known surface hides what the surface is, not its triangles
 (contour.pl): so what passes behind it ends at the outline that is drawn.
@@ -315,8 +315,8 @@ shortest(Scene, S, E, Least) :-
     least_drawn(Least0),
     Least is Least0/Length.
 
-%   Of what stands in, what is left between others that are near is not drawn if
-%   it is no longer than what is near, but a short line as a whole is.
+%   A substitute outline that other lines interrupt is drawn only in gaps longer
+%   than scene_near/2. One that is shorter as a whole is always drawn.
 shortest_drawn(Scene, S, E, Least) :-
     (   substitute_outline(S, E)
     ->  scene_edge(Scene, S, E, Length, _),
@@ -327,8 +327,8 @@ shortest_drawn(Scene, S, E, Least) :-
 
 %!  substitute_outline(+S, +E) is semidet.
 %
-%   True when line E of drawn/7 is a side at which triangles turn from the eye,
-%   which stands in for the outline of a smooth surface (contour.pl).
+%   True when line E of drawn/7 is a substitute outline: a side of a smooth
+%   surface at which triangles turn from the eye (contour.pl).
 
 substitute_outline(S, E) :-
     E < 0,
