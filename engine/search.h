@@ -29,6 +29,28 @@
     (at) = sg_low_;                                                            \
   } while (0)
 
+/* Sorts n items of a type by insertion, equal ones as they stood: for a few.
+ * `after` says of pointers `x` and `y` to two items whether *x stands after *y.
+ *
+ *   SG_SORT_FEW(row, all, n, x->id > y->id);
+ */
+#define SG_SORT_FEW(type, items, n, after)                                     \
+  do {                                                                         \
+    type *sg_item_ = (items);                                                  \
+    for (size_t sg_i_ = 1; sg_i_ < (n); sg_i_++) {                             \
+      type sg_kept_ = sg_item_[sg_i_];                                         \
+      size_t sg_k_ = sg_i_;                                                    \
+      for (; sg_k_ > 0; sg_k_--) {                                             \
+        const type *x = &sg_item_[sg_k_ - 1], *y = &sg_kept_;                  \
+        if (!(after)) {                                                        \
+          break;                                                               \
+        }                                                                      \
+        sg_item_[sg_k_] = *x;                                                  \
+      }                                                                        \
+      sg_item_[sg_k_] = sg_kept_;                                              \
+    }                                                                          \
+  } while (0)
+
 /* The place of the first of n records of `size` bytes whose id, with which each
  * begins, is not less than this one. The records ascend by it. */
 static inline size_t

@@ -12,6 +12,7 @@
 #ifndef SG_CHECK_H
 #define SG_CHECK_H
 
+#include <stdint.h>
 #include <stdio.h>
 
 static unsigned check_passed, check_failed;
@@ -30,6 +31,14 @@ check_note(const char *name, int holds, const char *expr, const char *file,
     fprintf(stderr, "%s:%d: %s: does not hold: %s\n", file, line, name, expr);
   }
   return holds;
+}
+
+/* A random number below n. The same seeds give the same numbers everywhere. */
+static inline int
+check_below(uint32_t *seed, int n)
+{
+  *seed = *seed * 1664525u + 1013904223u;
+  return (int)((*seed >> 16) % (uint32_t)n);
 }
 
 static inline int

@@ -10,21 +10,6 @@
 
 /* ---- vectors ---- */
 
-static double
-length(const double a[3])
-{
-  return sqrt(sg_dot(a, a));
-}
-
-static double
-distance(const double a[3], const double b[3])
-{
-  double d[3];
-
-  sg_minus(a, b, d);
-  return length(d);
-}
-
 /* ---- the pair in hand ---- */
 
 /* A triangle and its plane. One that is thinner than the reach has none. */
@@ -53,8 +38,8 @@ set_side(side *out, const double at[3][3], double reach)
   sg_minus(at[2], at[0], w);
   sg_minus(at[2], at[1], z);
   sg_cross(u, w, out->normal);
-  double area = length(out->normal), a = length(u), b = length(w);
-  double c = length(z);
+  double area = sg_length(out->normal), a = sg_length(u), b = sg_length(w);
+  double c = sg_length(z);
 
   out->plane = area > reach * fmax(a, fmax(b, c)) && isfinite(area);
   for (int k = 0; k < 3 && out->plane; k++) {
@@ -105,23 +90,6 @@ collinear(const double a[3], const double b[3], const double c[3])
 
 /* ---- corners ---- */
 
-/* How far p is from the segment a-b. */
-static double
-to_segment(const double a[3], const double b[3], const double p[3])
-{
-  double along[3], from[3], at[3];
-
-  sg_minus(b, a, along);
-  sg_minus(p, a, from);
-  double square = sg_dot(along, along);
-  double t = square > 0 ? fmin(fmax(sg_dot(along, from) / square, 0), 1) : 0;
-
-  for (int k = 0; k < 3; k++) {
-    at[k] = a[k] + t * along[k];
-  }
-  return distance(p, at);
-}
-
 /* Whether p, beside the plane of `s`, is inside the triangle. */
 static bool
 is_over(const side *s, const double p[3])
@@ -161,7 +129,7 @@ nearest_corner(const side *s, const double p[3], double reach, near *out)
 {
   out->apart = INFINITY;
   for (int i = 0; i < 3; i++) {
-    double apart = distance(s->at[i], p);
+    double apart = sg_distance(s->at[i], p);
     if (apart <= reach && apart < out->apart) {
       *out = (near){(sg_feature)(SG_CORNER_0 + i), apart, equal(s->at[i], p)};
     }
@@ -175,7 +143,7 @@ nearest_edge(const side *s, const double p[3], double reach, near *out)
   out->apart = INFINITY;
   for (int i = 0; i < 3; i++) {
     const double *a = s->at[i], *b = s->at[(i + 1) % 3];
-    double apart = to_segment(a, b, p);
+    double apart = sg_to_segment(a, b, p);
     if (apart <= reach && apart < out->apart) {
       *out = (near){(sg_feature)(SG_EDGE_0 + i), apart, collinear(a, b, p)};
     }
@@ -240,7 +208,7 @@ edges(finder *find, int i, int j)
   sg_minus(c, a, from);
   sg_cross(u, w, n);
   double square = sg_dot(n, n);
-  double parallel = length(u) * length(w) * 16 * DBL_EPSILON;
+  double parallel = sg_length(u) * sg_length(w) * 16 * DBL_EPSILON;
 
   if (!(square > parallel * parallel) ||
       fabs(sg_dot(from, n)) > find->reach * sqrt(square)) {
@@ -259,11 +227,12 @@ edges(finder *find, int i, int j)
     q[k] = c[k] + t * w[k];
     at[k] = 0.5 * p[k] + 0.5 * q[k];
   }
-  double apart = distance(p, q);
+  double apart = sg_distance(p, q);
 
-  if (apart <= find->reach && to_segment(c, d, a) > find->reach &&
-      to_segment(c, d, b) > find->reach && to_segment(a, b, c) > find->reach &&
-      to_segment(a, b, d) > find->reach) {
+  if (apart <= find->reach && sg_to_segment(c, d, a) > find->reach &&
+      sg_to_segment(c, d, b) > find->reach &&
+      sg_to_segment(a, b, c) > find->reach &&
+      sg_to_segment(a, b, d) > find->reach) {
     add(find, (sg_feature)(SG_EDGE_0 + i), (sg_feature)(SG_EDGE_0 + j), apart,
         at, sg_orient3d(a, b, c, d) == 0);
   }

@@ -99,15 +99,7 @@ sort_few(corner *c, size_t n)
     qsort(c, n, sizeof *c, by_next);
     return;
   }
-  for (size_t i = 1; i < n; i++) {
-    corner keep = c[i];
-    size_t k = i;
-
-    for (; k > 0 && c[k - 1].next > keep.next; k--) {
-      c[k] = c[k - 1];
-    }
-    c[k] = keep;
-  }
+  SG_SORT_FEW(corner, c, n, x->next > y->next);
 }
 
 /* Whether the triangles go round once: from each to the one that goes on to

@@ -5,19 +5,10 @@
 #include <math.h>
 #include <string.h>
 
-static double
-length(const double v[3])
-{
-  double square = sg_dot(v, v);
-
-  return square > 1e-280 && square < 1e300 ? sqrt(square)
-                                           : hypot(hypot(v[0], v[1]), v[2]);
-}
-
 void
 sg_shape_normalise(double v[3])
 {
-  double size = length(v);
+  double size = sg_any_length(v);
 
   for (int k = 0; k < 3 && size > 0; k++) {
     v[k] /= size;
@@ -171,7 +162,7 @@ distance_to_edge(const double u[3], const double w[3], const double at[3])
   for (int k = 0; k < 3; k++) {
     off[k] -= part * along[k];
   }
-  return length(off);
+  return sg_any_length(off);
 }
 
 static uint32_t

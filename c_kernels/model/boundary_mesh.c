@@ -1,5 +1,6 @@
 /* boundary_mesh.c -- see boundary_mesh.h: the loops of a boundary in order. */
 #include "boundary_private.h"
+#include "engine/search.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -39,14 +40,7 @@ sort_some(sg_boundary_maker *m, uint32_t *order, size_t n)
     qsort_r(order, n, sizeof *order, compare_loops, m);
     return;
   }
-  for (size_t i = 1; i < n; i++) {
-    uint32_t face = order[i];
-    size_t j = i;
-    for (; j > 0 && compare_loops(&order[j - 1], &face, m) > 0; j--) {
-      order[j] = order[j - 1];
-    }
-    order[j] = face;
-  }
+  SG_SORT_FEW(uint32_t, order, n, compare_loops(x, y, m) > 0);
 }
 
 /* Buckets by the first vertex, each sorted by itself. */

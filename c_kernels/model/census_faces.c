@@ -8,16 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Safe from overflow and underflow, which are rare. */
-static double
-length(const double v[3])
-{
-  double square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-
-  return square > 1e-280 && square < 1e300 ? sqrt(square)
-                                           : hypot(hypot(v[0], v[1]), v[2]);
-}
-
 static uint64_t
 mix(uint64_t h)
 {
@@ -55,7 +45,7 @@ add_triangle(sg_counting *c, size_t t, const double o[3])
   }
   sg_cross(u, v, n);
   c->triangles[p]++;
-  c->area[p] += length(n) / 2;
+  c->area[p] += sg_any_length(n) / 2;
   c->volume[p] += a[0] * n[0] + a[1] * n[1] + a[2] * n[2];
   for (int k = 0; k < 3; k++) {
     c->sides[p] += side(d->corner[t][k], d->corner[t][(k + 1) % 3]);
@@ -143,7 +133,7 @@ has_own_plane(const sg_counting *c, size_t p, const measures *m)
     }
   }
   return own[0] * n[0] + own[1] * n[1] + own[2] * n[2] > 0 &&
-         fabs(length(own) - 1) < 1e-6;
+         fabs(sg_any_length(own) - 1) < 1e-6;
 }
 
 /* What is kept of polygon p beside its corners, against these. */

@@ -21,15 +21,6 @@ enum { TIGHT = 100, SIDES = 4, MANY = 96, BLOCK = 1 << 16 };
 
 /* ---- how far points move ---- */
 
-static double
-distance(const double a[3], const double b[3])
-{
-  double d[3];
-
-  sg_minus(a, b, d);
-  return sg_length(d);
-}
-
 /* How far each point is from what becomes that point. */
 static double *
 find_moves(const sg_resolve *r)
@@ -40,7 +31,7 @@ find_moves(const sg_resolve *r)
     const sg_resolve_node *node = &r->node.item[i];
     double *to = &move[node->point];
     if (node->v != 0) {
-      *to = fmax(*to, distance(node->at, r->point.item[node->point].at));
+      *to = fmax(*to, sg_distance(node->at, r->point.item[node->point].at));
     }
   }
   for (size_t i = 0; move && i < r->touch.n; i++) {
@@ -86,27 +77,12 @@ typedef struct near {
 } near;
 
 static double
-to_edge(const double a[3], const double b[3], const double p[3])
-{
-  double along[3], from[3], at[3];
-
-  sg_minus(b, a, along);
-  sg_minus(p, a, from);
-  double square = sg_dot(along, along);
-  double t = square > 0 ? fmin(fmax(sg_dot(along, from) / square, 0), 1) : 0;
-
-  for (int k = 0; k < 3; k++) {
-    at[k] = a[k] + t * along[k];
-  }
-  return distance(p, at);
-}
-
-static double
 to_triangle(double (*at)[3], const double p[3])
 {
   double u[3], w[3], normal[3], from[3];
-  double apart = fmin(to_edge(at[0], at[1], p),
-                      fmin(to_edge(at[1], at[2], p), to_edge(at[2], at[0], p)));
+  double apart = fmin(
+      sg_to_segment(at[0], at[1], p),
+      fmin(sg_to_segment(at[1], at[2], p), sg_to_segment(at[2], at[0], p)));
 
   sg_minus(at[1], at[0], u);
   sg_minus(at[2], at[0], w);
@@ -182,9 +158,9 @@ shortest_edge(const near *all, double feature)
   for (size_t t = 0; t < all->n; t++) {
     double(*at)[3] = (double(*)[3])all->item[t].at;
     for (int i = 0; i < 3; i++) {
-      double length = distance(at[i], at[(i + 1) % 3]);
+      double length = sg_distance(at[i], at[(i + 1) % 3]);
       if (length < feature && length > 0 &&
-          to_edge(at[i], at[(i + 1) % 3], all->point) <= all->reach &&
+          sg_to_segment(at[i], at[(i + 1) % 3], all->point) <= all->reach &&
           !is_chord(all, t, i)) {
         feature = length;
       }

@@ -1,6 +1,7 @@
 /* resolve_point.c -- making things touch: shared points, where they are in
  * each segment, and the seams between them. See resolve.h. */
 #include "engine/search.h"
+#include "number/vector.h"
 #include "resolve.h"
 
 #include "rows/sort.h"
@@ -18,14 +19,6 @@
       return COMPARE(x, y);                                                    \
     }                                                                          \
   } while (0)
-
-static double
-distance(const double a[3], const double b[3])
-{
-  double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
-
-  return sqrt(x * x + y * y + z * z);
-}
 
 /* ---- signals ---- */
 
@@ -154,7 +147,8 @@ unite_all(sg_resolve *r)
     const sg_resolve_touch *x = &r->touch.item[i - 1], *y = x + 1;
     const sg_resolve_node *a = &r->node.item[x->node];
     const sg_resolve_node *b = &r->node.item[y->node];
-    if (same_edge(x, y) && distance(a->at, b->at) <= fmax(a->reach, b->reach)) {
+    if (same_edge(x, y) &&
+        sg_distance(a->at, b->at) <= fmax(a->reach, b->reach)) {
       unite(r, x->node, y->node);
     }
   }
@@ -200,7 +194,7 @@ make_points(sg_resolve *r)
     }
     node->point = r->node.item[first].point; /* roots have smaller numbers */
     if (node->v &&
-        distance(r->point.item[node->point].at, node->at) > 3 * r->reach) {
+        sg_distance(r->point.item[node->point].at, node->at) > 3 * r->reach) {
       r->wide = node;
     }
   }

@@ -19,14 +19,6 @@
 /* Triangles between two cancellations; pieces, each with a walk. */
 enum { ASK_EVERY = 4096, POLL_PIECES = 64 };
 
-static void
-difference(const double a[3], const double b[3], double out[3])
-{
-  for (int k = 0; k < 3; k++) {
-    out[k] = a[k] - b[k];
-  }
-}
-
 /* Halves or doubles n vectors until the largest coordinate is between 1/2 and
  * 1, so that products of areas stay in the doubles: exact. Gives the power of 2
  * that was taken out. */
@@ -100,8 +92,8 @@ facing(const sg_contour_finder *f, uint32_t t)
   const int32_t *v = f->in->dense->corner[t];
   double side[2][3], n[3], edge;
 
-  difference(at[v[1]], at[v[0]], side[0]);
-  difference(at[v[2]], at[v[0]], side[1]);
+  sg_minus(at[v[1]], at[v[0]], side[0]);
+  sg_minus(at[v[2]], at[v[0]], side[1]);
   shrink(side, 2);
   sg_cross(side[0], side[1], n);
   edge = EDGE_ON * sg_length(n);

@@ -1,4 +1,5 @@
 /* smooth.c -- see smooth.h */
+#include "engine/search.h"
 #include "smooth_private.h"
 
 #include "number/bounds.h"
@@ -76,14 +77,7 @@ sort_entries(entry *item, size_t n)
     qsort(item, n, sizeof *item, entry_compare);
     return;
   }
-  for (size_t i = 1; i < n; i++) {
-    entry x = item[i];
-    size_t j = i;
-    for (; j > 0 && entry_compare(&x, &item[j - 1]) < 0; j--) {
-      item[j] = item[j - 1];
-    }
-    item[j] = x;
-  }
+  SG_SORT_FEW(entry, item, n, entry_compare(x, y) > 0);
 }
 
 static void

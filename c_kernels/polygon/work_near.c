@@ -6,6 +6,7 @@
  * side by side.
  */
 #include "engine/search.h"
+#include "number/vector.h"
 #include "work_private.h"
 
 #include <math.h>
@@ -59,14 +60,6 @@ first_from(const rows *in, double low)
   return at;
 }
 
-static double
-distance(const double a[3], const double b[3])
-{
-  double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
-
-  return sqrt(x * x + y * y + z * z);
-}
-
 /* Vertices within reach become the one of them that entered first. */
 static bool
 merge_near(sg_work *work, const rows *in, double reach)
@@ -77,7 +70,8 @@ merge_near(sg_work *work, const rows *in, double reach)
          j < in->n && in->item[j].along - in->item[i].along <= reach; j++) {
       int32_t w = in->item[j].vertex;
       if (!sg_work_has_edges(work, v) || !sg_work_has_edges(work, w) ||
-          distance(work->vertex[v].point.p, work->vertex[w].point.p) > reach) {
+          sg_distance(work->vertex[v].point.p, work->vertex[w].point.p) >
+              reach) {
         continue;
       }
       if (!sg_work_move_edges(work, v < w ? w : v, v < w ? v : w)) {
@@ -109,7 +103,7 @@ foot(const sg_work *work, int32_t a, int32_t b, int32_t v, double reach,
   for (int k = 0; k < 3; k++) {
     at[k] = p[k] + *out * (q[k] - p[k]);
   }
-  return distance(at, r) <= reach;
+  return sg_distance(at, r) <= reach;
 }
 
 /* Splits an edge at the vertices within reach of its inside. `found` has room

@@ -30,14 +30,7 @@ sort_keys(uint64_t *key, size_t n, const sg_cancel *cancel)
   if (n > SMALL) {
     return sg_sort(key, n, sizeof *key, sg_compare_keys, cancel);
   }
-  for (size_t i = 1; i < n; i++) {
-    uint64_t k = key[i];
-    size_t j = i;
-    for (; j > 0 && key[j - 1] > k; j--) {
-      key[j] = key[j - 1];
-    }
-    key[j] = k;
-  }
+  SG_SORT_FEW(uint64_t, key, n, *x > *y);
   return SG_SORTED;
 }
 

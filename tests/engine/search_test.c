@@ -68,9 +68,37 @@ sorts(void)
         sg_compare_keys(&(uint64_t){UINT64_C(1) << 40}, &(uint64_t){7}) > 0);
 }
 
+/* Items of the same number stay as they stood. */
+static void
+sorts_few(void)
+{
+  typedef struct item {
+    int number, at;
+  } item;
+  uint32_t seed = 7;
+  bool good = true;
+
+  for (size_t n = 0; n < 30; n++) {
+    item all[30];
+
+    for (size_t i = 0; i < n; i++) {
+      all[i] = (item){check_below(&seed, 6), (int)i};
+    }
+    SG_SORT_FEW(item, all, n, x->number > y->number);
+    for (size_t i = 1; i < n; i++) {
+      good =
+          good &&
+          (all[i - 1].number < all[i].number ||
+           (all[i - 1].number == all[i].number && all[i - 1].at < all[i].at));
+    }
+  }
+  CHECK("a few, stable", good);
+}
+
 int
 main(void)
 {
+  sorts_few();
   searches();
   parts();
   sorts();

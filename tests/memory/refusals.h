@@ -10,6 +10,8 @@
 #ifndef SG_REFUSALS_H
 #define SG_REFUSALS_H
 
+#include "tests/check.h"
+
 #include <gmp.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -83,6 +85,32 @@ is_counted(void)
   free(made);
   counting = false;
   return made == NULL;
+}
+
+/* What was wrong when allocation n, from 0, was refused; *done: none was. The
+ * case is made from a seed. */
+typedef long refused_case(uint32_t seed, long n, bool *done);
+
+/* Tries each case with each of its allocations refused; they are more than
+ * `least` in all. */
+static inline void
+check_refusals(refused_case *tried, uint32_t seeds, long least)
+{
+  long many = 0, bad = 0;
+
+  if (!is_counted()) {
+    printf("skipped: allocations that fail: the checker has its own\n");
+    return;
+  }
+  for (uint32_t seed = 0; seed < seeds; seed++) {
+    bool done = false;
+
+    for (long n = 0; !done; n++, many++) {
+      bad += tried(seed, n, &done);
+    }
+  }
+  CHECK("what is refused is told and nothing leaks", bad == 0);
+  CHECK("there were many", many > least);
 }
 
 /* GMP ends the program without memory: it is never refused. */

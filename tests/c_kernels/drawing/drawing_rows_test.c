@@ -5,24 +5,12 @@
 #include "picture/parts.h"
 
 #include "tests/c_kernels/cube_world.h"
+#include "tests/c_kernels/door_call.h"
 #include "tests/check.h"
 
 #include "engine/symbol.h"
 
 #include <string.h>
-
-static sg_call call;
-
-static bool
-is_domain(const char *what, int argument)
-{
-  const sg_refusal *r = &call.refusal;
-  bool is = r->how == SG_REFUSED_DOMAIN && !strcmp(r->what, what) &&
-            r->argument == argument;
-
-  call.refusal = (sg_refusal){.how = SG_REFUSED_NOTHING};
-  return is;
-}
 
 /* drawn/7 of a cube: nine edges are visible. */
 static bool

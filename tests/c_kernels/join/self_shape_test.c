@@ -16,13 +16,6 @@ typedef struct polygon {
   double at[12][2];
 } polygon;
 
-static int
-below(uint32_t *seed, int n)
-{
-  *seed = *seed * 1664525u + 1013904223u;
-  return (int)((*seed >> 16) % (uint32_t)n);
-}
-
 static double
 turn(const double a[2], const double b[2], const double c[2])
 {
@@ -35,8 +28,8 @@ random_triangle(uint32_t *seed, double out[3][3])
 {
   do {
     for (int i = 0; i < 3; i++) {
-      out[i][0] = below(seed, 9);
-      out[i][1] = below(seed, 9);
+      out[i][0] = check_below(seed, 9);
+      out[i][1] = check_below(seed, 9);
       out[i][2] = 0;
     }
   } while (turn(out[0], out[1], out[2]) <= 0);

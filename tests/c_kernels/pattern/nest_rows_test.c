@@ -4,23 +4,11 @@
 #include "doors/pattern.h"
 #include "pattern/flat_shapes.h"
 
+#include "tests/c_kernels/door_call.h"
 #include "tests/check.h"
 
 #include <math.h>
 #include <string.h>
-
-static sg_call call;
-
-static bool
-is_domain(const char *what, int argument)
-{
-  const sg_refusal *r = &call.refusal;
-  bool is = r->how == SG_REFUSED_DOMAIN && !strcmp(r->what, what) &&
-            r->argument == argument;
-
-  call.refusal = (sg_refusal){.how = SG_REFUSED_NOTHING};
-  return is;
-}
 
 /* A square from x to x + 10, as high. */
 static sg_paper_point_list

@@ -27,25 +27,19 @@ typedef struct scene {
   int spikes;
 } scene;
 
-static int
-below(uint32_t *seed, int n)
-{
-  *seed = *seed * 1664525u + 1013904223u;
-  return (int)((*seed >> 16) % (uint32_t)n);
-}
-
 static spike
 random_spike(uint32_t *seed)
 {
-  return (spike){1 + below(seed, SEGMENTS), 1 + below(seed, POLYGONS),
-                 below(seed, SIZE), below(seed, SIZE), -below(seed, 2)};
+  return (spike){1 + check_below(seed, SEGMENTS),
+                 1 + check_below(seed, POLYGONS), check_below(seed, SIZE),
+                 check_below(seed, SIZE), -check_below(seed, 2)};
 }
 
 /* Nothing of two floors is in one segment: floors would be doubled there. */
 static void
 random_scene(scene *out, uint32_t seed)
 {
-  out->spikes = 2 + below(&seed, MOST - 2);
+  out->spikes = 2 + check_below(&seed, MOST - 2);
   for (int i = 0; i < 2; i++) {
     out->floor[i] = random_spike(&seed);
   }
@@ -107,8 +101,8 @@ enter_scene(sg_cut_set *set, uint32_t seed)
 
   for (uint32_t i = 2; i < set->model.triangles; i++) {
     for (uint32_t f = 0; f < 2; f++) {
-      bool swap =
-          leaf[f].s == leaf[i].s ? below(&seed, 2) == 1 : leaf[f].s > leaf[i].s;
+      bool swap = leaf[f].s == leaf[i].s ? check_below(&seed, 2) == 1
+                                         : leaf[f].s > leaf[i].s;
       if (sg_cut_set_enter(set, swap ? i : f, swap ? f : i) < 0) {
         return false;
       }
@@ -246,19 +240,19 @@ random_scenes(void)
   CHECK("most have several", many > SCENES / 2);
 }
 
-/* One scene with the n-th allocation refused; *done: none was. Returns what was
- * wrong. */
 static long
-refused_at(const scene *of, long n, bool *done)
+refused(uint32_t seed, long n, bool *done)
 {
+  scene of;
   sg_cut_set set;
   long bad;
 
+  random_scene(&of, seed);
   living = 0;
   left = n;
   counting = true;
   sg_cut_set_init(&set, no_real_edge, NULL);
-  *done = add_scene(&set, of) && enter_scene(&set, 7);
+  *done = add_scene(&set, &of) && enter_scene(&set, 7);
   bad = *done != (left >= 0);
   left = -1;
   sg_cut_set_clear(&set);
@@ -266,33 +260,11 @@ refused_at(const scene *of, long n, bool *done)
   return bad + (living != 0);
 }
 
-static void
-no_memory(void)
-{
-  long many = 0, bad = 0;
-
-  if (!is_counted()) {
-    printf("skipped: allocations that fail: the checker has its own\n");
-    return;
-  }
-  for (uint32_t seed = 0; seed < 50; seed++) {
-    bool done = false;
-    scene of;
-
-    random_scene(&of, seed);
-    for (long n = 0; !done; n++, many++) {
-      bad += refused_at(&of, n, &done);
-    }
-  }
-  CHECK("a refused allocation is told and nothing leaks", bad == 0);
-  CHECK("there were many", many > 500);
-}
-
 int
 main(void)
 {
   spare_gmp();
   random_scenes();
-  no_memory();
+  check_refusals(refused, 50, 500);
   return check_report();
 }

@@ -32,13 +32,6 @@ typedef struct scene {
   bool of_triangles; /* two quads, each triangle a polygon of its own */
 } scene;
 
-static int
-below(uint32_t *seed, int n)
-{
-  *seed = *seed * 1664525u + 1013904223u;
-  return (int)((*seed >> 16) % (uint32_t)n);
-}
-
 /* Chords along a line, the last two with an end in common; corners on both
  * sides of it, some above each other. */
 static void
@@ -46,24 +39,24 @@ random_scene(scene *out, uint32_t seed)
 {
   for (int i = 0; i < 2 * CHORDS; i++) {
     out->at[i][0] = 100.0 * (i / 2) + (i % 2 ? 10 : -10);
-    out->at[i][1] = below(&seed, 1000) / 1000.0;
-    out->at[i][2] = below(&seed, 1000) / 1000.0;
+    out->at[i][1] = check_below(&seed, 1000) / 1000.0;
+    out->at[i][2] = check_below(&seed, 1000) / 1000.0;
   }
   memcpy(out->at[2 * CHORDS - 1], out->at[2 * CHORDS - 3], sizeof *out->at);
   for (int i = 2 * CHORDS; i < 2 * CHORDS + CORNERS; i++) {
-    out->at[i][0] = 200.0 * below(&seed, 2);
-    out->at[i][1] = (300.0 + 200.0 * below(&seed, 2)) * (i % 2 ? -1 : 1);
-    out->at[i][2] = below(&seed, 1000) / 1000.0;
+    out->at[i][0] = 200.0 * check_below(&seed, 2);
+    out->at[i][1] = (300.0 + 200.0 * check_below(&seed, 2)) * (i % 2 ? -1 : 1);
+    out->at[i][2] = check_below(&seed, 1000) / 1000.0;
   }
-  out->of_triangles = below(&seed, 2) == 1;
-  out->quads = out->of_triangles ? 2 : 2 + below(&seed, MOST - 2);
+  out->of_triangles = check_below(&seed, 2) == 1;
+  out->quads = out->of_triangles ? 2 : 2 + check_below(&seed, MOST - 2);
   for (int i = 0; i < out->quads; i++) {
-    out->quad[i] = (quad){1 + below(&seed, SEGMENTS),
+    out->quad[i] = (quad){1 + check_below(&seed, SEGMENTS),
                           2 * i + 2,
-                          below(&seed, CHORDS),
-                          {2 * CHORDS + 2 * below(&seed, 2),
-                           2 * CHORDS + 1 + 2 * below(&seed, 2)},
-                          below(&seed, 2) == 1};
+                          check_below(&seed, CHORDS),
+                          {2 * CHORDS + 2 * check_below(&seed, 2),
+                           2 * CHORDS + 1 + 2 * check_below(&seed, 2)},
+                          check_below(&seed, 2) == 1};
   }
 }
 
@@ -203,20 +196,22 @@ random_scenes(void)
   CHECK("both were tried", pairs[0] > SCENES / 5 && pairs[1] > SCENES / 5);
 }
 
-/* One scene with the n-th allocation refused, or the n-th answer about an edge;
- * *done: none was. Returns what was wrong. */
+/* One scene with an allocation refused, or an answer about an edge; below 0:
+ * none of them. */
 static long
-refused_at(const scene *of, long allocation, long answer, bool *done)
+try_scene(uint32_t seed, long allocation, long answer, bool *done)
 {
+  scene of;
   sg_cut_set set;
-  asked a = {of, answer};
+  asked a = {&of, answer};
   long bad;
 
+  random_scene(&of, seed);
   living = 0;
   left = allocation;
   counting = true;
   sg_cut_set_init(&set, is_real, &a);
-  *done = cut_scene(&set, of);
+  *done = cut_scene(&set, &of);
   bad = *done != (answer >= 0 ? a.left >= 0 : left >= 0);
   left = -1;
   sg_cut_set_clear(&set);
@@ -224,30 +219,16 @@ refused_at(const scene *of, long allocation, long answer, bool *done)
   return bad + (living != 0);
 }
 
-static void
-no_memory(void)
+static long
+refused(uint32_t seed, long n, bool *done)
 {
-  long many = 0, bad = 0;
+  return try_scene(seed, n, -1, done);
+}
 
-  if (!is_counted()) {
-    printf("skipped: allocations that fail: the checker has its own\n");
-    return;
-  }
-  for (uint32_t seed = 0; seed < 30; seed++) {
-    bool done = false;
-    scene of;
-
-    random_scene(&of, seed);
-    for (long n = 0; !done; n++, many++) {
-      bad += refused_at(&of, n, -1, &done);
-    }
-    done = false;
-    for (long n = 0; !done; n++, many++) {
-      bad += refused_at(&of, -1, n, &done);
-    }
-  }
-  CHECK("what is refused is told and nothing leaks", bad == 0);
-  CHECK("there were many", many > 1000);
+static long
+unanswered(uint32_t seed, long n, bool *done)
+{
+  return try_scene(seed, -1, n, done);
 }
 
 int
@@ -255,6 +236,7 @@ main(void)
 {
   spare_gmp();
   random_scenes();
-  no_memory();
+  check_refusals(refused, 30, 500);
+  check_refusals(unanswered, 30, 500);
   return check_report();
 }

@@ -5,21 +5,10 @@
 #include "engine/term.h"
 
 #include "tests/c_kernels/cube_world.h"
+#include "tests/c_kernels/door_call.h"
 #include "tests/check.h"
 
 enum { CUBE = 1, OPEN = 2 };
-
-static sg_call call;
-
-static size_t
-rows_of(sg_relation relation)
-{
-  const sg_version *version = sg_world_version(call.world);
-  size_t n = sg_version_count(version, relation);
-
-  sg_version_drop(version);
-  return n;
-}
 
 /* A polygon of one edge. */
 static bool
@@ -45,23 +34,6 @@ add_open(void)
                                    {.i = 1},
                                    {.list = (const int32_t[]){1, 1}}},
                       NULL, NULL) == SG_OK;
-}
-
-static bool
-add_segment(sg_world *world, int32_t s)
-{
-  sg_term_builder b;
-
-  sg_term_open(&b);
-  sg_term_int(&b, s);
-  bool good = sg_world_add(world, SG_SEGMENT,
-                           (sg_value[]){{.i = s},
-                                        {.i = SG_SYMBOL_SOLID},
-                                        {.term = sg_term_words(&b)}},
-                           NULL, NULL) == SG_OK;
-
-  sg_term_close(&b);
-  return good;
 }
 
 static void
@@ -94,7 +66,7 @@ untriangulated(void)
   CHECK("no segments",
         sg_door_untriangulated_segments(&call, &none) && none.n == 0);
   for (int32_t s = CUBE; s <= OPEN + 1; s++) {
-    CHECK("segment", add_segment(call.world, s));
+    CHECK("segment", add_segment(s));
   }
   sg_call_rest(&call);
   CHECK("one of three", sg_door_untriangulated_segments(&call, &one) &&

@@ -6,40 +6,12 @@
 #include "engine/term.h"
 
 #include "tests/c_kernels/cube_world.h"
+#include "tests/c_kernels/door_call.h"
 #include "tests/check.h"
 
 enum { CUBE = 1, TWICE = 2 };
 
-static sg_call call;
-
-static size_t
-rows_of(sg_relation relation)
-{
-  const sg_version *version = sg_world_version(call.world);
-  size_t n = sg_version_count(version, relation);
-
-  sg_version_drop(version);
-  return n;
-}
-
 /* ---- csg_rows.c ---- */
-
-static bool
-add_segment(int32_t s)
-{
-  sg_term_builder b;
-
-  sg_term_open(&b);
-  sg_term_int(&b, s);
-  sg_status status = sg_world_add(call.world, SG_SEGMENT,
-                                  (sg_value[]){{.i = s},
-                                               {.i = SG_SYMBOL_SOLID},
-                                               {.term = sg_term_words(&b)}},
-                                  NULL, NULL);
-
-  sg_term_close(&b);
-  return status == SG_OK;
-}
 
 /* origin(s, functor(s), s). */
 static bool

@@ -5,32 +5,12 @@
 #include "doors/boolean.h"
 
 #include "tests/c_kernels/cube_world.h"
+#include "tests/c_kernels/door_call.h"
 #include "tests/check.h"
 
 #include <string.h>
 
 enum { CUBE = 1, WRITTEN = 2 };
-
-static sg_call call;
-
-static size_t
-rows_of(sg_relation relation)
-{
-  const sg_version *version = sg_world_version(call.world);
-  size_t n = sg_version_count(version, relation);
-
-  sg_version_drop(version);
-  return n;
-}
-
-static bool
-was_refused(sg_refused how)
-{
-  bool was = call.refusal.how == how;
-
-  call.refusal.how = SG_REFUSED_NOTHING;
-  return was;
-}
 
 static sg_solid *
 taken(int32_t s)

@@ -3,25 +3,13 @@
  */
 #include "doors/pattern.h"
 
+#include "tests/c_kernels/door_call.h"
 #include "tests/check.h"
 
 #include <math.h>
 #include <string.h>
 
 static const double PI = 3.141592653589793;
-
-static sg_call call;
-
-static bool
-was_refused(const char *what, int argument)
-{
-  bool was = call.refusal.how == SG_REFUSED_DOMAIN &&
-             !strcmp(call.refusal.what, what) &&
-             call.refusal.argument == argument;
-
-  call.refusal.how = SG_REFUSED_NOTHING;
-  return was;
-}
 
 /* Of radius r round the z axis. */
 static sg_offset_surface
@@ -72,15 +60,15 @@ surfaces(void)
   CHECK("place", sg_door_surface_place(&call, &around, &at, &t, &h) &&
                      fabs(t - 90) < 1e-12 && fabs(h - 1) < 1e-12);
   CHECK("of a plane", !sg_door_surface_place(&call, &floor, &at, &t, &h) &&
-                          was_refused("ruled_surface", 1));
+                          is_domain("ruled_surface", 1));
   CHECK("value", sg_door_surface_value(&call, &wider, &at, &value, &point) &&
                      fabs(value - 2) < 1e-12 && fabs(point.at[1] - 1) < 1e-12);
   CHECK("no surface",
         !sg_door_surface_value(&call, &none, &at, &value, &point) &&
-            was_refused("surface", 1));
+            is_domain("surface", 1));
   CHECK("parallel to a plane",
         !sg_door_surface_value(&call, &off, &at, &value, &point) &&
-            was_refused("developable_surface", 1));
+            is_domain("developable_surface", 1));
   CHECK("they meet",
         sg_door_surfaces_meet(&call, &(sg_offset_surface_list){both, 2, 2}, 9,
                               &at, &point) &&
@@ -88,7 +76,7 @@ surfaces(void)
   CHECK("of nothing",
         !sg_door_surfaces_meet(&call, &(sg_offset_surface_list){0}, 9, &at,
                                &point) &&
-            was_refused("few_surfaces", 1));
+            is_domain("few_surfaces", 1));
 }
 
 static void
@@ -117,7 +105,7 @@ rolls(void)
   roll.surface = both[1];
   CHECK("no plane", !sg_door_roll_points(&call, &roll,
                                          &(sg_paper_point_list){0}, &points) &&
-                        was_refused("developable_surface", 1));
+                        is_domain("developable_surface", 1));
 }
 
 int
