@@ -47,27 +47,68 @@ divide(sg_triangles *triangles, size_t i, int32_t v, int flat)
   return true;
 }
 
+/* Where v lies in a triangle. */
+typedef struct whereabouts {
+  bool outside; /* or where a corner is: then no triangle changes */
+  int flat;     /* the side that v is on begins at this corner; -1: inside */
+  int second;   /* of a triangle without area, another side; -1: none */
+} whereabouts;
+
+/* v is on the line that all three corners are on: it is on two sides of the
+ * triangle, or on one and where the third corner is. */
+static whereabouts
+along_line(const sg_work *work, const sg_triangle *t, int32_t v)
+{
+  whereabouts out = {.flat = -1, .second = -1};
+
+  for (int k = 0; k < 3; k++) {
+    if (sg_work_between(work, t->v[k], t->v[(k + 1) % 3], v)) {
+      *(out.flat < 0 ? &out.flat : &out.second) = k;
+    }
+  }
+  out.outside = out.flat < 0;
+  return out;
+}
+
+static whereabouts
+whereabouts_of(const sg_work *work, const sg_triangle *t, int32_t v)
+{
+  whereabouts out = {.flat = -1, .second = -1};
+  int on = 0;
+
+  for (int k = 0; k < 3 && !out.outside; k++) {
+    int turn = sg_work_turn(work, t->v[k], t->v[(k + 1) % 3], v);
+    out.outside = turn < 0;
+    out.flat = turn == 0 ? k : out.flat;
+    on += turn == 0;
+  }
+  if (on == 3) {
+    return along_line(work, t, v);
+  }
+  out.outside = out.outside || on == 2; /* where two sides meet */
+  return out;
+}
+
 bool
 sg_triangles_insert(const sg_work *work, sg_triangles *triangles, int32_t v)
 {
   size_t n = triangles->n; /* those added have v as a corner already */
 
   for (size_t i = 0; i < n; i++) {
-    const int32_t *corner = triangles->item[i].v;
-    int flat = -1, out = 0;
+    sg_triangle *t = &triangles->item[i];
+    whereabouts at = whereabouts_of(work, t, v);
 
-    for (int k = 0; k < 3; k++) {
-      int turn = sg_work_turn(work, corner[k], corner[(k + 1) % 3], v);
-      out += turn < 0;
-      flat = turn == 0 ? k : flat;
-    }
-    if (out > 0) {
+    if (at.outside) {
       continue;
     }
-    if (!divide(triangles, i, v, flat)) {
+    if (at.second >= 0) {
+      /* The corner that the two sides share gives way: what is left of them
+       * beside it lies on itself. */
+      t->v[at.second == at.flat + 1 ? at.second : at.flat] = v;
+    } else if (!divide(triangles, i, v, at.flat)) {
       return false;
     }
-    if (flat < 0) {
+    if (at.flat < 0) {
       break;
     }
   }

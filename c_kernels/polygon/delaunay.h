@@ -11,7 +11,8 @@
 
 /* Makes vertex v, which lies inside or on the border of a triangle, a corner:
  * that triangle, or the two with the edge it is on, are divided. Nothing
- * changes if it lies in none. False: no memory. Exact. */
+ * changes if it lies in none, or where a corner is: n vertices add 2 n
+ * triangles at most, wherever they lie. False: no memory. Exact. */
 bool sg_triangles_insert(const sg_work *work, sg_triangles *triangles,
                          int32_t v);
 

@@ -36,11 +36,13 @@ script(1, Seed, Wrong) :-
 script(Threads, Seed, Wrong) :-
     soup(Seed, Soup),
     new_world(World),
-    findall(sg_test_edit_script:quiet_scene(World, Soup, _),
-            between(1, Threads, _), Goals),
+    findall(sg_test_edit_script:quiet_scene(World, Soup, Own, _),
+            ( between(1, Threads, I),
+              Own is 1000*Seed+I ),
+            Goals),
     concurrent(Threads, Goals, []),
     findall(W,
-            ( member(_:quiet_scene(_, _, Ws), Goals),
+            ( member(_:quiet_scene(_, _, _, Ws), Goals),
               member(W, Ws),
               W \= dangles(_, _) ),
             Wrong1),
@@ -48,9 +50,12 @@ script(Threads, Seed, Wrong) :-
                             Wrong2)),
     append(Wrong1, Wrong2, Wrong).
 
-%   quiet_scene(World, Soup, Wrong): what a thread does.
+%   quiet_scene(World, Soup, Seed, Wrong): what a thread does. Random numbers
+%   are a thread's own, so it has a seed of its own, and the same script each
+%   time; what the others do meanwhile may differ.
 
-quiet_scene(World, Soup, Wrong) :-
+quiet_scene(World, Soup, Seed, Wrong) :-
+    set_random(seed(Seed)),
     setup_call_cleanup(
         ( open_null_stream(Null),
           set_output(Null) ),
@@ -89,7 +94,8 @@ one_of(List, Member) :-
 
 attempt(Goal, Wrong) :-
     (   getenv('EDIT_SAY', _)
-    ->  format(user_error, '  ~q~n', [Goal])
+    ->  thread_self(Me),
+        format(user_error, '~w:  ~q~n', [Me,Goal])
     ;   true
     ),
     catch(( ignore(once(Goal)), Error = none ), Error, true),
@@ -239,7 +245,8 @@ changed(redo, Wrong) :-
 
 tried(Goal) :-
     (   getenv('EDIT_SAY', _)
-    ->  format(user_error, '    ~q~n', [Goal])
+    ->  thread_self(Me),
+        format(user_error, '~w:    ~q~n', [Me,Goal])
     ;   true
     ),
     catch(( ignore(once(Goal)), Error = none ), Error, true),
