@@ -109,6 +109,7 @@ develop(S, D) :-
 develop(S, Options, D) :-
     checked_segment(S),
     must_be(list, Options),
+    must_be(ground, Options),
     facts_transaction(sg_development:developed(S, Options, D)).
 
 checked_segment(S) :-

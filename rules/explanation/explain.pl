@@ -28,6 +28,7 @@
                 edge_polygon/3
               ]).
 :- use_module(library(apply), [maplist/2, maplist/3, maplist/4]).
+:- use_module(library(error), [must_be/2]).
 :- use_module(library(http/json), [json_write/3]).
 :- use_module(library(lists), [append/2, append/3, member/2, nth1/3]).
 :- use_module(library(solution_sequences), [distinct/2]).
@@ -65,6 +66,8 @@ explain_en.pl and explain_ko.pl.
 %   Options: those of picture/1 that the picture was made with; of seams, folds
 %   and pieces what is wanted of the pattern (explain_seam.pl).
 %
+%   @error instantiation_error: of Options, anything unbound
+%
 %       ?- penetrate, explain(line(1)).
 
 explain(Item) :-
@@ -87,43 +90,50 @@ explain(Item, Options) :-
 %   Item. Of an Item with unbound parts, every one: lines, vertices that were
 %   made, edges that were made, polygons and segments that share a line, lines
 %   of the picture. Options as for explain/2.
+%
+%   @error instantiation_error: of Options, anything unbound
 
 explanation(Item, Because) :-
     explanation(Item, [], Because).
 
-explanation(line(L), _, Because) :-
+explanation(Item, Options, Because) :-
+    must_be(list, Options),
+    must_be(ground, Options),
+    item_because(Item, Options, Because).
+
+item_because(line(L), _, Because) :-
     line(L, _, _, _, _, _, _, _, _),
     line_because(L, Because).
-explanation(vertex(S, V), _, [because(Statement, Because)]) :-
+item_because(vertex(S, V), _, [because(Statement, Because)]) :-
     vertex_asked(S, V),
     vertex_because(S, V, Statement, Because).
-explanation(edge(S, E), _, Because) :-
+item_because(edge(S, E), _, Because) :-
     edge_asked(S, E),
     edge_because(S, E, Because).
-explanation(pair(A, B), _, Because) :-
+item_because(pair(A, B), _, Because) :-
     pair_asked(A, B),
     pair_explained(A, B, Because).
-explanation(piece(S, Piece), _, Because) :-
+item_because(piece(S, Piece), _, Because) :-
     piece_asked(S, Piece),
     piece_because(S, Piece, Because).
-explanation(seam(S, E), Options, Because) :-
+item_because(seam(S, E), Options, Because) :-
     joint_explained(S, E, seam, Options, Because).
-explanation(seam(E), Options, Because) :-
+item_because(seam(E), Options, Because) :-
     joint_explained(_, E, seam, Options, Because).
-explanation(fold(S, E), Options, Because) :-
+item_because(fold(S, E), Options, Because) :-
     joint_explained(S, E, fold, Options, Because).
-explanation(fold(E), Options, Because) :-
+item_because(fold(E), Options, Because) :-
     joint_explained(_, E, fold, Options, Because).
-explanation(pattern(S, K), Options, Because) :-
+item_because(pattern(S, K), Options, Because) :-
     pattern_explained(S, K, Options, Because).
-explanation(hidden(S, E), Options, Because) :-
+item_because(hidden(S, E), Options, Because) :-
     hidden_because(S-E, all, Options, Because).
-explanation(hidden(Name), Options, Because) :-
+item_because(hidden(Name), Options, Because) :-
     nonvar(Name),
     hidden_because(Name, all, Options, Because).
-explanation(why_not(hidden(S, E)), Options, Because) :-
+item_because(why_not(hidden(S, E)), Options, Because) :-
     hidden_because(S-E, visible, Options, Because).
-explanation(why_not(hidden(Name)), Options, Because) :-
+item_because(why_not(hidden(Name)), Options, Because) :-
     nonvar(Name),
     hidden_because(Name, visible, Options, Because).
 

@@ -81,6 +81,7 @@ unfold(S, D) :-
 unfold(S, Options, D) :-
     has_faces(S),
     must_be(list, Options),
+    must_be(ground, Options),
     wishes(S, Options, Wishes),
     wanted_of(S, Wishes, Wanted),
     unfolded_part(S, Wanted, Options, D).

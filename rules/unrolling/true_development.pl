@@ -103,6 +103,7 @@ developable_part(S, Part, Surface) :-
 true_development(S, Part, Options, D) :-
     must_be(positive_integer, S),
     must_be(list, Options),
+    must_be(ground, Options),
     (   segment(S, _, _)
     ->  true
     ;   throw(error(existence_error(segment, S), _))

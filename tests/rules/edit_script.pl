@@ -1,5 +1,9 @@
 :- module(sg_test_edit_script,
-          [ script/3                    % +Threads, +Seed, -Wrong
+          [ script/3,                   % +Threads, +Seed, -Wrong
+            exported/1,                 % -All
+            documented_words/3,         % +Name, +Arity, -Words
+            argument/2,                 % +Word, -Value
+            with_files/2                % +Goal0, -Goal
           ]).
 /** <module> Random edits of random worlds, and random questions about them.
 
@@ -422,6 +426,10 @@ asked(Goal) :-
 
 :- dynamic exported_/1.
 
+%!  exported(-All:list) is det.
+%
+%   Name/Arity of all that sanggwan.pl exports and a test can call.
+
 exported(All) :-
     exported_(All),
     !.
@@ -441,8 +449,10 @@ unfit(default/1).
 unfit(facts_undo_limit/1).
 unfit(in_world/2).
 
-%   documented_words(Name, Arity, Words): the names of its arguments in its
-%   documentation, without what stands around them.
+%!  documented_words(+Name, +Arity, -Words:list(atom)) is det.
+%
+%   Words are the names of its arguments in its documentation, without what
+%   stands around them.
 
 documented_words(Name, Arity, Words) :-
     documented_head(Name, Arity, Head),
@@ -498,6 +508,10 @@ argument_word(Argument, Word) :-
     ->  argument_word(Inner, Word)
     ;   Word = 'X'
     ).
+
+%!  argument(+Word, -Value) is det.
+%
+%   Value is a random one for an argument that is called Word.
 
 argument(Word, Value) :-
     (   maybe(0.15)
@@ -556,13 +570,15 @@ worded('View', Value) :-
     one_of([front, top, right, isometric, view(30,60,9), _], Value).
 
 any_value(Value) :-
-    one_of([ _, _, _, 1, 2, 0, -1, 3, 2147483648, 1.5, [], [1], [1,2], [_], a,
+    one_of([ _, _, _, 1, 2, 0, -1, 3, 2147483648, 1.5, [], [1], [1,2], [_],
+             [1|_], [_|_], a,
              front, solid, "text", v(1), e(1), p(1), 1-2, box(size(1,1,1)),
              p(0,0,0), union([1,2]), inf, true, all, [1-2] ],
            Value).
 
-%   with_files(Goal0, Goal): file(Extension) becomes a name in a folder for
-%   scratch.
+%!  with_files(+Goal0, -Goal) is det.
+%
+%   file(Extension) becomes a name in a folder for scratch, EDIT_SCRATCH.
 
 with_files(Goal0, Goal) :-
     (   compound(Goal0)
