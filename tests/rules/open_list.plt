@@ -26,8 +26,9 @@ open_value(f(_)).
 open_value('Options', Value) :-
     !,
     (   open_value(Value)
-    ;   member(Name, [ segments,wanted,cut,keep,order,removed,root,trim,by,lines,
-                       views,thickness,tolerance,sections,remove,only,names ]),
+    ;   member(Name, [ segments,wanted,cut,keep,order,removed,root,trim,by,
+                       lines,views,thickness,tolerance,sections,remove,only,
+                       names ]),
         open_value(A),
         Value =.. [Name,A]
     ).
