@@ -133,6 +133,8 @@ cannot_read(File, error(Formal, _)) :-
     ->  Why = permission
     ;   Formal = io_error(_, _)
     ->  Why = io
+    ;   Formal = representation_error(max_symbolic_links)
+    ->  Why = links
     ;   Why = Formal
     ),
     throw(error(model_error(cannot_read(Why)), location(File, 0, 0))).

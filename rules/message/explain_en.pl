@@ -4,8 +4,8 @@
           ]).
 :- use_module('../near', [is_rounding/2]).
 :- use_module(explain_words, 
-              [ segment_word/2, polygon_word/3, in_order/4, exact_text/3,
-                point_text/2
+              [ other_origin/1, segment_word/2, polygon_word/3, in_order/4,
+                exact_text/3, point_text/2
               ]).
 :- use_module(library(apply), [maplist/3]).
 
@@ -87,8 +87,9 @@ statement_en(made(ll(S1-(A,B), S2-p(P)))) -->
 statement_en(made(tpi(T1, T2, T3))) -->
     { maplist(triangle_text, [T1,T2,T3], [W1,W2,W3]) },
     [ 'made by three planes: of ~w, ~w and ~w'-[W1, W2, W3] ].
-statement_en(made(crossing)) -->
-    [ 'made by two lines that cross within the tolerance' ].
+statement_en(made(Origin)) -->
+    { other_origin(Origin) },
+    [ 'made from ~p, as the model says'-[Origin] ].
 statement_en(made(near(Origin))) -->
     [ 'made to touch, being nearer than the tolerance: ' ],
     statement_en(made(Origin)).

@@ -5,8 +5,8 @@
           ]).
 :- use_module('../near', [is_rounding/2]).
 :- use_module(explain_words, 
-              [ segment_word/2, polygon_word/3, in_order/4, exact_text/3,
-                point_text/2
+              [ other_origin/1, segment_word/2, polygon_word/3, in_order/4,
+                exact_text/3, point_text/2
               ]).
 :- use_module(library(apply), [maplist/3]).
 
@@ -87,8 +87,9 @@ statement_ko(made(ll(S1-(A,B), S2-p(P)))) -->
 statement_ko(made(tpi(T1, T2, T3))) -->
     { maplist(triangle_text, [T1,T2,T3], [W1,W2,W3]) },
     [ '세 평면이 만들었다: ~w, ~w, ~w'-[W1, W2, W3] ].
-statement_ko(made(crossing)) -->
-    [ '허용 오차 안에서 교차하는 두 선이 만들었다' ].
+statement_ko(made(Origin)) -->
+    { other_origin(Origin) },
+    [ '모형에 적힌 대로 ~p에서 만들었다'-[Origin] ].
 statement_ko(made(near(Origin))) -->
     [ '허용 오차보다 가까워 닿게 했다: ' ],
     statement_ko(made(Origin)).

@@ -1,5 +1,6 @@
 :- module(sg_explain_words,
           [ statement_keys/2,           % ?Name, ?Keys
+            other_origin/1,             % +Origin
             segment_word/2,             % +S, -Word
             polygon_word/3,             % +S, +P, -Word
             face_word/2,                % +Face, -Word
@@ -131,6 +132,21 @@ statement_keys(changed_since, []).
 statement_keys(pattern_piece, [segment, piece, polygons, pieces]).
 statement_keys(seams_out, [count]).
 statement_keys(no_seam_out, []).
+
+%!  other_origin(+Origin) is semidet.
+%
+%   True when Origin, of a vertex, is none that this program makes: a model file
+%   or a program has it.
+
+other_origin(Origin) :-
+    \+ made_origin(Origin).
+
+made_origin(v(_, _)).
+made_origin(on(_, _)).
+made_origin(lpi(_, _)).
+made_origin(ll(_, _)).
+made_origin(tpi(_, _, _)).
+made_origin(near(_)).
 
 %!  segment_word(+S, -Word) is det.
 %

@@ -31,8 +31,11 @@ model_en(cannot_read(permission)) -->
 model_en(cannot_read(io)) -->
     [ 'the file cannot be read to its end', nl,
       '  Check the disk or copy the file again.' ].
+model_en(cannot_read(links)) -->
+    [ 'links lead from one to the next without end', nl,
+      '  Name a file, or correct the links (ls -l).' ].
 model_en(cannot_read(Why)) -->
-    { \+ memberchk(Why, [missing, directory, permission, io]) },
+    { \+ memberchk(Why, [missing, directory, permission, io, links]) },
     [ 'the file cannot be read: ~p'-[Why] ].
 model_en(syntax(end_of_file)) -->
     [ 'the file ends in the middle of a fact', nl,

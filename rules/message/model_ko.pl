@@ -31,8 +31,11 @@ model_ko(cannot_read(permission)) -->
 model_ko(cannot_read(io)) -->
     [ '파일을 끝까지 읽을 수 없습니다', nl,
       '  디스크를 확인하거나 파일을 다시 복사하십시오.' ].
+model_ko(cannot_read(links)) -->
+    [ '링크가 서로를 끝없이 가리킵니다', nl,
+      '  파일을 지정하거나 링크를 바로잡으십시오(ls -l).' ].
 model_ko(cannot_read(Why)) -->
-    { \+ memberchk(Why, [missing, directory, permission, io]) },
+    { \+ memberchk(Why, [missing, directory, permission, io, links]) },
     [ '파일을 읽을 수 없습니다: ~p'-[Why] ].
 model_ko(syntax(end_of_file)) -->
     [ '사실의 중간에서 파일이 끝납니다', nl,
