@@ -4,6 +4,7 @@
             decision_is_default/1,      % +Name/Arity
             default/1,                  % :Goal
             use_rules/1,                % +File
+            no_rules/0,
             no_rules/1,                 % +File
             rule_file/1,                % ?File
             rules/0
@@ -270,6 +271,20 @@ follow(World, File) :-
     forget(World, File),
     asserta(followed(World, File, Module, Decisions, Id)),
     set_slots(World).
+
+%!  no_rules is det.
+%
+%   Stop following all rule files: the current world has its default decisions.
+
+no_rules :-
+    world_number(World),
+    (   followed(World, _, _, _, _)
+    ->  with_mutex(sg_rules, ( forall(followed(World, File, _, _, _),
+                                      forget(World, File)),
+                               set_slots(World)
+                             ))
+    ;   true
+    ).
 
 %!  no_rules(+File) is det.
 %

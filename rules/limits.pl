@@ -1,6 +1,7 @@
 :- module(sg_limits,
           [ limit_value/2,              % ?Name, -Most
             set_limit/2,                % +Name, +Most
+            with_usual_limits/1,        % :Goal
             within_limit/3,             % +Name, +Count, +Error
             within_depth/1,             % @Term
             text_beyond/5,              % +Kind, +Source, -What, -Line, -Column
@@ -9,7 +10,10 @@
           ]).
 :- use_module(kernel, [text_fault/4]).
 :- use_module(library(apply), [maplist/3]).
+:- use_module(library(lists), [member/2]).
 :- use_module(library(error), [must_be/2, domain_error/2]).
+:- meta_predicate with_usual_limits(0).
+
 /** <module> How much a text may ask for: the one table of limits.
 
 What comes from elsewhere, files and goals, is not built before it is known how
@@ -71,6 +75,19 @@ set_limit(Name, Most) :-
         flag(Flag, _, Most)
     ;   domain_error(limit, Name)
     ).
+
+%!  with_usual_limits(:Goal) is semidet.
+%
+%   Call Goal once. All limits are the usual ones when it begins, and afterwards
+%   what they were before.
+
+with_usual_limits(Goal) :-
+    findall(Flag-Set,
+            ( limit_default(Name, _), limit_flag(Name, Flag),
+              flag(Flag, Set, 0) ),
+            Sets),
+    call_cleanup(once(Goal),
+                 forall(member(Flag-Set, Sets), flag(Flag, _, Set))).
 
 %!  within_limit(+Name, +Count, +Location) is det.
 %

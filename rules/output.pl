@@ -4,6 +4,7 @@
             asked_for/2,                % +File, -Target
             files_together/1,           % :Goal
             when_written/1,             % :Goal
+            files_recorded/2,           % :Goal, -Files
             write_fact/2                % +Stream, +Fact
           ]).
 :- use_module(kernel,
@@ -12,7 +13,8 @@
               ]).
 :- use_module(library(apply), [maplist/2]).
 :- use_module(library(error), [must_be/2]).
-:- use_module(library(lists), [member/2, nth0/3, reverse/2, selectchk/3]).
+:- use_module(library(lists),
+              [append/3, member/2, nth0/3, reverse/2, selectchk/3]).
 /** <module> Output files: whole, or not there at all.
 
 A file is written under another name beside it, which nobody can guess, and
@@ -25,6 +27,7 @@ together take their places together. engine/atomic_file.h has the rest.
     writing(+, +, 1),
     copied_to(+, +, 1),
     files_together(0),
+    files_recorded(0, -),
     when_written(0).
 
 %!  writing(+File, +Type, :Goal) is semidet.
@@ -226,6 +229,28 @@ placed(Files) :-
     (   Result = failed(I, Why)
     ->  nth0(I, Files, file(_, File)),
         throw(error(cannot_write(File, Why), _))
+    ;   findall(File, member(file(_, File), Files), Names),
+        recorded(Names)
+    ).
+
+%!  files_recorded(:Goal, -Files:list) is semidet.
+%
+%   Call Goal once; Files are the names of the files that took their places
+%   meanwhile, in their order, as writing/3 was given them.
+
+files_recorded(Goal, Files) :-
+    setup_call_cleanup(
+        nb_setval(sg_output_recorded, []),
+        ( once(Goal),
+          nb_getval(sg_output_recorded, Files)
+        ),
+        nb_setval(sg_output_recorded, none)).
+
+recorded(Names) :-
+    (   nb_current(sg_output_recorded, Before),
+        Before \== none
+    ->  append(Before, Names, All),
+        nb_setval(sg_output_recorded, All)
     ;   true
     ).
 

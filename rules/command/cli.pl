@@ -7,12 +7,13 @@
 :- use_module(arguments, [parsed_arguments/4]).
 :- use_module('../solid/csg_evaluate',
               [csg_statistics/1, csg_statistics_reset/0]).
-:- use_module('../decision', [use_rules/1]).
+:- use_module('../decision', [no_rules/0, use_rules/1]).
 :- use_module('../kernel',
               [exact_fallbacks/1, exact_statistics/1, tree_statistics/1]).
 :- use_module('../decimal', [decimal_number/2]).
 :- use_module('../language', [language/1]).
 :- use_module('../limits', [limit_value/2, set_limit/2]).
+:- use_module('../message/message_object', [message_said/2]).
 :- use_module('../message/messages', []).
 :- use_module('../message/messages_ko', []).
 :- use_module('../output', [files_together/1]).
@@ -23,6 +24,7 @@
 :- use_module('../spelling', [near_words/3]).
 :- use_module('../stage', [stages_reset/0, stage_seconds/2]).
 :- use_module('../status', [error_status/2]).
+:- use_module('../studio/session', [session/2]).
 :- use_module('../store', [new_world/1, in_world/2, facts_statistics/2]).
 :- use_module(usage, [verb/4, verb_options/2, print_usage/1, print_usage/2]).
 :- use_module(user:'../sanggwan').
@@ -104,9 +106,7 @@ flushed(Status0, Status) :-
 %   exit status. Never fails, never raises.
 
 sanggwan(Arguments, Status) :-
-    retractall(quiet),
-    retractall(told_once),
-    retractall(told(_)),
+    nothing_told,
     retractall(output_lost),
     flag(sg_cli_warnings, _, 0),
     set_language(Arguments),
@@ -116,7 +116,16 @@ sanggwan(Arguments, Status) :-
                 failed_status(Error, Status0)),
           strict_status(Arguments, Status0, Status)
         ),
-        erase(Running)).
+        ( erase(Running),
+          nothing_told
+        )).
+
+%   nothing_told: no verb has said anything yet.
+
+nothing_told :-
+    retractall(quiet),
+    retractall(told_once),
+    retractall(told(_)).
 
 strictly_ended(Arguments, Status) :-
     (   memberchk('--strict', Arguments)
@@ -231,6 +240,18 @@ verb_command(Verb, Arguments, Status) :-
     ;   verb_in_world(Verb, Files, Options, Status)
     ).
 
+verb_in_world(Verb, _, _, _) :-
+    memberchk(Verb, [repl,serve,batch]),
+    in_session,
+    throw(error(request_error(verb_refused(Verb)), _)).
+verb_in_world(serve, Files, Options, Status) :-
+    !,
+    (   Files = [File|_]
+    ->  usage_error(no_files_taken(serve, File))
+    ;   option(stdio(true), Options)
+    ->  session(sg_cli:sanggwan, Status)
+    ;   usage_error(serve_without_stdio)
+    ).
 verb_in_world(Verb, Files, Options, Status) :-
     option(limits(Limits), Options, ''),
     limits_given(Limits),
@@ -249,7 +270,14 @@ verb_in_world(Verb, Files, Options, Status) :-
     in_world(World,
              call_cleanup(
                  verb_watched(Verb, Files, Options, Status),
-                 measured(Options, Start))).
+                 ( measured(Options, Start),
+                   no_rules
+                 ))).
+
+%   in_session: the verb is a job of a session, which is a verb itself.
+
+in_session :-
+    findall(yes, running, [_,_|_]).
 
 %   limits_given(Text): NAME=N, with commas between them.
 
@@ -427,6 +455,7 @@ spoken(Kind, Term, Lines0) :-
 shown(_, _, []) :-
     !.
 shown(error, Term, Lines) :-
+    message_said(error, Term),
     print_prefixed(user_error, '', Term, Lines).
 shown(warning, Term, Lines) :-
     language(Language),
@@ -438,12 +467,14 @@ shown(warning, Term, Lines) :-
     ->  true
     ;   assertz(told(Text)),
         flag(sg_cli_warnings, N, N+1),
+        message_said(warning, Term),
         print_prefixed(user_error, Word, Term, Lines)
     ).
 shown(informational, Term, Lines) :-
     (   quiet
     ->  true
-    ;   print_prefixed(user_error, '', Term, Lines)
+    ;   message_said(informational, Term),
+        print_prefixed(user_error, '', Term, Lines)
     ).
 
 warning_word(en, 'warning: ').

@@ -64,6 +64,9 @@ verb(explain, 'MODEL... ITEM',
 verb(repl, '[MODEL...]',
      'the Prolog top level with the model loaded',
      '모델을 읽은 프롤로그 최상위').
+verb(serve, '--stdio',
+     'a process that others ask: frames in, frames out (docs/protocol.md)',
+     '다른 프로그램이 묻는 프로세스. 프레임을 받고 프레임으로 답한다').
 
 %   verb_option(Verb, Option): Option as in arguments.pl, help in English.
 
@@ -207,6 +210,9 @@ verb_option(explain, Option) :-
     wish_option(Option).
 verb_option(explain, option(json, '', flag, '', 'the reasons as JSON')).
 
+verb_option(serve, option(stdio, '', flag, '',
+    'frames on standard input and output; the one way there is')).
+
 %   What makes a picture: explain hidden(S, E) does as well.
 
 picture_verb(draw).
@@ -243,6 +249,7 @@ common_option(option(help, h, flag, '', 'this text')).
 %   option_ko(Option, Help)
 
 option_ko(json, '보고를 JSON으로').
+option_ko(stdio, '표준 입력과 표준 출력의 프레임. 다른 길은 없다').
 option_ko(output, '결과 파일. 확장자가 형식을 정하며 여러 번 쓸 수 있다').
 option_ko(format, '-o - 의 형식').
 option_ko(view,
@@ -351,6 +358,7 @@ example(explain, 'sanggwan explain facts/patterns/fig09.pl \'seam(_)\' \c
 --cut 1 --root top').
 example(explain, 'sanggwan explain facts/two_cubes.pl \'hidden(1, 7)\' \c
 --view iso').
+example(serve, 'sanggwan serve --stdio < requests > replies').
 example(repl, 'sanggwan repl facts/figures/fig13.pl').
 
 %!  verb_options(+Verb, -Specs) is det.
@@ -359,8 +367,14 @@ example(repl, 'sanggwan repl facts/figures/fig13.pl').
 
 verb_options(Verb, Specs) :-
     findall(Spec, verb_option(Verb, Spec), Own),
-    findall(Spec, common_option(Spec), Common),
+    findall(Spec, ( common_option(Spec), \+ not_of(Verb, Spec) ), Common),
     append(Own, Common, Specs).
+
+%   not_of(Verb, Spec): a session is no work on a model; its requests say what
+%   is wanted.
+
+not_of(serve, option(Name, _, _, _, _)) :-
+    \+ memberchk(Name, [lang,help]).
 
 %!  print_usage(+Language) is det.
 %!  print_usage(+Verb, +Language) is det.

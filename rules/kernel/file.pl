@@ -150,3 +150,17 @@ Foreign predicates; see kernel.pl.
 %
 %   True of a device, a pipe, a socket, links followed: what is there, but
 %   neither a file nor a folder.
+
+/* - - - stdio4pl.c - - - */
+
+%!  stdio_apart(-In, -Out) is det.
+%
+%   In and Out are streams of octets on what were standard input and output.
+%   From now on standard input is empty, and what is written to standard output
+%   by others, such as programs that a goal starts, goes to standard error.
+%
+%   @error system_error(What, Why)
+
+%!  reader_gone(+Stream) is semidet.
+%
+%   True when Stream writes to a pipe or a socket that nobody reads any more.

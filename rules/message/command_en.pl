@@ -54,6 +54,11 @@ command_en(bad_value(Text, Value, no_normal)) -->
 command_en(bad_value(Text, Value, Form)) -->
     { atom(Form) },
     [ 'option ~w: ~w should look like ~w'-[Text, Value, Form] ].
+command_en(serve_without_stdio) -->
+    [ 'serve needs --stdio: frames on standard input and output', nl,
+      '  There is no server with a web page.' ].
+command_en(no_files_taken(Verb, File)) -->
+    [ '~w takes no files: ~p'-[Verb, File] ].
 command_en(no_files(What)) -->
     [ '~w is missing'-[What], nl,
       '  sanggwan VERB --help says what belongs there.' ].

@@ -55,6 +55,11 @@ command_ko(bad_value(Text, Value, no_normal)) -->
 command_ko(bad_value(Text, Value, Form)) -->
     { atom(Form) },
     [ '~w: ~w 은(는) ~w 꼴이어야 합니다'-[Text, Value, Form] ].
+command_ko(serve_without_stdio) -->
+    [ 'serve에는 --stdio가 있어야 합니다: 표준 입출력의 프레임', nl,
+      '  웹 페이지가 있는 서버는 없습니다.' ].
+command_ko(no_files_taken(Verb, File)) -->
+    [ '~w 명령은 파일을 받지 않습니다: ~p'-[Verb, File] ].
 command_ko(no_files(What)) -->
     [ '~w 이(가) 없습니다'-[What], nl,
       '  sanggwan VERB --help 를 보십시오.' ].

@@ -11,6 +11,7 @@
 :- use_module(mesh_en, [mesh_en//1]).
 :- use_module(message_parts,
               [counted//3, loading_fault//2, located//1, manual_page//1]).
+:- use_module(session_en, [session_en//1]).
 :- use_module(prolog_en, [prolog_en//2]).
 :- use_module(model_en, [model_en//1]).
 :- use_module(operand_en, [operand_en//2, operand_notice_en//2]).
@@ -47,6 +48,10 @@ english(error(model_error(What), Context)) -->
 english(error(geometry_error(What), Context)) -->
     located(Context),
     wrong_en(What).
+english(error(frame_error(What), _)) -->
+    session_en(frame(What)).
+english(error(request_error(What), _)) -->
+    session_en(What).
 english(error(usage_error(What), _)) -->
     command_en(What).
 english(error(domain_error(Domain, Value), _)) -->

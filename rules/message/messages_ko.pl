@@ -14,6 +14,7 @@
               [ development_ko//2, development_notice_ko//2 ]).
 :- use_module(mesh_ko, [mesh_ko//1]).
 :- use_module(message_parts, [loading_fault//2, located//1, manual_page//1]).
+:- use_module(session_ko, [session_ko//1]).
 :- use_module(prolog_ko, [prolog_ko//2]).
 :- use_module(model_ko, [model_ko//1]).
 :- use_module(operand_ko, [operand_ko//2, operand_notice_ko//2]).
@@ -40,6 +41,10 @@ korean(error(model_error(What), Context)) -->
 korean(error(geometry_error(What), Context)) -->
     located(Context),
     wrong_ko(What).
+korean(error(frame_error(What), _)) -->
+    session_ko(frame(What)).
+korean(error(request_error(What), _)) -->
+    session_ko(What).
 korean(error(usage_error(What), _)) -->
     command_ko(What).
 korean(error(domain_error(Domain, Value), _)) -->

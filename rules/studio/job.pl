@@ -1,0 +1,313 @@
+:- module(sg_job,
+          [ verb_job/5                  % :Run, +Head, +Body, -Reply, -Out
+          ]).
+:- use_module('../limits', [with_usual_limits/1]).
+:- use_module('../message/message_object', [message_object/3, objects_heard/2]).
+:- use_module('../output', [files_recorded/2]).
+:- use_module(process_state, [with_process_kept/3]).
+:- use_module(library(apply), [maplist/2, maplist/3]).
+:- use_module(library(lists), [append/3, last/2, member/2]).
+:- use_module(library(memfile),
+              [ new_memory_file/1, free_memory_file/1, open_memory_file/4,
+                memory_file_to_string/3, size_memory_file/3
+              ]).
+:- use_module(library(readutil), [read_file_to_string/3]).
+:- use_module(library(rlimit), [rlimit/3]).
+/** <module> A verb as a job of a session: as if a process of its own did it.
+
+What the verb reads as standard input is the body of the request; what it
+prints goes into the reply. It begins in an empty world, in the folder and the
+language that the request names; when it is over the process is as before.
+*/
+
+:- meta_predicate verb_job(2, +, +, -, -).
+
+%!  verb_job(:Run, +Head:dict, +Body, -Reply:dict, -Out) is det.
+%
+%   Do what Head.argv says: call(Run, Arguments, Status). Body is the standard
+%   input. Reply has the keys that docs/protocol.md lists for `run`, but for id
+%   and rev; Out is the text of octets of standard output, then of standard
+%   error.
+%
+%   @error request_error(What)
+
+verb_job(Run, Head, Body, Reply, Out) :-
+    job_arguments(Head, Arguments),
+    job_folder(Head, Folder),
+    job_language(Head, Language),
+    job_limits(Head, Limits),
+    peak_reset,
+    get_time(T0),
+    statistics(process_cputime, C0),
+    setup_call_cleanup(
+        new_memory_file(OutFile),
+        setup_call_cleanup(
+            new_memory_file(ErrorFile),
+            ( job_ran(job(Run, Arguments, Folder, Language, Limits, Body),
+                      OutFile, ErrorFile, result(Status0, Files, Objects0),
+                      Kept),
+              printed(OutFile, ErrorFile, Status0, Objects0, Printed)
+            ),
+            free_memory_file(ErrorFile)),
+        free_memory_file(OutFile)),
+    Printed = printed(Status, Objects, StdOut, StdErr),
+    get_time(T1),
+    statistics(process_cputime, C1),
+    Seconds is T1-T0,
+    Cpu is C1-C0,
+    peak_memory(Rss),
+    error_object(Status, Objects, Error),
+    string_length(StdOut, OutLength),
+    string_length(StdErr, ErrorLength),
+    string_concat(StdOut, StdErr, Out),
+    Reply0 = _{ status:Status, files:Files, messages:Objects, error:Error,
+                seconds:Seconds, cpu:Cpu, rss_kb:Rss,
+                stdout:OutLength, stderr:ErrorLength },
+    (   Kept == true
+    ->  Reply = Reply0
+    ;   Reply = Reply0.put(last, true)
+    ).
+
+
+                /*******************************
+                *           REQUEST            *
+                *******************************/
+
+request_error(What) :-
+    throw(error(request_error(What), _)).
+
+job_arguments(Head, Arguments) :-
+    (   get_dict(argv, Head, Texts),
+        is_list(Texts),
+        forall(member(Text, Texts), string(Text))
+    ->  maplist(argument, Texts, Arguments)
+    ;   request_error(bad_key(argv, verb))
+    ).
+
+argument(Text, Atom) :-
+    (   sub_string(Text, _, _, _, "\u0000")
+    ->  request_error(bad_key(argv, verb))
+    ;   atom_string(Atom, Text)
+    ).
+
+job_folder(Head, Folder) :-
+    (   get_dict(cwd, Head, Folder0)
+    ->  (   string(Folder0),
+            exists_directory(Folder0)
+        ->  Folder = Folder0
+        ;   request_error(no_folder(Folder0))
+        )
+    ;   Folder = '.'
+    ).
+
+job_language(Head, Language) :-
+    (   get_dict(lang, Head, Text)
+    ->  (   memberchk(Text, ["en","ko"])
+        ->  Language = Text
+        ;   request_error(bad_key(lang, language))
+        )
+    ;   Language = none
+    ).
+
+%   job_limits(Head, Limits): limits(Octets, Seconds), `unlimited` where the
+%   request does not say.
+
+job_limits(Head, limits(Octets, Seconds)) :-
+    positive(Head, memory_mb, Megabytes),
+    positive(Head, cpu_s, Seconds),
+    (   Megabytes == unlimited
+    ->  Octets = unlimited
+    ;   Octets is ceiling(Megabytes*1 000 000)
+    ).
+
+positive(Head, Key, Value) :-
+    (   get_dict(Key, Head, Value0)
+    ->  (   number(Value0),
+            Value0 > 0,
+            Value0 < 1 000 000 000
+        ->  Value = Value0
+        ;   request_error(bad_key(Key, positive))
+        )
+    ;   Value = unlimited
+    ).
+
+
+                /*******************************
+                *             RUN              *
+                *******************************/
+
+job_ran(Job, OutFile, ErrorFile, Result, Kept) :-
+    Job = job(_, Arguments, Folder, Language, Limits, Body),
+    with_process_kept(
+        Arguments,
+        in_folder(Folder,
+            in_language(Language,
+                with_streams(Body, OutFile, ErrorFile,
+                    with_usual_limits(
+                        within_limits(Limits,
+                            sg_job:heard(Job, Result)))))),
+        Kept).
+
+heard(job(Run, Arguments, _, _, _, _), result(Status, Files, Objects)) :-
+    files_recorded(objects_heard(call(Run, Arguments, Status), Objects),
+                   Files).
+
+:- meta_predicate
+    in_folder(+, 0),
+    in_language(+, 0),
+    with_streams(+, +, +, 0),
+    within_limits(+, 0).
+
+in_folder(Folder, Goal) :-
+    setup_call_cleanup(
+        working_directory(Old, Folder),
+        once(Goal),
+        working_directory(_, Old)).
+
+in_language(Language, Goal) :-
+    current_prolog_flag(message_language, Flag),
+    setup_call_cleanup(
+        spoken_in(Language, Old),
+        once(Goal),
+        ( put_back(Old),
+          set_prolog_flag(message_language, Flag)
+        )).
+
+spoken_in(none, none) :-
+    !.
+spoken_in(Language, Old) :-
+    (   getenv('LC_ALL', Value)
+    ->  Old = set(Value)
+    ;   Old = unset
+    ),
+    setenv('LC_ALL', Language).
+
+put_back(none).
+put_back(unset) :-
+    unsetenv('LC_ALL').
+put_back(set(Value)) :-
+    setenv('LC_ALL', Value).
+
+%   with_streams(Body, OutFile, ErrorFile, Goal): Goal reads Body and prints
+%   into memory.
+
+with_streams(Body, OutFile, ErrorFile, Goal) :-
+    stream_property(OldIn, alias(user_input)),
+    stream_property(OldOut, alias(user_output)),
+    stream_property(OldError, alias(user_error)),
+    setup_call_cleanup(
+        new_memory_file(InFile),
+        setup_call_cleanup(
+            ( open_read(Body, InFile, In),
+              open_printed(OutFile, Out),
+              open_printed(ErrorFile, Error),
+              standard_streams(In, Out, Error)
+            ),
+            once(Goal),
+            ( standard_streams(OldIn, OldOut, OldError),
+              maplist(closed, [In,Out,Error])
+            )),
+        free_memory_file(InFile)).
+
+standard_streams(In, Out, Error) :-
+    set_stream(In, alias(user_input)),
+    set_stream(Out, alias(user_output)),
+    set_stream(Error, alias(user_error)),
+    set_input(In),
+    set_output(Out).
+
+open_read(Octets, File, Stream) :-
+    setup_call_cleanup(
+        open_memory_file(File, write, Out, [encoding(octet)]),
+        format(Out, "~s", [Octets]),
+        close(Out)),
+    open_memory_file(File, read, Stream, [encoding(octet)]),
+    set_stream(Stream, encoding(utf8)).
+
+open_printed(File, Stream) :-
+    open_memory_file(File, write, Stream, [encoding(octet)]),
+    set_stream(Stream, encoding(utf8)),
+    set_stream(Stream, newline(posix)).
+
+closed(Stream) :-
+    (   is_stream(Stream)
+    ->  close(Stream, [force(true)])
+    ;   true
+    ).
+
+%   within_limits(Limits, Goal): of the process, while Goal runs; seconds are
+%   those of the processor from now on.
+
+within_limits(limits(Octets, Seconds), Goal) :-
+    (   Seconds == unlimited
+    ->  Cpu = unlimited
+    ;   statistics(process_cputime, Used),
+        Cpu is ceiling(Used+Seconds)
+    ),
+    setup_call_cleanup(
+        ( limited(data, Octets, OldOctets),
+          limited(cpu, Cpu, OldCpu)
+        ),
+        once(Goal),
+        ( limited(data, OldOctets, _),
+          limited(cpu, OldCpu, _)
+        )).
+
+limited(_, unlimited, unlimited) :-
+    !.
+limited(What, New, Old) :-
+    rlimit(What, Old, New).
+
+
+                /*******************************
+                *            RESULT            *
+                *******************************/
+
+%   most_printed(Octets): more on one of the two streams is refused.
+
+most_printed(16 000 000).
+
+printed(OutFile, ErrorFile, Status0, Objects0, Printed) :-
+    most_printed(Most),
+    size_memory_file(OutFile, OutSize, octet),
+    size_memory_file(ErrorFile, ErrorSize, octet),
+    (   max(OutSize, ErrorSize) =< Most
+    ->  memory_file_to_string(OutFile, Out, octet),
+        memory_file_to_string(ErrorFile, Error, octet),
+        Printed = printed(Status0, Objects0, Out, Error)
+    ;   message_object(error, error(request_error(printed(Most)), _), Object),
+        append(Objects0, [Object], Objects),
+        Printed = printed(4, Objects, "", "")
+    ).
+
+%   error_object(Status, Objects, Error): the last error is what ended it.
+
+error_object(Status, Objects, Error) :-
+    (   Status =\= 0,
+        findall(Object, ( member(Object, Objects), Object.kind == "error" ),
+                Errors),
+        last(Errors, Error0)
+    ->  Error = Error0
+    ;   Error = null
+    ).
+
+%   peak_reset, peak_memory(Kilobytes): the most memory that the process had at
+%   once since the reset; Linux counts that.
+
+peak_reset :-
+    catch(setup_call_cleanup(
+              open('/proc/self/clear_refs', write, Out),
+              write(Out, '5'),
+              close(Out)),
+          error(_, _), true).
+
+peak_memory(Kilobytes) :-
+    (   catch(read_file_to_string('/proc/self/status', Text, []),
+              error(_, _), fail),
+        sub_string(Text, _, _, After, "VmHWM:"),
+        sub_string(Text, _, After, 0, Rest),
+        split_string(Rest, "\n", " \tkB", [Number|_]),
+        number_string(Kilobytes0, Number)
+    ->  Kilobytes = Kilobytes0
+    ;   Kilobytes = null
+    ).
