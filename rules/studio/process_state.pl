@@ -133,6 +133,7 @@ cache(sg_primitive:last_parts/4).
 cache(sg_cli:told/1).
 cache(sg_cli:told_once/0).
 cache(sg_process_state:_).
+cache(sg_session:_).
 
 %   put_back(State): as far as it can be. What is then still another is found
 %   by comparing.

@@ -3,7 +3,8 @@
             frame_write/3               % +Out, +Head, +Body
           ]).
 :- use_module('../plain', [plain_json/2]).
-:- use_module(library(http/json), [atom_json_dict/3, json_write_dict/3]).
+:- use_module(library(http/json), [json_read_dict/2, json_write_dict/3]).
+:- use_module(library(lists), [member/2]).
 :- use_module(library(memfile),
               [ new_memory_file/1, free_memory_file/1, open_memory_file/4,
                 memory_file_to_string/3
@@ -107,26 +108,42 @@ frame_parts(N, Octets, Json, Body) :-
 %   octets again.
 
 looked_through(Octets, Text) :-
-    (   utf8_octets(Text, Octets)
+    string_codes(Text, Codes),
+    (   utf8_octets(Text, Octets),
+        \+ ( member(Code, Codes), no_character(Code) )
     ->  true
     ;   frame_error(not_utf8)
     ),
     deepest(Most),
-    string_codes(Text, Codes),
     (   within(Codes, 0, Most)
     ->  true
     ;   frame_error(too_deep(Most))
     ).
 
 head_of(Text, Head) :-
-    (   catch(atom_json_dict(Text, Head0, []),
-              error(_, _), frame_error(not_json))
+    (   catch(json_of(Text, Head0), error(_, _), fail)
     ->  true
     ;   frame_error(not_json)
     ),
     (   is_dict(Head0)
     ->  Head = Head0
     ;   frame_error(not_an_object)
+    ).
+
+json_of(Text, Dict) :-
+    setup_call_cleanup(
+        open_string(Text, In),
+        ( json_read_dict(In, Dict),
+          read_string(In, _, Rest)
+        ),
+        close(In)),
+    split_string(Rest, "", " \t\r\n", [""]).
+
+no_character(Code) :-
+    Code >= 0xd800,
+    (   Code =< 0xdfff
+    ->  true
+    ;   Code > 0x10ffff
     ).
 
 %   within(Codes, Depth, Most): brackets that are no part of a text are no
