@@ -31,6 +31,7 @@
   SYMBOL(CENTRAL, "central")                                                   \
   SYMBOL(VISIBLE, "visible")                                                   \
   SYMBOL(HIDDEN, "hidden")                                                     \
+  SYMBOL(SUBSTITUTE, "substitute")                                             \
   SYMBOL(OUTLINE, "outline")                                                   \
   SYMBOL(CREASE, "crease")                                                     \
   SYMBOL(SMOOTH, "smooth")                                                     \

@@ -204,14 +204,16 @@ refers to any more is freed with its handle by atom garbage collection.
 %
 %   True when vertex V of segment S is at Xs, Ys in the picture, Zs away.
 
-%!  contour(?S, ?K, ?T, ?I1, ?F1, ?I2, ?F2, ?To, ?Ts, ?X1, ?Y1, ?X2, ?Y2) is
-%!          nondet.
+%!  contour(?S, ?K, ?T, ?I1, ?F1, ?I2, ?F2, ?Visibility, ?Ts, ?X1, ?Y1, ?X2,
+%!          ?Y2) is nondet.
 %
 %   True when piece K of the outline of the smooth surface of segment S runs
-%   across triangle T, from F1 on its side I1 to F2 on I2 (contour.pl). The part
-%   from 0 to To is not behind the surface next to it; the triangles Ts do not
-%   hide it either. In the picture it begins X1 to the right of that place and
-%   Y1 above, and ends X2 and Y2 beside the other: there the surface is.
+%   across triangle T, from F1 on its side I1 to F2 on I2 (contour.pl).
+%   Visibility is `hidden` if the surface next to it hides it, `visible` if not,
+%   and `substitute` if it is a side of triangles that is drawn where no other
+%   line is near. The triangles Ts do not hide it either. In the picture it
+%   begins X1 to the right of that place and Y1 above, and ends X2 and Y2 beside
+%   the other: there the surface is.
 
 %!  surface_facing(?S, ?T, ?I, ?From, ?To, ?Ts) is nondet.
 %

@@ -224,7 +224,8 @@ sg_contour_across(const sg_contour_finder *f, uint32_t t, sg_contour *piece)
     ends = 2;
   }
   piece->sense = f->sense[t] < 0 ? -1 : 1;
-  piece->to = piece->sense > 0 || !is_solid(f, t) ? 1.0 : 0.0;
+  piece->visibility = piece->sense > 0 || !is_solid(f, t) ? SG_CONTOUR_VISIBLE
+                                                          : SG_CONTOUR_HIDDEN;
   return ends == 2;
 }
 
@@ -320,7 +321,8 @@ push_side(const sg_contour_finder *f, uint32_t t, uint8_t k)
   const sg_contour piece = {.t = t,
                             .side = {k, k},
                             .at = {0.0, 1.0},
-                            .to = drawn_smooth ? SG_SUBSTITUTE : 1.0,
+                            .visibility = drawn_smooth ? SG_CONTOUR_SUBSTITUTE
+                                                       : SG_CONTOUR_VISIBLE,
                             .along = true};
 
   return push_long(f, &piece);
@@ -431,7 +433,7 @@ find_pieces(sg_contour_finder *f, const sg_cancel *cancel, bool *memory)
 static bool
 find_adjacent(sg_contour_finder *f, sg_contour *piece)
 {
-  return piece->to == 0.0 || !has_length(f, piece) ||
+  return piece->visibility == SG_CONTOUR_HIDDEN || !has_length(f, piece) ||
          sg_contour_find_adjacent(f, piece);
 }
 

@@ -79,8 +79,13 @@
 #include "smooth.h"
 #include "view.h"
 
-/* `to` of a substitute outline. */
-#define SG_SUBSTITUTE 2.0
+/* What the surface adjacent to a line does: hides it or not; or the line is a
+ * substitute outline. */
+typedef enum sg_contour_visibility {
+  SG_CONTOUR_HIDDEN,
+  SG_CONTOUR_VISIBLE,
+  SG_CONTOUR_SUBSTITUTE
+} sg_contour_visibility;
 
 typedef struct sg_contour_input {
   const sg_dense *dense;
@@ -99,18 +104,17 @@ typedef struct sg_contour {
   uint8_t side[2]; /* 0 to 2 */
   double at[2];
   double rise[2][2]; /* from there to the smooth surface, in the picture */
-  double to;         /* 1: the surface beside it does not hide it, 0: it does;
-                        SG_SUBSTITUTE */
-  bool along;        /* it is a side, from end to end */
-  int8_t sense;      /* -1: the half with g < 0 is the nearer one, else 1 */
+  sg_contour_visibility visibility;
+  bool along;   /* it is a side, from end to end */
+  int8_t sense; /* -1: the half with g < 0 is the nearer one, else 1 */
   size_t adjacent, adjacents; /* its places in sg_contours.adjacent */
 } sg_contour;
 
 /* A line along a side whose surface is turned to the eye otherwise than the
  * triangle is. */
 typedef struct sg_facing {
-  sg_contour seen; /* the part that the surface does not hide: on one side; its
-                      `to` is 0 if there is none */
+  sg_contour seen; /* the part that the surface does not hide: on one side; it
+                      is hidden if there is none */
   double from,
       to; /* the part that it hides, counted as `at`; from == to: none */
 } sg_facing;

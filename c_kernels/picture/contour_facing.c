@@ -175,7 +175,8 @@ seen_part(uint32_t side, part hidden, int sense)
   sg_contour seen = {
       .t = side / 3, .side = {k, k}, .at = {0.0, 1.0}, .sense = (int8_t)sense};
 
-  seen.to = hidden.from > 0.0 || hidden.to < 1.0;
+  seen.visibility = hidden.from > 0.0 || hidden.to < 1.0 ? SG_CONTOUR_VISIBLE
+                                                         : SG_CONTOUR_HIDDEN;
   if (hidden.from == 0.0) {
     seen.at[0] = hidden.to;
   } else if (hidden.to == 1.0) {

@@ -63,6 +63,10 @@ write_adjacent(const rows *r, const sg_contour *piece, int32_t *list)
 static void
 write_row(rows *r, const sg_sheet_page *page, size_t i)
 {
+  static const int32_t symbol[] = {[SG_CONTOUR_HIDDEN] = SG_SYMBOL_HIDDEN,
+                                   [SG_CONTOUR_VISIBLE] = SG_SYMBOL_VISIBLE,
+                                   [SG_CONTOUR_SUBSTITUTE] =
+                                       SG_SYMBOL_SUBSTITUTE};
   const sg_contour *piece = &r->contours->piece[page->from + i];
   const sg_dense *d = r->dense;
   const sg_blank *c = page->column;
@@ -77,7 +81,7 @@ write_row(rows *r, const sg_sheet_page *page, size_t i)
   c[4].f[i] = piece->at[0] + 0.0;
   c[5].i[i] = piece->side[1] + 1;
   c[6].f[i] = piece->at[1] + 0.0;
-  c[7].f[i] = piece->to + 0.0;
+  c[7].i[i] = symbol[piece->visibility];
   for (size_t k = 0; k < 4; k++) {
     c[9 + k].f[i] = piece->rise[k / 2][k % 2] + 0.0;
   }

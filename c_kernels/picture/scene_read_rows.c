@@ -277,9 +277,8 @@ read_piece(void *data, const sg_live_row *r)
       .s = sg_row_int(r, 0),
       .e = -sg_row_int(r, 1),
       .look = {.faces = 2, .towards = 1, .away = 1, .left = 2}};
-  added->look.substitute_outline = sg_row_number(r, 7) == SG_SUBSTITUTE;
-  added->folded =
-      added->look.substitute_outline ? 0.0 : 1.0 - sg_row_number(r, 7);
+  added->look.substitute_outline = sg_row_int(r, 7) == SG_SYMBOL_SUBSTITUTE;
+  added->folded = sg_row_int(r, 7) == SG_SYMBOL_HIDDEN ? 1.0 : 0.0;
   if (t >= 0 &&
       side_point(p, t, sg_row_int(r, 3), sg_row_number(r, 4),
                  added->screen[0]) &&

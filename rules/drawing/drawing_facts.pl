@@ -75,12 +75,12 @@ picture_row(e, Drawn, e(S,E,V1,V2,Et)) :-
     E > 0,
     e(S, E, V1, V2, Et).
 picture_row(contour, Drawn,
-            contour(S,K,T,I1,F1,I2,F2,To,Ts,X1,Y1,X2,Y2)) :-
+            contour(S,K,T,I1,F1,I2,F2,Seen,Ts,X1,Y1,X2,Y2)) :-
     member(S-Es, Drawn),
     findall(K, ( member(E, Es), E < 0, K is -E ), Ks0),
     sort(Ks0, Ks),
     member(K, Ks),
-    contour(S, K, T, I1, F1, I2, F2, To, Ts, X1, Y1, X2, Y2).
+    contour(S, K, T, I1, F1, I2, F2, Seen, Ts, X1, Y1, X2, Y2).
 picture_row(origin, Drawn, origin(S,v(V),Origin)) :-
     drawn_vertex(Drawn, S, V),
     origin(S, v(V), Origin).

@@ -215,8 +215,8 @@ own_surface(S, E, _, Because) :-
     E < 0,
     !,
     K is -E,
-    findall(because(behind_fold(From), []),
-            ( contour(S, K, _, _, _, _, _, From, _, _, _, _, _), From < 1.0,
+    findall(because(behind_fold(0.0), []),
+            ( contour(S, K, _, _, _, _, _, hidden, _, _, _, _, _),
               hides(S, S) ),
             Because).
 own_surface(S, E, Look, Because) :-

@@ -275,11 +275,10 @@ hidden_interval(Scene, S, E, 0.0, 1.0) :-
     scene_edge(Scene, S, E, _, Look),
     backs_seen(Look, _),
     hides(S, S).
-hidden_interval(_, S, E, From, 1.0) :-
+hidden_interval(_, S, E, 0.0, 1.0) :-
     E < 0,
     K is -E,
-    contour(S, K, _, _, _, _, _, From, _, _, _, _, _),
-    From < 1.0,
+    contour(S, K, _, _, _, _, _, hidden, _, _, _, _, _),
     hides(S, S).
 hidden_interval(_, S, E, From, To) :-
     E > 0,
@@ -333,7 +332,7 @@ shortest_drawn(Scene, S, E, Least) :-
 substitute_outline(S, E) :-
     E < 0,
     K is -E,
-    contour(S, K, _, _, _, _, _, 2.0, _, _, _, _, _).
+    contour(S, K, _, _, _, _, _, substitute, _, _, _, _, _).
 
 %!  hidden_by_polygon(?S, ?E, -S2, -P, -From, -To) is nondet.
 %

@@ -77,7 +77,7 @@ kernel c_kernels/picture/contour.c does all this at once.
 
 %!  contour_pieces(+S, +Crease, -Pieces) is det.
 %
-%   Pieces, sorted, are piece(T, I1, F1, I2, F2, To, Ts)-Rises for the pieces of
+%   Pieces, sorted, are piece(T, I1, F1, I2, F2, Seen, Ts)-Rises for pieces of
 %   contour/13 that segment S has in the picture of screen/5: the rule that
 %   find_contours/2 follows. Rises, [X1,Y1,X2,Y2], lead from the sides to the
 %   surface. Slow.
@@ -104,13 +104,13 @@ piece_rises(Context, piece(T,I1,F1,I2,F2,_,_), [X1,Y1,X2,Y2]) :-
 %   that leaves a corner outside, each of the two that go by way of it.
 
 outermost(Context, Across, Sense, Piece) :-
-    Across = piece(T, I1, F1, I2, F2, To, _),
+    Across = piece(T, I1, F1, I2, F2, Seen, _),
     arg(2, Context, Sheets),
     (   leaves_outside(Context, Across, Sense, Corner)
     ->  (   corner_on_side(Sheets, T-I2, Corner, F),
-            Piece = piece(T, I1, F1, I2, F, To, _)
+            Piece = piece(T, I1, F1, I2, F, Seen, _)
         ;   corner_on_side(Sheets, T-I1, Corner, F),
-            Piece = piece(T, I1, F, I2, F2, To, _)
+            Piece = piece(T, I1, F, I2, F2, Seen, _)
         )
     ;   Piece = Across
     ).
@@ -175,7 +175,7 @@ contour_context(S, Crease, Context, Acrosses) :-
 %   piece_along(Context, Piece): a side between a triangle that is turned to the
 %   eye and one that is not, which is an outline.
 
-piece_along(Context, piece(T,I,0.0,I,1.0,To,Ts)) :-
+piece_along(Context, piece(T,I,0.0,I,1.0,Seen,Ts)) :-
     Context = context(S, Sheets, _, _, _),
     t(S, _, T, _, _, _),
     member(I, [1,2,3]),
@@ -184,21 +184,21 @@ piece_along(Context, piece(T,I,0.0,I,1.0,To,Ts)) :-
     triangle_facing(S, T, Facing),
     triangle_facing(S, T2, Facing2),
     once(( Facing > 0, Facing2 =< 0 ; Facing =< 0, Facing2 > 0 )),
-    is_outline(Context, T-I, To),
+    is_outline(Context, T-I, Seen),
     sort([T,T2], Ts).
 
 %   Of a coarse sheet every smooth side, of others the folds of polygons; of one
 %   that is drawn as smooth what stands in.
 
-is_outline(Context, T-I, To) :-
+is_outline(Context, T-I, Seen) :-
     Context = context(_, Sheets, _, _, _),
     (   \+ curved_triangle(Sheets, T)
-    ->  To = 1.0,
+    ->  Seen = visible,
         fold_side(Sheets, T-I)
     ;   coarse_triangle(Sheets, T)
-    ->  To = 1.0,
+    ->  Seen = visible,
         smooth_side(Sheets, T-I, _)
-    ;   To = 2.0,
+    ;   Seen = substitute,
         substitute_outline(Context, T-I)
     ).
 
@@ -218,8 +218,8 @@ substitute_outline(Context, T-I) :-
 %   What its own surface hides has nothing beside it.
 
 besides(Context, Piece, Sense) :-
-    Piece = piece(_,_,_,_,_,To,Ts),
-    (   To > 0.0
+    Piece = piece(_,_,_,_,_,Seen,Ts),
+    (   Seen \== hidden
     ->  beside_piece(Context, Piece, Sense, Ts)
     ;   Ts = []
     ).
@@ -242,7 +242,7 @@ fan_values(Goal, Sheets, Ts, Values) :-
 %   is left open.
 
 piece_across(Context, T, across(Piece,Sense)) :-
-    Piece = piece(T, I1, F1, I2, F2, To, _),
+    Piece = piece(T, I1, F1, I2, F2, Seen, _),
     findall(End, piece_end(Context, T, End), Ends0),
     (   Ends0 = [_,_]
     ->  Ends = Ends0
@@ -256,8 +256,8 @@ piece_across(Context, T, across(Piece,Sense)) :-
     sense(Context, Piece, Sense),
     Context = context(S, _, _, _, _),
     (   ( Sense =:= 1 ; \+ is_solid(S) )
-    ->  To = 1.0
-    ;   To = 0.0
+    ->  Seen = visible
+    ;   Seen = hidden
     ).
 
 %   The line of sight is a tangent, so the normal is seen across the piece: on

@@ -13,8 +13,8 @@
 
 same_as_rule(S, Crease) :-
     contour_pieces(S, Crease, Rule),
-    findall(piece(T,I1,F1,I2,F2,To,Ts)-[X1,Y1,X2,Y2],
-            ( contour(S, _, T, I1, F1, I2, F2, To, Ts0, X1, Y1, X2, Y2),
+    findall(piece(T,I1,F1,I2,F2,Seen,Ts)-[X1,Y1,X2,Y2],
+            ( contour(S, _, T, I1, F1, I2, F2, Seen, Ts0, X1, Y1, X2, Y2),
               msort(Ts0, Ts) ),
             Kernel0),
     sort(Kernel0, Kernel),
@@ -37,14 +37,13 @@ same_facing(facing(T,I,From,To,Ts), facing(T,I,From2,To2,Ts)) :-
     close_to(From, From2),
     close_to(To, To2).
 
-same_piece(piece(T,I1,F1,I2,F2,To,Ts)-[X1,Y1,X2,Y2],
-           piece(T,J1,G1,J2,G2,Go,Ts)-[U1,V1,U2,V2]) :-
+same_piece(piece(T,I1,F1,I2,F2,Seen,Ts)-[X1,Y1,X2,Y2],
+           piece(T,J1,G1,J2,G2,Seen,Ts)-[U1,V1,U2,V2]) :-
     (   I1-I2 == J1-J2
     ->  maplist(close_to, [F1,F2,X1,Y1,X2,Y2], [G1,G2,U1,V1,U2,V2])
     ;   I1-I2 == J2-J1,
         maplist(close_to, [F1,F2,X1,Y1,X2,Y2], [G2,G1,U2,V2,U1,V1])
-    ),
-    close_to(To, Go).
+    ).
 
 close_to(A, B) :-
     abs(A-B) < 1.0e-9.

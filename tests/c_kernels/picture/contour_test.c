@@ -129,7 +129,7 @@ total_length(const mesh *m)
   for (size_t i = 0; i < m->contours.n; i++) {
     const sg_contour *piece = &m->contours.piece[i];
     double at[2][2];
-    if (piece->to == SG_SUBSTITUTE) {
+    if (piece->visibility == SG_CONTOUR_SUBSTITUTE) {
       continue;
     }
     for (int end = 0; end < 2; end++) {
@@ -151,9 +151,9 @@ static bool
 is_beside_itself(const sg_contours *c)
 {
   for (size_t i = 0; i < c->n; i++) {
-    bool own = c->piece[i].to == 0.0;
-    for (size_t k = 0; k < c->piece[i].besides; k++) {
-      own |= c->beside[c->piece[i].beside + k] == c->piece[i].t;
+    bool own = c->piece[i].visibility == SG_CONTOUR_HIDDEN;
+    for (size_t k = 0; k < c->piece[i].adjacents; k++) {
+      own |= c->adjacent[c->piece[i].adjacent + k] == c->piece[i].t;
     }
     if (!own) {
       return false;

@@ -428,7 +428,7 @@ pear :-
     complete_segments([S]).
 
 stand_in_because(E, Because) :-
-    contour(1, K, _, _, _, _, _, 2.0, _, _, _, _, _),
+    contour(1, K, _, _, _, _, _, substitute, _, _, _, _, _),
     E is -K,
     explanation(hidden(1, E), [because(_, Because)]),
     memberchk(because(substitute_outline, []), Because).
