@@ -214,5 +214,12 @@ segment(32, solid, named(transition, at([translate(20.4, 0, 0)],
 segment(33, surface, named(open_transition, at([translate(20.4, -4.2, 0)],
     open_transition(base(circle(0.9)), top(rectangle(1.4, 0.8, 0.2)),
                     height(1.8))))).
+segment(34, solid, named(elbow, at([translate(19.6, -9.4, 0)],
+    elbow(diameter(1), radius(1.1), pieces(4), angle(90))))).
+segment(35, solid, named(mitred_pipe, at([translate(19.6, -12.6, 0)],
+    mitred_pipe(diameter(0.8), through([[0,0,0], [0,0,0.8], [1.2,0,1.6],
+                                        [1.2,0,2.4]]))))).
+segment(36, solid, named(wye, at([translate(20.4, -16.8, 1)],
+    wye(diameter(0.8), angle(70), stem(1), legs(1.4))))).
 
 view(280, 45, 0).

@@ -2,11 +2,13 @@
           [ options_together/1          % +Options
           ]).
 :- use_module(verb_output, [usage_error/1]).
+:- use_module('../unfolding/unfold_how', [how_wished_of_any/2]).
 :- use_module(library(lists), [member/2]).
 :- use_module(library(option), [option/2]).
 /** <module> Which options of the verb unfold go together.
 
-An option that would say nothing is an error: who gave it wants something.
+An option that would say nothing is an error: who gave it wants something. What
+it needs may also be said by the model (unfold_how.pl).
 */
 
 %!  options_together(+Options:list) is det.
@@ -18,7 +20,8 @@ An option that would say nothing is an error: who gave it wants something.
 options_together(Options) :-
     (   needs(Name, Needed),
         given(Name, Options),
-        \+ given(Needed, Options)
+        \+ given(Needed, Options),
+        \+ wished(Needed)
     ->  written(Name, Option),
         written(Needed, NeededOption),
         usage_error(unfold(needs(Option, NeededOption)))
@@ -27,6 +30,14 @@ options_together(Options) :-
     ->  usage_error(both_options('--lines', '--trim'))
     ;   true
     ).
+
+wished(true) :-
+    !,
+    how_wished_of_any(true_lengths, _),
+    !.
+wished(Name) :-
+    how_wished_of_any(Name, _),
+    !.
 
 %   needs(?Name, ?Needed) is nondet.
 

@@ -11,10 +11,12 @@
 :- use_module('../development/polygon_name', [segment_title/2]).
 :- use_module(report, [counted/4]).
 :- use_module('../development/seam_measure', [pattern_area/2, seam_drawn/3]).
-:- use_module('../store', [v/5, p/3, origin/3, from_p/5, piece/3]).
-:- use_module('../solid/trimmed', [part_named/2, trimmed_from/2]).
+:- use_module('../store', [segment/3, v/5, p/3, origin/3, from_p/5, piece/3]).
+:- use_module('../primitive/primitive', [primitive_name/2]).
+:- use_module('../solid/trimmed', [part_named/2, part_named/4, trimmed_from/2]).
 :- use_module('../unrolling/true_parts', [polygon_drawn/4]).
 :- use_module('../unfolding/unfold', [pattern_of/2]).
+:- use_module('../unfolding/unfold_how', [how_wished/3]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [maplist/2, maplist/3]).
 :- use_module(library(http/json), [json_write_dict/3]).
@@ -31,17 +33,21 @@
 unfold_report(Ds, Options) :-
     census(Parts),
     maplist(pattern_measures(Parts), Ds, All0),
-    (   option(thickness(T), Options),
-        T > 0
-    ->  maplist(measured_again, All0, All)
-    ;   All = All0
-    ),
+    maplist(measured_if_bent(Options), All0, All),
     (   option(json(true), Options)
     ->  plain_json(current_output,
                    json_write_dict(current_output, All, [width(78)])),
         nl
     ;   language(Language),
         maplist(print_pattern(Language), All)
+    ).
+
+measured_if_bent(Options0, M0, M) :-
+    how_wished(M0.segment, Options0, Options),
+    (   option(thickness(T), Options),
+        T > 0
+    ->  measured_again(M0, M)
+    ;   M = M0
     ).
 
 %   measured_again(M0, M): bends have taken off what they need.
@@ -74,8 +80,7 @@ measured_again(M0, M) :-
 pattern_measures(Parts, D, Measures) :-
     pattern_of(D, T),
     part_named(T, S),
-    segment_title(S, Title),
-    format(string(Name), '~w', [Title]),
+    pattern_title(D, S, Name),
     memberchk(part(T, Counts, _, Area, _, _, _, _), Parts),
     arg(4, Counts, PartPolygons),
     aggregate_all(count, p(D, _, _), Polygons),
@@ -91,6 +96,28 @@ pattern_measures(Parts, D, Measures) :-
                  seam:Seam, bound:Bound, bound_by:By, longest:Longest,
                  width:Width, height:Height, area:Area,
                  pattern_area:PatternArea}.
+
+%   pattern_title(D, S, Name): what segment S is called, and the part or the
+%   leaf of it that pattern D is of alone.
+
+pattern_title(D, S, Name) :-
+    segment_title(S, Title),
+    (   segment(D, pattern, true_development(T, Part0)),
+        part_named(T, Part0, _, Part),
+        part_title(Part, PartTitle)
+    ->  format(string(Name), '~w/~w', [Title,PartTitle])
+    ;   format(string(Name), '~w', [Title])
+    ).
+
+%   part_title(Part, Title): Part is not all that is round of its segment.
+
+part_title(Leaf/_, Title) :-
+    !,
+    segment(Leaf, _, Term),
+    segment_title(Leaf, Title),
+    \+ primitive_name(Term, Title).
+part_title(Part, Part) :-
+    Part \== side.
 
 seam_measures(D, Pieces, Seam, Bound, By, Longest, Area) :-
     origin(D, node(D), _),

@@ -36,6 +36,7 @@
 :- use_module('../unrolling/true_table', [write_true_lengths/3]).
 :- use_module(unfold_options, [options_together/1]).
 :- use_module(unfold_report, [unfold_report/2]).
+:- use_module('../unfolding/unfold_how', [how_wished/3, how_wished_of_any/2]).
 :- use_module('../unfolding/unfold_true', [true_patterns/4]).
 :- use_module(verb_output,
               [ some_files/2, outputs/3, may_be_written/1, no_model_replaced/2,
@@ -61,7 +62,6 @@ unfold_run(Files, Options, 0) :-
     outputs(Options,
             [ svg,pdf,eps,ps,png,dxf,hpgl,json,fold,pl,obj,off ],
             Outputs),
-    options_together(Options),          % what is wrong is said at once
     drawing_options(Options, DrawingOptions),
     paper_checked(DrawingOptions),
     table_output(Options, Tables),
@@ -69,6 +69,7 @@ unfold_run(Files, Options, 0) :-
     no_model_replaced(Files, All),
     flag_wishes(Options, Flags),
     load_model(Files, Options),
+    options_together(Options),
     empty_roots_warned,
     roots_apart(Options),
     asked_once(patterns_reported(Files, Options, Flags, All, Ds)),
@@ -89,6 +90,8 @@ patterns_reported(Files, Options, Flags, Outputs, Ds) :-
 
 roots_apart(Options) :-
     (   option(true(true), Options)
+    ->  true
+    ;   how_wished_of_any(true_lengths, _)
     ->  true
     ;   roots_alone_named
     ).
@@ -122,7 +125,7 @@ patterns(Options, Flags, Ds) :-
     known_wishes,
     chosen(Options, Flags, Ss),
     maplist(all_wanted(Flags), Ss, Wanteds),
-    (   option(trim(_), Options)
+    (   trims(Options)
     ->  true
     ;   option(lines(false), Options)
     ->  true
@@ -135,6 +138,15 @@ patterns(Options, Flags, Ds) :-
     (   Ds == []
     ->  throw(error(geometry_error(unfold(all_trimmed_away)), _))
     ;   true
+    ).
+
+%   trims(Options): these, or the model, say that something is trimmed.
+
+trims(Options) :-
+    (   option(trim(_), Options)
+    ->  true
+    ;   how_wished_of_any(trim, _)
+    ->  true
     ).
 
 %!  patterns_given(+Options:list) is semidet.
@@ -206,7 +218,7 @@ all_wanted(Flags, S, Wanted) :-
 
 patterns_of(All, Options0, S, Wanted, Ds) :-
     findall(Other, ( member(Other, All), Other \== S ), Others),
-    Options = [by(Others)|Options0],
+    how_wished(S, [by(Others)|Options0], Options),
     (   option(true(true), Options)
     ->  true_patterns(S, Wanted, Options, Ds)
     ;   unfolded_part(S, Wanted, Options, D),
@@ -524,7 +536,7 @@ drawing_option(Options, dots(Dots)) :-
 %   without what they were trimmed of; else all stays, with its lines.
 
 parts_alone(Options, Ds) :-
-    (   option(trim(_), Options)
+    (   trims(Options)
     ->  findall(S, ( member(D, Ds), pattern_of(D, S) ), Ss),
         append(Ss, Ds, Stay),
         forall(( segment(S, _, _), \+ memberchk(S, Stay) ), drop_segment(S)),

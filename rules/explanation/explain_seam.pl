@@ -21,6 +21,7 @@
               [ unfoldable/1, pattern_of/2, wishes/3, wanted_of/3,
                 trimmed_part/3, part_developed/4, part_laid/4,
                 part_laid_again/2 ]).
+:- use_module('../unfolding/unfold_how', [how_wished/3]).
 :- use_module('../unfolding/unfold_true', [true_patterns/4]).
 :- use_module('../unfolding/unfold_wish', [wanted_in/4]).
 :- use_module(library(aggregate), [aggregate_all/3]).
@@ -140,7 +141,8 @@ patterns_laid(S, Options, Ds) :-
     ),
     findall(Option, ( member(Option0, Options),
                       says_how(Option0, S, Option) ),
-            How),
+            How0),
+    how_wished(S, How0, How),
     (   option(true(true), How)
     ->  true_patterns(S, Wanted, How, Ds)
     ;   trimmed_part(S, How, T),

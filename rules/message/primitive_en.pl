@@ -126,6 +126,21 @@ primitive_en(no_length, Term) -->
 primitive_en(flat_top, Term) -->
     [ 'one radius of top(...) is 0, the other is not: ~p'-[Term], nl,
       '  Give two above 0, or top(0) for an apex.' ].
+primitive_en(sharp_turn(I), _) -->
+    [ 'the axis turns back too sharply at its point ~d'-[I], nl,
+      '  A mitre takes less than 168 degrees, a wye less than 170: put more \c
+       points, or pieces.' ].
+primitive_en(same_point(I), _) -->
+    [ 'points ~d and the next one are in one place'-[I], nl,
+      '  Leave one of them out.' ].
+primitive_en(short_piece(I, Length, Least), _) -->
+    [ 'piece ~d has an axis of ~6g; its mitres need more than ~6g'-
+          [I, Length, Least], nl,
+      '  Make it longer (an elbow: a larger radius or longer ends), or the \c
+       diameter smaller.' ].
+primitive_en(odd_facets(N), _) -->
+    [ 'facets(~d) is odd'-[N], nl,
+      '  The pieces of a wye meet on two generators: give an even number.' ].
 primitive_en(inner_too_large, Term) -->
     [ 'inner(...) is not inside radius(...): ~p'-[Term], nl,
       '  Give a smaller one; with few facets the polygons must not meet.' ].

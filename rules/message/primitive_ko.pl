@@ -102,6 +102,21 @@ primitive_ko(no_length, Term) -->
 primitive_ko(flat_top, Term) -->
     [ 'top(...) 의 반지름 하나만 0 입니다: ~p'-[Term], nl,
       '  둘 다 0보다 크게 하거나, 꼭대기가 점이면 top(0) 을 주십시오.' ].
+primitive_ko(sharp_turn(I), _) -->
+    [ '축이 ~d번째 점에서 너무 급하게 꺾입니다'-[I], nl,
+      '  마이터 이음은 168도 미만, Y관은 170도 미만입니다. 점이나 조각을 \c
+       늘리십시오.' ].
+primitive_ko(same_point(I), _) -->
+    [ '~d번째 점과 그 다음 점이 같은 곳에 있습니다'-[I], nl,
+      '  하나를 지우십시오.' ].
+primitive_ko(short_piece(I, Length, Least), _) -->
+    [ '조각 ~d의 축 길이는 ~6g인데 마이터 이음에는 ~6g보다 길어야 합니다'-
+          [I, Length, Least], nl,
+      '  조각을 길게 하거나(엘보는 반지름이나 양 끝을 크게) 지름을 \c
+       줄이십시오.' ].
+primitive_ko(odd_facets(N), _) -->
+    [ 'facets(~d)는 홀수입니다'-[N], nl,
+      '  Y관의 조각들은 면소 두 개에서 만납니다. 짝수를 주십시오.' ].
 primitive_ko(inner_too_large, Term) -->
     [ 'inner(...) 이(가) radius(...) 안에 있지 않습니다: ~p'-[Term], nl,
       '  더 작게 하십시오. 면이 적으면 두 다각형이 만나지 않아야 합니다.' ].

@@ -5,7 +5,7 @@
             known_polygons_listed//2,       % +Ps, +Names
             known_segments/2            % +Known, -Text
           ]).
-:- use_module('../unfolding/unfold_wish', [wish_form/2]).
+:- use_module('../unfolding/unfold_wish', [all_forms/1]).
 :- use_module(library(lists), [member/2]).
 /** <module> What is wrong with an unfolding, in English.
 
@@ -23,13 +23,21 @@ wish_en(S, Wish, What) -->
 wish_fault_en(no_segment) -->
     [ 'there is no such segment' ].
 wish_fault_en(unknown_wish) -->
-    { findall(Form, wish_form(_, Form), Forms),
+    { all_forms(Forms),
       atomic_list_concat(Forms, ', ', All) },
     [ 'it is no wish', nl, '  Those are ~w.'-[All] ].
 wish_fault_en(form(Form)) -->
     [ 'it should look like ~w'-[Form], nl,
       '  A polygon is a number or a name such as base or side(2); an edge a \c
        number, two polygons such as base-side(2), or its ends, v(1)-v(2).' ].
+wish_fault_en(how_form(Form)) -->
+    [ 'it should look like ~w'-[Form] ].
+wish_fault_en(twice(Other)) -->
+    [ 'unfolding/2 says ~p of the same segment'-[Other], nl,
+      '  One of the two has to go.' ].
+wish_fault_en(needs(Form)) -->
+    [ 'it says nothing without ~w'-[Form], nl,
+      '  Say that too, in the model or as an option.' ].
 wish_fault_en(no_polygon(Name, Ps, Names)) -->
     [ 'there is no polygon ~p'-[Name], nl, '  There are ' ],
     known_polygons_listed(Ps, Names).

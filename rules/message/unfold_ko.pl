@@ -5,7 +5,7 @@
             trim_ko//1                  % +What
           ]).
 :- use_module(unfold_en, [known_polygons_listed//2, known_segments/2]).
-:- use_module('../unfolding/unfold_wish', [wish_form/2]).
+:- use_module('../unfolding/unfold_wish', [all_forms/1]).
 /** <module> What is wrong with an unfolding, in Korean.
 
 unfold_en.pl has the same heads in English.
@@ -22,13 +22,21 @@ wish_ko(S, Wish, What) -->
 wish_fault_ko(no_segment) -->
     [ '그런 세그먼트가 없습니다' ].
 wish_fault_ko(unknown_wish) -->
-    { findall(Form, wish_form(_, Form), Forms),
+    { all_forms(Forms),
       atomic_list_concat(Forms, ', ', All) },
     [ '그런 지정은 없습니다', nl, '  쓸 수 있는 것: ~w.'-[All] ].
 wish_fault_ko(form(Form)) -->
     [ '~w 꼴이어야 합니다'-[Form], nl,
       '  다각형은 번호나 base, side(2) 같은 이름이고, 모서리는 번호, \c
        base-side(2) 같은 두 다각형, 또는 양 끝 v(1)-v(2)입니다.' ].
+wish_fault_ko(how_form(Form)) -->
+    [ '~w 꼴이어야 합니다'-[Form] ].
+wish_fault_ko(twice(Other)) -->
+    [ '같은 세그먼트에 unfolding/2 사실이 ~p도 지정합니다'-[Other], nl,
+      '  둘 중 하나를 지우십시오.' ].
+wish_fault_ko(needs(Form)) -->
+    [ '~w 없이는 아무 뜻이 없습니다'-[Form], nl,
+      '  모델이나 옵션에서 함께 지정하십시오.' ].
 wish_fault_ko(no_polygon(Name, Ps, Names)) -->
     [ '다각형 ~p이(가) 없습니다'-[Name], nl, '  있는 것: ' ],
     known_polygons_listed(Ps, Names).

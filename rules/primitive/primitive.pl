@@ -23,6 +23,8 @@
               [ egg_shape/2, globe_parts/4, hemisphere_shape/2, sphere_shape/2,
                 torus_shape/2
               ]).
+:- use_module(primitive_pipe,
+              [elbow_shape/2, mitred_pipe_shape/2, wye_shape/2]).
 :- use_module(primitive_round,
               [ circle_shape/2, cone_shape/2, cylinder_shape/2,
                 hollow_cylinder_shape/2
@@ -209,6 +211,35 @@ primitive_row(bezier, surface,
               bezier_shape,
               'bezier(points([[X, Y, Z], ...]), patches([[1, ..., 16], ...]), \c
                facets(N))').
+
+primitive_row(elbow, solid,
+              [ argument(diameter, [[length]], needed),
+                argument(radius, [[length]], needed),
+                argument(pieces, [[count]], [4]),
+                argument(angle, [[turn]], [90.0]),
+                argument(ends, [[radius]], [0.0]) | Fineness
+              ],
+              elbow_shape,
+              'elbow(diameter(D), radius(R), pieces(N), angle(A), ends(L), \c
+               facets(F))') :-
+    fineness(Fineness).
+primitive_row(mitred_pipe, solid,
+              [ argument(diameter, [[length]], needed),
+                argument(through, [[points3]], needed) | Fineness
+              ],
+              mitred_pipe_shape,
+              'mitred_pipe(diameter(D), through([[X, Y, Z], ...]), \c
+               facets(F))') :-
+    fineness(Fineness).
+primitive_row(wye, solid,
+              [ argument(diameter, [[length]], needed),
+                argument(angle, [[turn]], [60.0]),
+                argument(stem, [[length]], needed),
+                argument(legs, [[length]], needed) | Fineness
+              ],
+              wye_shape,
+              'wye(diameter(D), angle(A), stem(L1), legs(L2), facets(F))') :-
+    fineness(Fineness).
 
 fineness([ argument(facets, [[facets]], none),
            argument(tolerance, [[length]], none)

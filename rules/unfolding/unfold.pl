@@ -27,6 +27,7 @@
                 assert_fact/1, facts_snapshot/1, facts_transaction/1
               ]).
 :- use_module('../solid/trimmed', [trimmed/5, part_named/2]).
+:- use_module(unfold_how, [how_wished/3]).
 :- use_module(unfold_wish, [wanted/3, wanted_in/4]).
 :- use_module(library(apply), [maplist/2]).
 :- use_module(library(error), [domain_error/2, existence_error/2, must_be/2]).
@@ -65,7 +66,8 @@ against each other.
 %     - thickness(T), size(Which), bend_radius(R), k_factor(K)
 %     Of the plate that is folded: see pattern_bent/2.
 %
-%   Others go to develop/3, as minimize(Objective). S stays as it is; if the
+%   The facts may say these too (unfold_how.pl), of S. Others go to develop/3,
+%   as minimize(Objective). S stays as it is; if the
 %   segments were cut (penetrate/0) before, D has the penetration lines. One
 %   transaction.
 %
@@ -78,10 +80,11 @@ against each other.
 unfold(S, D) :-
     unfold(S, [], D).
 
-unfold(S, Options, D) :-
+unfold(S, Options0, D) :-
     has_faces(S),
-    must_be(list, Options),
-    must_be(ground, Options),
+    must_be(list, Options0),
+    must_be(ground, Options0),
+    how_wished(S, Options0, Options),
     wishes(S, Options, Wishes),
     wanted_of(S, Wishes, Wanted),
     unfolded_part(S, Wanted, Options, D).

@@ -1,18 +1,21 @@
 :- module(sg_unfold_true,
           [ true_patterns/4             % +S, +Wanted, +Options, -Ds
           ]).
-:- use_module('../csg/placed_surface', [asked_once/1]).
+:- use_module('../csg/placed_surface',
+              [asked_once/1, placed_surface/3, placed_term/2]).
 :- use_module('../development/bend', [pattern_bent/2]).
 :- use_module('../development/polygon_name', [polygon_name/3]).
+:- use_module('../primitive/primitive_pipe', [is_mitred/1]).
 :- use_module('../store',
               [e/5, p/3, origin/3, edge_polygon/3, facts_transaction/1]).
 :- use_module('../polygon/triangulation', [complete_segments/0]).
 :- use_module('../unrolling/transition_facet', [takes_turns/1]).
 :- use_module('../unrolling/true_development',
               [true_development/4, developable_part/3]).
+:- use_module('../unrolling/true_leaf', [composed_leaves/2]).
 :- use_module('../unrolling/true_parts',
               [drawn_wanted/4, parts_made/3, polygon_drawn/4]).
-:- use_module('../unrolling/true_plate', [plate_parts/5]).
+:- use_module('../unrolling/true_plate', [plate_alone/4, plate_parts/5]).
 :- use_module('../unrolling/true_rim', [pattern_measured/1, rims_rounded/3]).
 :- use_module('../unrolling/true_shape', [part_facet/5]).
 :- use_module(unfold, [trimmed_part/3, other_parts/3, part_developed/4]).
@@ -144,7 +147,8 @@ trimmed_as_cut(S, Options0, Options, S1, T) :-
     parts_cut(S, Options0, Options1, S2),
     trimmed_part(S2, Options1, T2),
     (   T2 == S2,
-        \+ takes_turns(S)
+        \+ takes_turns(S),
+        \+ composed_of_plate(S, Options0)
     ->  S1 = S,
         T = S,
         Options = Options0
@@ -156,7 +160,8 @@ trimmed_as_cut(S, Options0, Options, S1, T) :-
 %   parts_cut(S, Options0, Options, S1): S1 is S, or what is cut instead: what
 %   of its plate touches the others, which are then among Options, in fine
 %   facets. What stands for a smooth surface only as its facets are fine has
-%   such ones also where nothing is cut.
+%   such ones also where nothing is cut; and the leaves of a CSG tree cut each
+%   other by the middle of their plate.
 
 parts_cut(S, Options0, [by(Others)|Options], S1) :-
     option(trim(_), Options0),
@@ -164,12 +169,29 @@ parts_cut(S, Options0, [by(Others)|Options], S1) :-
     other_parts(S, Options0, Others0),
     plate_parts(S, Others0, Options0, Options, S1-Others),
     complete_segments.
+parts_cut(S, Options0, Options, S1) :-
+    composed_of_plate(S, Options0),
+    !,
+    plate_alone(S, Options0, Options, S1),
+    complete_segments.
 parts_cut(S, Options, Options, S1) :-
     takes_turns(S),
     !,
     parts_made([S-0.0], Options, [S1]),
     complete_segments.
 parts_cut(S, Options, Options, S).
+
+%   composed_of_plate(S, Options): where the leaves or pieces of S meet depends
+%   on the side of their plate.
+
+composed_of_plate(S, Options) :-
+    option(thickness(T), Options),
+    T =\= 0,
+    (   placed_term(S, Term)
+    ->  is_mitred(Term)
+    ;   composed_leaves(S, Leaves),
+        once(( member(Leaf, Leaves), placed_surface(Leaf, _, _) ))
+    ).
 
 %   unrolled(T, Cut, Options, Part, D): the seam is where an edge of it is to be
 %   cut, if nothing else is said.

@@ -1,7 +1,8 @@
 :- module(sg_unfold_wish,
           [ wanted/3,                   % +S, +Wishes, -Wanted
             wanted_in/4,                % +T, +S, +Wanted, -Options
-            wish_form/2                 % ?Name, -Form
+            wish_form/2,                % ?Name, -Form
+            all_forms/1                 % -Forms
           ]).
 :- use_module('../development/development', [develop/3]).
 :- use_module('../development/part_edges', [edge_length/3]).
@@ -9,6 +10,7 @@
               [ polygons_named/3, edges_named/3, joined_by/4, known_polygons/3,
                 neighbours/3, polygon_name/3
               ]).
+:- use_module(unfold_how, [how_form/2, how_given/3]).
 :- use_module('../store',
               [ e/5, p/3, from_p/5, origin/3, joint/6, edge_polygon/3,
                 facts_snapshot/1
@@ -29,7 +31,8 @@ A wish is wish(Wish, From), From `fact` (unfolding/2 of the model) or `flag`
                          before it, at their longest edge
     removed(Polygon)     is left out; removed([Polygon, ...])
 
-with polygons and edges by number or by name (polygon_name.pl). What is wanted
+or one that says how the whole is unfolded (unfold_how.pl), with polygons and
+edges by number or by name (polygon_name.pl). What is wanted
 is then
 
     wanted(Root, Cut, Keep, Removed)
@@ -41,7 +44,7 @@ What cannot be is said of the wish that comes last: error(Fault, _), Fault
 model_error(unfold(S, Wish, What)) of a fact and usage_error(unfold(S, Wish,
 What)) of an option, What one of
 
-    unknown_wish                        form(Form)
+    unknown_wish                        form(Form), how_form(Form)
     no_polygon(Name, Ps, Names)         several(Name, Ps)
     no_edge(Name)                       border(E, P)
     apart(Name1, Name2, P, Qs)          cut_and_keep(E, P, Q)
@@ -50,6 +53,7 @@ What)) of an option, What one of
     order_removed(P)                    order_twice(P)
     order_root(Root, First)             order_apart(P, Before)
     order_cut(P, Before)                ring(E, P, Q)
+    twice(Wish1)                        needs(Form)
 
 with face(P, Name) for polygons (polygon_name/3).
 
@@ -66,6 +70,13 @@ wish_form(keep, 'keep(Edge)').
 wish_form(order, 'order([Polygon, ...])').
 wish_form(removed, 'removed(Polygon) or removed([Polygon, ...])').
 
+%!  all_forms(-Forms:list) is det.
+%
+%   Forms say how every wish is written.
+
+all_forms(Forms) :-
+    findall(Form, ( wish_form(_, Form) ; how_form(_, Form) ), Forms).
+
 %!  wanted(+S, +Wishes:list, -Wanted) is det.
 %
 %   Wanted is what the Wishes say of segment S together.
@@ -75,6 +86,7 @@ wish_form(removed, 'removed(Polygon) or removed([Polygon, ...])').
 
 wanted(S, Wishes, wanted(Root, Cut, Keep, Removed)) :-
     maplist(known_wish(S), Wishes),
+    how_once(S, Wishes),
     removed_polygons(S, Wishes, Removed),
     root_polygon(S, Wishes, Removed, Root0),
     wished_edges(S, Wishes, cut, Cut0),
@@ -138,7 +150,14 @@ called_polygons(S, P, face(P, Name)) :-
     polygon_name(S, P, Name).
 
 known_wish(S, wish(Wish, From)) :-
-    (   compound(Wish),
+    (   callable(Wish),
+        functor(Wish, How, _),
+        how_form(How, HowForm)
+    ->  (   how_given(How, Wish, _)
+        ->  true
+        ;   wish_fault(From, S, Wish, how_form(HowForm))
+        )
+    ;   compound(Wish),
         Wish =.. [Name, Value]
     ->  (   wish_form(Name, Form)
         ->  (   well_formed(Name, Value)
@@ -149,6 +168,17 @@ known_wish(S, wish(Wish, From)) :-
         )
     ;   wish_fault(From, S, Wish, unknown_wish)
     ).
+
+%   how_once(S, Wishes): how it is unfolded is not said in two ways.
+
+how_once(S, Wishes) :-
+    forall(( append(Before, [wish(Wish, fact)|_], Wishes),
+             functor(Wish, How, N),
+             how_form(How, _),
+             functor(Other, How, N),
+             member(wish(Other, fact), Before),
+             Other \== Wish ),
+           wish_fault(fact, S, Wish, twice(Other))).
 
 well_formed(order, Names) :-
     !,

@@ -21,7 +21,7 @@
 :- use_module(true_divide, [facet_index/2, generator_spans/5]).
 :- use_module(true_plate, [plate_layer/2]).
 :- use_module(true_shape, [edge_curve/4, key_place/4]).
-:- use_module(true_surface, [level_plane/3]).
+:- use_module(true_surface, [level_plane/3, offset_surface/3]).
 :- use_module(true_transition, [transition_points/3]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(assoc),
@@ -391,7 +391,8 @@ asked_curve(Shape, edge(A, B, _, _), curve(Near, Surfaces, From, To)) :-
 %   of a generator that lies on facets, from below. Degrees is its parameter, 0
 %   to 360. Of a cylinder Position is x, From and To are y; of a cone Position
 %   is the angle from the seam, degrees, and From and To are distances from the
-%   apex, From being at the lower H; of a transition Position is 0.0 and From to
+%   apex (of the layer that is unrolled, if it has one), From being at the lower
+%   H; of a transition Position is 0.0 and From to
 %   To its length from 0.0.
 
 layout_marks(Layout, Facets, Sense, Seam, Generators, Marks) :-
@@ -428,8 +429,8 @@ key_at(Facets, shape(_, _, Nodes), T, H, Key) :-
     !.
 
 measures(cylinder, _, _, _, _-(X-Y1), _-(_-Y2), X, Y1, Y2).
-measures(cone, layout(_, Shape, _, _, _, _), Seam, T, H1-_, H2-_, Angle, R1,
-         R2) :-
+measures(cone, layout(_, Shape, Layer-_, _, _, _), Seam, T, H1-_, H2-_,
+         Angle, R1, R2) :-
     Shape = shape(Surface0, _, _),
     before_moving(Surface0, T, H1, Surface, B1),
     before_moving(Surface0, T, H2, Surface, B2),
@@ -444,10 +445,28 @@ measures(cone, layout(_, Shape, _, _, _, _), Seam, T, H1-_, H2-_, Angle, R1,
     surface_point(Surface, T, 0.0, P),
     surface_point(Surface, T, Apex, Q),
     far(P, Q, Far),
-    R1 is Far*abs(1.0 - B1*(1.0-K)),
-    R2 is Far*abs(1.0 - B2*(1.0-K)).
+    apex_farther(Surface0, Layer, Farther),
+    R1 is Far*abs(1.0 - B1*(1.0-K)) + Farther,
+    R2 is Far*abs(1.0 - B2*(1.0-K)) + Farther.
 measures(flat, _, _, _, _-(X1-Y1), _-(X2-Y2), 0.0, 0.0, Length) :-
     Length is sqrt((X1-X2)**2 + (Y1-Y2)**2).
+
+%   apex_farther(Surface, Layer, Farther): by how much an apex of that layer is
+%   farther than that of Surface. Only the generators of a right circular cone
+%   meet in one point there too; those of others end where they end.
+
+apex_farther(Surface, Layer, Farther) :-
+    (   Layer =\= 0.0,
+        Surface = cone(_, U, _, W, K),
+        offset_surface(Surface, Layer, _)
+    ->  vector_length(U, R),
+        vector_length(W, H),
+        Farther is Layer*H/(abs(1.0-K)*R)
+    ;   Farther = 0.0
+    ).
+
+vector_length(vector(X,Y,Z), Length) :-
+    Length is sqrt(X*X + Y*Y + Z*Z).
 
 %   before_moving(Surface0, T, H0, Surface, H): the point (T, H0) of Surface0 is
 %   that of Surface at (T, H), moved along the normal.

@@ -14,12 +14,17 @@
 :- use_module('../polygon/triangulation', [complete_segments/0]).
 :- use_module('../primitive/primitive', [primitive_parts/3]).
 :- use_module('../primitive/primitive_rows', [add_primitive/2]).
-:- use_module('../solid/boolean', [boolean/2]).
-:- use_module('../solid/csg_flat', [flat_expression/2, flat_leaves/2]).
+:- use_module('../solid/boolean', [boolean/3]).
+:- use_module('../solid/csg_flat',
+              [flat_expression/2, flat_leaves/2, is_half/1]).
 :- use_module('../store', [origin/3, from_p/5, assert_fact/1, fresh_id/3]).
 :- use_module(transition_facet,
               [facet_borders/2, facet_in_direction/3, transition_facets/2]).
 :- use_module(true_flat, [flat_resized/3]).
+:- use_module(true_leaf,
+              [ composed_known/4, composed_tolerance/2, large_enough/3,
+                leaves_replaced/3, plate_leaves/2
+              ]).
 :- use_module(true_parallel, [parallel_made/4]).
 :- use_module(true_resized, [term_enlarged/3]).
 :- use_module(true_part_loop, [facet_parted/3]).
@@ -57,8 +62,7 @@ all parts are made again, in the order they had.
 %   Parts are new segments, each By larger than S all round (model units), of
 %   fine facets; or the segments S, if nothing has to be changed, and those of
 %   them that cannot be made again without being resized. Results of CSG trees
-%   are made again of the primitives they are made of, if they are not resized
-%   and not the first.
+%   are made again of the primitives they are made of.
 %   Of Options: chord(Tolerance); layer(Layer), how far outside of what is drawn
 %   that layer of the first part is that is unrolled.
 %
@@ -108,10 +112,9 @@ inmost(S, By, First-Layer, Inmost) :-
     ;   Inmost = By
     ).
 
-made(By, _, composed(Finers), S, S1) :-
+made(By, Inmost, composed(Finers), S, S1) :-
     !,
-    By =:= 0,
-    composed_again(S, Finers, S1).
+    composed_again(S, By, Inmost, Finers, S1).
 made(By, _, _, S, S1) :-
     \+ placed_surface(S, _, _),
     flat_resized(S, By, S1).
@@ -123,28 +126,38 @@ made(By, Inmost, Finer, S, S1) :-
     ;   parallel_made(Term, By, Inmost, S1)
     ).
 
-%   composed_again(S, Finers, S1): S1 is the result of the same operations as S,
-%   on leaves made again.
+%   composed_again(S, By, Inmost, Finers, S1): S1 is the result of the same
+%   operations as S, on leaves made again: those of plate By larger. What only
+%   takes away, a half-space or what is subtracted, is a tool, and stays.
 
-composed_again(S, Finers, S1) :-
+composed_again(S, By, Inmost, Finers, S1) :-
     flat_expression(S, Expression0),
-    findall(Leaf-Leaf1,
-            ( member(Leaf-Finer, Finers),
-              once(made(0, 0, Finer, Leaf, Leaf1)) ),
-            Made),
+    plate_leaves(Expression0, Plates),
+    large_enough(S, By, Plates),
+    foldl(leaf_again(S, Plates, By, Inmost), Finers, [], Made),
     leaves_replaced(Made, Expression0, Expression),
     complete_segments,
+    composed_tolerance(Expression, Options),
     fresh_id(segment, 0, S1),
-    boolean(Expression, S1).
+    boolean(Expression, S1, Options),
+    complete_segments.
 
-leaves_replaced(Made, Leaf, Leaf1) :-
-    integer(Leaf),
-    !,
-    memberchk(Leaf-Leaf1, Made).
-leaves_replaced(Made, Expression0, Expression) :-
-    Expression0 =.. [Operation,Expressions0],
-    maplist(leaves_replaced(Made), Expressions0, Expressions),
-    Expression =.. [Operation,Expressions].
+leaf_again(S, Plates, By0, Inmost0, Leaf-Finer, Made0, Made) :-
+    (   ord_memberchk(Leaf, Plates)
+    ->  By = By0,
+        Inmost = Inmost0
+    ;   By = 0,
+        Inmost = 0
+    ),
+    (   By =:= 0,
+        \+ changes(Finer)
+    ->  Made = [Leaf-Leaf|Made0]
+    ;   made(By, Inmost, Finer, Leaf, Leaf1)
+    ->  polygons_known(Leaf, Leaf1),
+        assert_fact(origin(Leaf1, node(Leaf1), plate(Leaf))),
+        Made = [Leaf-Leaf1|Made0]
+    ;   throw(error(geometry_error(true(no_offset(S))), _))
+    ).
 
 %   polygons_known(S, S1): which polygon of S each of S1 stands for: of the
 %   facets of a part of which another side is wanted, the nearest; of those of a
@@ -166,6 +179,10 @@ polygons_known(S, S1) :-
     ->  findall(What-P, placed_face(S, P, What), Drawn),
         forall(( placed_face(S1, P1, What1),
                  drawn_face(Drawn, What1, P) ),
+               assert_fact(origin(S1, p(P1), p(P))))
+    ;   is_node(S),
+        \+ placed_term(S, _)
+    ->  forall(composed_known(S, S1, P1, P),
                assert_fact(origin(S1, p(P1), p(P))))
     ;   true
     ).
@@ -197,16 +214,24 @@ drawn_face(Drawn, What1, P) :-
 %   the segment stays as it is; `copied`, the same facets; times(N), N for each;
 %   within(Chord), others, no farther than that from the true surface;
 %   composed(Finers), the result of a CSG tree, of leaves Leaf-Finer. All are
-%   kept if one cannot be made again, or if the first is one whose facets are
-%   laid flat.
+%   kept if one cannot be made again, or if the first has facets that are laid
+%   flat.
 
 fineness([S|Others], Options, Finers) :-
-    (   made_alone(S),
-        unrolls_or_flat(S),
+    (   first_finer(Options, S, Finer),
         maplist(finer_or_composed(Options), Others, FinersOfOthers)
-    ->  finer(Options, S, Finer),
-        Finers = [Finer|FinersOfOthers]
+    ->  Finers = [Finer|FinersOfOthers]
     ;   maplist(kept, [S|Others], Finers)
+    ).
+
+%   first_finer(Options, S, Finer): what is unfolded itself has nothing round
+%   that does not unroll.
+
+first_finer(Options, S, Finer) :-
+    finer_or_composed(Options, S, Finer),
+    (   Finer = composed(Finers)
+    ->  forall(member(Leaf-_, Finers), unrolls_or_flat(Leaf))
+    ;   unrolls_or_flat(S)
     ).
 
 finer_or_composed(Options, S, Finer) :-
@@ -216,10 +241,16 @@ finer_or_composed(Options, S, Finer) :-
         flat_expression(S, Expression),
         flat_leaves(Expression, Leaves),
         Leaves = [_|_],
-        maplist(placed_term, Leaves, _),
-        maplist(finer(Options), Leaves, Finers0),
+        maplist(finer_leaf(Options), Leaves, Finers0),
         pairs_keys_values(Finers, Leaves, Finers0),
         Finer = composed(Finers)
+    ).
+
+finer_leaf(Options, Leaf, Finer) :-
+    (   is_half(Leaf)
+    ->  Finer = kept
+    ;   placed_term(Leaf, _),
+        finer(Options, Leaf, Finer)
     ).
 
 kept(_, kept).

@@ -1,10 +1,12 @@
 :- module(sg_true_plate,
           [ plate_layer/2,              % +Options, -Layer
+            plate_alone/4,              % +S, +Options0, -Options, -S1
             plate_parts/5               % +S, +Others, +Options0, -Options,
                                         % -Parts
           ]).
 :- use_module('../near', [longer/2]).
 :- use_module('../csg/placed_surface', [placed_surface/3, placed_term/2]).
+:- use_module(true_leaf, [composed_leaves/2]).
 :- use_module(true_parts, [parts_made/3]).
 :- use_module(true_resized, [outline_area/2]).
 :- use_module(library(apply), [maplist/3]).
@@ -102,6 +104,22 @@ plate_parts(S, Others, Options0, Options, S1-Others1) :-
     findall(Other-OtherBy, member(Other, Others), OtherSizes),
     parts_made([S-By|OtherSizes], [layer(Layer0)|Options0], [S1|Others1]).
 
+%!  plate_alone(+S, +Options0, -Options, -S1) is det.
+%
+%   As plate_parts/5 of a result of a CSG tree that is not trimmed: its leaves
+%   meet by the middles of their plates, and so does a plane that cuts it. What
+%   is subtracted is a tool, and cuts where it is drawn.
+%
+%   @error as plate_parts/5
+
+plate_alone(S, Options0, Options, S1) :-
+    plate(Options0, T, Inner),
+    By is Inner + T/2.0,
+    plate_layer(Options0, Layer0),
+    Layer is Layer0 - By,
+    Options = [layer(Layer),size(middle)|Options0],
+    parts_made([S-By], [layer(Layer0)|Options0], [S1]).
+
 %   touches(Role, SetIn, Side): with which side its plate touches the others.
 
 touches(branch, false, inside).
@@ -157,8 +175,23 @@ part_width(S, Width) :-
         Surface \= bezier(_)
     ->  arg(2, Surface, vector(A, B, C)),
         Width is sqrt(A*A + B*B + C*C)
+    ;   composed_width(S, Width0)
+    ->  Width = Width0
     ;   Width = inf
     ).
+
+%   composed_width(S, Width): the result of a CSG tree is as wide as the widest
+%   of its round leaves whose faces are plate.
+
+composed_width(S, Width) :-
+    composed_leaves(S, Leaves),
+    findall(Width0,
+            ( member(Leaf, Leaves),
+              once(placed_surface(Leaf, _, _)),
+              part_width(Leaf, Width0) ),
+            Widths),
+    Widths \== [],
+    max_list(Widths, Width).
 
 %   transition_width(Term, Width): half of the wider of its outlines.
 

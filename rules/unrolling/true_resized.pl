@@ -5,6 +5,7 @@
             outline_area/2              % +Corners, -Area
           ]).
 :- use_module('../primitive/primitive', [primitive_faces/3]).
+:- use_module('../primitive/primitive_pipe', [is_mitred/1]).
 :- use_module(true_surface, [offset_surface/3]).
 :- use_module(library(apply), [foldl/4, maplist/3, maplist/5]).
 :- use_module(library(lists),
@@ -12,8 +13,8 @@
 /** <module> Primitives whose other sides are primitives too.
 
 What lies everywhere at one distance from a right circular cylinder or cone, a
-sphere or a round torus is such a one; and a transition is measured by its
-outlines. Others: true_parallel.pl, true_flat.pl.
+sphere or a round torus is such a one, and so are pipes that meet in mitres; a
+transition is measured by its outlines. Others: true_parallel.pl, true_flat.pl.
 */
 
 %!  term_enlarged(+Term, +By, -Enlarged) is semidet.
@@ -26,6 +27,10 @@ term_enlarged(Term, By, Enlarged) :-
     ->  Enlarged = Term
     ;   transition_resized(Term, By, Enlarged)
     ->  true
+    ;   is_mitred(Term)
+    ->  primitive_faces(Term, _, [_-Surface|_]),
+        offset_surface(Surface, By, Offset),
+        term_resized(Term, Surface, Offset, Enlarged)
     ;   primitive_faces(Term, _, [_-Surface]),
         offset_surface(Surface, By, Offset),
         term_resized(Term, Surface, Offset, Enlarged)
@@ -50,6 +55,9 @@ term_resized(Term0, Surface, Offset, Term) :-
 
 arguments_resized(cylinder, F, _, Arguments0, Arguments) :-
     enlarged(radius, F, _, Arguments0, Arguments).
+arguments_resized(Name, F, _, Arguments0, Arguments) :-
+    memberchk(Name, [elbow,mitred_pipe,wye]),
+    enlarged(diameter, F, _, Arguments0, Arguments).
 arguments_resized(sphere, F, _, Arguments0, Arguments) :-
     enlarged(radius, F, _, Arguments0, Arguments).
 arguments_resized(torus, _, torus(_, _, _, _, K), Arguments0,

@@ -15,6 +15,7 @@
               ]).
 :- use_module('../store',
               [e/5, line/9, plane/6, edge_polygon/3]).
+:- use_module(true_mitre, [mitre_place/3]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(assoc), [list_to_assoc/2]).
 :- use_module(library(lists), [member/2]).
@@ -44,8 +45,9 @@ polygon_surface(S, P, Surface) :-
 %
 %   Table is an assoc from the vertices of S that lie on penetration lines to
 %   met(Surfaces, Guides): Surfaces, each once, of other segments than Leaf that
-%   they lie on; Guides are planes through generators of these, those between
-%   facets that the vertex lies on. S is Leaf, or made of it.
+%   they lie on, and planes of mitres; Guides are planes through generators of
+%   these, those between facets that the vertex lies on. S is Leaf, or made of
+%   it.
 
 meeting_surfaces(S, Leaf, Table) :-
     findall(V-Place, met_place(S, Leaf, V, Place), Pairs0),
@@ -60,6 +62,8 @@ met_place(S, _, V, on(S2, P2)) :-
 met_place(S, _, V, on(S1, P1)) :-
     line(_, S1, P1, _, _, S, _, A, B),
     ( V = A ; V = B ).
+met_place(S, _, V, plane(Plane)) :-
+    mitre_place(S, V, Plane).
 met_place(S, Leaf, V, Place) :-
     placed_feature(S, V, S2, Feature),
     S2 \== Leaf,
@@ -83,8 +87,7 @@ feature_polygon(v(V), S, P) :-
 
 group_surfaces(V-Places, V-met(Surfaces, Guides)) :-
     findall(Surface,
-            ( member(on(S, P), Places),
-              polygon_surface(S, P, Surface) ),
+            place_surface(Places, Surface),
             Surfaces0),
     sort(Surfaces0, Surfaces1),
     distinct(Surfaces1, Surfaces),
@@ -92,6 +95,12 @@ group_surfaces(V-Places, V-met(Surfaces, Guides)) :-
             ( member(along(S, E), Places),
               edge_guide(S, E, Guide) ),
             Guides).
+
+place_surface(Places, Surface) :-
+    member(on(S, P), Places),
+    polygon_surface(S, P, Surface).
+place_surface(Places, Surface) :-
+    member(plane(Surface), Places).
 
 %   edge_guide(S, E, Plane): E is an edge between two facets of one surface.
 
