@@ -1,7 +1,7 @@
 /* delaunay_test.c -- vertices that are put into triangles, wherever they lie.
  */
+#include "engine/list.h"
 #include "polygon/delaunay.h"
-#include "rows/list.h"
 
 #include "tests/check.h"
 
