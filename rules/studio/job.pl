@@ -56,6 +56,7 @@ verb_job(Run, Head, Body, Reply, Out) :-
     Seconds is T1-T0,
     Cpu is C1-C0,
     peak_memory(Rss),
+    worlds_collected,
     error_object(Status, Objects, Error),
     string_length(StdOut, OutLength),
     string_length(StdErr, ErrorLength),
@@ -289,6 +290,16 @@ error_object(Status, Objects, Error) :-
         last(Errors, Error0)
     ->  Error = Error0
     ;   Error = null
+    ).
+
+%   worlds_collected: a world goes with its handle, an atom, and nobody collects
+%   these as often as worlds of jobs need it.
+
+worlds_collected :-
+    flag(sg_jobs, Jobs, Jobs+1),
+    (   Jobs mod 16 =:= 15
+    ->  garbage_collect_atoms
+    ;   true
     ).
 
 %   peak_reset, peak_memory(Kilobytes): the most memory that the process had at

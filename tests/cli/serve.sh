@@ -1,5 +1,6 @@
 #!/bin/bash
-# serve.sh -- sessions: serve.py asks one all there is, and what goes wrong.
+# serve.sh -- sessions: serve.py asks one all there is, and what goes wrong;
+# serve_same.py has verbs in random order, for SERVE_SECONDS more, SERVE_SEED.
 . "$(dirname "$0")/harness.bash"
 cd "$here" || exit 2
 
@@ -15,9 +16,17 @@ run serve --stdio
 check 'no request' status_is 0
 check 'no request: silent' silent out
 
-PYTHONDONTWRITEBYTECODE=1 timeout 300 python3 tests/cli/serve.py \
-  "$sanggwan" "$work" >"$work/asked" 2>&1
-grep -v ' passed, ' "$work/asked"
-read -r more _ less _ < <(tail -1 "$work/asked")
-passed=$((passed + ${more:-0})) failed=$((failed + ${less:-1}))
+# asked SCRIPT ARGUMENT...: its tests are counted here.
+asked() {
+  PYTHONDONTWRITEBYTECODE=1 timeout 600 python3 tests/cli/"$1" "$sanggwan" \
+    "${@:2}" >"$work/asked" 2>&1
+  grep -v ' passed, ' "$work/asked"
+  local more less
+  read -r more _ less _ < <(tail -1 "$work/asked" | grep ' passed, ')
+  passed=$((passed + ${more:-0})) failed=$((failed + ${less:-1}))
+}
+
+mkdir "$work/one" "$work/same"
+asked serve.py "$work/one"
+asked serve_same.py "$work/same" "${SERVE_SECONDS:-0}" "${SERVE_SEED:-1}"
 finish
