@@ -12,7 +12,8 @@ module that has it.
             [ segment/3, v/5, e/5, p/3, plane/6, t/6, line/9, origin/3,
               from_v/4, from_p/5, leaf_v/5, leaf_e/5, leaf_p/3, leaf_t/6,
               unfolding/2, piece/3, joint/6, view/3, projection/1,
-              title_block/2, screen/5, contour/13, surface_facing/6, drawn/7 ]).
+              title_block/2, param/2, formula/2, screen/5, contour/13,
+              surface_facing/6, drawn/7 ]).
 
 :- topic(asking, "Asking what is there").
 :- reexport(csg/csg, [root_segment/1, node/4]).

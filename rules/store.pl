@@ -20,6 +20,8 @@
             view/3,                   % ?Theta, ?Phi, ?Rho
             projection/1,             % ?Kind
             title_block/2,            % ?Item, ?Text
+            param/2,                  % ?Name, ?Value
+            formula/2,                % ?Row, ?Fact
             screen/5,                 % ?S, ?V, ?Xs, ?Ys, ?Zs
             contour/13,               % ?S, ?K, ?T, ?I1, ?F1, ?I2, ?F2,
                                       % ?To, ?Ts, ?X1, ?Y1, ?X2, ?Y2
@@ -199,6 +201,18 @@ refers to any more is freed with its handle by atom garbage collection.
 %   True when the title block of a sheet says Text, text, a number or an atom,
 %   for Item: one of `name number material drawn_by checked_by date company
 %   revision sheet`.
+
+%!  param(?Name, ?Value) is nondet.
+%
+%   True when the model has the parameter Name, an atom, and Value is its number
+%   now. set_parameter/2 changes it.
+
+%!  formula(?Row, ?Fact) is nondet.
+%
+%   True when Row was made from Fact, the fact as its file has it, with formulas
+%   over parameters. Row is segment(S), v(S, V), param(Name), ...: the relation
+%   with the key of the row; or the row itself, if it has no key. It holds as
+%   long as the values of the formulas are those of the row (formula_rows.pl).
 
 %!  screen(?S, ?V, ?Xs, ?Ys, ?Zs) is nondet.
 %
@@ -553,6 +567,8 @@ sandbox:safe_primitive(sg_store:joint(_,_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:view(_,_,_)).
 sandbox:safe_primitive(sg_store:projection(_)).
 sandbox:safe_primitive(sg_store:title_block(_,_)).
+sandbox:safe_primitive(sg_store:param(_,_)).
+sandbox:safe_primitive(sg_store:formula(_,_)).
 sandbox:safe_primitive(sg_store:screen(_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:contour(_,_,_,_,_,_,_,_,_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:surface_facing(_,_,_,_,_,_)).

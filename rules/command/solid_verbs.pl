@@ -13,6 +13,7 @@
 :- use_module('../kernel', [census/1]).
 :- use_module('../language', [language/1]).
 :- use_module('../model/model', [load_model/2, save_model/1]).
+:- use_module('../model/parameter', [settings_met/2, settings_of/2]).
 :- use_module('../solid/operand', [operand_faults/2]).
 :- use_module('../csg/operand_name', [name_root/2]).
 :- use_module('../plain', [plain_json/2, plain_text/2]).
@@ -21,7 +22,8 @@
 :- use_module(report, [counted/4]).
 :- use_module('../model/solid_file', [write_solids/3]).
 :- use_module('../store',
-              [p/3, segment/3, assert_fact/1, retractall_facts/1, fresh_id/3]).
+              [ p/3, segment/3, param/2, assert_fact/1, retractall_facts/1,
+                fresh_id/3 ]).
 :- use_module('../polygon/triangulation', [complete_segments/0]).
 :- use_module(verb_output,
               [some_files/2, outputs/3, output_written/2, usage_error/1]).
@@ -53,6 +55,7 @@ solid_verb_run(Verb, Files, Options, 0) :-
     enough_files(Verb, Files),
     outputs(Options, [pl, stl, off, obj, ply], Outputs),
     asked_nodes(Verb, Files, Options, Sources),
+    all_set(Options),
     complete_segments,
     repaired_leaves(Options),
     catch(evaluate(all, Options), error(Fault, Context),
@@ -70,6 +73,13 @@ solid_verb_run(Verb, Files, Options, 0) :-
                part_written(Options, S, Output)),
         solids_written(Ss, Together, Options)
     ).
+
+%   all_set(Options): every parameter that Options set is in one of the models.
+
+all_set(Options) :-
+    settings_of(Options, Settings),
+    findall(Name, param(Name, _), Names),
+    settings_met(Settings, Names).
 
 %   takes_one(Verb, Ss, Output): the format does not tell the parts Ss of split
 %   apart, so each gets a file.
@@ -190,7 +200,8 @@ file_operands(Files, Verb, Options, Operands, Sources) :-
 
 file_operand(Verb, Options, File, Operand, File-Last) :-
     findall(S, root_segment(S), Before),
-    load_model([File], [evaluate(false),triangles(false)|Options]),
+    load_model([File],
+               [evaluate(false),triangles(false),others_set(true)|Options]),
     findall(S, root_segment(S), After),
     subtract(After, Before, Roots),
     aggregate_all(max(S), segment(S, _, _), Last),

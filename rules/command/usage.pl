@@ -232,6 +232,9 @@ common_option(option(from, '', one_of([pl, csg, stl, off, obj, ply]), 'FORMAT',
     'what - (standard input) is; default pl')).
 common_option(option(rules, '', each, 'FILE',
     'rules that replace decisions; may be repeated')).
+common_option(option(set, '', each, 'NAME=VALUE',
+    'the value of a parameter, param(NAME, Default) of a model; may be \c
+     repeated')).
 common_option(option(limits, '', value, 'NAME=N,...',
     'how much a text may ask for: depth, blocks, digits, name, fact, file, \c
      text, facets, nodes')).
@@ -304,6 +307,7 @@ option_ko(side,
 입체의 inside나 outside. 없으면 둘 다').
 option_ko(limit, '처음 N개의 답만').
 option_ko(from, '표준 입력(-)의 형식. 보통 pl').
+option_ko(set, '모델의 매개변수 param(NAME, 기본값)의 값. 여러 번 쓸 수 있다').
 option_ko(rules, '결정을 바꾸는 규칙 파일. 여러 번 쓸 수 있다').
 option_ko(limits, '글이 청할 수 있는 크기: depth, blocks, digits, name, fact, file, \c
 text, facets, nodes').

@@ -22,6 +22,7 @@
 :- use_module('../penetration/chain', [chain/5, chain_length/2]).
 :- use_module('../model/model',
               [load_model/1, load_model/2, save_model/1, save_model/2]).
+:- use_module('../model/parameter', [settings_met/2, settings_of/2]).
 :- use_module('../penetration/penetration', [penetrate/2]).
 :- use_module('../picture/sew', [borders_sewn/1]).
 :- use_module(query, [query/2, read_goal/3]).
@@ -191,7 +192,8 @@ verb_run(unfold, Files, Options, Status) :-
     unfold_run(Files, Options, Status).
 verb_run(repl, Files, Options, 0) :-
     (   Files == []
-    ->  true
+    ->  settings_of(Options, Settings),
+        settings_met(Settings, [])
     ;   load_model(Files, Options)
     ),
     repl.

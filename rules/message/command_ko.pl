@@ -4,6 +4,7 @@
           ]).
 :- use_module(message_parts, [meant_ko//1, syntax_words//1]).
 :- use_module(model_ko, [limit_ko//1]).
+:- use_module(parameter_ko, [parameter_ko//1]).
 :- use_module(pattern_ko, [pattern_fault_ko//1]).
 :- use_module(sheet_ko, [sheet_ko//1]).
 :- use_module(unfold_ko, [wish_ko//3, unfold_ko//1]).
@@ -117,6 +118,8 @@ command_ko(cannot_write(File, Why)) -->
 command_ko(no_segment(S, Known)) -->
     { atomic_list_concat(Known, ', ', All) },
     [ '세그먼트 ~w 은(는) 없습니다. 있는 것: ~w'-[S, All] ].
+command_ko(parameter(What)) -->
+    parameter_ko(What).
 command_ko(pattern(What)) -->
     pattern_fault_ko(What).
 command_ko(sheet(What)) -->

@@ -20,6 +20,7 @@
 :- use_module(primitive_en, [primitive_en//2]).
 :- use_module(style_en, [style_en//1]).
 :- use_module(sheet_en, [sheet_tiny_en//3]).
+:- use_module(parameter_en, [parameter_en//1]).
 :- use_module(pattern_en, [pattern_en//1]).
 :- use_module(written_en, [written_en//1, unwritten_en//1]).
 /** <module> Messages in English; messages_ko.pl has them in Korean.
@@ -129,6 +130,8 @@ notice_en(development(S, What)) -->
     development_notice_en(S, What).
 notice_en(operand(What, S)) -->
     operand_notice_en(What, S).
+notice_en(parameter(What)) -->
+    parameter_en(What).
 notice_en(pattern(What)) -->
     pattern_en(What).
 notice_en(one_segment) -->

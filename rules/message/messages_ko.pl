@@ -8,6 +8,7 @@
 :- use_module(openscad_ko, [openscad_ko//1]).
 :- use_module(style_ko, [style_ko//1]).
 :- use_module(sheet_ko, [sheet_tiny_ko//3]).
+:- use_module(parameter_ko, [parameter_ko//1]).
 :- use_module(pattern_ko, [pattern_ko//1]).
 :- use_module(written_ko, [written_ko//1, unwritten_ko//1]).
 :- use_module(development_ko,
@@ -121,6 +122,8 @@ notice_ko(development(S, What)) -->
     development_notice_ko(S, What).
 notice_ko(operand(What, S)) -->
     operand_notice_ko(What, S).
+notice_ko(parameter(What)) -->
+    parameter_ko(What).
 notice_ko(pattern(What)) -->
     pattern_ko(What).
 notice_ko(one_segment) -->

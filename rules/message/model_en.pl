@@ -8,6 +8,7 @@
                 syntax_words//1
               ]).
 :- use_module('../primitive/primitive', [primitive_name/2]).
+:- use_module(parameter_en, [parameter_en//1]).
 :- use_module(primitive_en, [misshapen_en//1, primitive_names//0]).
 :- use_module(library(apply), [maplist/3]).
 /** <module> What is wrong with the text or the facts of a model, in English.
@@ -80,8 +81,8 @@ model_en(unknown_relation(Name, Arity)) -->
     [ 'there is no relation ~q/~d'-[Name, Arity], nl,
       '  A model has v/5, e/5, p/3, plane/6, t/6, segment/3, \c
        leaf_v/5, leaf_e/5, leaf_p/3, leaf_t/6, origin/3, from_v/4, \c
-       from_p/5, line/9, curve/2, view/3, projection/1 and \c
-       title_block/2.' ].
+       from_p/5, line/9, curve/2, view/3, projection/1, \c
+       title_block/2 and param/2.' ].
 model_en(arity(Name, Arity, Wanted)) -->
     [ '~w has '-[Name] ],
     counted(Arity, argument, arguments),
@@ -108,6 +109,10 @@ model_en(polygon(S, P, Why)) -->
 model_en(chain(S, V)) -->
     [ 'the curve of segment ~d goes from vertex ~d to itself'-[S, V], nl,
       '  Write every vertex of a chain once.' ].
+model_en(formula(What, Formula)) -->
+    parameter_en(formula(What, Formula)).
+model_en(parameter(What)) -->
+    parameter_en(What).
 model_en(kind(Term, Kind, Wanted)) -->
     { primitive_name(Term, Name) },
     [ 'a ~w is a ~w, not a ~w'-[Name, Wanted, Kind], nl,
@@ -161,6 +166,10 @@ expected_en(chain) -->
     [ 'a list of one or more vertex numbers' ].
 expected_en(float) -->
     [ 'a number', nl, '  Write it in digits, such as -1.5 or 2.0e-3.' ].
+expected_en(number) -->
+    [ 'a number, or a formula', nl,
+      '  Lengths are in units of the model, angles in degrees; neither has \c
+       a unit.' ].
 expected_en(distance) -->
     [ 'a number from 0 on (0: as far as needed)' ].
 expected_en(finite) -->

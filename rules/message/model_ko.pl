@@ -8,6 +8,7 @@
               [meant_ko//1, shown_count/2, shown_value/2, syntax_words//1]).
 :- use_module('../primitive/primitive', [primitive_name/2]).
 :- use_module(primitive_en, [primitive_names//0]).
+:- use_module(parameter_ko, [parameter_ko//1]).
 :- use_module(primitive_ko, [misshapen_ko//1]).
 :- use_module(library(apply), [maplist/3]).
 /** <module> What is wrong with the text or the facts of a model, in Korean.
@@ -79,7 +80,7 @@ model_ko(unknown_relation(Name, Arity)) -->
       '  모델의 관계: v/5, e/5, p/3, plane/6, t/6, segment/3, \c
        leaf_v/5, leaf_e/5, leaf_p/3, leaf_t/6, origin/3, from_v/4, \c
        from_p/5, line/9, curve/2, view/3, projection/1, \c
-       title_block/2.' ].
+       title_block/2, param/2.' ].
 model_ko(arity(Name, Arity, Wanted)) -->
     [ '~w 의 인수가 ~d개입니다. ~d개여야 합니다'-[Name, Arity, Wanted], nl,
       '  ~w/~d 의 설명과 비교하십시오.'-[Name, Wanted] ].
@@ -105,6 +106,10 @@ model_ko(polygon(S, P, Why)) -->
 model_ko(chain(S, V)) -->
     [ '세그먼트 ~d 의 곡선이 꼭지점 ~d 에서 자기 자신으로 갑니다'-[S, V], nl,
       '  꼭지점을 한 번씩만 쓰십시오.' ].
+model_ko(formula(What, Formula)) -->
+    parameter_ko(formula(What, Formula)).
+model_ko(parameter(What)) -->
+    parameter_ko(What).
 model_ko(kind(Term, Kind, Wanted)) -->
     { primitive_name(Term, Name) },
     [ '~w 의 종류는 ~w 이며 ~w 이(가) 아닙니다'-[Name, Wanted, Kind], nl,
@@ -155,6 +160,9 @@ expected_ko(chain) -->
     [ '하나 이상의 꼭지점 번호의 리스트' ].
 expected_ko(float) -->
     [ '수', nl, '  -1.5 나 2.0e-3 처럼 숫자로 쓰십시오.' ].
+expected_ko(number) -->
+    [ '수 또는 식', nl,
+      '  길이는 모델의 단위, 각은 도이며 단위는 쓰지 않습니다.' ].
 expected_ko(distance) -->
     [ '0 이상의 수 (0: 필요한 만큼 멀리)' ].
 expected_ko(finite) -->

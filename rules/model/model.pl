@@ -8,14 +8,16 @@
 :- use_module('../csg/csg_term', [is_node_term/1]).
 :- use_module('../solid/csg_evaluate', [evaluate/2]).
 :- use_module(mesh, [read_mesh/3, write_mesh/3, mesh_ending/2]).
-:- use_module(model_file, [read_model/1]).
+:- use_module(model_file, [read_model/3]).
 :- use_module(model_writer, [write_model/1]).
 :- use_module(openscad, [read_csg/2]).
+:- use_module(parameter, [settings_of/2, settings_met/2]).
 :- use_module('../primitive/primitive_rows', [add_primitive/2]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store', [assert_fact/1, facts_transaction/1, fresh_id/3]).
 :- use_module('../polygon/triangulation', [complete_segments/0]).
-:- use_module(library(apply), [maplist/2, maplist/3]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(lists), [append/2]).
 :- use_module(library(error), [must_be/2]).
 :- use_module(library(option), [option/2, option/3]).
 /** <module> Models: load and save.
@@ -38,8 +40,12 @@ What rules call the things of a model is in vocabulary.pl.
 %     - triangles(false): do without planes and triangles
 %     - tolerance(T): see evaluate/2
 %     - evaluate(false): do without the boundaries of nodes (csg.pl)
+%     - parameters(List): values for parameters of the models, Name=Value
+%     - set(Texts): the same, as after `--set`: NAME=VALUE
+%     - others_set(true): some of these may be of other models, not in Files
 %
-%   @error error(model_error(What), location(File, Line, Column))
+%   @error error(model_error(What), location(File, Line, Column));
+%   usage_error(parameter(What)), as settings_of/2 and settings_met/2
 
 load_model(Files) :-
     load_model(Files, []).
@@ -50,8 +56,9 @@ load_model(Files0, Options) :-
     ;   file_name(Files0, File),
         Files = [File]
     ),
+    settings_of(Options, Settings),
     facts_transaction(
-        ( stage(load, maplist(sg_model:file_loaded(Options), Files)),
+        ( stage(load, sg_model:files_loaded(Files, Settings, Options)),
           (   option(triangles(false), Options)
           ->  true
           ;   complete_segments
@@ -70,12 +77,25 @@ file_name(Text, File) :-
         File = Text
     ).
 
-file_loaded(Options, File) :-
+files_loaded(Files, Settings, Options) :-
+    maplist(file_loaded(Settings, Options), Files, Names0),
+    (   option(others_set(true), Options)
+    ->  true
+    ;   append(Names0, Names),
+        settings_met(Settings, Names)
+    ).
+
+file_loaded(Settings, Options, File, Names) :-
     option(from(From), Options, pl),
     file_format(File, From, Format),
     (   Format == pl
-    ->  read_model(File)
-    ;   Format == csg
+    ->  read_model(File, Settings, Names)
+    ;   Names = [],
+        file_added(Format, File)
+    ).
+
+file_added(Format, File) :-
+    (   Format == csg
     ->  csg_added(File)
     ;   mesh_ending(Format, Mesh)
     ->  read_mesh(File, _, [format(Mesh)])

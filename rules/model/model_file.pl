@@ -1,5 +1,5 @@
 :- module(sg_model_file,
-          [ read_model/1                % +File
+          [ read_model/3                % +File, +Settings, -Names
           ]).
 :- use_module('../store',
               [ v/5, e/5, p/3, plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3,
@@ -9,13 +9,16 @@
                 facts_transaction/1, relation_column/5
               ]).
 :- use_module(model_text,
-              [ model_text_bytes/3, next_fact/3,
+              [ model_text_bytes/3, next_written/3, formed_fact/4,
                 place_error/2, place_error/3
               ]).
 :- use_module('../csg/csg', [complete_tree/1, is_node/1]).
 :- use_module('../csg/csg_term', [is_node_term/1]).
 :- use_module('../polygon/polygon_list',
               [vertex_list_edges/2, polygon_fault/2]).
+:- use_module('../formula', [renamed_parameters/3]).
+:- use_module(parameter, [file_parameters/3, parameter_value/3]).
+:- use_module(formula_rows, [formula_kept/2, parameters_added/3]).
 :- use_module('../text_file', [with_text/4]).
 :- use_module('../progress', [progress_by/1]).
 :- use_module('../primitive/primitive', [is_primitive/1, primitive_shape/4]).
@@ -48,6 +51,10 @@ A file holds facts of the relations (model_text.pl), in any order, and:
     `title_block(Item, Text)`, once for an item; they replace those of the
     world.
 
+  - `param(Name, Default)`, once for a name. Where the schema wants a number, a
+    fact may have a formula over parameters (formula.pl); formula/2 keeps it.
+    A parameter whose name is taken in the world by another one gets a new name.
+
 Reading adds to the world: the segments of a file come after those that are
 there, keeping their own numbers if there are none. It is all or nothing.
 
@@ -63,36 +70,49 @@ Errors besides those of model_text.pl:
     kind(Term, Kind, Wanted)   a cylinder is no surface
     no_vertices(S, Name)   no_edges(S)   empty
     refused(Row, Error)        anything else the store does not take
+    formula(What, Formula)     see formula.pl
+    parameter(cycle(Names))    parameters that need each other
 */
 
-%!  read_model(+File) is det.
+%!  read_model(+File, +Settings, -Names) is det.
 %
-%   Add the model in File (`-`: standard input) to the current world.
+%   Add the model in File (`-`: standard input) to the current world. Settings
+%   are pairs Name-Value for the parameters of the file that have these names
+%   (others are of no use), Names are all that it has.
 %
 %   @error error(model_error(What), location(File, Line, Column)); the world
 %   is then as before.
 
-read_model(File) :-
+read_model(File, Settings, Names) :-
     with_text(facts, File, Text,
               ( progress_by(model_text_bytes(Text)),
-                facts_transaction(sg_model_file:text_added(Text))
+                facts_transaction(
+                    sg_model_file:text_added(Text, Settings, Names))
               )).
 
-text_added(Text) :-
+text_added(Text, Settings, Names) :-
     shifts(Shift),
-    catch(text_added(Text, Shift), error(model_error(What), Location),
+    catch(text_added(Text, Shift, Settings, Names),
+          error(model_error(What), Location),
           own_numbers(What, Location, Shift)).
 
-text_added(Text, Shift) :-
+text_added(Text, Shift, Settings, Names) :-
     arg(1, Text, Name),
-    streamed(Text, Shift, [], Ss0, Later),
+    streamed(Text, Shift, [], Ss0, Later0),
+    later_formed(Later0, Name, Shift, Settings, Later, Names, Formulas),
+    foldl(formed_segment, Formulas, Ss0, Ss1),
     later_added(Later),
-    sort(Ss0, Ss),
+    sort(Ss1, Ss),
     (   Ss == []
     ->  throw(error(model_error(empty), location(Name, 0, 0)))
     ;   maplist(segment_completed(Later, Name), Ss),
-        nodes_completed(Later)
+        nodes_completed(Later),
+        forall(member(formula(Row, Written), Formulas),
+               row_written(Row, Written))
     ).
+
+formed_segment(formula(Row, _), Ss0, Ss) :-
+    with_segment(Row, Ss0, Ss).
 
 %   shifts(Shift): Shift is shift(DS, DL), what is added to the segment and
 %   line numbers of the file.
@@ -120,10 +140,13 @@ greatest(N, Goal, Greatest) :-
 %   the others, in order; Ss has the segments of all rows, some more than once.
 
 streamed(Text, Shift, Ss0, Ss, Later) :-
-    next_fact(Text, Fact, Place),
+    next_written(Text, Fact, Place),
     (   Fact == end_of_file
     ->  Ss = Ss0,
         Later = []
+    ;   Fact = waiting(_)
+    ->  Later = [later(Fact, Place)|Later1],
+        streamed(Text, Shift, Ss0, Ss, Later1)
     ;   shifted(Shift, Fact, Row),
         with_segment(Row, Ss0, Ss1),
         (   added_now(Row, Place)
@@ -214,6 +237,59 @@ edge_ends(S, E, V1-V2) :-
 
 
                 /*******************************
+                *          PARAMETERS          *
+                *******************************/
+
+%   later_formed(Later0, File, Shift, Settings, Later, Names, Formulas): the
+%   parameters among Later0, which are Names, are in the world, and Later has
+%   the rows of what waited for them. Formulas are formula(Row, Written) of
+%   these.
+
+later_formed(Later0, File, Shift, Settings, Later, Names, Formulas) :-
+    parameter_items(Later0, Items),
+    file_parameters(Items, Settings, Parameters),
+    findall(Name, member(parameter(Name, _, _), Parameters), Names),
+    parameters_added(Parameters, File, Renamed),
+    waiting_formed(Later0, Shift, Parameters, Renamed, Later, Formulas).
+
+parameter_items([], []).
+parameter_items([later(Fact, Place)|Later], Items) :-
+    (   ( Fact = param(Name, Written) ; Fact = waiting(param(Name, Written)) )
+    ->  Items = [given(Name, Written, Place)|Items1]
+    ;   Items = Items1
+    ),
+    parameter_items(Later, Items1).
+
+waiting_formed([], _, _, _, [], []).
+waiting_formed([Item|Later0], Shift, Parameters, Renamed, Later, Formulas) :-
+    Item = later(Fact, Place),
+    (   ( Fact = param(_, _) ; Fact = waiting(param(_, _)) )
+    ->  Later = Later1,
+        Formulas = Formulas1
+    ;   Fact = waiting(Term)
+    ->  formed_fact(Term, parameter_value(Parameters), Place, Formed),
+        shifted(Shift, Formed, Row),
+        renamed_parameters(Renamed, Term, Term1),
+        shifted(Shift, Term1, Written),
+        Later = [later(Row, Place)|Later1],
+        Formulas = [formula(Row, Written)|Formulas1]
+    ;   Later = [Item|Later1],
+        Formulas = Formulas1
+    ),
+    waiting_formed(Later0, Shift, Parameters, Renamed, Later1, Formulas1).
+
+%   row_written(Row, Written): the term of a node has the numbers of its
+%   operands by now.
+
+row_written(Row, Written) :-
+    (   Row = segment(S, _, _),
+        segment(S, Kind, Term)
+    ->  formula_kept(segment(S, Kind, Term), Written)
+    ;   formula_kept(Row, Written)
+    ).
+
+
+                /*******************************
                 *             LATER            *
                 *******************************/
 
@@ -221,6 +297,7 @@ edge_ends(S, E, V1-V2) :-
 %   made from lists are numbered after those that are given.
 
 later_added(Later) :-
+    later_rows(Later, v/5),
     later_rows(Later, e/5),
     later_of(Later, segment/3, Segments),
     maplist(later_segment, Segments),
@@ -241,6 +318,7 @@ later_added(Later) :-
     later_rows(Later, line/9),
     later_rows(Later, piece/3),
     later_rows(Later, joint/6),
+    later_rows(Later, unfolding/2),
     later_setting(Later, view/3),
     later_setting(Later, projection/1),
     later_title(Later).

@@ -1,6 +1,9 @@
 :- module(sg_model_text,
           [ model_text_bytes/3,         % +Text, -Done, -Total
             next_fact/3,                % +Text, -Fact, -Place
+            next_written/3,             % +Text, -Written, -Place
+            formed_fact/4,              % +Term, :Known, +Place, -Fact
+            world_parameter/2,          % ?Name, -Value
             next_term/3,                % +Text, -Term, -Place
             no_fact/2,                  % +Term, -What
             place_error/2,              % +Place, +What
@@ -9,7 +12,10 @@
           ]).
 :- use_module('../limits', [limit_value/2]).
 :- use_module('../text_file', [with_text_again/3]).
-:- use_module('../store', [relation/3, relation_column/5, column_domain/3]).
+:- use_module('../formula', [formed/3, formula_parameter/2, has_formula/1]).
+:- use_module('../store',
+              [param/2, relation/3, relation_column/5, column_domain/3]).
+:- use_module(formula_term, [formed_term/3, formed_wish/3]).
 :- use_module(library(apply), [maplist/2]).
 :- use_module(library(lists), [member/2]).
 /** <module> The text of a model file: facts, each checked against the schema.
@@ -31,9 +37,11 @@ and columns counted from 1. What is one of
     directive(Goal)  rule(Head)  no_fact(Term)
     unknown_relation(Name, Arity)  arity(Name, Given, Wanted)  computed(Name)
     value(Relation, Column, Value, Expected)
+    formula(What, Formula)  parameter(decimal_comma(Name, Point))
 
 with Expected one of id, ids, steps, chain, float, finite, within(Most),
-distance, atom, text, ground and one_of(Values); model_file.pl adds its own.
+distance, number, atom, text, ground and one_of(Values); model_file.pl adds its
+own.
 */
 
 %   The module that terms are read in: `system` is its only import.
@@ -52,13 +60,69 @@ model_text_bytes(text(_, Path, Stream), Done, Total) :-
 %!  next_fact(+Text, -Fact, -Place) is det.
 %
 %   Fact is the next fact of Text, with floats where the schema wants floats,
-%   or `end_of_file`. Place is where it stands, for place_error/2,3.
+%   or `end_of_file`. Place is where it stands, for place_error/2,3. Formulas
+%   are over the parameters of the current world.
 
 next_fact(Text, Fact, Place) :-
+    next_written(Text, Written, Place),
+    (   Written = waiting(Term)
+    ->  formed_fact(Term, world_parameter, Place, Fact)
+    ;   Fact = Written
+    ).
+
+%!  next_written(+Text, -Written, -Place) is det.
+%
+%   The same, but of a fact with formulas Written is waiting(Term), for
+%   formed_fact/4.
+
+next_written(Text, Written, Place) :-
     next_term(Text, Term, Place),
     (   Term == end_of_file
-    ->  Fact = end_of_file
-    ;   checked_fact(Term, Place, Fact)
+    ->  Written = end_of_file
+    ;   checked_fact(Term, Place, Written)
+    ).
+
+%!  world_parameter(?Name, -Value) is nondet.
+%
+%   The parameter Name of the current world.
+
+world_parameter(Name, Value) :-
+    param(Name, Value).
+
+:- meta_predicate formed_fact(+, 2, +, -).
+
+%!  formed_fact(+Term, :Known, +Place, -Fact) is det.
+%
+%   Fact is the fact Term at Place with the values of its formulas, checked.
+%   Known as in formula_value/3.
+%
+%   @error model_error(What), at Place
+
+formed_fact(Term, Known, Place, Fact) :-
+    compound_name_arguments(Term, Name, Values0),
+    length(Values0, Arity),
+    relation_types(Name, Arity, Types),
+    formed_arguments(Types, Values0, 1, Known, Place, Values1),
+    checked_arguments(Types, Values1, 1, Name, Place, Values),
+    compound_name_arguments(Fact, Name, Values).
+
+formed_arguments([], [], _, _, _, []).
+formed_arguments([column(Column, Type)|Types], [Value0|Values0], N, Known,
+                 Place, [Value|Values]) :-
+    (   waits(Type, Column, Value0)
+    ->  catch(argument_formed(Column, Value0, Known, Value),
+              error(model_error(What), _), place_error(Place, N, What))
+    ;   Value = Value0
+    ),
+    N1 is N+1,
+    formed_arguments(Types, Values0, N1, Known, Place, Values).
+
+argument_formed(Column, Value0, Known, Value) :-
+    (   Column == 'Name'
+    ->  formed_term(Value0, Known, Value)
+    ;   Column == 'Wish'
+    ->  formed_wish(Value0, Known, Value)
+    ;   formed(Value0, Known, Value)
     ).
 
 %!  next_term(+Text, -Term, -Place) is det.
@@ -185,8 +249,11 @@ checked_fact(Term, Place, Fact) :-
     relation_types(Name, Arity, Types),
     !,
     compound_name_arguments(Term, Name, Arguments),
-    checked_arguments(Types, Arguments, 1, Name, Place, Values),
-    compound_name_arguments(Fact, Name, Values).
+    (   any_waits(Types, Arguments)
+    ->  Fact = waiting(Term)
+    ;   checked_arguments(Types, Arguments, 1, Name, Place, Values),
+        compound_name_arguments(Fact, Name, Values)
+    ).
 checked_fact(Term, Place, _) :-
     no_fact(Term, What),
     place_error(Place, What).
@@ -208,6 +275,14 @@ no_fact((Head --> _), rule(Head)) :-
     !.
 no_fact((Head => _), rule(Head)) :-
     !.
+no_fact(param(Name, Whole, Part), What) :-
+    atom(Name),
+    integer(Whole),
+    integer(Part),
+    Part >= 0,
+    !,
+    atomic_list_concat([Whole,'.',Part], Point),
+    What = parameter(decimal_comma(Name, Point)).
 no_fact(Term, What) :-
     name_arity(Term, Name, Arity),
     (   computed(Name)
@@ -233,6 +308,7 @@ computed(drawn).
 file_relation(curve, 2).
 file_relation(Name, Arity) :-
     relation(Name, Arity, _),
+    Name \== formula,
     \+ computed(Name).
 
 %   relation_types(Name, Arity, Types): column(Name, Type) of each argument of
@@ -269,6 +345,7 @@ file_type(list, p, _, steps) :- !.
 file_type(list, _, _, ids).
 file_type(atom, _, _, atom).
 file_type(term, title_block, _, text) :- !.
+file_type(term, param, _, number) :- !.
 file_type(term, _, _, ground).
 
 checked_arguments([], [], _, _, _, []).
@@ -282,6 +359,38 @@ checked_arguments([column(Column, Type)|Types], [Value0|Values0], N, Name,
     N1 is N+1,
     checked_arguments(Types, Values0, N1, Name, Place, Values).
 
+%   any_waits(Types, Values): one of Values has a formula where Types takes one.
+
+any_waits([column(Column, Type)|Types], [Value|Values]) :-
+    (   compound(Value),
+        waits(Type, Column, Value)
+    ->  true
+    ;   Value == pi,
+        waits(Type, Column, Value)
+    ->  true
+    ;   any_waits(Types, Values)
+    ).
+
+waits(coordinate, _, Value) :-
+    has_formula(Value).
+waits(float, _, Value) :-
+    has_formula(Value).
+waits(distance, _, Value) :-
+    has_formula(Value).
+waits(number, _, Value) :-
+    has_formula(Value).
+waits(text, _, Value) :-
+    compound(Value),
+    has_formula(Value).
+waits(ground, Column, Value) :-
+    compound(Value),
+    ground(Value),
+    (   Column == 'Name'
+    ->  has_formula(Value)
+    ;   Column == 'Wish'
+    ->  once(formula_parameter(Value, _))
+    ).
+
 %   typed(Type, Value0, Value): Value0 of the file becomes Value of the row.
 
 typed(id, Id, Id) :-
@@ -294,6 +403,8 @@ typed(float, Value, Float) :-
 typed(distance, Value, Float) :-
     model_float(Value, Float),
     Float >= 0.0.
+typed(number, Value, Value) :-
+    model_float(Value, _).
 typed(steps, Steps, Steps) :-
     is_list(Steps),
     maplist(is_step, Steps).

@@ -9,8 +9,10 @@
               [ v/5, e/5, p/3, plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3,
                 leaf_t/6, segment/3, origin/3, from_v/4, from_p/5, line/9,
                 unfolding/2, piece/3, joint/6, view/3, projection/1,
-                title_block/2
+                title_block/2, param/2, formula/2
               ]).
+:- use_module(formula_rows,
+              [made_by_formula/1, placed_by_formula/1, written_fact/2]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(lists), [member/2]).
 /** <module> Model files written: canonical, one fact a line.
@@ -18,17 +20,22 @@
 Segments in the order of their numbers; in each segment/3, v/5, e/5, p/3,
 plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3, leaf_t/6, origin/3, from_v/4,
 from_p/5, piece/3, joint/6, every relation in the order of its key, and
-unfolding/2; then line/9, view/3, projection/1 and title_block/2. Floats have
-the fewest digits that read back to the same float. So equal worlds give equal
-bytes, a small change gives a small difference, and read_model/1 brings back the
-same relations.
+unfolding/2; before them param/2, after them line/9, view/3, projection/1 and
+title_block/2. Floats have the fewest digits that read back to the same float.
+So equal worlds give equal bytes, a small change gives a small difference, and
+read_model/3 brings back the same relations.
 
-Where the edges of a segment are just what read_model/1 makes from vertex
+Where the edges of a segment are just what read_model/3 makes from vertex
 lists, as after reading vertex lists or a mesh, its polygons are written as
 vertex lists and e/5 is left out. Vertices of a segment that has no edges
 are written as curves of one point. Of a node of the CSG tree only segment/3 is
 written, as its boundary follows from it. The picture (screen/5, drawn/7) is
 computed and never written.
+
+What is made from parameters is written with its formulas (formula_rows.pl), so
+a file may be set again: of a primitive with formulas, as long as nothing was
+done to it, only segment/3 is written; of a segment whose vertices have formulas
+neither plane/6 nor t/6.
 */
 
 %!  write_model(+File) is det.
@@ -47,6 +54,7 @@ write_model(File) :-
 
 write_model_to(Stream) :-
     write_line(Stream, '% Sanggwan model. One fact a line, in order.'),
+    write_rows(Stream, Name, param(Name, _)),
     all_segments(Ss),
     forall(member(S, Ss), write_segment(Stream, S)),
     write_lines(Stream),
@@ -68,6 +76,12 @@ write_segment(Stream, S) :-
     write_rows(Stream, 1, segment(S, _, _)),
     write_rows(Stream, 1, unfolding(S, _)).
 write_segment(Stream, S) :-
+    made_by_formula(S),
+    !,
+    nl(Stream),
+    write_rows(Stream, 1, segment(S, _, _)),
+    write_rows(Stream, 1, unfolding(S, _)).
+write_segment(Stream, S) :-
     nl(Stream),
     write_rows(Stream, 1, segment(S, _, _)),
     write_rows(Stream, V, v(S, V, _, _, _)),
@@ -77,8 +91,11 @@ write_segment(Stream, S) :-
         write_rows(Stream, P, p(S, P, _)),
         write_points(Stream, S)
     ),
-    write_rows(Stream, P2, plane(S, P2, _, _, _, _)),
-    write_rows(Stream, T, t(S, _, T, _, _, _)),
+    (   placed_by_formula(S)
+    ->  true
+    ;   write_rows(Stream, P2, plane(S, P2, _, _, _, _)),
+        write_rows(Stream, T, t(S, _, T, _, _, _))
+    ),
     write_rows(Stream, V3, leaf_v(S, V3, _, _, _)),
     write_rows(Stream, E3, leaf_e(S, E3, _, _, _)),
     write_rows(Stream, P3, leaf_p(S, P3, _)),
@@ -116,7 +133,14 @@ write_origins(Stream, S) :-
 %   write_rows(Stream, Key, Goal): every row Goal as a fact, by ascending Key.
 
 write_rows(Stream, Key, Module:Row) :-
-    in_order(Key, Module:Row, write_fact(Stream, Row)).
+    (   formula(_, _)
+    ->  in_order(Key, Module:Row, write_written(Stream, Row))
+    ;   in_order(Key, Module:Row, write_fact(Stream, Row))
+    ).
+
+write_written(Stream, Row) :-
+    written_fact(Row, Written),
+    write_fact(Stream, Written).
 
 %   in_order(Key, Row, Goal): call Goal for every Row, by ascending Key. Keys
 %   that are numbers without many gaps are counted up: nothing is kept, so an

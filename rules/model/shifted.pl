@@ -60,7 +60,7 @@ shifted(_, Fact, Fact).
 
 segment_relation(Fact) :-
     functor(Fact, Name, Arity),
-    \+ memberchk(Name/Arity, [view/3, projection/1, title_block/2]).
+    \+ memberchk(Name/Arity, [view/3, projection/1, title_block/2, param/2]).
 
 %   made_of(Term0, DS, Term): Term0 names the segments that another was made of.
 
@@ -140,6 +140,7 @@ segment_place(no_edges(_), 1).
 segment_place(csg(_), 1).
 
 less([S0|Key], DS, [S|Key]) :-
+    integer(S0),
     !,
     S is S0-DS.
 less(S0, DS, S) :-

@@ -254,7 +254,7 @@ test(saved, Lines == Wanted) :-
         ( in_steps([[P1,P2]], write_model(File)),
           new_world(World),
           in_world(World,
-                   ( read_model(File),
+                   ( read_model(File, [], _),
                      add([P3]),
                      penetrate,
                      exact_lines(Lines) ))
@@ -268,7 +268,7 @@ test(written_twice, Text1 == Text2) :-
                    write_model(File)),
           read_file_to_string(File, Text1, []),
           new_world(World),
-          in_world(World, ( read_model(File), write_model(File) )),
+          in_world(World, ( read_model(File, [], _), write_model(File) )),
           read_file_to_string(File, Text2, [])
         ),
         delete_file(File)).

@@ -92,7 +92,7 @@ primitives(Terms) :-
                 *******************************/
 
 every_primitive(Out) :-
-    unfolded(primitive, read_model('facts/primitives.pl'), Out).
+    unfolded(primitive, read_model('facts/primitives.pl', [], _), Out).
 
 figures(Out) :-
     forall(figure_model(Name, Terms),

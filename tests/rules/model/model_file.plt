@@ -12,7 +12,7 @@
 % Goal in a new world that has read Text.
 with_model(Text, Goal) :-
     with_file(Text, File,
-              in_new_world(( read_model(File), Goal ))).
+              in_new_world(( read_model(File, [], _), Goal ))).
 
 with_file(Text, File, Goal) :-
     setup_call_cleanup(
@@ -58,7 +58,7 @@ inferences(Goal, N) :-
 fault(Text, What, Line:Column) :-
     with_file(Text, File,
         in_new_world(( assert_fact(v(9, 1, 0, 0, 0)),
-                       catch(read_model(File), Error, true),
+                       catch(read_model(File, [], _), Error, true),
                        Error = error(model_error(What0),
                                      location(File, Line0, Column0)),
                        findall(S, v(S, _, _, _, _), Ss),
@@ -91,7 +91,7 @@ same_after_writing :-
     world_text(Text),
     rows(Rows),
     with_file(Text, File,
-              in_new_world(( read_model(File),
+              in_new_world(( read_model(File, [], _),
                              rows(Rows1),
                              world_text(Text1) ))),
     Rows == Rows1,
@@ -147,7 +147,7 @@ test(own_edges_of_each_file, Ss-Ls == [1,2,3]-[]) :-
     with_file("segment(1,solid,box(size(1,1,1))).
                segment(2,solid,box(size(1,1,1))).", A,
       with_file("segment(1,solid,box(size(1,1,1))).", B,
-        in_new_world(( read_model(A), read_model(B),
+        in_new_world(( read_model(A, [], _), read_model(B, [], _),
                        findall(S, segment(S, _, _), Ss),
                        findall(L, line(L,_,_,_,_,_,_,_,_), Ls) )))).
 test(origins_follow, O == lpi(2-(1,2), 3-1)) :-
@@ -155,7 +155,7 @@ test(origins_follow, O == lpi(2-(1,2), 3-1)) :-
     string_concat(Text, "origin(1, v(1), lpi(1-(1,2), 2-1)).", Text1),
     with_file(Text, A,
       with_file(Text1, B,
-        in_new_world(( read_model(A), read_model(B),
+        in_new_world(( read_model(A, [], _), read_model(B, [], _),
                        origin(2, v(1), O) )))).
 test(sources_follow, Sources == [2-3, 3-1, 2-1]) :-
     triangle(Text),
@@ -165,7 +165,7 @@ test(sources_follow, Sources == [2-3, 3-1, 2-1]) :-
                          from_v(2,3,1,2).", Text1),
     with_file(Text, A,
       with_file(Text1, B,
-        in_new_world(( read_model(A), read_model(B),
+        in_new_world(( read_model(A, [], _), read_model(B, [], _),
                        from_v(3, 3, S1, 2),
                        findall(S-1, from_p(3, 1, S, _, _), Ss),
                        Sources = [S1-3|Ss1], reverse(Ss, Ss1) )))).
@@ -174,7 +174,7 @@ test(korean_name, Name == '상관') :-
     with_model(Text, segment(1, _, Name)).
 
 test(written_and_read, forall(facts_file(File))) :-
-    in_new_world(( read_model(File), same_after_writing )).
+    in_new_world(( read_model(File, [], _), same_after_writing )).
 test(penetrated_too,
      forall(member(N, [fig08, fig09, fig11, fig13]))) :-
     atomic_list_concat([facts, figures, N], /, Name),
@@ -316,8 +316,8 @@ test(numbers_of_the_file, W == missing(v,1,9)) :-
     after_triangle("p(1,2,[1,2,9]).", B),
     with_file(A, FileA,
       with_file(B, FileB,
-        in_new_world(( read_model(FileA),
-                       catch(read_model(FileB),
+        in_new_world(( read_model(FileA, [], _),
+                       catch(read_model(FileB, [], _),
                              error(model_error(W), _), true) )))).
 
 test(empty, W-P == empty-(0:0)) :-
@@ -343,9 +343,10 @@ test(too_deep, W == limit(depth, 128)) :-
     fault(Text, W, _).
 test(missing_file, E == error(model_error(cannot_read(missing)),
                               location('/no/such.pl', 0, 0))) :-
-    in_new_world(catch(read_model('/no/such.pl'), E, true)).
+    in_new_world(catch(read_model('/no/such.pl', [], _), E, true)).
 test(folder, W == cannot_read(directory)) :-
-    in_new_world(catch(read_model('/tmp'), error(model_error(W), _), true)).
+    in_new_world(catch(read_model('/tmp', [], _), error(model_error(W), _),
+                       true)).
 test(operators_of_rule_files, W == syntax(operator_expected)) :-
     setup_call_cleanup(
         op(700, xfx, user:(===>)),

@@ -101,7 +101,7 @@ read_in_world(Ending, Codes, Answer) :-
     answer(Answer0, Answer).
 
 read_file(pl, File) :-
-    read_model(File).
+    read_model(File, [], _).
 read_file(csg, File) :-
     read_csg(File, _).
 

@@ -9,7 +9,7 @@
 :- use_module(rules(command/query), [read_goal/3]).
 :- use_module(rules(drawing/style_file), [style_rows/2]).
 :- use_module(rules(limits)).
-:- use_module(rules(model/model_file), [read_model/1]).
+:- use_module(rules(model/model_file), [read_model/3]).
 :- use_module(rules(sheet/title_block), [title_block_read/2]).
 :- use_module(tests(rules/polyhedron), [in_new_world/1]).
 
@@ -160,7 +160,7 @@ with_text(Ending, Text, Goal, File) :-
     close(Stream),
     call_cleanup(once(Goal), delete_file(File)).
 
-reader(File, in_new_world(read_model(File))).
+reader(File, in_new_world(read_model(File, [], _))).
 reader(File, style_rows(File, _)).
 reader(File, title_block_read(File, _)).
 reader(File, in_new_world(use_rules(File))).
@@ -193,7 +193,8 @@ test(a_limit_can_be_raised,
      [ cleanup(set_limit(digits, 2000)), true(What \= limit(_, _)) ]) :-
     set_limit(digits, 3000),
     once(beyond(digits, Text)),
-    with_text(pl, Text, refusal(in_new_world(read_model(File)), What), File).
+    with_text(pl, Text, refusal(in_new_world(read_model(File, [], _)), What),
+              File).
 test(a_limit_has_a_name, error(domain_error(limit, nothing), _)) :-
     set_limit(nothing, 3).
 test(a_limit_is_positive, error(type_error(_, 0), _)) :-

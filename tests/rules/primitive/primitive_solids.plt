@@ -361,7 +361,7 @@ flat_patch([[0,0,0],[1,0,0],[2,0,0],[3,0,0], [0,1,0],[1,1,0],[2,1,0],[3,1,0],
 
 pot(Term) :-
     in_new_world(( absolute_file_name(sanggwan('facts/primitives.pl'), File),
-                   read_model(File),
+                   read_model(File, [], _),
                    once(segment(_, _, named(pot, at(_, Term)))) )).
 
 test(flat) :-
@@ -619,7 +619,7 @@ test(examples, forall(( documented(Name, Kind-Text), Name \== bezier ))) :-
     atom_string(Kind0, Kind).
 test(model_of_all, Left == []) :-
     in_new_world(( absolute_file_name(sanggwan('facts/primitives.pl'), File),
-                   read_model(File),
+                   read_model(File, [], _),
                    complete_segments,
                    check_report(Report),
                    findall(Name, ( segment(_, _, Term),

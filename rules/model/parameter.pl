@@ -1,0 +1,203 @@
+:- module(sg_parameter,
+          [ settings_of/2,              % +Options, -Settings
+            settings_met/2,             % +Settings, +Names
+            file_parameters/3,          % +Items, +Settings, -Parameters
+            parameter_value/3           % +Parameters, ?Name, -Value
+          ]).
+:- use_module('../decimal', [decimal_number/2]).
+:- use_module('../formula',
+              [formula_parameter/2, formula_value/3, has_formula/1]).
+:- use_module('../spelling', [near_words/3]).
+:- use_module(model_text, [model_float/2, place_error/2, place_error/3]).
+:- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
+:- use_module(library(error), [must_be/2, type_error/2]).
+:- use_module(library(lists), [append/3, member/2, reverse/2]).
+:- use_module(library(option), [option/3]).
+/** <module> The parameters of a model file, and what sets them.
+
+`param(Name, Default)`, Default a number or a formula (formula.pl), makes Name a
+parameter of the file. A setting takes the place of a default.
+*/
+
+%!  settings_of(+Options, -Settings) is det.
+%
+%   Settings are the pairs Name-Value that Options ask for: set(Texts), as on
+%   the command line, each `NAME=VALUE`; parameters(List), each Name=Value.
+%
+%   @error usage_error(parameter(What)): setting(Text, Why), Why one of form,
+%   comma(Point), unit(Unit), number; set_twice(Name). type_error(float, Value)
+
+settings_of(Options, Settings) :-
+    option(set(Texts), Options, []),
+    maplist(text_setting, Texts, Settings1),
+    option(parameters(Given), Options, []),
+    must_be(list, Given),
+    maplist(given_setting, Given, Settings2),
+    append(Settings1, Settings2, Settings),
+    set_once(Settings).
+
+text_setting(Text, Name-Value) :-
+    (   sub_atom(Text, Before, 1, _, =),
+        Before > 0
+    ->  sub_atom(Text, 0, Before, _, Name0),
+        Start is Before+1,
+        sub_atom(Text, Start, _, 0, Number),
+        split_string(Name0, "", " ", [NameText]),
+        atom_string(Name, NameText)
+    ;   setting_error(Text, form)
+    ),
+    (   decimal_number(Number, Value),
+        model_float(Value, _)
+    ->  true
+    ;   no_number(Number, What),
+        setting_error(Text, What)
+    ).
+
+setting_error(Text, What) :-
+    throw(error(usage_error(parameter(setting(Text, What))), _)).
+
+%   no_number(Text, What): why Text is no number.
+
+no_number(Text, comma(Point)) :-
+    split_string(Text, ",", " ", [Whole,Part]),
+    maplist(digits, [Part]),
+    decimal_number(Whole, _),
+    !,
+    atomic_list_concat([Whole,'.',Part], Point).
+no_number(Text, unit(Unit)) :-
+    sub_atom(Text, Before, _, 0, Unit0),
+    Before > 0,
+    split_string(Unit0, "", " ", [UnitText]),
+    unit(UnitText),
+    sub_atom(Text, 0, Before, _, Number),
+    decimal_number(Number, _),
+    !,
+    atom_string(Unit, UnitText).
+no_number(_, number).
+
+digits(Text) :-
+    string_chars(Text, Chars),
+    Chars = [_|_],
+    forall(member(Char, Chars), char_type(Char, digit(_))).
+
+unit(Text) :-
+    string_chars(Text, Chars),
+    Chars = [_|_],
+    forall(member(Char, Chars),
+           ( char_type(Char, alpha)
+           ; memberchk(Char, ['%','"','\'','\u00B0'])
+           )).
+
+given_setting(Setting, Name-Value) :-
+    (   nonvar(Setting),
+        Setting = (Name = Value)
+    ->  must_be(atom, Name),
+        (   model_float(Value, _)
+        ->  true
+        ;   type_error(float, Value)
+        )
+    ;   type_error(setting, Setting)
+    ).
+
+set_once(Settings) :-
+    (   append(_, [Name-_|Rest], Settings),
+        member(Name-_, Rest)
+    ->  throw(error(usage_error(parameter(set_twice(Name))), _))
+    ;   true
+    ).
+
+%!  settings_met(+Settings, +Names) is det.
+%
+%   Every one of Settings is of a parameter among Names.
+%
+%   @error usage_error(parameter(unset(Name, Near, Names)))
+
+settings_met(Settings, Names) :-
+    (   member(Name-_, Settings),
+        \+ memberchk(Name, Names)
+    ->  near_words(Name, Names, Near),
+        throw(error(usage_error(parameter(unset(Name, Near, Names))), _))
+    ;   true
+    ).
+
+
+                /*******************************
+                *             FILES            *
+                *******************************/
+
+%!  file_parameters(+Items, +Settings, -Parameters) is det.
+%
+%   Items are given(Name, Written, Place) of the param/2 facts of a file.
+%   Parameters are parameter(Name, Written, Value) of them, each after those
+%   that its formula needs, as Settings have it: of a parameter that is set,
+%   Written is its value.
+%
+%   @error model_error(What) at a Place: twice(param, [Name]),
+%   formula(What, Formula), parameter(cycle(Names))
+
+file_parameters(Items0, Settings, Parameters) :-
+    named_once(Items0),
+    maplist(set_item(Settings), Items0, Items),
+    foldl(parameter_known([], Items), Items, [], Known),
+    reverse(Known, Parameters).
+
+named_once(Items) :-
+    (   append(_, [given(Name, _, _)|Rest], Items),
+        member(given(Name, _, Place), Rest)
+    ->  place_error(Place, twice(param, [Name]))
+    ;   true
+    ).
+
+set_item(Settings, given(Name, Written0, Place),
+         given(Name, Written, Place)) :-
+    (   memberchk(Name-Value, Settings)
+    ->  Written = Value
+    ;   Written = Written0
+    ).
+
+%   parameter_known(Path, Items, Item, Known0, Known): Known has Item, and what
+%   its formula needs. Path are the names that wait for it, the nearest first.
+
+parameter_known(_, _, given(Name, _, _), Known, Known) :-
+    memberchk(parameter(Name, _, _), Known),
+    !.
+parameter_known(Path, _, given(Name, _, Place), _, _) :-
+    append(Before, [Name|_], Path),
+    !,
+    reverse([Name|Before], Round),
+    place_error(Place, 2, parameter(cycle([Name|Round]))).
+parameter_known(Path, Items, given(Name, Written, Place), Known0, Known) :-
+    (   has_formula(Written)
+    ->  findall(Item,
+                ( formula_parameter(Written, Other),
+                  Item = given(Other, _, _),
+                  memberchk(Item, Items) ),
+                Needed),
+        none_unknown(Written, Items, Place),
+        foldl(parameter_known([Name|Path], Items), Needed, Known0, Known1),
+        catch(formula_value(Written, parameter_value(Known1), Value),
+              error(model_error(What), _), place_error(Place, 2, What))
+    ;   Value = Written,
+        Known1 = Known0
+    ),
+    Known = [parameter(Name, Written, Value)|Known1].
+
+%   none_unknown(Written, Items, Place): all of Items may be meant, not only
+%   those that are known by now.
+
+none_unknown(Written, Items, Place) :-
+    (   formula_parameter(Written, Name),
+        \+ memberchk(given(Name, _, _), Items)
+    ->  findall(Other, member(given(Other, _, _), Items), Others),
+        near_words(Name, Others, Near),
+        place_error(Place, 2, formula(unknown(Name, Near), Written))
+    ;   true
+    ).
+
+%!  parameter_value(+Parameters, ?Name, -Value) is nondet.
+%
+%   Value is that of the parameter Name of Parameters, as file_parameters/3
+%   gives them.
+
+parameter_value(Parameters, Name, Value) :-
+    member(parameter(Name, _, Value), Parameters).

@@ -1,0 +1,277 @@
+/* Parameters and formulas in model files: what is read, set, kept and written.
+   The values of formulas are in tests/rules/formula.plt. */
+:- module(test_parameter, []).
+:- use_module(library(lists)).
+:- use_module(library(plunit)).
+:- use_module(library(readutil)).
+:- use_module(rules(model/model), [load_model/2, save_model/1]).
+:- use_module(rules(model/parameter)).
+:- use_module(rules(penetration/penetration), [penetrate/0]).
+:- use_module(rules(store)).
+:- use_module(tests(rules/polyhedron), [in_new_world/1]).
+
+%   with_model(Text, Options, Goal): in a new world that has loaded Text.
+
+with_model(Text, Options, Goal) :-
+    with_file(Text, File, in_new_world(( load_model(File, Options), Goal ))).
+
+with_file(Text, File, Goal) :-
+    setup_call_cleanup(
+        ( tmp_file_stream(File, Out, [encoding(utf8), extension(pl)]),
+          write(Out, Text),
+          close(Out) ),
+        once(Goal),
+        delete_file(File)).
+
+%   fault(Text, Options, What, Place): what loading raises, and the world stays
+%   empty.
+
+fault(Text, Options, What, Place) :-
+    with_file(Text, File,
+              in_new_world(( catch(load_model(File, Options), Error, true),
+                             \+ segment(_, _, _),
+                             \+ param(_, _),
+                             \+ formula(_, _) ))),
+    (   Error = error(model_error(What), location(_, Line, Column))
+    ->  Place = Line:Column
+    ;   Error = error(usage_error(What), _),
+        Place = none
+    ).
+
+box(Size, Text) :-
+    format(string(Text), " segment(1, solid, box(size(~w))).", [Size]).
+
+%   boxed(Parameters, Size, Options, Term)
+
+boxed(Parameters, Size, Options, Term) :-
+    box(Size, Box),
+    string_concat(Parameters, Box, Text),
+    with_model(Text, Options, segment(1, solid, Term)).
+
+%   saved(Text): of the current world.
+
+saved(Text) :-
+    setup_call_cleanup(
+        ( tmp_file_stream(File, Out, [encoding(utf8), extension(pl)]),
+          close(Out) ),
+        ( save_model(File),
+          read_file_to_string(File, Text, [encoding(utf8)]) ),
+        delete_file(File)).
+
+rows(Rows) :-
+    findall(Row,
+            ( Row = v(_, _, _, _, _) ; Row = e(_, _, _, _, _)
+            ; Row = p(_, _, _) ; Row = t(_, _, _, _, _, _)
+            ; Row = plane(_, _, _, _, _, _) ; Row = segment(_, _, _)
+            ; Row = unfolding(_, _) ; Row = view(_, _, _)
+            ; Row = title_block(_, _) ),
+            Each),
+    findall(Row, ( member(Row, Each), call(Row) ), Rows0),
+    msort(Rows0, Rows).
+
+%   two(TextA, TextB, Options, Goal): a world that has loaded both.
+
+two(TextA, TextB, Options, Goal) :-
+    with_file(TextA, A,
+        with_file(TextB, B,
+            in_new_world(( load_model([A,B], Options), Goal )))).
+
+:- begin_tests(parameter).
+
+test(value, Term == box(size(57.15, 2, 3))) :-
+    boxed("param(d, 114.3).", "param(d)/2, 2, 3", [], Term).
+test(after_its_use, Term == box(size(4, 2, 3))) :-
+    with_model("segment(1, solid, box(size(param(d), 2, 3))). param(d, 4).",
+               [], segment(1, solid, Term)).
+test(of_others, Term == box(size(1, 2, 8))) :-
+    boxed("param(c, param(b)*2). param(b, param(a)+3). param(a, 1).",
+          "param(a), 2, param(c)", [], Term).
+test(set, Term == box(size(10, 2, 26))) :-
+    boxed("param(c, param(b)*2). param(b, param(a)+3). param(a, 1).",
+          "param(a), 2, param(c)", [parameters([a=10])], Term).
+test(set_in_the_middle, Term == box(size(1, 2, 14.5))) :-
+    boxed("param(c, param(b)*2). param(b, param(a)+3). param(a, 1).",
+          "param(a), 2, param(c)", [set(['b=7.25'])], Term).
+test(set_breaks_a_circle, Term == box(size(1, 2, 5))) :-
+    boxed("param(a, param(b)+1). param(b, param(a)-1).", "1, 2, param(a)",
+          [parameters([b=4])], Term).
+test(set_with_spaces, Term == box(size(1, 2, 5))) :-
+    boxed("param(a, 1).", "1, 2, param(a)", [set([' a = 5 '])], Term).
+test(quoted_name, Term == box(size(1, 2, 5))) :-
+    boxed("param('a b', 1).", "1, 2, param('a b')", [set(['a b=5'])], Term).
+test(whole_numbers_count, N == 32) :-
+    with_model("param(n, 8.0). segment(1, solid, cylinder(radius(1),
+                height(1), facets(param(n)*2))).", [],
+               findall(V, v(1, V, _, _, _), Vs)),
+    length(Vs, N).
+
+%   Names are no formulas.
+test(plain_name, Name == bolt-8) :-
+    with_model("v(1,1,0,0,0). curve(1,[1]). segment(1, curve, bolt-8).", [],
+               ( segment(1, curve, Name), \+ formula(_, _) )).
+test(named, Term == named(a-1, box(size(1, 2, 3)))) :-
+    with_model("segment(1, solid, named(a-1, box(size(1, 2, 1+2)))).", [],
+               segment(1, solid, Term)).
+test(wish, Wish == cut(base-side(2))) :-
+    with_model("segment(1, solid, box(size(1,2,3))). param(i, 1).
+                unfolding(1, cut(base-side(param(i)+1))).", [],
+               unfolding(1, Wish)).
+test(wish_without, Wish == cut(1-2)) :-
+    with_model("segment(1, solid, box(size(1,2,3))). unfolding(1, cut(1-2)).",
+               [], ( unfolding(1, Wish), \+ formula(_, _) )).
+
+test(every_column, [Row-Values == [4.0,0.0,0.0,90.0]-title(2)]) :-
+    Row = [X,Y,Z,Theta],
+    with_model("param(a, 4). v(1,1,param(a),0,0). curve(1,[1]).
+                view(90*(param(a)-3), 0, param(a)). title_block(number,
+                param(a)/2).", [],
+               ( v(1, 1, X, Y, Z), view(Theta, _, _), title_block(number, T) )),
+    Values = title(T).
+
+test(split, Term == split(box(size(4, 4, 4)), plane(0, 0, 1, -2), below)) :-
+    with_model("param(h, 4). segment(1, solid, split(box(size(param(h),
+                param(h), param(h))), plane(0, 0, 1, -(param(h))/2), below)).",
+               [evaluate(false)],
+               ( formula(segment(1), segment(_, _, Written)),
+                 Written = split(S, plane(_, _, _, -(_)/2), below),
+                 segment(1, _, split(S, Plane, Side)),
+                 segment(S, _, Inner) )),
+    Term = split(Inner, Plane, Side).
+
+:- end_tests(parameter).
+
+
+:- begin_tests(parameter_faults).
+
+fault_of("param(a, 1). param(a, 2).", [], twice(param, [a]), 1:14).
+fault_of("param(a, param(a)).", [], parameter(cycle([a,a])), 1:10).
+fault_of("param(a, param(c)*2). param(b, param(a)).\nparam(c, 1+param(b)).",
+         [], parameter(cycle([a,c,b,a])), 1:10).
+fault_of("param(wall, 2). param(b, param(wal)+1).", [],
+         formula(unknown(wal, [wall]), param(wal)+1), 1:26).
+fault_of("param(a, 1/0).", [], formula(division_by_zero, 1/0), 1:10).
+fault_of("param(a, 2*sqrt(1-2)).", [], formula(not_real, sqrt(1-2)), 1:10).
+fault_of("param(a, f(2)).", [], value(param, 'Value', f(2), number), 1:10).
+fault_of("param(a, \"2\").", [], value(param, 'Value', "2", number), 1:10).
+fault_of("param(a, 1.0Inf).", [], _, 1:10).
+fault_of("param(a, X).", [], value(param, 'Value', _, number), 1:10).
+fault_of("param(2, 2).", [], value(param, 'Name', 2, atom), 1:7).
+fault_of("param(a, 57,15).", [], parameter(decimal_comma(a, '57.15')), 1:1).
+fault_of("param(a, 57,[]).", [], arity(param, 3, 2), 1:1).
+fault_of("formula(v(1,1), v(1,1,0,0,0)).", [], unknown_relation(formula, 2),
+         1:1).
+fault_of("param(a, 1).", [parameters([b=1])],
+         parameter(unset(b, [], [a])), none).
+fault_of("param(depth, 1).", [set(['dept=1'])],
+         parameter(unset(dept, [depth], [depth])), none).
+fault_of("", [set(['a=57,15'])],
+         parameter(setting('a=57,15', comma('57.15'))), none).
+fault_of("", [set(['a=-57 mm'])], parameter(setting('a=-57 mm', unit(mm))),
+         none).
+fault_of("", [set(['=3'])], parameter(setting('=3', form)), none).
+fault_of("", [set(['a='])], parameter(setting('a=', number)), none).
+fault_of("", [set(['a=1,2,3'])], parameter(setting('a=1,2,3', number)), none).
+fault_of("", [set(['a=0x10'])], parameter(setting('a=0x10', _)), none).
+fault_of("", [set(['a=1','a=1'])], parameter(set_twice(a)), none).
+
+test(place, forall(fault_of(Text, Options, What, Place))) :-
+    string_concat(Text, " segment(1, solid, box(size(1, 2, 3))).", Model),
+    fault(Model, Options, What, Place).
+test(in_a_term, What-Place == formula(unknown(b, []), param(b)+1)-(1:20)) :-
+    box("param(b)+1, 2, 3", Box),
+    fault(Box, [], What, Place).
+test(checked_after, true) :-
+    fault("param(a, 2). segment(1, solid, box(size(param(a)-2, 2, 3))).", [],
+          primitive(wrong_argument(size(0, 2, 3), _), _), 1:32).
+test(after_the_view, true) :-
+    fault("view(0, 0, 1-2). segment(1, solid, box(size(1, 2, 3))).", [],
+          value(view, 'Rho', -1, distance), 1:12).
+test(no_list, error(type_error(list, _))) :-
+    load_model([], [parameters(a=1)]).
+test(no_number, error(type_error(float, two))) :-
+    load_model([], [parameters([a=two])]).
+test(no_pair, error(type_error(setting, a))) :-
+    load_model([], [parameters([a])]).
+
+:- end_tests(parameter_faults).
+
+
+:- begin_tests(parameter_files).
+
+%   Each has the parameter a, and is made from it.
+
+made_from("segment(1, solid, box(size(param(a), 2, 3))).").
+made_from("segment(1, surface, circle(radius(param(a)))).").
+made_from("segment(1, curve, line(from(0,0,0), to(param(a),1,1))).").
+made_from("segment(1, solid, prism(outline([[0,0],[9,0],[0,9]]),
+           holes([[[1,1],[1,param(a)],[param(a),1]]]), height(2))).").
+made_from("segment(1, solid, at([rotate(z, param(a)*10)],
+           named(x-1, box(size(1,2,3))))).").
+made_from("segment(1, solid, union([at([translate(param(a)/2,0,0)],
+           box(size(1,2,3))), box(size(param(a),1,1))])).").
+made_from("segment(1, solid, named(n, at([scale(param(a))], difference([
+           box(size(5,5,5)), at([rotate(x, 90)], union([cylinder(
+           radius(param(a)/4), height(9), facets(6)), 2]))])))).
+           segment(2, solid, sphere(radius(1), facets(6), bands(4))).").
+made_from("v(1,1,0,0,0). v(1,2,param(a),0,0). v(1,3,0,1,0).
+           p(1,1,[1,2,3]). segment(1, surface, flat).
+           view(param(a), 0, 0).").
+made_from("segment(1, solid, box(size(1,2,3))). title_block(number, param(a)).
+           unfolding(1, root(param(a))).").
+
+%   What is saved, and set again, is what the file gives that is set so.
+test(set_again, forall(made_from(Text0))) :-
+    string_concat("param(a, 2). param(b, param(a)*2). ", Text0, Text),
+    with_model(Text, [], saved(Saved)),
+    with_model(Saved, [], saved(Saved1)),
+    assertion(Saved1 == Saved),
+    Set = [parameters([a=3])],
+    with_model(Text, Set, ( saved(Direct), rows(Rows) )),
+    with_model(Saved, Set, ( saved(Again), rows(Rows1) )),
+    assertion(Direct == Again),
+    assertion(Rows == Rows1),
+    assertion(sub_string(Direct, _, _, _, "param(a, 3).")),
+    assertion(sub_string(Direct, _, _, _, "param(b, param(a)*2).")),
+    with_model(Saved, [], rows(Rows2)),
+    assertion(Rows2 \== Rows).
+
+%   What was done to a segment is kept, its formulas are not.
+test(cut_is_kept, true) :-
+    with_model("param(a, 2). segment(1, solid, box(size(param(a), 2, 2))).
+                segment(2, solid, box(size(1, 4, param(a)/2))).", [],
+               ( penetrate, findall(L, line(L,_,_,_,_,_,_,_,_), Ls),
+                 saved(Saved) )),
+    Ls \== [],
+    \+ sub_string(Saved, _, _, _, "size(param"),
+    with_model(Saved, [parameters([a=5])], v(1, 1, -1.0, _, _)).
+test(moved_is_kept, X == 9.0) :-
+    with_model("param(a, 2). v(1,1,param(a),0,0). v(1,2,0,0,0).
+                curve(1,[1,2]).", [],
+               ( facts_transaction(( retractall_facts(v(1, 1, _, _, _)),
+                                     assert_fact(v(1, 1, 9.0, 0.0, 0.0)) )),
+                 saved(Saved) )),
+    with_model(Saved, [], v(1, 1, X, _, _)).
+
+test(same_is_one, Ps == [a-2]) :-
+    Text = "param(a, 2). segment(1, solid, box(size(param(a), 2, 2))).",
+    two(Text, Text, [], findall(N-V, param(N, V), Ps)).
+test(other_is_renamed, Ps-X == [a-2,b-4,a_3-7,b_2-14]-7.0) :-
+    two("param(a, 2). param(b, param(a)*2).
+         segment(1, solid, box(size(param(a), 2, 2))).",
+        "param(a, 7). param(b, param(a)*2). param(a_2, 7).
+         segment(1, solid, box(size(2*param(a), 2, param(b)))).", [],
+        ( findall(N-V, ( param(N, V), N \== a_2 ), Ps), v(2, 1, X0, _, _),
+          saved(Saved) )),
+    X is abs(X0),
+    with_model(Saved, [parameters([a_3=1])],
+               segment(2, _, box(size(2, 2, 2)))).
+test(both_are_set, Ps == [a-5]) :-
+    two("param(a, 2). segment(1, solid, box(size(param(a), 2, 2))).",
+        "param(a, 3). segment(1, solid, box(size(param(a), 2, 2))).",
+        [parameters([a=5])], findall(N-V, param(N, V), Ps)).
+test(one_is_set, Ps == [a-2,b-5]) :-
+    two("param(a, 2). segment(1, solid, box(size(param(a), 2, 2))).",
+        "param(b, 3). segment(1, solid, box(size(param(b), 2, 2))).",
+        [parameters([b=5])], findall(N-V, param(N, V), Ps)).
+
+:- end_tests(parameter_files).
