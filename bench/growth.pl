@@ -37,7 +37,9 @@ family(apart,      check, [1000,2000,4000,8000]).
 family(apart,      draw,  [1000,2000,4000]).
 family(stack,      draw,  [250,500,1000]).
 family(needles,    draw,  [800,1600,3200,6400]).
-family(identical,  draw,  [25,50,100,200]).
+family(identical,  draw,  [400,800,1600,3200]).
+family(wedges,     draw,  [200,400,800,1600]).
+family(apexes,     draw,  [250,500,1000]).
 family(comb,       draw,  [250,500,1000]).
 family(comb,       unfold, [25,50,100]).
 family(holes,      draw,  [500,1000,2000,4000]).

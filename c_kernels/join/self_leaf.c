@@ -1,7 +1,8 @@
 #include "self_leaf.h"
 
 #include "polygon/flatness.h"
-#include "self_join.h"
+#include "rows/places.h"
+#include "self_sheet.h"
 
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -139,6 +140,70 @@ sg_self_leaf_join(const sg_leaf_tree *tree, const sg_leaf_views *views,
   bool done = has_none(tree) || (read_leaves(&j, pool, cancel) &&
                                  join(&j, may_meet, false, pool, cancel));
 
+  free(j.leaf);
+  *out = j.hits;
+  return done;
+}
+
+/* Equal for corners in one place, of three for each leaf. Null: no memory, or
+ * stopped. */
+static uint32_t *
+places_of(const joiner *j, const sg_cancel *cancel)
+{
+  size_t n = j->tree->boxes->n;
+  double(*at)[3] = malloc((3 * n + 1) * sizeof *at);
+  uint32_t *place;
+
+  for (size_t i = 0; at && i < 3 * n; i++) {
+    memcpy(at[i], j->leaf[i / 3].at[i % 3], sizeof at[i]);
+  }
+  place = at ? sg_places_of((const double(*)[3])at, 3 * n, cancel) : NULL;
+  free(at);
+  return place;
+}
+
+/* The join of what has more in common than places, and what connects the rest.
+ */
+static bool
+join_few(joiner *j, const uint32_t *place, sg_pool *pool,
+         const sg_cancel *cancel)
+{
+  size_t n = j->tree->boxes->n;
+  sg_fan_triangle *named = j->leaf;
+  bool good = (j->leaf = malloc(n * sizeof *j->leaf)) != NULL;
+
+  for (size_t i = 0; good && i < n; i++) {
+    j->leaf[i] = named[i];
+    memcpy(j->leaf[i].name, &place[3 * i], sizeof j->leaf[i].name);
+  }
+  good = good && join(j, may_meet, true, pool, cancel);
+  free(j->leaf);
+  j->leaf = named;
+  return good &&
+         sg_self_sheets_add(named, n, place, may_meet, j, cancel, &j->hits);
+}
+
+bool
+sg_self_leaf_join_few(const sg_leaf_tree *tree, const sg_leaf_views *views,
+                      sg_pool *pool, const sg_cancel *cancel, sg_bvh_hits *out)
+{
+  joiner j = {.tree = tree, .views = views};
+  uint32_t *place = NULL;
+  bool done = has_none(tree), many = false;
+
+  if (!done && read_leaves(&j, pool, cancel)) {
+    place = places_of(&j, cancel);
+    done =
+        place &&
+        sg_self_sheets_are_many(j.leaf, tree->boxes->n, place, cancel, &many) &&
+        (many ? join_few(&j, place, pool, cancel)
+              : join(&j, may_meet, false, pool, cancel));
+  }
+  if (!done) {
+    free(j.hits.hit);
+    j.hits = (sg_bvh_hits){0};
+  }
+  free(place);
   free(j.leaf);
   *out = j.hits;
   return done;

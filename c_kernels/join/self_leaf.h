@@ -22,6 +22,15 @@ bool sg_self_leaf_join(const sg_leaf_tree *tree, const sg_leaf_views *views,
                        double reach, sg_pool *pool, const sg_cancel *cancel,
                        sg_bvh_hits *out);
 
+/* The same without reach, for those who need not know all sheets that touch
+ * each other there: where many have an edge or a vertex in one place, and no
+ * more in common, each is in a pair with a few of them only (self_sheet.h). So
+ * n sheets on one edge are about n pairs, and connected as they are by all
+ * pairs. The order is the same for any thread pool. */
+bool sg_self_leaf_join_few(const sg_leaf_tree *tree, const sg_leaf_views *views,
+                           sg_pool *pool, const sg_cancel *cancel,
+                           sg_bvh_hits *out);
+
 /* Whether the segment goes through itself or lies on itself, by more than the
  * tolerance of its source (flatness.h), whose grain is given. What only touches
  * in points does not.

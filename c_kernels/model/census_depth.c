@@ -5,15 +5,19 @@
  * there is one among the few that are tried: exact there. Shells that go
  * through each other have no depth; theirs is that of the point. A walk over
  * the points (join/tour.h) knows which shells go round where it is; one that
- * is open goes round nothing.
+ * is open goes round nothing. Points of several shells in one place, as of
+ * equal ones, are one stop.
  */
 #include "census_private.h"
 #include "join/tour.h"
+#include "rows/places.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 enum { TRIED = 3 };
+
+#define NONE UINT32_MAX
 
 typedef struct depths {
   const sg_counting *c;
@@ -21,6 +25,11 @@ typedef struct depths {
   size_t begin, triangles;
   uint32_t *tried; /* [shells][TRIED] triangles, from 0; the same if few */
   sg_point *at;    /* [shells * TRIED] */
+  uint32_t *stop;  /* [stops]: the first point there */
+  uint32_t *next;  /* [shells * TRIED]: the next in the same place, NONE */
+  size_t stops;
+  uint32_t *of;    /* [shells * TRIED]: a shell that the stop is on, NONE */
+  bool *several;   /* [shells * TRIED]: the stop is on others, too */
   bool *on;        /* [shells * TRIED]: on another shell */
   uint32_t *depth; /* [shells * TRIED] */
   int *turns;      /* [shells] round where the walk is */
@@ -98,16 +107,27 @@ static void
 lies_on(void *data, size_t i, uint32_t t)
 {
   depths *d = data;
+  uint32_t point = d->stop[i], shell = (uint32_t)shell_of(d, t);
 
-  d->on[i] = d->on[i] || shell_of(d, t) != i / TRIED;
+  if (d->of[point] == NONE) {
+    d->of[point] = shell;
+  }
+  d->several[point] = d->several[point] || d->of[point] != shell;
 }
 
 static void
 arrive(void *data, size_t i)
 {
   depths *d = data;
+  uint32_t first = d->stop[i];
 
-  d->depth[i] = d->round - (d->turns[i / TRIED] != 0);
+  for (uint32_t k = first; k != NONE; k = d->next[k]) {
+    uint32_t shell = k / TRIED;
+
+    d->on[k] =
+        d->several[first] || (d->of[first] != NONE && d->of[first] != shell);
+    d->depth[k] = d->round - (d->turns[shell] != 0);
+  }
 }
 
 static void
@@ -146,11 +166,38 @@ plant(const depths *d, const sg_cancel *cancel)
   return tree;
 }
 
+/* Which points are in one place. False: no memory, or stopped. */
+static bool
+find_stops(depths *d, const sg_cancel *cancel)
+{
+  size_t n = d->shells * TRIED;
+  double(*at)[3] = malloc((n + 1) * sizeof *at);
+  uint32_t *place = NULL;
+
+  for (size_t i = 0; at && i < n; i++) {
+    memcpy(at[i], d->at[i].p, sizeof at[i]);
+    d->next[i] = d->of[i] = NONE;
+  }
+  if (at) {
+    place = sg_places_of((const double(*)[3])at, n, cancel);
+  }
+  for (uint32_t i = 0; place && i < n; i++) {
+    if (place[i] == i) {
+      d->stop[d->stops++] = i;
+    } else {
+      d->next[i] = d->next[place[i]];
+      d->next[place[i]] = i;
+    }
+  }
+  free(at);
+  free(place);
+  return place != NULL;
+}
+
 static bool
 walk(depths *d, const sg_cancel *cancel)
 {
-  size_t n = d->shells * TRIED;
-  const sg_point **at = malloc(n * sizeof *at);
+  const sg_point **at = malloc((d->stops + 1) * sizeof *at);
   sg_bvh *tree = at ? plant(d, cancel) : NULL;
   sg_tour way = {.tree = tree,
                  .data = d,
@@ -159,10 +206,10 @@ walk(depths *d, const sg_cancel *cancel)
                  .on = lies_on,
                  .arrive = arrive};
 
-  for (size_t i = 0; at && i < n; i++) {
-    at[i] = &d->at[i];
+  for (size_t i = 0; at && i < d->stops; i++) {
+    at[i] = &d->at[d->stop[i]];
   }
-  bool done = tree && sg_tour_over(&way, at, n, cancel);
+  bool done = tree && sg_tour_over(&way, at, d->stops, cancel);
 
   free(at);
   sg_bvh_close(tree);
@@ -185,20 +232,29 @@ sg_census_depths(sg_counting *c)
   }
   d.tried = calloc(d.shells * TRIED, sizeof *d.tried);
   d.at = calloc(d.shells * TRIED, sizeof *d.at);
+  d.stop = calloc(d.shells * TRIED, sizeof *d.stop);
+  d.next = calloc(d.shells * TRIED, sizeof *d.next);
+  d.of = calloc(d.shells * TRIED, sizeof *d.of);
+  d.several = calloc(d.shells * TRIED, sizeof *d.several);
   d.on = calloc(d.shells * TRIED, sizeof *d.on);
   d.depth = calloc(d.shells * TRIED, sizeof *d.depth);
   d.turns = calloc(d.shells, sizeof *d.turns);
-  bool done = d.tried && d.at && d.on && d.depth && d.turns;
+  bool done = d.tried && d.at && d.stop && d.next && d.of && d.several &&
+              d.on && d.depth && d.turns;
 
   if (done) {
     choose(&d);
-    done = walk(&d, c->cancel);
+    done = find_stops(&d, c->cancel) && walk(&d, c->cancel);
   }
   if (done) {
     set_depths(&d, c->out->shell);
   }
   free(d.tried);
   free(d.at);
+  free(d.stop);
+  free(d.next);
+  free(d.of);
+  free(d.several);
   free(d.on);
   free(d.depth);
   free(d.turns);

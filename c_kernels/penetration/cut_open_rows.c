@@ -284,8 +284,13 @@ join_selves(sg_call *call, join *j, sg_pool *pool)
     if (handle->pair[i][0] != handle->pair[i][1]) {
       continue;
     }
-    if (!sg_self_leaf_join(handle->tree[at]->tree, &handle->views,
-                           handle->reach, pool, &call->cancel, &hits)) {
+    const sg_leaf_tree *tree = handle->tree[at]->tree;
+
+    if (!(handle->few && !(handle->reach > 0)
+              ? sg_self_leaf_join_few(tree, &handle->views, pool, &call->cancel,
+                                      &hits)
+              : sg_self_leaf_join(tree, &handle->views, handle->reach, pool,
+                                  &call->cancel, &hits))) {
       return sg_call_ended(call);
     }
     j->place[0][0] = j->place[0][1] = at;

@@ -38,6 +38,7 @@ typedef struct sg_cut_handle {
   uint32_t (*candidate)[2];            /* triangles, and then curve edges */
   size_t candidates, curve_candidates; /* the second: where those begin */
   bool joined;                         /* the candidates are there */
+  bool few; /* of many sheets that touch some are enough: cut_few_sheets/1 */
   uint8_t
       *quiet; /* [curve_candidates] cut_coincident.h; null: not asked for yet */
   bool without_quiet; /* those are left out: cut_without_coincident/1 */

@@ -12,12 +12,17 @@
 #include "grid.h"
 #include "hide.h"
 
-/* Growing arrays, used again by every question; free(part) at the end. */
+/* Growing arrays, used again by every question. */
 typedef struct sg_hiddens {
   sg_hidden *part;
   size_t n, room;
+  sg_hidden *span; /* if some are enough: the union so far */
+  size_t spans, span_room;
 } sg_hiddens;
 
+void sg_hiddens_clear(sg_hiddens *hiddens);
+
+/* The same; free(part) at the end. */
 typedef struct sg_overlaps {
   sg_overlap *part;
   size_t n, room;
@@ -71,8 +76,8 @@ bool sg_mask_grid_init(sg_mask_grid *masks, const sg_scene *scene,
 void sg_mask_grid_clear(sg_mask_grid *masks);
 
 /* All masks that hide a part of line `at` and do not let it be seen, sorted by
- * from, to and mask. through: null for none. `enough`: some are enough if one
- * of them hides all of it. seen: of the masks. False: no memory. */
+ * from, to and mask. through: null for none. `enough`: some are enough that
+ * together hide what all of them hide. seen: of the masks. False: no memory. */
 bool sg_mask_grid_ask(const sg_mask_grid *masks, size_t at,
                       const sg_hide_throughs *through, bool enough,
                       sg_seen *seen, sg_hiddens *out);

@@ -50,7 +50,7 @@ sg_door_occluder(sg_call *call, sg_scene_index *index, int32_t s, int32_t e,
       sg_call_no_memory(call);
 
   good = good && add_hidden(call, scene, &found, s2, t, rows);
-  free(found.part);
+  sg_hiddens_clear(&found);
   return good;
 }
 

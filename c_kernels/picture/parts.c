@@ -189,7 +189,7 @@ static void
 worker_close(worker *of)
 {
   sg_seen_clear(&of->seen);
-  free(of->masks.part);
+  sg_hiddens_clear(&of->masks);
   free(of->overlaps.part);
   free(of->mine.at);
   free(of->other.at);

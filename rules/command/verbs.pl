@@ -317,12 +317,12 @@ several_segments :-
 segments_cut(Options) :-
     borders_sewn(_),
     (   several_segments
-    ->  penetrated([themselves(true)|Options])
+    ->  penetrated([themselves(true),shown(true)|Options])
     ;   pieces_cut(Options)
     ).
 
 pieces_cut(Options) :-
-    penetrate(all, [themselves(true)|Options]).
+    penetrate(all, [themselves(true),shown(true)|Options]).
 
 %   penetrated(Options): the segments cut each other, or a notice says why not.
 

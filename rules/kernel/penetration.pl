@@ -49,6 +49,14 @@ Foreign predicates; see kernel.pl.
 %   there from one triangle to the next. A Boolean says so, which asks for each
 %   component of a segment on which sides of the others it is.
 
+%!  cut_few_sheets(+Set:cut_set) is det.
+%
+%   From now on, where more than eight sheets of a segment that is cut by
+%   itself have an edge in one place, or many triangles a vertex, and no more in
+%   common, not each two of them are candidates: each is with a few, so that all
+%   are connected (c_kernels/join/self_sheet.h). It is enough for a picture. Say
+%   it before the first candidate is asked for.
+
 %!  cut_find(+Set:cut_set) is det.
 %
 %   As cut_enter/4 for every cut_candidate/3 of Set whose triangles are on both

@@ -20,7 +20,8 @@
 :- use_module('../kernel',
               [ cut_set_open/2, cut_set_close/1, cut_flat_within/2,
                 cut_of_faces/1,
-                cut_without_coincident/1, cut_find/1, near_segments/3,
+                cut_without_coincident/1, cut_few_sheets/1, cut_find/1,
+                near_segments/3, segment_copies_dropped/2,
                 cut_seal/1, cut_chains/2, cut_polygons/2,
                 cut_polygons_of/3, model_tolerance/1,
                 segments_meeting_themselves/2, segment_sewn/2
@@ -125,10 +126,25 @@ penetrate(Pairs) :-
 %     With `all`: the segments that go through themselves
 %     (segment_meets_itself/1) are also cut by themselves, and joins.
 %
+%     - shown(true)
+%     With themselves(true): only the picture matters. Of shells of a segment
+%     that are equal, in one place, two are left; and where many sheets have one
+%     edge in common, not each two of them get a line there.
+%
 %   @error geometry_error(polygon_edge(S, P, V1, V2)): with its lines,
 %          polygon P cannot be triangulated
 
 penetrate(Which, Options) :-
+    (   option(shown(true), Options)
+    ->  facts_transaction(( new_segments_complete,
+                            sg_penetration:copies_dropped,
+                            sg_penetration:penetrated(Which, Options, few) ))
+    ;   penetrated(Which, Options, all)
+    ).
+
+%   penetrated(Which, Options, Sheets): Sheets is `few` if it is for a picture.
+
+penetrated(Which, Options, Sheets) :-
     touching(Options, Tolerance),
     pairs_to_cut(Which, Tolerance, Pairs0),
     (   Which == all,
@@ -138,7 +154,14 @@ penetrate(Which, Options) :-
     ;   Pairs = Pairs0
     ),
     facts_transaction(( new_segments_complete,
-                        sg_penetration:penetrated_leaves(Pairs, Tolerance) )).
+                        sg_penetration:penetrated_leaves(Pairs, Tolerance,
+                                                         Sheets) )).
+
+%   copies_dropped: a picture shows no third copy of a shell.
+
+copies_dropped :-
+    forall(( segment(S, Kind, _), Kind \== curve, \+ joined_segment(S) ),
+           ignore(segment_copies_dropped(S, 2))).
 
 %   pairs_with_themselves(-Pairs): S-S for what is to be cut by itself.
 
@@ -221,21 +244,21 @@ asked_pair(S1, S2, Low-High) :-
 %   Cuts are taken between leaves (leaf.pl): where Pairs meet, what earlier
 %   cuts made is taken back, and all are taken at once.
 
-penetrated_leaves(Pairs0, Tolerance) :-
+penetrated_leaves(Pairs0, Tolerance, Sheets) :-
     sort(Pairs0, Pairs),
     earlier_cuts(Pairs, Earlier),
     (   Earlier == []
-    ->  penetrated(Pairs, Tolerance)
+    ->  cut_leaves(Pairs, Tolerance, Sheets)
     ;   ord_union(Earlier, Pairs, All),
         facts_snapshot(sg_penetration:met_leaves(All, Pairs, Tolerance, Met)),
-        penetrated_again(Met, All, Tolerance)
+        penetrated_again(Met, All, Tolerance, Sheets)
     ).
 
-penetrated_again([], _, _) :-
+penetrated_again([], _, _, _) :-
     !.
-penetrated_again(_, All, Tolerance) :-
+penetrated_again(_, All, Tolerance, Sheets) :-
     leaves_restored(All),
-    penetrated(All, Tolerance).
+    cut_leaves(All, Tolerance, Sheets).
 
 %   met_leaves(+All, +Pairs, +Tolerance, -Met): those of Pairs with leaves that
 %   meet when All are cut.
@@ -247,9 +270,13 @@ met_leaves(All, Pairs, Tolerance, Met) :-
 %   Contacts are connected, so they are made to touch in all pairs of these
 %   segments. Mostly those are the pairs that are to be cut.
 
-penetrated(Pairs, Tolerance) :-
+cut_leaves(Pairs, Tolerance, Sheets) :-
     contact_pairs(Pairs, Tolerance, Contacts),
-    touched(Pairs, Contacts, Tolerance, arranged, Resolved),
+    (   Sheets == few
+    ->  Next = arranged_few
+    ;   Next = arranged
+    ),
+    touched(Pairs, Contacts, Tolerance, Next, Resolved),
     (   Resolved == true
     ->  resolved_seams
     ;   true
@@ -296,6 +323,12 @@ resolved(Next, Tolerance, Resolved, Pairs, Set) :-
     ).
 
 arranged(Pairs, Set) :-
+    arranged(write_polygon, Pairs, Set).
+
+%   Not each two of many sheets on one edge get a line.
+
+arranged_few(Pairs, Set) :-
+    cut_few_sheets(Set),
     arranged(write_polygon, Pairs, Set).
 
 %   Write is how a polygon is written.

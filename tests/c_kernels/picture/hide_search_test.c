@@ -82,6 +82,43 @@ all_masks(const sg_mask_grid *masks, size_t line, sg_seen *seen,
   return wanted == found->n;
 }
 
+/* The union of sorted parts, nearly touching ones made one, in their place. */
+static size_t
+united(sg_hidden *part, size_t n)
+{
+  size_t kept = 0;
+
+  for (size_t i = 0; i < n; i++) {
+    if (kept > 0 && part[i].from <= part[kept - 1].to + 1e-12) {
+      part[kept - 1].to = fmax(part[kept - 1].to, part[i].to);
+    } else {
+      part[kept++] = part[i];
+    }
+  }
+  return kept;
+}
+
+/* Whether some that are enough hide what all of them do. `all` are changed. */
+static bool
+enough_masks(const sg_mask_grid *masks, size_t line, sg_seen *seen,
+             sg_hiddens *all, size_t *less)
+{
+  sg_hiddens some = {0};
+  bool good = sg_mask_grid_ask(masks, line, NULL, true, seen, &some) &&
+              some.n <= all->n;
+
+  *less += all->n - (good ? some.n : 0);
+  size_t n = united(all->part, all->n), k = united(some.part, some.n);
+
+  good = good && n == k;
+  for (size_t i = 0; i < n && good; i++) {
+    good = all->part[i].from == some.part[i].from &&
+           all->part[i].to == some.part[i].to;
+  }
+  sg_hiddens_clear(&some);
+  return good;
+}
+
 /* Whether the lines found for a line are all that overlap it. */
 static bool
 all_overlaps(const sg_line_grid *lines, size_t line, sg_seen *seen,
@@ -108,6 +145,8 @@ all_overlaps(const sg_line_grid *lines, size_t line, sg_seen *seen,
   return i == found->n;
 }
 
+static size_t left_out; /* masks that need not be asked */
+
 /* Every line of a scene is asked; *answers grows by what was found. */
 static bool
 finds_all(const sg_scene *scene, size_t *answers)
@@ -133,12 +172,13 @@ finds_all(const sg_scene *scene, size_t *answers)
     good = all_masks(&masks, k, &seen_masks, &hiddens) &&
            all_overlaps(&lines, k, &seen_lines, &overlaps);
     *answers += hiddens.n + overlaps.n;
+    good = good && enough_masks(&masks, k, &seen_masks, &hiddens, &left_out);
   }
   sg_mask_grid_clear(&masks);
   sg_line_grid_clear(&lines);
   sg_seen_clear(&seen_masks);
   sg_seen_clear(&seen_lines);
-  free(hiddens.part);
+  sg_hiddens_clear(&hiddens);
   free(overlaps.part);
   free(every);
   return good;
@@ -276,6 +316,7 @@ int
 main(void)
 {
   random_scenes();
+  CHECK("some masks are enough", left_out > 100);
   threads();
   large_items();
   return check_report();

@@ -1,0 +1,361 @@
+/* hide_mask.c -- triangles that hide a part of a line: see hide_search.h. */
+#include "hide_search_private.h"
+
+#include "engine/list.h"
+#include "engine/search.h"
+#include "number/bounds.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Up to so many are sorted by insertion. */
+enum { FEW = 16 };
+
+/* ---- the grid ---- */
+
+static void
+shape_of_mask(const void *data, size_t i, sg_grid_shape *out)
+{
+  const sg_mask_grid *masks = data;
+  const sg_scene *scene = masks->scene;
+
+  out->corners = 3;
+  for (int k = 0; k < 3; k++) {
+    const double *at = scene->at[scene->mask[i].v[k]];
+    out->at[k][0] = at[0];
+    out->at[k][1] = at[1];
+  }
+  sg_turn_shape(masks->way, out);
+}
+
+/* Whether sides of masks mostly run one way: by the sum of their doubled
+ * angles, the longer the more. */
+static bool
+find_mask_way(sg_mask_grid *masks)
+{
+  const sg_scene *scene = masks->scene;
+  double sum[2] = {0, 0}, all = 0;
+
+  for (size_t i = 0; i < 3 * scene->masks; i++) {
+    const double *p = scene->at[scene->mask[i / 3].v[i % 3]];
+    const double *q = scene->at[scene->mask[i / 3].v[(i + 1) % 3]];
+    double x = q[0] - p[0], y = q[1] - p[1], size = sqrt(x * x + y * y);
+
+    if (size > 0) {
+      sum[0] += (x * x - y * y) / size;
+      sum[1] += 2 * x * y / size;
+      all += size;
+    }
+  }
+  double size = sqrt(sum[0] * sum[0] + sum[1] * sum[1]);
+  bool one = isfinite(all) && size > 0.5 * all;
+  double half = one ? atan2(sum[1], sum[0]) / 2 : 0;
+
+  masks->way[0] = one ? cos(half) : 1;
+  masks->way[1] = one ? sin(half) : 0;
+  return one;
+}
+
+/* The largest float that is not above x. */
+static float
+float_below(double x)
+{
+  float f = (float)x;
+
+  return (double)f > x ? nextafterf(f, -INFINITY) : f;
+}
+
+static void
+make_boxes(sg_mask_grid *masks)
+{
+  const sg_scene *scene = masks->scene;
+  double e = 2 * scene->close;
+
+  for (size_t i = 0; i < scene->masks; i++) {
+    const sg_scene_mask *mask = &scene->mask[i];
+    sg_mask_box *box = &masks->box[i];
+    for (int k = 0; k < 2; k++) {
+      box->low[k] = float_below(mask->low[k] - e);
+      box->high[k] = -float_below(-mask->high[k] - e);
+    }
+    box->low[2] = float_below(mask->low[2]); /* what masks are sorted by */
+  }
+}
+
+bool
+sg_mask_grid_init(sg_mask_grid *masks, const sg_scene *scene,
+                  const sg_cancel *cancel, bool *memory)
+{
+  *masks = (sg_mask_grid){
+      .scene = scene, .box = malloc((scene->masks + 1) * sizeof *masks->box)};
+  *memory = masks->box != NULL;
+  if (!*memory) {
+    return false;
+  }
+  make_boxes(masks);
+  bool along = find_mask_way(masks);
+
+  return sg_grid_init(&masks->grid, scene->masks, shape_of_mask, masks,
+                      scene->close, along, cancel, memory);
+}
+
+void
+sg_mask_grid_clear(sg_mask_grid *masks)
+{
+  sg_grid_clear(&masks->grid);
+  free(masks->box);
+  *masks = (sg_mask_grid){0};
+}
+
+/* ---- what was found ---- */
+
+/* Room for one more in a growing array; false: no memory. */
+static bool
+add_hidden(sg_hiddens *out, const sg_hidden *part)
+{
+  bool ok = sg_list_grow(&out->part, out->n, &out->room, sizeof *part);
+
+  if (ok) {
+    out->part[out->n++] = *part;
+  }
+  return ok;
+}
+
+static int
+hidden_compare(const void *a, const void *b)
+{
+  const sg_hidden *x = a, *y = b;
+
+  if (x->from != y->from) {
+    return x->from < y->from ? -1 : 1;
+  }
+  if (x->to != y->to) {
+    return x->to < y->to ? -1 : 1;
+  }
+  return (x->mask > y->mask) - (x->mask < y->mask);
+}
+
+static void
+sort_hidden(sg_hidden *part, size_t n)
+{
+  if (n > FEW) {
+    qsort(part, n, sizeof *part, hidden_compare);
+    return;
+  }
+  for (size_t i = 1; i < n; i++) {
+    sg_hidden x = part[i];
+    size_t k = i;
+    for (; k > 0 && hidden_compare(&part[k - 1], &x) > 0; k--) {
+      part[k] = part[k - 1];
+    }
+    part[k] = x;
+  }
+}
+
+/* True if both ends are certainly outside of one side of the mask, as
+ * sg_mask_hides() would find with a root and two divisions. */
+static bool
+is_beside(const sg_scene *scene, const sg_scene_mask *mask, const double a[3],
+          const double b[3])
+{
+  double e = SG_SLACK * scene->close;
+
+  for (int k = 0; k < 3; k++) {
+    const double *p = scene->at[mask->v[k]];
+    const double *q = scene->at[mask->v[(k + 1) % 3]];
+    double x = q[0] - p[0], y = q[1] - p[1];
+    double far = -e * (fabs(x) + fabs(y));
+    if (x * (a[1] - p[1]) - y * (a[0] - p[0]) < far &&
+        x * (b[1] - p[1]) - y * (b[0] - p[0]) < far) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool
+sg_hide_sees_through(const sg_hide_throughs *through, int32_t s, int32_t s2)
+{
+  const sg_hide_through *pair = through ? through->pair : NULL;
+  size_t n = through ? through->n : 0, at;
+
+  SG_SEARCH(at, 0, n, pair[at].s < s || (pair[at].s == s && pair[at].s2 < s2));
+  return at < n && pair[at].s == s && pair[at].s2 == s2;
+}
+
+/* A question: a line, its box, and what was found. */
+typedef struct asking {
+  const sg_mask_grid *masks;
+  const sg_scene_line *line;
+  const double *a, *b;
+  double low[2], high[2], far;
+  const sg_hide_throughs *through;
+  sg_seen *seen;
+  sg_hiddens *out;
+  bool enough;
+  double in[2]; /* where the line is in the cell at hand */
+} asking;
+
+/* Whether what was found hides all of the line that is in the cell. */
+static bool
+cell_is_hidden(const asking *q)
+{
+  const sg_hidden *span = q->out->span;
+  size_t i = 0;
+
+  while (i < q->out->spans && span[i].to < q->in[0]) {
+    i++;
+  }
+  return i < q->out->spans && q->in[0] <= q->in[1] &&
+         span[i].from <= q->in[0] && span[i].to >= q->in[1];
+}
+
+/* Whether all of the line is known to be hidden, and that is enough. */
+static bool
+is_hidden(const asking *q)
+{
+  const sg_hiddens *out = q->out;
+
+  return out->spans == 1 && out->span[0].from == 0.0 && out->span[0].to == 1.0;
+}
+
+void
+sg_hiddens_clear(sg_hiddens *hiddens)
+{
+  free(hiddens->part);
+  free(hiddens->span);
+  *hiddens = (sg_hiddens){0};
+}
+
+/* Adds a part to the spans. False: no memory. */
+static bool
+add_span(sg_hiddens *out, sg_hidden part)
+{
+  size_t i = 0, k, n = out->spans;
+
+  if (!sg_list_grow(&out->span, n, &out->span_room, sizeof *out->span)) {
+    return false;
+  }
+  while (i < n && out->span[i].to < part.from) {
+    i++;
+  }
+  for (k = i; k < n && out->span[k].from <= part.to; k++) {
+    part.from = sg_smaller(part.from, out->span[k].from);
+    part.to = sg_larger(part.to, out->span[k].to);
+  }
+  memmove(&out->span[i + 1], &out->span[k], (n - k) * sizeof *out->span);
+  out->span[i] = part;
+  out->spans = n + 1 - (k - i);
+  return true;
+}
+
+static bool
+try_mask(asking *q, uint32_t m)
+{
+  const sg_scene *scene = q->masks->scene;
+  const sg_scene_mask *mask = &scene->mask[m];
+  sg_hidden part = {.mask = m};
+
+  if (!sg_is_new(q->seen, m) || is_beside(scene, mask, q->a, q->b) ||
+      !sg_mask_hides(scene, mask, q->line, &part) ||
+      sg_hide_sees_through(q->through, q->line->s, mask->s)) {
+    return true;
+  }
+  return add_hidden(q->out, &part) && (!q->enough || add_span(q->out, part));
+}
+
+/* Where in 0 to 1 the line is in a cell and what counts as that; all of it at
+ * the border of the grid, which has all that is beyond. */
+static void
+find_in(asking *q, const sg_grid_shape *shape, unsigned x, unsigned y)
+{
+  const sg_grid *grid = &q->masks->grid;
+  const unsigned cell[2] = {x, y}, cells[2] = {grid->nx, grid->ny};
+
+  q->in[0] = 0.0;
+  q->in[1] = 1.0;
+  for (int k = 0; k < 2; k++) {
+    double low = grid->low[k] + cell[k] * grid->wide[k] - grid->margin;
+    double high = low + grid->wide[k] + 2 * grid->margin;
+    double from = shape->at[0][k], way = shape->at[1][k] - from;
+
+    low = cell[k] == 0 ? -INFINITY : low;
+    high = cell[k] + 1 == cells[k] ? INFINITY : high;
+    if (way != 0.0) {
+      q->in[0] = sg_larger(q->in[0], ((way > 0.0 ? low : high) - from) / way);
+      q->in[1] = sg_smaller(q->in[1], ((way > 0.0 ? high : low) - from) / way);
+    }
+  }
+}
+
+/* The masks of one cell, nearest first, up to the line's far end; or, if some
+ * are enough, until these hide all of the line in the cell: masks that hide
+ * more of it are in other cells too. */
+static bool
+ask_cell(asking *q, const sg_grid_shape *shape, unsigned x, unsigned y)
+{
+  const sg_grid *grid = &q->masks->grid;
+  size_t cell = (size_t)y * grid->nx + x, found = SIZE_MAX;
+
+  for (uint32_t i = grid->start[cell]; i < grid->start[cell + 1]; i++) {
+    if (q->enough && q->out->n > 0 && q->out->n != found) {
+      if (found == SIZE_MAX) {
+        find_in(q, shape, x, y);
+      }
+      found = q->out->n;
+      if (cell_is_hidden(q)) {
+        return true;
+      }
+    }
+    const sg_mask_box *box = &q->masks->box[grid->item[i]];
+    if (box->low[2] >= q->far) {
+      return true;
+    }
+    if (q->low[0] <= box->high[0] && q->high[0] >= box->low[0] &&
+        q->low[1] <= box->high[1] && q->high[1] >= box->low[1] &&
+        !try_mask(q, grid->item[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool
+sg_mask_grid_ask(const sg_mask_grid *masks, size_t at,
+                 const sg_hide_throughs *through, bool enough, sg_seen *seen,
+                 sg_hiddens *out)
+{
+  const sg_scene *scene = masks->scene;
+  const sg_scene_line *line = &scene->line[at];
+  const double *a = scene->at[line->a], *b = scene->at[line->b];
+  asking q = {.masks = masks,
+              .line = line,
+              .a = a,
+              .b = b,
+              .low = {sg_smaller(a[0], b[0]), sg_smaller(a[1], b[1])},
+              .high = {sg_larger(a[0], b[0]), sg_larger(a[1], b[1])},
+              .far = sg_line_far_end(scene, line),
+              .through = through,
+              .seen = seen,
+              .out = out,
+              .enough = enough};
+  sg_grid_shape shape;
+  sg_grid_rows rows;
+
+  out->n = out->spans = 0;
+  seen->question++;
+  sg_line_shape(a, b, &shape);
+  sg_turn_shape(masks->way, &shape);
+  rows = sg_grid_rows_of(&masks->grid, &shape);
+  for (unsigned y = rows.y0; y < rows.y1 && !is_hidden(&q); y++) {
+    sg_grid_columns columns = sg_grid_row(&masks->grid, &shape, rows, y);
+    for (unsigned x = columns.x0; x < columns.x1 && !is_hidden(&q); x++) {
+      if (!ask_cell(&q, &shape, x, y)) {
+        return false;
+      }
+    }
+  }
+  sort_hidden(out->part, out->n);
+  return true;
+}
