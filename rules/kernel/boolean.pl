@@ -217,9 +217,9 @@ Foreign predicates; see kernel.pl.
 %!  segment_copies_dropped(+S:id, +Most:count) is semidet.
 %
 %   Of shells of segment S that are equal, in one place, the first Most are
-%   left: the others go with their vertices. Fails, and changes nothing, if there
-%   are not so many, or if something was made from S: leaves, lines, a picture,
-%   a pattern, or S from others.
+%   left: the others go with their vertices. Fails, and changes nothing, if
+%   there are not so many, or if something was made from S: leaves, lines, a
+%   picture, a pattern, or S from others.
 %
 %   @see c_kernels/solid/shell_copy.h
 
