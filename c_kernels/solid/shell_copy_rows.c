@@ -1,6 +1,6 @@
 /* shell_copy_rows.c -- equal shells of a segment, in its rows. */
 #include "doors/boolean.h"
-#include "ids.h"
+#include "engine/search.h"
 #include "rows/append_rows.h"
 #include "rows/dense_rows.h"
 #include "shell_copy.h"
@@ -16,9 +16,9 @@ typedef struct dropping {
 
 /* What may not be there: it was made from the segment, or says what it was. */
 static const sg_relation derived[] = {
-    SG_LEAF_V,  SG_LEAF_E,       SG_LEAF_P, SG_LEAF_T, SG_ORIGIN,
-    SG_FROM_V,  SG_FROM_P,       SG_PIECE,  SG_JOINT,  SG_SCREEN,
-    SG_CONTOUR, SG_SURFACE_TURN, SG_DRAWN};
+    SG_LEAF_V,  SG_LEAF_E,         SG_LEAF_P, SG_LEAF_T, SG_ORIGIN,
+    SG_FROM_V,  SG_FROM_P,         SG_PIECE,  SG_JOINT,  SG_SCREEN,
+    SG_CONTOUR, SG_SURFACE_FACING, SG_DRAWN};
 
 /* Whether the segment has none of them; false too: refused. */
 static bool
