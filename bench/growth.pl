@@ -32,6 +32,7 @@ family(comb,       union, [250,500,1000,2000]).
 family(stack,      union, [1000,2000,4000,8000]).
 family(apart,      union, [1000,2000,4000,8000]).
 family(row,        union, [1000,2000,4000,8000]).
+family(identical,  check, [800,1600,3200,6400]).
 family(row,        check, [1000,2000,4000,8000]).
 family(apart,      check, [1000,2000,4000,8000]).
 family(apart,      draw,  [1000,2000,4000]).

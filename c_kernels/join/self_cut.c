@@ -27,8 +27,9 @@ typedef struct block {
 
 typedef struct joiner {
   sg_self_model model;
-  int32_t first; /* triangle */
-  size_t triangles;
+  int32_t first;    /* triangle */
+  size_t triangles; /* that are asked */
+  uint32_t *some;   /* [triangles]: these, from the first; null: all */
   uint32_t *place;
   const unsigned char *changed; /* [triangles], or null */
   sg_bvh_hits hits;
@@ -38,12 +39,19 @@ typedef struct joiner {
 
 /* ---- candidates --------------------------------------------------------- */
 
+/* The place of what is asked as number i. */
+static int32_t
+triangle_at(const joiner *j, uint32_t i)
+{
+  return j->first + (int32_t)(j->some ? j->some[i] : i);
+}
+
 static void
 read_triangle(const void *data, uint32_t i, sg_fan_triangle *out)
 {
   const joiner *j = data;
 
-  sg_self_read_triangle(&j->model, j->first + (int32_t)i, out);
+  sg_self_read_triangle(&j->model, triangle_at(j, i), out);
 }
 
 /* Most boxes that overlap are those of neighbours that have nothing else in
@@ -92,8 +100,8 @@ test_block(void *data, size_t task)
   for (size_t i = task * BLOCK; i < end && !b->failed; i++) {
     found item;
 
-    item.meeting.t[0] = j->first + (int32_t)j->hits.hit[i].a;
-    item.meeting.t[1] = j->first + (int32_t)j->hits.hit[i].b;
+    item.meeting.t[0] = triangle_at(j, j->hits.hit[i].a);
+    item.meeting.t[1] = triangle_at(j, j->hits.hit[i].b);
     if (sg_self_pair(&j->model, item.meeting.t[0], item.meeting.t[1],
                      &item.meeting, &item.edge)) {
       keep(b, &item);
@@ -216,6 +224,7 @@ clear(joiner *j)
   free(j->block);
   free(j->hits.hit);
   free(j->place);
+  free(j->some);
 }
 
 static bool
@@ -237,11 +246,60 @@ any_changed(const joiner *j)
   return !j->changed || i < j->triangles;
 }
 
+/* Leaves triangles of some polygons out. False: no memory. */
+static bool
+leave_out(joiner *j, size_t s, const unsigned char *left_out)
+{
+  const sg_dense *d = j->model.d;
+  size_t n = 0;
+
+  if (!left_out) {
+    return true;
+  }
+  if (!(j->some = malloc((j->triangles + 1) * sizeof *j->some))) {
+    return false;
+  }
+  for (uint32_t i = 0; i < j->triangles; i++) {
+    uint32_t p = (uint32_t)d->polygon_of[(uint32_t)j->first + i];
+
+    if (!left_out[p - d->polygon_begin[s]]) {
+      j->some[n++] = i;
+    }
+  }
+  j->triangles = n;
+  return true;
+}
+
+static bool
+cut(joiner *j, size_t s, sg_pool *pool, const sg_cancel *cancel,
+    sg_self_meetings *out)
+{
+  const sg_dense *d = j->model.d;
+  size_t vertices = d->vertex_begin[s + 1] - d->vertex_begin[s];
+
+  *out = (sg_self_meetings){0};
+  bool done =
+      j->triangles == 0 || !any_changed(j) ||
+      (find_places(j, vertices, cancel) && find_candidates(j, pool, cancel) &&
+       test_candidates(j, pool, cancel) && gather(j, out));
+
+  clear(j);
+  return done;
+}
+
+static joiner
+joiner_of(const sg_dense *d, size_t s, double tolerance)
+{
+  return (joiner){.model = {d, d->vertex_begin[s], NULL, tolerance},
+                  .first = (int32_t)d->triangle_begin[s],
+                  .triangles = d->triangle_begin[s + 1] - d->triangle_begin[s]};
+}
+
 bool
 sg_self_cut(const sg_dense *dense, size_t s, double tolerance, sg_pool *pool,
             const sg_cancel *cancel, sg_self_meetings *out)
 {
-  return sg_self_cut_changed(dense, s, NULL, tolerance, pool, cancel, out);
+  return sg_self_cut_some(dense, s, NULL, tolerance, pool, cancel, out);
 }
 
 bool
@@ -250,21 +308,21 @@ sg_self_cut_changed(const sg_dense *dense, size_t s,
                     sg_pool *pool, const sg_cancel *cancel,
                     sg_self_meetings *out)
 {
-  size_t vertices = dense->vertex_begin[s + 1] - dense->vertex_begin[s];
-  joiner j = {.model = {dense, dense->vertex_begin[s], NULL, tolerance},
-              .first = (int32_t)dense->triangle_begin[s],
-              .triangles =
-                  dense->triangle_begin[s + 1] - dense->triangle_begin[s],
-              .changed = changed};
+  joiner j = joiner_of(dense, s, tolerance);
+
+  j.changed = changed;
+  return cut(&j, s, pool, cancel, out);
+}
+
+bool
+sg_self_cut_some(const sg_dense *dense, size_t s, const unsigned char *left_out,
+                 double tolerance, sg_pool *pool, const sg_cancel *cancel,
+                 sg_self_meetings *out)
+{
+  joiner j = joiner_of(dense, s, tolerance);
 
   *out = (sg_self_meetings){0};
-  bool done =
-      j.triangles == 0 || !any_changed(&j) ||
-      (find_places(&j, vertices, cancel) && find_candidates(&j, pool, cancel) &&
-       test_candidates(&j, pool, cancel) && gather(&j, out));
-
-  clear(&j);
-  return done;
+  return leave_out(&j, s, left_out) && cut(&j, s, pool, cancel, out);
 }
 
 /* ---- of polygons -------------------------------------------------------- */

@@ -54,6 +54,13 @@ bool sg_self_cut_changed(const sg_dense *dense, size_t s,
                          sg_pool *pool, const sg_cancel *cancel,
                          sg_self_meetings *out);
 
+/* Those of triangles of polygons that are not left out: [polygons] of s, or
+ * null: of all. */
+bool sg_self_cut_some(const sg_dense *dense, size_t s,
+                      const unsigned char *left_out, double tolerance,
+                      sg_pool *pool, const sg_cancel *cancel,
+                      sg_self_meetings *out);
+
 /* Keeps one meeting of each two polygons, of the first kind there is, in the
  * order of the polygons. */
 void sg_self_by_polygon(sg_self_meetings *meetings);

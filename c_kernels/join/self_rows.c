@@ -4,21 +4,90 @@
  */
 #include "doors/boolean.h"
 #include "rows/dense_rows.h"
+#include "solid/shell_copy.h"
 
 #include <stdlib.h>
 
+/* A segment, of whose equal shells only the first are asked about: two, and one
+ * more than are listed, so that the first meetings listed are those of all. */
+typedef struct asking {
+  const sg_dense *dense;
+  size_t s;
+  int64_t most;
+  sg_shell_copies copies;
+  unsigned char *left_out; /* [polygons] of s; null: none */
+} asking;
+
+static int64_t
+asked_of(const asking *a)
+{
+  return a->most < 1 ? 2 : a->most + 1;
+}
+
+static bool
+is_counted(const asking *a, uint32_t p)
+{
+  return a->copies.any && (int64_t)a->copies.copies[p] > asked_of(a);
+}
+
+/* False: no memory. */
+static bool
+leave_out(sg_call *call, asking *a)
+{
+  const sg_dense *d = a->dense;
+  size_t n = d->polygon_begin[a->s + 1] - d->polygon_begin[a->s];
+
+  if (!a->copies.any) {
+    return true;
+  }
+  a->left_out = sg_call_alloc(call, n + 1);
+  for (size_t p = 0; a->left_out && p < n; p++) {
+    a->left_out[p] = (int64_t)a->copies.copy[p] >= asked_of(a);
+  }
+  return a->left_out != NULL;
+}
+
+/* How often there is such a meeting, of whichever of equal shells. */
+static size_t
+times(const asking *a, const sg_self_meeting *m)
+{
+  const sg_shell_copies *c = &a->copies;
+  size_t times = 1;
+  uint32_t p[2];
+
+  for (int k = 0; k < 2; k++) {
+    p[k] =
+        (uint32_t)a->dense->polygon_of[m->t[k]] - a->dense->polygon_begin[a->s];
+  }
+  if (c->any && c->kind[p[0]] == c->kind[p[1]] && is_counted(a, p[0])) {
+    size_t n = c->copies[p[0]];
+
+    return c->copy[p[0]] == c->copy[p[1]]       ? (c->copy[p[0]] == 0 ? n : 0)
+           : c->copy[p[0]] + c->copy[p[1]] == 1 ? n * (n - 1) / 2
+                                                : 0;
+  }
+  for (int k = 0; k < 2; k++) {
+    if (is_counted(a, p[k])) {
+      times *= c->copy[p[k]] == 0 ? c->copies[p[k]] : 0;
+    }
+  }
+  return times;
+}
+
 /* Counts what was found by kind, and lists of each kind the first `most`. */
 static bool
-list_meetings(sg_call *call, const sg_self_meetings *found, int64_t most,
+list_meetings(sg_call *call, const asking *a, const sg_self_meetings *found,
               sg_self_segment *out)
 {
   size_t count[SG_SELF_KINDS] = {0};
+  int64_t listed[SG_SELF_KINDS] = {0};
   bool good = true;
 
   for (size_t i = 0; i < found->n && good; i++) {
     const sg_self_meeting *m = &found->item[i];
 
-    good = (int64_t)count[m->kind]++ >= most ||
+    count[m->kind] += times(a, m);
+    good = listed[m->kind]++ >= a->most ||
            sg_self_meeting_fact_list_add(call, &out->meetings, *m);
   }
   for (int k = 0; k < SG_SELF_KINDS && good; k++) {
@@ -30,19 +99,22 @@ list_meetings(sg_call *call, const sg_self_meetings *found, int64_t most,
 }
 
 static bool
-add_segment(sg_call *call, const sg_dense *dense, size_t s, int64_t most,
-            sg_self_segment_list *out)
+add_segment(sg_call *call, asking *a, sg_self_segment_list *out)
 {
-  sg_self_segment segment = {.s = dense->segment[s]};
+  const sg_dense *dense = a->dense;
+  sg_self_segment segment = {.s = dense->segment[a->s]};
   sg_pool *pool = sg_call_pool(call);
   sg_self_meetings found = {0};
 
-  if (!pool || !sg_self_cut(dense, s, sg_self_tolerance(dense, s), pool,
-                            &call->cancel, &found)) {
+  if (!pool || !sg_shell_copies_find(dense, a->s, &call->cancel, &a->copies) ||
+      !leave_out(call, a) ||
+      !sg_self_cut_some(dense, a->s, a->left_out,
+                        sg_self_tolerance(dense, a->s), pool, &call->cancel,
+                        &found)) {
     return sg_call_ended(call);
   }
   sg_self_by_polygon(&found);
-  bool good = list_meetings(call, &found, most, &segment) &&
+  bool good = list_meetings(call, a, &found, &segment) &&
               sg_self_segment_list_add(call, out, segment);
 
   free(found.item);
@@ -57,7 +129,10 @@ sg_door_self_meetings(sg_call *call, int64_t most,
   bool good = sg_dense_read(call, NULL, 0, &dense);
 
   for (size_t s = 0; s < dense.segments && good; s++) {
-    good = add_segment(call, &dense, s, most, segments);
+    asking a = {.dense = &dense, .s = s, .most = most};
+
+    good = add_segment(call, &a, segments);
+    sg_shell_copies_clear(&a.copies);
   }
   sg_dense_clear(&dense);
   return good;

@@ -29,8 +29,12 @@ typedef struct shell {
   size_t begin, n;
 } shell;
 
+/* Numbers of vertices, edges, polygons and triangles begin at the segment's
+ * first ones. */
 typedef struct copier {
   const sg_dense *d;
+  uint32_t v0, e0, p0, t0;
+  size_t vertices, edges, polygons, triangles;
   uint32_t *place; /* [vertices] */
   uint32_t *root;  /* [vertices] of their shell */
   uint32_t *begin; /* [polygons + 1] in part[] */
@@ -38,36 +42,124 @@ typedef struct copier {
   member *member;  /* [polygons] by shell, by print, by polygon */
   shell *shell;    /* [shells] by print, by first polygon */
   size_t shells;
+  bool *whole; /* [vertices] of a shell's first: all its edges are used */
 } copier;
 
-/* ---- what hangs together ---- */
+static void
+copier_init(copier *c, const sg_dense *d, size_t s)
+{
+  *c = (copier){.d = d,
+                .v0 = d->vertex_begin[s],
+                .e0 = d->edge_begin[s],
+                .p0 = d->polygon_begin[s],
+                .t0 = d->triangle_begin[s]};
+  c->vertices = d->vertex_begin[s + 1] - c->v0;
+  c->edges = d->edge_begin[s + 1] - c->e0;
+  c->polygons = d->polygon_begin[s + 1] - c->p0;
+  c->triangles = d->triangle_begin[s + 1] - c->t0;
+}
+
+static void
+copier_clear(copier *c)
+{
+  free(c->place);
+  free(c->root);
+  free(c->begin);
+  free(c->part);
+  free(c->member);
+  free(c->shell);
+  free(c->whole);
+}
+
+static uint32_t
+start_of(const copier *c, int32_t e)
+{
+  return (uint32_t)c->d->from[e] - c->v0;
+}
+
+static uint32_t
+end_of(const copier *c, int32_t e)
+{
+  return (uint32_t)c->d->to[e] - c->v0;
+}
+
+static uint32_t
+corner_of(const copier *c, size_t t, int k)
+{
+  return (uint32_t)c->d->corner[c->t0 + t][k] - c->v0;
+}
+
+static uint32_t
+polygon_of(const copier *c, size_t t)
+{
+  return (uint32_t)c->d->polygon_of[c->t0 + t] - c->p0;
+}
+
+/* The edges of polygon p: list[*begin .. end - 1]. */
+static uint32_t
+edges_of(const copier *c, size_t p, uint32_t *begin)
+{
+  *begin = c->d->list_begin[c->p0 + p];
+  return c->d->list_begin[c->p0 + p + 1];
+}
+
+/* ---- what is connected ---- */
 
 static void
 join_polygons(copier *c)
 {
-  const sg_dense *d = c->d;
+  const int32_t *list = c->d->list;
+  uint32_t begin;
 
-  for (size_t v = 0; v < d->vertices; v++) {
-    c->root[v] = (uint32_t)v;
+  for (uint32_t v = 0; v < c->vertices; v++) {
+    c->root[v] = v;
   }
-  for (size_t e = 0; e < d->edges; e++) {
-    sg_disjoint_join(c->root, (uint32_t)d->from[e], (uint32_t)d->to[e]);
+  for (size_t e = 0; e < c->edges; e++) {
+    int32_t of = (int32_t)(c->e0 + e);
+
+    sg_disjoint_join(c->root, start_of(c, of), end_of(c, of));
   }
-  for (size_t p = 0; p < d->polygons; p++) {
-    for (uint32_t i = d->list_begin[p]; i < d->list_begin[p + 1]; i++) {
-      sg_disjoint_join(c->root, (uint32_t)d->from[d->list[i]],
-                       (uint32_t)d->from[d->list[d->list_begin[p]]]);
+  for (size_t p = 0; p < c->polygons; p++) {
+    for (uint32_t end = edges_of(c, p, &begin), i = begin; i < end; i++) {
+      sg_disjoint_join(c->root, start_of(c, list[i]), start_of(c, list[begin]));
     }
   }
-  for (size_t t = 0; t < d->triangles; t++) {
+  for (size_t t = 0; t < c->triangles; t++) {
     for (int k = 1; k < 3; k++) {
-      sg_disjoint_join(c->root, (uint32_t)d->corner[t][0],
-                       (uint32_t)d->corner[t][k]);
+      sg_disjoint_join(c->root, corner_of(c, t, 0), corner_of(c, t, k));
     }
   }
-  for (size_t v = 0; v < d->vertices; v++) {
-    c->root[v] = sg_disjoint_root(c->root, (uint32_t)v);
+  for (uint32_t v = 0; v < c->vertices; v++) {
+    c->root[v] = sg_disjoint_root(c->root, v);
   }
+}
+
+/* Edges of no polygon make their shells unlike others. False: no memory. */
+static bool
+find_whole(copier *c)
+{
+  const int32_t *list = c->d->list;
+  bool *used = calloc(c->edges + 1, sizeof *used);
+  uint32_t begin;
+
+  c->whole = malloc(c->vertices + 1);
+  if (!used || !c->whole) {
+    free(used);
+    return false;
+  }
+  memset(c->whole, true, c->vertices);
+  for (size_t p = 0; p < c->polygons; p++) {
+    for (uint32_t end = edges_of(c, p, &begin), i = begin; i < end; i++) {
+      used[(uint32_t)list[i] - c->e0] = true;
+    }
+  }
+  for (size_t e = 0; e < c->edges; e++) {
+    if (!used[e]) {
+      c->whole[c->root[start_of(c, (int32_t)(c->e0 + e))]] = false;
+    }
+  }
+  free(used);
+  return true;
 }
 
 /* ---- parts of polygons ---- */
@@ -75,16 +167,18 @@ join_polygons(copier *c)
 static part
 edge_part(const copier *c, int32_t e)
 {
-  return (part){c->place[c->d->from[e]], c->place[c->d->to[e]],
+  return (part){c->place[start_of(c, e)], c->place[end_of(c, e)],
                 UINT32_MAX - c->d->real[e] % KINDS};
 }
 
 static part
 triangle_part(const copier *c, size_t t)
 {
-  const int32_t *corner = c->d->corner[t];
-  uint32_t v[3] = {c->place[corner[0]], c->place[corner[1]],
-                   c->place[corner[2]]};
+  uint32_t v[3];
+
+  for (int k = 0; k < 3; k++) {
+    v[k] = c->place[corner_of(c, t, k)];
+  }
   int k = v[1] < v[0] ? 1 : 0;
 
   k = v[2] < v[k] ? 2 : k;
@@ -102,37 +196,39 @@ compare_parts(const void *x, const void *y)
              : (a->last > b->last) - (a->last < b->last);
 }
 
-/* Counts, then files: by polygon. */
+/* Counts, then files: by polygon. False: no memory. */
 static bool
 file_parts(copier *c)
 {
-  const sg_dense *d = c->d;
+  uint32_t first,
+      all = c->d->list_begin[c->p0 + c->polygons] - c->d->list_begin[c->p0];
 
-  c->begin = calloc(d->polygons + 2, sizeof *c->begin);
-  c->part =
-      malloc((d->list_begin[d->polygons] + d->triangles + 1) * sizeof *c->part);
+  c->begin = calloc(c->polygons + 2, sizeof *c->begin);
+  c->part = malloc((all + c->triangles + 1) * sizeof *c->part);
   if (!c->begin || !c->part) {
     return false;
   }
-  for (size_t t = 0; t < d->triangles; t++) {
-    c->begin[d->polygon_of[t] + 2]++;
+  for (size_t t = 0; t < c->triangles; t++) {
+    c->begin[polygon_of(c, t) + 2]++;
   }
-  for (size_t p = 0; p < d->polygons; p++) {
-    c->begin[p + 2] +=
-        c->begin[p + 1] + d->list_begin[p + 1] - d->list_begin[p];
+  for (size_t p = 0; p < c->polygons; p++) {
+    uint32_t end = edges_of(c, p, &first);
+
+    c->begin[p + 2] += c->begin[p + 1] + end - first;
   }
-  for (size_t p = 0; p < d->polygons; p++) {
-    for (uint32_t i = d->list_begin[p]; i < d->list_begin[p + 1]; i++) {
-      c->part[c->begin[p + 1]++] = edge_part(c, d->list[i]);
+  for (size_t p = 0; p < c->polygons; p++) {
+    for (uint32_t end = edges_of(c, p, &first), i = first; i < end; i++) {
+      c->part[c->begin[p + 1]++] = edge_part(c, c->d->list[i]);
     }
   }
-  for (size_t t = 0; t < d->triangles; t++) {
-    c->part[c->begin[d->polygon_of[t] + 1]++] = triangle_part(c, t);
+  for (size_t t = 0; t < c->triangles; t++) {
+    c->part[c->begin[polygon_of(c, t) + 1]++] = triangle_part(c, t);
   }
-  for (size_t p = 0; p < d->polygons; p++) {
-    if (c->begin[p + 1] > c->begin[p]) {
-      qsort(c->part + c->begin[p], c->begin[p + 1] - c->begin[p],
-            sizeof *c->part, compare_parts);
+  for (size_t p = 0; p < c->polygons; p++) {
+    size_t n = c->begin[p + 1] - c->begin[p];
+
+    if (n > 0) {
+      qsort(c->part + c->begin[p], n, sizeof *c->part, compare_parts);
     }
   }
   return true;
@@ -187,24 +283,24 @@ by_print(const void *x, const void *y)
 static bool
 find_members(copier *c, const sg_cancel *cancel)
 {
-  const sg_dense *d = c->d;
-  size_t n = 0;
+  uint32_t begin;
 
-  c->member = malloc((d->polygons + 1) * sizeof *c->member);
-  for (uint32_t p = 0; c->member && p < d->polygons; p++) {
-    uint32_t i = d->list_begin[p];
-    uint32_t v = i < d->list_begin[p + 1] ? (uint32_t)d->from[d->list[i]] : 0;
+  c->member = malloc((c->polygons + 1) * sizeof *c->member);
+  for (uint32_t p = 0; c->member && p < c->polygons; p++) {
+    bool none = edges_of(c, p, &begin) == begin;
 
-    c->member[n++] = (member){c->root[v], p, print_of(c, p)};
+    c->member[p] =
+        (member){none ? UINT32_MAX : c->root[start_of(c, c->d->list[begin])], p,
+                 print_of(c, p)};
   }
-  return c->member && sg_sort(c->member, n, sizeof *c->member, by_shell,
-                              cancel) == SG_SORTED;
+  return c->member && sg_sort(c->member, c->polygons, sizeof *c->member,
+                              by_shell, cancel) == SG_SORTED;
 }
 
 static bool
 find_shells(copier *c, const sg_cancel *cancel)
 {
-  size_t n = c->d->polygons;
+  size_t n = c->polygons;
 
   c->shell = malloc((n + 1) * sizeof *c->shell);
   for (size_t i = 0, end; c->shell && i < n; i = end) {
@@ -224,89 +320,98 @@ find_shells(copier *c, const sg_cancel *cancel)
                              cancel) == SG_SORTED;
 }
 
+/* Whether b, which comes later, is equal to a, its polygons too later ones. */
 static bool
 same_shells(const copier *c, const shell *a, const shell *b)
 {
   bool same = a->n == b->n;
 
   for (size_t i = 0; same && i < a->n; i++) {
-    same = same_polygons(c, c->member[a->begin + i].polygon,
-                         c->member[b->begin + i].polygon);
+    uint32_t p = c->member[a->begin + i].polygon;
+    uint32_t q = c->member[b->begin + i].polygon;
+
+    same = p < q && same_polygons(c, p, q);
   }
   return same;
 }
 
+static bool
+is_whole(const copier *c, const shell *of)
+{
+  uint32_t root = c->member[of->begin].shell;
+
+  return root != UINT32_MAX && c->whole[root];
+}
+
 /* ---- copies ---- */
 
-/* Edges of no polygon make their shells unlike others: whole[v] of the shell's
- * first vertex becomes false. */
 static void
-find_whole(const copier *c, bool *used, bool *whole)
+set_shell(const copier *c, const shell *of, uint32_t kind, uint32_t copy,
+          uint32_t copies, sg_shell_copies *out)
 {
-  const sg_dense *d = c->d;
+  for (size_t i = of->begin; i < of->begin + of->n; i++) {
+    uint32_t p = c->member[i].polygon;
 
-  for (uint32_t i = 0; i < d->list_begin[d->polygons]; i++) {
-    used[d->list[i]] = true;
-  }
-  memset(whole, true, d->vertices);
-  for (size_t e = 0; e < d->edges; e++) {
-    if (!used[e]) {
-      whole[c->root[d->from[e]]] = false;
-    }
+    out->kind[p] = kind;
+    out->copy[p] = copy;
+    out->copies[p] = copies;
   }
 }
 
-/* Those of one print: a shell goes if the `most` before it are equal to it.
- * lost[v] is of the shell's first vertex. */
+/* Those of one print: they are equal to the first one, each later than the one
+ * before, or alone. */
 static void
-drop_copies(copier *c, size_t from, size_t end, size_t most, const bool *whole,
-            bool *lost)
+set_run(const copier *c, const shell *run, size_t n, sg_shell_copies *out)
 {
-  size_t equal = 0;
+  const shell *last = &run[0];
+  uint32_t copies = 1;
+  bool whole = is_whole(c, &run[0]);
 
-  for (size_t i = from; i < end; i++) {
-    bool same = i > from && same_shells(c, &c->shell[from], &c->shell[i]);
-    uint32_t root = c->member[c->shell[i].begin].shell;
+  for (int turn = 0; turn < 2; turn++) {
+    uint32_t copy = 1;
 
-    equal += same || i == from;
-    lost[root] = same && equal > most && whole[root];
+    last = &run[0];
+    for (size_t i = 1; i < n; i++) {
+      bool same =
+          whole && is_whole(c, &run[i]) && same_shells(c, last, &run[i]);
+
+      if (turn == 1) {
+        set_shell(c, &run[i], same ? run[0].first : run[i].first,
+                  same ? copy : 0, same ? copies : 1, out);
+      }
+      copy += same;
+      last = same ? &run[i] : last;
+    }
+    copies = copy;
   }
+  set_shell(c, &run[0], run[0].first, 0, copies, out);
+  out->any = out->any || copies > 1;
 }
 
 static bool
-find_copies(copier *c, size_t most, sg_shell_copies *out)
+find_copies(copier *c, sg_shell_copies *out)
 {
-  const sg_dense *d = c->d;
-  bool *used = calloc(d->edges + 1, sizeof *used);
-  bool *whole = calloc(d->vertices + 1, sizeof *whole);
-  bool *lost = calloc(d->vertices + 1, sizeof *lost);
-  bool good = used && whole && lost;
+  size_t bytes = (c->polygons + 1) * sizeof(uint32_t);
 
-  out->gone = calloc(d->vertices + 1, sizeof *out->gone);
-  good = good && out->gone;
-  if (good) {
-    find_whole(c, used, whole);
+  out->kind = malloc(bytes);
+  out->copy = malloc(bytes);
+  out->copies = malloc(bytes);
+  if (!out->kind || !out->copy || !out->copies) {
+    return false;
   }
-  for (size_t i = 0, end; good && i < c->shells; i = end) {
+  for (size_t i = 0, end; i < c->shells; i = end) {
     for (end = i + 1;
          end < c->shells && c->shell[end].print == c->shell[i].print; end++) {
     }
-    drop_copies(c, i, end, most, whole, lost);
+    set_run(c, &c->shell[i], end - i, out);
   }
-  for (size_t v = 0; good && v < d->vertices; v++) {
-    out->gone[v] = lost[c->root[v]];
-    out->any = out->any || out->gone[v];
-  }
-  free(used);
-  free(whole);
-  free(lost);
-  return good;
+  return true;
 }
 
 static bool
 any_twice(const copier *c)
 {
-  for (size_t v = 0; v < c->d->vertices; v++) {
+  for (size_t v = 0; v < c->vertices; v++) {
     if (c->place[v] != v) {
       return true;
     }
@@ -315,34 +420,35 @@ any_twice(const copier *c)
 }
 
 bool
-sg_shell_copies_find(const sg_dense *dense, size_t most,
-                     const sg_cancel *cancel, sg_shell_copies *out)
+sg_shell_copies_find(const sg_dense *dense, size_t s, const sg_cancel *cancel,
+                     sg_shell_copies *out)
 {
-  copier c = {.d = dense};
+  copier c;
 
   *out = (sg_shell_copies){0};
+  copier_init(&c, dense, s);
+  if (c.polygons == 0) {
+    return true;
+  }
   c.place =
-      sg_places_of((const double(*)[3])dense->at, dense->vertices, cancel);
-  c.root = malloc((dense->vertices + 1) * sizeof *c.root);
+      sg_places_of((const double(*)[3])dense->at + c.v0, c.vertices, cancel);
+  c.root = malloc((c.vertices + 1) * sizeof *c.root);
   bool good = c.place && c.root;
 
   if (good && any_twice(&c)) {
     join_polygons(&c);
-    good = file_parts(&c) && find_members(&c, cancel) &&
-           find_shells(&c, cancel) && find_copies(&c, most, out);
+    good = find_whole(&c) && file_parts(&c) && find_members(&c, cancel) &&
+           find_shells(&c, cancel) && find_copies(&c, out);
   }
-  free(c.place);
-  free(c.root);
-  free(c.begin);
-  free(c.part);
-  free(c.member);
-  free(c.shell);
+  copier_clear(&c);
   return good;
 }
 
 void
 sg_shell_copies_clear(sg_shell_copies *copies)
 {
-  free(copies->gone);
+  free(copies->kind);
+  free(copies->copy);
+  free(copies->copies);
   *copies = (sg_shell_copies){0};
 }

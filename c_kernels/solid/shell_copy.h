@@ -14,18 +14,23 @@
 
 #include <stdbool.h>
 
+/* What is known of each polygon of a segment, by its place less that of the
+ * first: */
 typedef struct sg_shell_copies {
-  bool any;   /* else nothing else is set */
-  bool *gone; /* [vertices]: of a shell that has `most` equal ones before it,
-                 by the smallest polygon */
+  bool any;         /* some shells are equal; else nothing else is set */
+  uint32_t *kind;   /* equal where shells are equal: the first polygon of the
+                       first of them */
+  uint32_t *copy;   /* how many equal ones come before its shell */
+  uint32_t *copies; /* how many equal ones there are, with its own */
 } sg_shell_copies;
 
-/* Of a segment that is alone in `dense`; most > 0.
+/* Of segment s (a place). Equal ones come in the order of their polygons: where
+ * those of two are not all in one order, these are not equal here.
  *
  * Returns: false: no memory, or the cancellation said stop.
  * Owner:   sg_shell_copies_clear() in any case.
  * Cost:    n log n of its edges and triangles. */
-bool sg_shell_copies_find(const sg_dense *dense, size_t most,
+bool sg_shell_copies_find(const sg_dense *dense, size_t s,
                           const sg_cancel *cancel, sg_shell_copies *out);
 void sg_shell_copies_clear(sg_shell_copies *copies);
 

@@ -12,6 +12,7 @@ typedef struct dropping {
   int32_t s;
   sg_dense dense;
   sg_shell_copies copies;
+  bool *gone; /* [vertices] */
 } dropping;
 
 /* What may not be there: it was made from the segment, or says what it was. */
@@ -48,15 +49,15 @@ goes(const dropping *w, sg_relation relation, int32_t id)
 
   if (relation == SG_V) {
     at = sg_find_id(d->vertex_id, d->vertices, id);
-    return w->copies.gone[at];
+    return w->gone[at];
   }
   if (relation == SG_E) {
     at = sg_find_id(d->edge_id, d->edges, id);
-    return w->copies.gone[d->from[at]];
+    return w->gone[d->from[at]];
   }
   at = sg_find_id(d->polygon_id, d->polygons, id);
   return d->list_begin[at] < d->list_begin[at + 1] &&
-         w->copies.gone[d->from[d->list[d->list_begin[at]]]];
+         w->gone[d->from[d->list[d->list_begin[at]]]];
 }
 
 static bool
@@ -80,6 +81,26 @@ drop_rows(const dropping *w, sg_relation relation)
                   sg_call_no_memory(w->call));
   sg_segment_rows_clear(&rows);
   return good;
+}
+
+/* Notes the vertices of shells that have so many equal ones before them. */
+static bool
+find_gone(dropping *w, size_t most)
+{
+  const sg_dense *d = &w->dense;
+  bool any = false;
+
+  w->gone = sg_call_alloc(w->call, d->vertices + 1);
+  for (size_t v = 0; w->gone && v < d->vertices; v++) {
+    w->gone[v] = false;
+  }
+  for (size_t p = 0; w->gone && w->copies.any && p < d->polygons; p++) {
+    for (uint32_t i = d->list_begin[p];
+         w->copies.copy[p] >= most && i < d->list_begin[p + 1]; i++) {
+      w->gone[d->from[d->list[i]]] = w->gone[d->to[d->list[i]]] = any = true;
+    }
+  }
+  return any;
 }
 
 /* What refers to others goes before these. */
@@ -108,11 +129,11 @@ sg_door_segment_copies_dropped(sg_call *call, int32_t id, size_t most)
     return false;
   }
   w.version = sg_world_version(w.world);
-  bool good = most > 0 && is_alone(&w) &&
-              sg_dense_read(call, &id, 1, &w.dense) &&
-              (sg_shell_copies_find(&w.dense, most, &call->cancel, &w.copies) ||
+  bool good = is_alone(&w) && sg_dense_read(call, &id, 1, &w.dense) &&
+              w.dense.segments == 1 &&
+              (sg_shell_copies_find(&w.dense, 0, &call->cancel, &w.copies) ||
                sg_call_ended(call)) &&
-              w.copies.any && drop_all(&w);
+              find_gone(&w, most) && drop_all(&w);
 
   sg_shell_copies_clear(&w.copies);
   sg_dense_clear(&w.dense);

@@ -45,6 +45,7 @@ enters(sg_cut_handle *set)
   CHECK("said", sg_door_cut_flat_within(&call, set, 0) &&
                     sg_door_cut_of_faces(&call, set) &&
                     sg_door_cut_without_coincident(&call, set) &&
+                    sg_door_cut_few_sheets(&call, set) &&
                     sg_door_cut_own_tolerances(&call, set));
   CHECK("candidates", sg_door_cut_candidate(&call, set, &all) && all.n > 0);
   for (size_t i = 0; i < all.n; i++) {

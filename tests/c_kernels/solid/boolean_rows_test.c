@@ -1,6 +1,6 @@
 /* boolean_rows_test.c -- what Booleans ask and change of rows through the
- * functions of the doors, without Prolog: csg_rows.c, sewing_rows.c and
- * operand_border_rows.c.
+ * functions of the doors, without Prolog: csg_rows.c, shell_copy_rows.c,
+ * sewing_rows.c and operand_border_rows.c.
  */
 #include "doors/boolean.h"
 #include "engine/term.h"
@@ -93,6 +93,35 @@ borders(void)
   }
 }
 
+/* ---- shell_copy_rows.c ---- */
+
+/* In a world of its own. */
+static void
+copies(void)
+{
+  sg_world *world = sg_world_open();
+
+  sg_call_open(&call, NULL, NULL);
+  call.world = world;
+  CHECK("cubes", world && add_cube(world, CUBE) && add_cube(world, TWICE) &&
+                     add_cube_again(world, TWICE, 1));
+  CHECK("not so many", !sg_door_segment_copies_dropped(&call, CUBE, 1) &&
+                           !sg_door_segment_copies_dropped(&call, TWICE, 2));
+  CHECK("no segment", !sg_door_segment_copies_dropped(&call, 7, 1));
+  CHECK("is no error", call.refusal.how == SG_REFUSED_NOTHING);
+  CHECK("something was made of it", add_origin(TWICE, SG_SYMBOL_V));
+  sg_call_rest(&call);
+  CHECK("so it stays", !sg_door_segment_copies_dropped(&call, TWICE, 1));
+  CHECK("twice", add_cube_again(world, CUBE, 1));
+  sg_call_rest(&call);
+  CHECK("dropped", sg_door_segment_copies_dropped(&call, CUBE, 1));
+  sg_call_rest(&call);
+  CHECK("one is left", rows_of(SG_P) == 18 && rows_of(SG_T) == 36 &&
+                           rows_of(SG_E) == 72 && rows_of(SG_V) == 24);
+  sg_call_close(&call);
+  sg_world_let_go(world);
+}
+
 /* ---- sewing_rows.c ---- */
 
 static void
@@ -114,6 +143,7 @@ sewing(void)
 int
 main(void)
 {
+  copies();
   sg_call_open(&call, NULL, NULL);
   call.world = sg_world_open();
   CHECK("cubes", call.world && add_cube(call.world, CUBE) &&

@@ -68,17 +68,30 @@ add(model *m, double x, bool turned, int first)
   }
 }
 
-/* Whether exactly the shells of the string go: '-' of those added. */
+/* Whether exactly the shells of the string have so many equal ones before them:
+ * '-' of those added, as they were. */
 static bool
-goes(const model *m, size_t most, const char *which)
+goes(model *m, size_t most, const char *which)
 {
+  static const uint32_t none = 0;
+  uint32_t begin[4][2] = {{0, (uint32_t)m->d.vertices},
+                          {0, (uint32_t)m->d.edges},
+                          {0, (uint32_t)m->d.polygons},
+                          {0, (uint32_t)m->d.triangles}};
   sg_shell_copies copies;
-  bool good = sg_shell_copies_find(&m->d, most, NULL, &copies);
-  bool any = strchr(which, '-') != NULL;
 
-  good = good && copies.any == any;
-  for (size_t i = 0; good && any && i < m->d.vertices; i++) {
-    good = copies.gone[i] == (which[i / CORNERS] == '-');
+  m->d.vertex_begin = begin[0];
+  m->d.edge_begin = begin[1];
+  m->d.polygon_begin = begin[2];
+  m->d.triangle_begin = begin[3];
+  bool good = sg_shell_copies_find(&m->d, 0, NULL, &copies);
+
+  for (size_t p = 0; good && p < m->d.polygons && p / SIDES < strlen(which);
+       p++) {
+    uint32_t copy = copies.any ? copies.copy[p] : none;
+
+    good = (copy >= most) == (which[p / SIDES] == '-') &&
+           (!copies.any || copies.copies[p] > copy);
   }
   sg_shell_copies_clear(&copies);
   return good;

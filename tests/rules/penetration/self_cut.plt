@@ -4,6 +4,7 @@
 :- use_module(library(apply)).
 :- use_module(library(lists)).
 :- use_module(library(pairs)).
+:- use_module(library(random)).
 :- use_module(rules(command/check)).
 :- use_module(rules(model/integrity)).
 :- use_module(rules(kernel), [self_meetings/2]).
@@ -13,6 +14,7 @@
 :- use_module(rules(store)).
 :- use_module(rules(polygon/triangulation), [complete_segments/0]).
 :- use_module(tests('rules/penetration/oracle')).
+:- use_module(tests('rules/shells')).
 
 /* Self-penetration: every kind once, by hand; random soups of triangles on a
    coarse grid against the oracle's rational arithmetic, pair by pair; and what
@@ -52,6 +54,44 @@ meetings(Points, Faces, Found) :-
 :- multifile user:message_hook/3.
 
 user:message_hook(sanggwan(no_area(_, _, _)), warning, _).
+
+%   copied_shells(-Shells): some boxes and tetrahedra, each so often, in any
+%   order.
+
+copied_shells(Shells) :-
+    random_between(1, 3, N),
+    findall(Shell,
+            ( between(1, N, _),
+              copied_shell(One),
+              random_between(1, 9, Copies),
+              between(1, Copies, _),
+              Shell = One ),
+            Shells0),
+    random_permutation(Shells0, Shells).
+
+copied_shell(at([Turn,translate(X,Y,Z)], box(size(A,B,C)))) :-
+    maplist([N]>>random_between(1, 3, N), [A,B,C]),
+    maplist([N]>>random_between(0, 2, N), [X,Y,Z]),
+    random_member(Turn, [rotate(x,0),rotate(x,90),rotate(z,20)]).
+
+%   counted_as_all(-N): N meetings are counted, and the first of each kind
+%   listed, as when all are listed.
+
+counted_as_all(N) :-
+    self_meetings(1000000, [self(1, Counts, All)]),
+    forall(member(Few, [0,1,3]),
+           ( self_meetings(Few, [self(1, Counts, Listed)]),
+             findall(Meeting, first_of_kind(Few, All, Meeting), Wanted0),
+             msort(Wanted0, Wanted),
+             msort(Listed, Wanted) )),
+    pairs_values(Counts, Ns),
+    sum_list(Ns, N).
+
+first_of_kind(Few, All, Meeting) :-
+    member(Kind, [self_penetration,self_overlap,self_touching]),
+    findall(M, ( member(M, All), arg(1, M, Kind) ), Ms),
+    nth1(I, Ms, Meeting),
+    I =< Few.
 
 /* - - - the oracle - - - */
 
@@ -249,6 +289,17 @@ test(penetrated_boxes_have_none, Bad == []) :-
               member(self(_, _, Ms), Selves),
               Ms \== [] ),
             Bad).
+
+%   Of equal shells a few are asked about: what they count and list is that of
+%   all, and some are left out.
+
+test(equal_shells_count_as_all_do, true(Most > 60)) :-
+    numlist(1, 40, Seeds),
+    foldl([Seed,M0,M]>>( set_random(seed(Seed)),
+                         copied_shells(Shells),
+                         one_segment(Shells, counted_as_all(N)),
+                         M is max(M0, N) ),
+          Seeds, 0, Most).
 
 test(defects, Ds == [self_penetration(1, 1, 2)]) :-
     soup([0-0-0, 3-0-0, 0-3-0, 1-1-(-1), 1-1-1, 5-5-0], [[1,2,3], [4,5,6]],
