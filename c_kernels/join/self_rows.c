@@ -4,7 +4,7 @@
  */
 #include "doors/boolean.h"
 #include "rows/dense_rows.h"
-#include "solid/shell_copy.h"
+#include "shell_copy.h"
 
 #include <stdlib.h>
 

@@ -1,9 +1,9 @@
 /* shell_copy_rows.c -- equal shells of a segment, in its rows. */
 #include "doors/boolean.h"
 #include "engine/search.h"
+#include "join/shell_copy.h"
 #include "rows/append_rows.h"
 #include "rows/dense_rows.h"
-#include "shell_copy.h"
 
 typedef struct dropping {
   sg_call *call;

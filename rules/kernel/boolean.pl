@@ -221,7 +221,7 @@ Foreign predicates; see kernel.pl.
 %   there are not so many, or if something was made from S: leaves, lines, a
 %   picture, a pattern, or S from others.
 %
-%   @see c_kernels/solid/shell_copy.h
+%   @see c_kernels/join/shell_copy.h
 
 /* - - - arrangement_rows.c - - - */
 

@@ -1,7 +1,7 @@
 /* shell_copy_test.c -- equal shells of a segment: the first ones stay, and what
  * differs in a corner, a triangle, the way round or a kind of edge does too.
  */
-#include "solid/shell_copy.h"
+#include "join/shell_copy.h"
 #include "tests/check.h"
 
 #include <stdlib.h>
