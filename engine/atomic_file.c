@@ -494,6 +494,14 @@ place(entry *e, bool alone)
   return error;
 }
 
+bool
+sg_atomic_syncs(void)
+{
+  const char *sync = getenv("SANGGWAN_SYNC");
+
+  return !sync || strcmp(sync, "no") != 0;
+}
+
 /* The names in a folder last through a loss of power. */
 static void
 sync_folder(const char *path)
@@ -512,13 +520,14 @@ static void
 finish(const uint64_t *id, size_t n)
 {
   const entry *synced = NULL;
+  bool syncs = sg_atomic_syncs();
 
   for (size_t i = 0; i < n; i++) {
     entry *e = *find(id[i]);
     if (e->old) {
       unlink(e->old);
     }
-    if (!synced || !same_folder(synced->path, e->path)) {
+    if (syncs && (!synced || !same_folder(synced->path, e->path))) {
       sync_folder(e->path);
       synced = e;
     }

@@ -8,6 +8,7 @@
 #ifndef SG_ATOMIC_FILE_H
 #define SG_ATOMIC_FILE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -38,5 +39,9 @@ void sg_atomic_drop(uint64_t id);
 /* The same for all there are, and nothing is committed from now on: the process
  * is about to be ended from outside. Waits for a commit that is under way. */
 void sg_atomic_end(void);
+
+/* False where SANGGWAN_SYNC=no is in the environment: files need not last
+ * through a loss of power, for who asked for them finds out (a batch). */
+bool sg_atomic_syncs(void);
 
 #endif

@@ -130,8 +130,8 @@ atomic_sync(term_t stream)
   if (!PL_get_stream(stream, &out, SIO_OUTPUT)) {
     return FALSE;
   }
-  if (Sflush(out) == 0 && fsync(Sfileno(out)) != 0 && errno != EINVAL &&
-      errno != ENOTSUP && errno != EROFS) {
+  if (Sflush(out) == 0 && sg_atomic_syncs() && fsync(Sfileno(out)) != 0 &&
+      errno != EINVAL && errno != ENOTSUP && errno != EROFS) {
     Sseterr(out, SIO_FERR, strerror(errno));
   }
   return PL_release_stream(out);

@@ -96,11 +96,13 @@ start(int argc, char **argv)
   return started;
 }
 
-/* The verb is repl, where Ctrl-C stops a goal. */
+/* The verb is repl, where Ctrl-C stops a goal, or batch, where it lets the jobs
+ * that run end. */
 static bool
-is_top_level(char **words)
+outlives_interrupt(char **words)
 {
-  while (*words && strcmp(*words, "repl") != 0) {
+  while (*words && strcmp(*words, "repl") != 0 &&
+         strcmp(*words, "batch") != 0) {
     words++;
   }
   return *words != NULL;
@@ -143,7 +145,7 @@ main(int argc, char **argv)
 
   sg_signals_note();
   if (!arguments || !start(argc + PROLOG_WORDS - 1, arguments) ||
-      !sg_signals_start(interrupted_words(), is_top_level(argv))) {
+      !sg_signals_start(interrupted_words(), outlives_interrupt(argv))) {
     fprintf(stderr, "sanggwan: cannot start SWI-Prolog\n");
     return CANNOT_START;
   }

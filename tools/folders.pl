@@ -24,6 +24,7 @@ folder(rules, pattern, 'patterns on paper').
 folder(rules, message, 'what people read').
 folder(rules, explanation, 'why something is there').
 folder(rules, studio, 'sessions that others ask').
+folder(rules, batch, 'many jobs, in processes').
 folder(rules, command, 'the command line').
 folder(c_kernels, number, 'exact signs and points').
 folder(c_kernels, rows, 'rows as arrays: sort, hash, join').

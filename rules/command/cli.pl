@@ -30,6 +30,7 @@
 :- use_module(user:'../sanggwan').
 :- use_module(user:help, [help/0, help/1]).
 :- use_module(verbs, [verb_run/4]).
+:- use_module('../version', [version/1]).
 :- use_module(library(apply), [maplist/2]).
 :- use_module(library(http/json), [json_write_dict/3]).
 :- use_module(library(lists), [append/3, member/2]).
@@ -42,7 +43,7 @@ status is
     0    done                           2    wrong usage, or a program error
     1    the answer is no; or warnings  3    input unreadable or invalid
          with --strict                  4    the geometry is not possible
-                                        128+N  ended by signal N (130: Ctrl-C)
+    5    some jobs of a batch failed    128+N  ended by signal N (130: Ctrl-C)
 
 An interrupt is an exception here: transactions roll back, files being written
 vanish, then the program ends.
@@ -223,8 +224,6 @@ print_version :-
     format("sanggwan ~w (SWI-Prolog ~d.~d.~d)~n",
            [Version, Major, Minor, Patch]).
 
-version('0.1.0').
-
 
                 /*******************************
                 *             RUNS             *
@@ -304,7 +303,7 @@ limit_given(Text, Part) :-
 verb_watched(Verb, Files, Options, Status) :-
     option(rules(Rules), Options, []),
     maplist(use_rules, Rules),
-    (   ( Verb == repl ; option(quiet(true), Options) )
+    (   ( memberchk(Verb, [repl,batch]) ; option(quiet(true), Options) )
     ->  verb_whole(Verb, Files, Options, Status)
     ;   with_progress(verb_whole(Verb, Files, Options, Status))
     ).
@@ -313,7 +312,7 @@ verb_watched(Verb, Files, Options, Status) :-
 %   together, those of goals one by one.
 
 verb_whole(Verb, Files, Options, Status) :-
-    (   memberchk(Verb, [repl,query])
+    (   memberchk(Verb, [repl,query,batch])
     ->  verb_run(Verb, Files, Options, Status)
     ;   files_together(verb_run(Verb, Files, Options, Status))
     ).

@@ -55,6 +55,9 @@ verb(eval, 'TREE...',
 verb(unfold, 'MODEL... [-o FILE]',
      'flat patterns of solids and surfaces, to cut out and fold',
      '입체와 곡면의 전개도, 오려서 접는다').
+verb(batch, 'MANIFEST -o FOLDER | --merge REPORT... -o FILE',
+     'many jobs from a file of facts, in processes of their own',
+     '사실 파일에 적힌 많은 작업, 각각 따로 된 프로세스에서').
 verb(query, 'MODEL... GOAL',
      'all answers of a Prolog goal about the model',
      '모델에 대한 프롤로그 목표의 모든 답').
@@ -204,6 +207,28 @@ verb_option(query, option(format, '', one_of([table, csv, json, prolog]),
 verb_option(query, option(json, '', flag, '', 'the same as --format json')).
 verb_option(query, option(limit, '', number(1), 'N', 'the first N answers')).
 
+verb_option(batch, option(output, o, each, 'FOLDER',
+    'where results go: FOLDER/NAME.svg is a link into FOLDER/store; with \c
+     --merge a file (.json, .xml of JUnit, .html), may be repeated')).
+verb_option(batch, option(jobs, j, whole(1,1024), 'N',
+    'how many at once, each in a process; usually one for each processor')).
+verb_option(batch, option(shard, '', value, 'I/N',
+    'only part I of N of the jobs; slurm: the part of this task of an array')).
+verb_option(batch, option(resume, '', flag, '',
+    'what failed before is not tried again (what was done never is)')).
+verb_option(batch, option('keep-going', '', flag, '',
+    'go on after a job that failed')).
+verb_option(batch, option(only, '', each, 'NAME',
+    'only the job NAME; may be repeated')).
+verb_option(batch, option(list, '', flag, '',
+    'print the names of the jobs, and do none')).
+verb_option(batch, option(report, '', value, 'FILE',
+    'a line of JSON for each job goes there, not to standard output')).
+verb_option(batch, option(copy, '', flag, '',
+    'results are copies, not links')).
+verb_option(batch, option(merge, '', flag, '',
+    'reports become one: JSON, JUnit, or pages of pictures')).
+
 verb_option(explain, option(tolerance, '', number(0), 'T',
     'what is nearer than T (model units) touches; 0: nothing else does')).
 verb_option(explain, Option) :-
@@ -305,6 +330,15 @@ option_ko(by, '나누는 입체, 또는 끝까지 가르는 열린 곡면').
 option_ko(side,
     '평면의 below(A*X + B*Y + C*Z + D < 0)나 above, 곡면의 below(뒤)나 above, \c
 입체의 inside나 outside. 없으면 둘 다').
+option_ko(jobs, '한꺼번에 할 작업 수, 각각 한 프로세스. 기본값은 프로세서 수').
+option_ko(shard,
+    '작업의 N개 부분 가운데 I번째만. slurm: 배열의 이 태스크에 맞는 부분').
+option_ko(resume, '전에 실패한 작업은 다시 하지 않는다 (끝난 작업은 늘 그렇다)').
+option_ko('keep-going', '작업이 실패해도 계속한다').
+option_ko(list, '작업 이름만 쓰고 하지는 않는다').
+option_ko(report, '작업마다 JSON 한 줄을 표준 출력 대신 이 파일에 쓴다').
+option_ko(copy, '결과를 링크가 아니라 복사본으로 둔다').
+option_ko(merge, '보고 파일들을 하나로: JSON, JUnit, 그림을 모은 쪽').
 option_ko(limit, '처음 N개의 답만').
 option_ko(from, '표준 입력(-)의 형식. 보통 pl').
 option_ko(set, '모델의 매개변수 param(NAME, 기본값)의 값. 여러 번 쓸 수 있다').
@@ -317,6 +351,13 @@ option_ko(timings, '단계별 시간을 JSON으로 표준 오류에').
 option_ko(stats, '행, 바이트, 색인 사용을 JSON으로 표준 오류에').
 option_ko(lang, '메시지의 언어').
 option_ko(help, '이 설명').
+
+%   batch_option_ko(Verb, Name, Help): where batch says another thing.
+
+batch_option_ko(batch, only, '이름이 NAME인 작업만. 여러 번 쓸 수 있다').
+batch_option_ko(batch, output,
+    '결과 폴더: FOLDER/NAME.svg는 FOLDER/store로 가는 링크. --merge와 함께: 파일 \c
+(.json, JUnit의 .xml, .html), 여러 번 쓸 수 있다').
 
 %!  example(?Verb, -Command) is nondet.
 %
@@ -351,6 +392,10 @@ example(eval, 'sanggwan eval facts/pipe_tee.pl -o pipe_tee.stl').
 example(eval, 'sanggwan eval bracket.csg -o bracket.stl').
 example(unfold, Command) :-
     unfold_example(Command).
+example(batch, 'sanggwan batch facts/batch.pl -o out -j 4').
+example(batch, 'sanggwan batch big.pl -o out --shard 2/8 --keep-going \c
+--report out/2.jsonl').
+example(batch, 'sanggwan batch --merge out/*.jsonl -o out/index.html').
 example(query, 'sanggwan query facts/cube.pl \'v(1, V, X, Y, Z)\'').
 example(query, 'sanggwan query facts/figures/fig13.pl --format csv \c
 \'penetrate, line(L, 1, P1, _, _, 2, P2, _, _)\'').
@@ -422,6 +467,8 @@ print_option(Language, Verb, option(Name, Short, _, Meta, Help)) :-
     (   Verb == unfold,
         unfold_option_ko(Name, HelpKo)
     ->  true
+    ;   batch_option_ko(Verb, Name, HelpKo)
+    ->  true
     ;   option_ko(Name, HelpKo)
     ->  true
     ;   HelpKo = Help
@@ -446,7 +493,8 @@ heading_en(options, 'Options:').
 heading_en(examples, 'Examples:').
 heading_en(more, 'sanggwan VERB --help says more, with examples.\n\c
 Exit codes: 0 done; 1 the answer is no; 2 wrong usage; 3 input unreadable\n\c
-or invalid; 4 geometry not possible; 130 interrupted.').
+or invalid; 4 geometry not possible; 5 some jobs of a batch failed;\n\c
+130 interrupted.').
 
 heading_ko(what, '상관: 상관선, 은선, 그리고 관계로서의 모델.').
 heading_ko(usage, '사용법:').
@@ -454,4 +502,4 @@ heading_ko(options, '선택 사항:').
 heading_ko(examples, '보기:').
 heading_ko(more, 'sanggwan VERB --help 에 자세한 설명과 보기가 있다.\n종료 코드: \c
 0 끝남; 1 아니오; 2 잘못된 사용; 3 입력을 읽을 수 없거나 잘못됨;\n\c
-4 기하 계산 불가; 130 중단됨.').
+4 기하 계산 불가; 5 일괄 작업 일부 실패; 130 중단됨.').

@@ -49,6 +49,7 @@
                 output_written/2,
                 usage_error/1
               ]).
+:- use_module(verbs_batch, [batch_run_verb/3]).
 :- use_module(verbs_unfold,
               [ unfold_run/3, roots_apart/1, patterns_given/1,
                 pattern_wanted/3 ]).
@@ -190,6 +191,8 @@ verb_run(Verb, Files, Options, Status) :-
     solid_verb_run(Verb, Files, Options, Status).
 verb_run(unfold, Files, Options, Status) :-
     unfold_run(Files, Options, Status).
+verb_run(batch, Files, Options, Status) :-
+    batch_run_verb(Files, Options, Status).
 verb_run(repl, Files, Options, 0) :-
     (   Files == []
     ->  settings_of(Options, Settings),

@@ -1,6 +1,7 @@
 :- module(sg_command_en,
           [ command_en//1               % +What
           ]).
+:- use_module(batch_en, [batch_usage_en//1]).
 :- use_module(message_parts, [meant_en//1, syntax_words//1]).
 :- use_module(model_en, [limit_en//1]).
 :- use_module(parameter_en, [parameter_en//1]).
@@ -120,6 +121,8 @@ command_en(parameter(What)) -->
     parameter_en(What).
 command_en(pattern(What)) -->
     pattern_fault_en(What).
+command_en(batch(What)) -->
+    batch_usage_en(What).
 command_en(sheet(What)) -->
     sheet_en(What).
 command_en(exact_format(Format)) -->

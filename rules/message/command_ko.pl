@@ -2,6 +2,7 @@
 :- module(sg_command_ko,
           [ command_ko//1               % +What
           ]).
+:- use_module(batch_ko, [batch_usage_ko//1]).
 :- use_module(message_parts, [meant_ko//1, syntax_words//1]).
 :- use_module(model_ko, [limit_ko//1]).
 :- use_module(parameter_ko, [parameter_ko//1]).
@@ -122,6 +123,8 @@ command_ko(parameter(What)) -->
     parameter_ko(What).
 command_ko(pattern(What)) -->
     pattern_fault_ko(What).
+command_ko(batch(What)) -->
+    batch_usage_ko(What).
 command_ko(sheet(What)) -->
     sheet_ko(What).
 command_ko(exact_format(Format)) -->

@@ -2,6 +2,7 @@
 :- module(sg_messages,
           [ english//1                  % +Term
           ]).
+:- use_module(batch_en, [manifest_en//1, batch_en//1]).
 :- use_module(command_en, [command_en//1]).
 :- use_module(csg_en, [csg_en//1]).
 :- use_module(explain_en, [statement_en//1, hidden_en//1]).
@@ -87,6 +88,11 @@ wrong_en(What) -->
 
 fault_en(primitive(What, Term)) -->
     primitive_en(What, Term).
+fault_en(manifest(What)) -->
+    (   { What = usage(Wrong) }
+    ->  command_en(Wrong)
+    ;   manifest_en(What)
+    ).
 fault_en(csg(What)) -->
     csg_en(What).
 fault_en(development(S, What)) -->
@@ -122,6 +128,8 @@ notice_en(do_not_meet) -->
 notice_en(points_alone(N)) -->
     [ 'the segments meet in points alone (~D): see explain vertex(S, V)'-
       [N] ].
+notice_en(batch(What)) -->
+    batch_en(What).
 notice_en(trim(What)) -->
     trim_en(What).
 notice_en(unfold(What)) -->

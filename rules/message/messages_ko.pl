@@ -2,6 +2,7 @@
 :- module(sg_messages_ko,
           [ korean//1                   % +Term
           ]).
+:- use_module(batch_ko, [manifest_ko//1, batch_ko//1]).
 :- use_module(command_ko, [command_ko//1]).
 :- use_module(csg_ko, [csg_ko//1]).
 :- use_module(explain_ko, [statement_ko//1, hidden_ko//1]).
@@ -80,6 +81,11 @@ wrong_ko(What) -->
 
 fault_ko(primitive(What, Term)) -->
     primitive_ko(What, Term).
+fault_ko(manifest(What)) -->
+    (   { What = usage(Wrong) }
+    ->  command_ko(Wrong)
+    ;   manifest_ko(What)
+    ).
 fault_ko(csg(What)) -->
     csg_ko(What).
 fault_ko(development(S, What)) -->
@@ -114,6 +120,8 @@ notice_ko(do_not_meet) -->
     [ '세그먼트들이 만나지 않아 상관선이 없습니다' ].
 notice_ko(points_alone(N)) -->
     [ '세그먼트들이 점 ~D개에서만 만납니다: explain vertex(S, V)'-[N] ].
+notice_ko(batch(What)) -->
+    batch_ko(What).
 notice_ko(trim(What)) -->
     trim_ko(What).
 notice_ko(unfold(What)) -->

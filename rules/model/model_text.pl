@@ -5,6 +5,7 @@
             formed_fact/4,              % +Term, :Known, +Place, -Fact
             world_parameter/2,          % ?Name, -Value
             next_term/3,                % +Text, -Term, -Place
+            next_term/5,                % +Text, +Syntax, -Term, -Names, -Place
             no_fact/2,                  % +Term, -What
             place_error/2,              % +Place, +What
             place_error/3,              % +Place, +Argument, +What
@@ -130,11 +131,19 @@ argument_formed(Column, Value0, Known, Value) :-
 %   The same, whatever Term is.
 
 next_term(Text, Term, Place) :-
+    next_term(Text, sg_model_syntax, Term, _, Place).
+
+%!  next_term(+Text, +Syntax, -Term, -Names, -Place) is det.
+%
+%   The same, read with the operators of the module Syntax; Names are
+%   Name=Variable of its variables.
+
+next_term(Text, Syntax, Term, Names, Place) :-
     Text = text(Name, Path, Stream),
     catch(read_term(Stream, Term,
-                    [ module(sg_model_syntax), term_position(Position),
-                      cycles(false), dotlists(false), var_prefix(false),
-                      syntax_errors(error)
+                    [ module(Syntax), term_position(Position),
+                      variable_names(Names), cycles(false), dotlists(false),
+                      var_prefix(false), syntax_errors(error)
                     ]),
           Error, syntax_failure(Error, Name, Stream)),
     Place = place(Name, Path, Position),

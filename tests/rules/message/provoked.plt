@@ -186,6 +186,7 @@ elsewhere(no_help(_,_), test('tests/rules/command/help.plt')).
 elsewhere(prolog_help(_,_), test('tests/rules/command/help.plt')).
 elsewhere(no_answer, test('tests/rules/command/query.plt')).
 elsewhere(because(_), test('tests/rules/explanation/explain.plt')).
+elsewhere(batch(_), test('tests/transcripts/batch.txt')).
 elsewhere(operand(repaired(no_area,_),_), test('tests/rules/solid/repair.plt')).
 elsewhere(written(_,rounds(_)), test('tests/rules/model/solid_file.plt')).
 elsewhere(written(_,rounds(1)), test('tests/rules/model/solid_file.plt')).

@@ -1,0 +1,82 @@
+:- module(sg_batch_report,
+          [ line_text/3,                % +Job, +Result, -Text
+            json_text/2,                % +Value, -Text
+            outcome/1                   % ?Outcome
+          ]).
+:- use_module('../plain', [plain_json/2]).
+:- use_module(library(http/json), [json_write_dict/3]).
+/** <module> The report of a batch: lines of JSON, one a job.
+*/
+
+%!  outcome(?Outcome) is nondet.
+%
+%   What may become of a job, as lines and summaries call it.
+
+outcome(done).
+outcome(cached).
+outcome(failed).
+outcome(timeout).
+outcome(killed).
+
+%!  line_text(+Job, +Result, -Text) is det.
+%
+%   Text is the line of Job. Result is result(Outcome, Status, Key,
+%   usage(Seconds, Cpu, Kilobytes), Files, Said, Error); Said and Error are
+%   texts of JSON.
+
+line_text(job(Number, Name, _, Verb, _, _, _, _),
+          result(Outcome, Status, Key, usage(Seconds, Cpu, Kilobytes), Files,
+                 Said, Error),
+          Text) :-
+    json_text(Name, NameText),
+    files_text(Files, FilesText),
+    format(string(Text),
+           '{"job":~w,"number":~d,"verb":"~w","status":~w,"outcome":"~w",\c
+            "key":"~w","seconds":~3f,"cpu":~3f,"rss_kb":~d,"files":~w,\c
+            "said":~w,"error":~w}',
+           [ NameText, Number, Verb, Status, Outcome, Key, Seconds, Cpu,
+             Kilobytes, FilesText, Said, Error ]).
+
+files_text([], '[]') :-
+    !.
+files_text([File|Files], Text) :-
+    json_text(File, First),
+    files_rest(Files, Rest),
+    atomic_list_concat(['[', First|Rest], Text).
+
+files_rest([], [']']).
+files_rest([File|Files], [',', Text|Rest]) :-
+    json_text(File, Text),
+    files_rest(Files, Rest).
+
+%!  json_text(+Value, -Text) is det.
+%
+%   Text is Value, an atom or what json_write_dict/3 takes, as JSON in one line.
+
+json_text(Value, Text) :-
+    (   atom(Value),
+        Value \== null,
+        plain_name(Value)
+    ->  atomic_list_concat(['"', Value, '"'], Text)
+    ;   (   atom(Value),
+            Value \== null
+        ->  atom_string(Value, Value1)
+        ;   Value1 = Value
+        ),
+        with_output_to(
+            string(Text),
+            plain_json(current_output,
+                       json_write_dict(current_output, Value1, [width(0)])))
+    ).
+
+plain_name(Name) :-
+    atom_codes(Name, Codes),
+    plain_codes(Codes).
+
+plain_codes([]).
+plain_codes([C|Cs]) :-
+    C >= 32,
+    C < 127,
+    C =\= 0'",
+    C =\= 0'\\,
+    plain_codes(Cs).
