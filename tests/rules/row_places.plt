@@ -64,7 +64,9 @@ worked(Places, Before, Name, Told-Rows) :-
 
 told(Defects-Volumes) :-
     findall(D, model_defect(D), Defects),
-    findall(S-V, ( segment(S, solid, _), catch(volume(S, V), _, fail) ), Volumes).
+    findall(S-V,
+            ( segment(S, solid, _), catch(volume(S, V), _, fail) ),
+            Volumes).
 
 all_rows(Rows) :-
     findall(Name-Own,
@@ -141,7 +143,8 @@ same(Name, Before) :-
              subtract(Own2, Own1, New),
              length(Gone, G),
              length(New, N),
-             format(user_error, '~q after ~d rows: ~w: ~d rows otherwise (~d): ~p ~p~n',
+             format(user_error,
+                    '~q after ~d rows: ~w: ~d otherwise (~d)~n  ~p~n  ~p~n',
                     [Name,Before,Relation,G,N,Gone,New]) )),
     Rows1 == Rows2.
 
