@@ -502,6 +502,20 @@ sg_atomic_syncs(void)
   return !sync || strcmp(sync, "no") != 0;
 }
 
+int
+sg_atomic_sync(int fd)
+{
+  enum { PART = 1 << 23 };
+  struct stat st;
+
+  for (off_t at = 0; fstat(fd, &st) == 0 && at < st.st_size; at += PART) {
+    if (sync_file_range(fd, at, PART, SYNC_FILE_RANGE_WRITE_AND_WAIT) != 0) {
+      break; /* it may be no file of a disk */
+    }
+  }
+  return fsync(fd) == 0 ? 0 : errno;
+}
+
 /* The names in a folder last through a loss of power. */
 static void
 sync_folder(const char *path)
@@ -516,30 +530,45 @@ sync_folder(const char *path)
   free(folder);
 }
 
-static void
+/* All are in their places: takes them out of the list. */
+static entry *
 finish(const uint64_t *id, size_t n)
 {
-  const entry *synced = NULL;
-  bool syncs = sg_atomic_syncs();
+  entry *done = NULL;
 
-  for (size_t i = 0; i < n; i++) {
-    entry *e = *find(id[i]);
+  for (size_t i = n; i > 0; i--) {
+    entry **at = find(id[i - 1]), *e = *at;
     if (e->old) {
       unlink(e->old);
     }
-    if (syncs && (!synced || !same_folder(synced->path, e->path))) {
-      sync_folder(e->path);
-      synced = e;
-    }
+    unlink(e->own);
+    *at = e->next;
+    e->next = done;
+    done = e;
   }
-  for (size_t i = 0; i < n; i++) {
-    drop(find(id[i]));
+  return done;
+}
+
+/* Nobody waits for this: what ends the process need not. */
+static void
+sync_folders(entry *done)
+{
+  bool syncs = sg_atomic_syncs();
+
+  while (done) {
+    entry *e = done;
+    done = e->next;
+    if (syncs && (!done || !same_folder(done->path, e->path))) {
+      sync_folder(e->path);
+    }
+    free_entry(e);
   }
 }
 
 int
 sg_atomic_commit(const uint64_t *id, size_t n, size_t *failed)
 {
+  entry *done = NULL;
   int error = 0;
   size_t i = 0;
 
@@ -549,7 +578,7 @@ sg_atomic_commit(const uint64_t *id, size_t n, size_t *failed)
     error = ended || !e || !e->path ? EINTR : place(e, n == 1);
   }
   if (!error) {
-    finish(id, n);
+    done = finish(id, n);
   } else {
     *failed = i - 1;
     while (i > 0) {
@@ -560,6 +589,7 @@ sg_atomic_commit(const uint64_t *id, size_t n, size_t *failed)
     }
   }
   pthread_mutex_unlock(&lock);
+  sync_folders(done);
   return error;
 }
 

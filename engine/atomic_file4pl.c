@@ -130,9 +130,11 @@ atomic_sync(term_t stream)
   if (!PL_get_stream(stream, &out, SIO_OUTPUT)) {
     return FALSE;
   }
-  if (Sflush(out) == 0 && sg_atomic_syncs() && fsync(Sfileno(out)) != 0 &&
-      errno != EINVAL && errno != ENOTSUP && errno != EROFS) {
-    Sseterr(out, SIO_FERR, strerror(errno));
+  if (Sflush(out) == 0 && sg_atomic_syncs()) {
+    int error = sg_atomic_sync(Sfileno(out));
+    if (error && error != EINVAL && error != ENOTSUP && error != EROFS) {
+      Sseterr(out, SIO_FERR, strerror(error));
+    }
   }
   return PL_release_stream(out);
 }

@@ -5,7 +5,8 @@
  * A thread hears that and tells Prolog's main thread, which ends what it does
  * at its next cancel; no handler of Prolog runs in the middle of anything.
  * Where the work does not end in time, the thread removes the files that are
- * under way and ends the process.
+ * under way and ends the process. A process that holds a gigabyte or more is
+ * given no time: the system needs it to free the memory.
  */
 #ifndef SG_SIGNALS_H
 #define SG_SIGNALS_H

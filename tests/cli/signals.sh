@@ -9,18 +9,19 @@ export TMPDIR=$work/tmp
 mkdir "$to" "$TMPDIR"
 echo old >"$to/a.off"
 
-# Two balls of 4 N^2 triangles.
-awk -v n=120 'BEGIN { pi = 3.14159265358979
+# Two balls of 4 N (N - 1) triangles.
+awk -v n=120 'function at(i, j) {
+  return i == 0 ? 1 : i == n ? (n - 1) * 2 * n + 2 : (i - 1) * 2*n + j % (2*n) + 2
+}
+BEGIN { pi = 3.14159265358979
   for (x = 0; x < 2; x++) {
     file = "'"$work"'/ball" x ".obj"
-    for (i = 0; i <= n; i++) for (j = 0; j < 2 * n; j++)
+    for (i = 0; i <= n; i++) for (j = 0; j < (i % n ? 2 * n : 1); j++)
       printf "v %.15f %.15f %.15f\n", 0.7 * x + sin(pi*i/n) * cos(pi*j/n), \
         sin(pi*i/n) * sin(pi*j/n), cos(pi*i/n) > file
     for (i = 0; i < n; i++) for (j = 0; j < 2 * n; j++) {
-      a = i*2*n + j + 1; b = a + 2*n
-      c = i*2*n + (j+1) % (2*n) + 1; d = c + 2*n
-      if (i < n - 1) print "f", a, b, d > file
-      if (i > 0) print "f", a, d, c > file
+      if (i < n - 1) print "f", at(i, j), at(i+1, j), at(i+1, j+1) > file
+      if (i > 0) print "f", at(i, j), at(i+1, j+1), at(i, j+1) > file
     }
   }
 }'
@@ -123,6 +124,12 @@ moments() {
 moments union union "$work/ball0.obj" "$work/ball1.obj" -o "$to/a.off"
 moments draw draw "$work/ball0.obj" "$work/ball1.obj" -o "$to/a.svg" \
   -o "$to/a.pdf"
+all=$times
+times=${SIGNAL_TIMES:-1}
+moments unfold unfold "$work/ball0.obj" -o "$to/a.svg"
+moments convert convert "$work/ball0.obj" -o "$to/a.pl"
+moments penetrate penetrate "$work/ball0.obj" "$work/ball1.obj" -o "$to/a.csv"
+moments split split "$work/ball0.obj" --plane 0,0,1,-0.1 -o "$to/a.stl"
 printf 'counted: the slowest of %d ends took %d ms\n' \
-  "$((16 + 2 * times))" "$worst"
+  "$((16 + 2 * all + 4 * times))" "$worst"
 finish
