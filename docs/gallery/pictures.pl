@@ -205,3 +205,30 @@ picture(unfolded_15b, 'Development, figure 15, the lying cylinder',
         'The other one of the two.',
         [unfold,'facts/patterns/fig15.pl','--trim',outside,
          '--only',lying,'--no-numbers']).
+
+% Fittings: docs/fittings.md.
+picture(fitting_elbow, 'Elbow',
+        'Four pieces of plate of 4 mm that meet in mitres; sizes are those of \c
+         the order, no angle is computed by hand.',
+        [unfold,'facts/fittings/elbow.pl']).
+picture(fitting_tee, 'Tee',
+        'A branch set on a header, both of plate; the hole is marked outside.',
+        [unfold,'facts/fittings/tee.pl']).
+picture(fitting_wye, 'Wye',
+        'A stem and two legs of one diameter.',
+        [unfold,'facts/fittings/wye.pl']).
+picture(fitting_offset, 'Offset',
+        'Three pieces of pipe that go on beside where it was.',
+        [unfold,'facts/fittings/offset.pl']).
+picture(fitting_reducer, 'Reducer',
+        'A part of a cone, in the layer that keeps its length.',
+        [unfold,'facts/fittings/reducer.pl']).
+picture(fitting_square_to_round, 'Square to round',
+        'A duct to a pipe, in plate of 2 mm.',
+        [unfold,'facts/fittings/square_to_round.pl']).
+picture(fitting_hopper, 'Hopper',
+        'Bent of one plate; the bends have taken off what they need.',
+        [unfold,'facts/fittings/hopper.pl']).
+picture(fitting_cyclone, 'Cyclone in plate',
+        'Barrel, cone, dust pipe, inlet and outlet.',
+        [unfold,'facts/fittings/cyclone.pl']).

@@ -12,7 +12,7 @@
 :- use_module(report, [counted/4]).
 :- use_module('../development/seam_measure', [pattern_area/2, seam_drawn/3]).
 :- use_module('../store', [segment/3, v/5, p/3, origin/3, from_p/5, piece/3]).
-:- use_module('../primitive/primitive', [primitive_name/2]).
+:- use_module('../primitive/primitive', [primitive/1]).
 :- use_module('../solid/trimmed', [part_named/2, part_named/4, trimmed_from/2]).
 :- use_module('../unrolling/true_parts', [polygon_drawn/4]).
 :- use_module('../unfolding/unfold', [pattern_of/2]).
@@ -113,9 +113,8 @@ pattern_title(D, S, Name) :-
 
 part_title(Leaf/_, Title) :-
     !,
-    segment(Leaf, _, Term),
     segment_title(Leaf, Title),
-    \+ primitive_name(Term, Title).
+    \+ primitive(Title).
 part_title(Part, Part) :-
     Part \== side.
 

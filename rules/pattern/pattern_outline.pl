@@ -3,17 +3,21 @@
             loop_area/2                 % +Points, -Area
           ]).
 :- use_module('../near', [less_part/2]).
-:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(apply), [exclude/3, foldl/4, maplist/3]).
 :- use_module(library(assoc),
               [ del_assoc/4, get_assoc/3, list_to_assoc/2, min_assoc/3,
                 put_assoc/4 ]).
-:- use_module(library(lists), [member/2, select/3]).
+:- use_module(library(lists), [append/3, member/2, select/3]).
 :- use_module(library(pairs), [group_pairs_by_key/2, pairs_values/2]).
 /** <module> Where a piece is cut out: its outline in closed loops.
 
 A side that is no fold and no penetration line is cut. The face lies on the left
 of each, so the outline runs counter-clockwise round the piece and clockwise
 round each hole.
+
+Where bends take off from faces that are not alike (bend.pl), the two sides of a
+fold end in two places on the bend line. The outline goes along it from one to
+the other: that is a side of edge 0.
 */
 
 :- set_prolog_flag(optimise, true).
@@ -30,14 +34,46 @@ cut_loops(Sides, Loops) :-
               Side = side(_, _, W-_, _, Joint),
               is_cut(Joint)
             ),
-            Pairs0),
+            Pairs1),
+    fold_steps(Sides, Steps),
+    append(Pairs1, Steps, Pairs0),
     keysort(Pairs0, Pairs),
     group_pairs_by_key(Pairs, Groups),
     list_to_assoc(Groups, Leaving),
-    walked_loops(Leaving, Loops0),
+    walked_loops(Leaving, Loops1),
+    (   Steps == []
+    ->  Loops0 = Loops1
+    ;   exclude(steps_alone(Steps), Loops1, Loops0)
+    ),
     maplist(loop_rank, Loops0, Ranked0),
     keysort(Ranked0, Ranked),
     pairs_values(Ranked, Loops).
+
+%   fold_steps(Sides, Steps): W-Side for each end of a fold that its two sides
+%   have in two places.
+
+fold_steps(Sides, Steps) :-
+    findall(J-(Which-Side),
+            ( member(Side, Sides),
+              Side = side(_, _, _, _, fold(J,_,Which)) ),
+            Folds0),
+    keysort(Folds0, Folds),
+    group_pairs_by_key(Folds, Groups),
+    findall(W-side(0,P,W-A,V-B,border),
+            ( member(_-[1-Side1,2-Side2], Groups),
+              (   Side = Side1, Other = Side2
+              ;   Side = Side2, Other = Side1
+              ),
+              Side = side(_, P, W-A, _, _),
+              Other = side(_, _, _, V-B, _),
+              W \== V ),
+            Steps).
+
+%   steps_alone(Steps, Loop): all round a corner within the piece.
+
+steps_alone(Steps, Loop) :-
+    \+ ( member(Side, Loop),
+         \+ memberchk(_-Side, Steps) ).
 
 is_cut(border).
 is_cut(seam(_,_,_)).

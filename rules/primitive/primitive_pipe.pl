@@ -33,7 +33,8 @@ what is nearer to its own direction than to the others.
 
 Generators go on from piece to piece, as mirrored in the mitre. On the first, 0
 degrees is the side to +x (to +z, if the axis goes along x): where an elbow is
-shortest. On the pieces of a wye it is the side to +y.
+shortest. On the pieces of a wye it is the side to +y, on its second leg that to
+-y: so 90 degrees is where the two legs meet.
 
 The plane of a mitre is not written down: true_mitre.pl has it.
 */
@@ -336,9 +337,8 @@ pipe_ends(N, Rings, [face(base, [Base]), face(top, [Top])]) :-
 %!  wye_shape(+Given, -Shape) is det.
 %
 %   Piece 1 is the stem, 2 the leg to +x, 3 the other. Vertices 1 and 2 are
-%   where the three meet; then come the mitres of stem and leg 2, leg 3 and
-%   stem, leg 2 and leg 3, by the generators of the first of both from 0 to 180
-%   degrees (the stem: of leg 3); then the ends.
+%   where the three meet; then come the mitres of the stem and leg 2, of the
+%   stem and leg 3, of the two legs, each from +y to -y; then the ends.
 %
 %   @error odd_facets(N), sharp_turn(1), short_piece(I, Length, Least)
 
@@ -347,7 +347,7 @@ wye_shape(Given, shape(Points, Faces, Surfaces)) :-
     Half is N//2,
     Pieces = [Stem,Leg2,Leg3],
     mitre_points(Stem, Leg2, R, N, Arc1),
-    mitre_points(Leg3, Stem, R, N, Arc2),
+    maplist(other_side, Arc1, Arc2),
     mitre_points(Leg2, Leg3, R, N, Arc3),
     Back is -R,
     findall(Ring, ( member(Piece, Pieces), end_ring(Piece, R, N, Ring) ),
@@ -360,6 +360,9 @@ wye_shape(Given, shape(Points, Faces, Surfaces)) :-
     findall(piece(I)-Surface,
             ( member(Piece, Pieces), leg_surface(Piece, R, I, Surface) ),
             Surfaces).
+
+other_side(p(X0,Y,Z), p(X,Y,Z)) :-
+    X is -X0.
 
 %   wye_pieces(Given, R, N, Pieces): leg(I, Frame, Length, Deep), Deep how far
 %   its mitres go along it.
@@ -381,13 +384,13 @@ wye_pieces(Given, R, N, Pieces) :-
     Half is A/2.0,
     exact_sin_cos(Half, X, Z),
     X2 is -X,
-    Legs = [1-p(0.0,0.0,-1.0)-StemLength, 2-p(X,0.0,Z)-LegLength,
-            3-p(X2,0.0,Z)-LegLength],
+    Legs = [1-p(0.0,0.0,-1.0)-StemLength-1.0, 2-p(X,0.0,Z)-LegLength-1.0,
+            3-p(X2,0.0,Z)-LegLength-(-1.0)],
     findall(leg(I, Frame, Length, Deep),
-            ( member(I-Way-Length, Legs),
-              pipe_frame(Way, p(0.0,1.0,0.0), Frame),
+            ( member(I-Way-Length-Y, Legs),
+              pipe_frame(Way, p(0.0,Y,0.0), Frame),
               findall(Deep0,
-                      ( member(J-Other-_, Legs),
+                      ( member(J-Other-_-_, Legs),
                         J =\= I,
                         mitre_depth(Way, Other, R, Deep0) ),
                       Deeps),
@@ -444,26 +447,38 @@ leg_surface(leg(I, Frame, Length, Deep), R, I, Surface) :-
 
 %   wye_vertex(I, J, N, Half, V): where generator J of piece I, from 0, begins.
 
-wye_vertex(_, 0, _, _, 1) :-
-    !.
-wye_vertex(_, Half, _, Half, 2) :-
-    !.
 wye_vertex(I, J, N, Half, V) :-
-    (   J < Half
-    ->  Own = J,
-        own_arc(I, Arc)
-    ;   Own is N-J,
-        other_arc(I, Arc)
-    ),
-    V is 2 + (Arc-1)*(Half-1) + Own.
+    wye_mitre(I, J, N, Half, Arc, K),
+    (   K =:= 0
+    ->  V = 1
+    ;   K =:= Half
+    ->  V = 2
+    ;   V is 2 + (Arc-1)*(Half-1) + K
+    ).
 
-own_arc(1, 1).
-own_arc(2, 3).
-own_arc(3, 2).
+%   wye_mitre(I, J, N, Half, Arc, K): the K-th point of a mitre, from +y.
 
-other_arc(1, 2).
-other_arc(2, 1).
-other_arc(3, 3).
+wye_mitre(1, J, N, Half, Arc, K) :-
+    (   J =< Half
+    ->  Arc = 1,
+        K = J
+    ;   Arc = 2,
+        K is N-J
+    ).
+wye_mitre(2, J, N, Half, Arc, K) :-
+    (   J =< Half
+    ->  Arc = 3,
+        K = J
+    ;   Arc = 1,
+        K is N-J
+    ).
+wye_mitre(3, J, _, Half, Arc, K) :-
+    (   J =< Half
+    ->  Arc = 3,
+        K is Half-J
+    ;   Arc = 2,
+        K is J-Half
+    ).
 
 wye_end_vertex(I, J, N, Half, V) :-
     V is 2 + 3*(Half-1) + (I-1)*N + J + 1.

@@ -7,6 +7,7 @@
 :- use_module(library(lists)).
 :- use_module(rules(csg/csg_term)).
 :- use_module(rules(development/seam_measure)).
+:- use_module(rules(model/model)).
 :- use_module(rules(model/model_file)).
 :- use_module(rules(primitive/primitive)).
 :- use_module(rules(polygon/triangulation)).
@@ -326,6 +327,146 @@ test(odd, error(model_error(primitive(odd_facets(9), _)))) :-
     in_model([segment(1, solid, wye(diameter(10), stem(90), legs(100),
                                     facets(9)))],
              true).
+
+
+                /*******************************
+                *     THE FILES, BY ORDER      *
+                *******************************/
+
+%   ordered(Name, Settings, S, Patterns): Area-Rows of the patterns of segment S
+%   of facts/fittings/Name.pl with these parameters, as the file says.
+
+ordered(Name, Settings, S, Patterns) :-
+    format(atom(Local), 'facts/fittings/~w.pl', [Name]),
+    absolute_file_name(sanggwan(Local), File),
+    new_world(World),
+    in_world(World,
+             ( load_model(File, [parameters(Settings)]),
+               other_parts(S, [], Others),
+               how_wished(S, [by(Others)], Options),
+               wishes(S, [], Wishes),
+               wanted_of(S, Wishes, Wanted),
+               true_patterns(S, Wanted, Options, Ds),
+               findall(Area-Rows,
+                       ( member(D, Ds),
+                         segment(D, _, true_development(_, _)),
+                         true_length_rows(D, Rows),
+                         Rows = [_,_|_],
+                         pattern_area(D, Area) ),
+                       Patterns) )).
+
+test(elbow_ordered,
+     [forall(member(D-R-N-A-T, [114.3-171.45-4-90-4, 60.3-76-2-45-2.9,
+                                610-915-6-90-9.5]))]) :-
+    ordered(elbow, [d=D,r=R,pieces=N,angle=A,t=T], 1, Patterns),
+    length(Patterns, N),
+    Middle is (D-T)/2,
+    Half is A*pi/(360*(N-1)),
+    forall(nth1(I, Patterns, _-Rows),
+           ( ( memberchk(I, [1,N]) -> K = 1 ; K = 2 ),
+             forall(nth0(J, Rows, row(_, _, Arc, _, _, Length, _, _, _)),
+                    ( Exact is K*(R - Middle*cos(J*pi/12))*tan(Half),
+                      near(Length, Exact),
+                      near(Arc, J*pi/12*Middle) )) )).
+
+test(offset_ordered, [forall(member(X-H, [150-180,40-300,200-200]))]) :-
+    ordered(offset, [d=100,x=X,h=H,ends=150,t=4], 1,
+            [_-Rows1,_-Rows2,_-Rows3]),
+    Tan is tan(atan2(X, H)/2),
+    Slope is sqrt(X*X + H*H),
+    forall(nth0(J, Rows1, row(_, _, _, _, _, Length, _, _, _)),
+           near(Length, 150 - 48*cos(J*pi/12)*Tan)),
+    forall(member(row(_, _, _, _, _, Length, _, _, _), Rows2),
+           near(Length, Slope)),
+    forall(nth0(J, Rows3, row(_, _, _, _, _, Length, _, _, _)),
+           near(Length, 150 + 48*cos(J*pi/12)*Tan)).
+
+%   The inside of the branch meets the outside of the header; of one diameter
+%   they meet by their middles.
+
+tee(168.3, 114.3, 6, 5, 90, 0).
+tee(168.3, 60.3, 6, 2.9, 45, 0).
+tee(323.9, 168.3, 8, 6.3, 60, 40).
+tee(323.9, 168.3, 8, 6.3, 110, -60).
+tee(168.3, 168.3, 5, 5, 90, 0).
+tee(168.3, 168.3, 5, 5, 60, 0).
+
+test(tee_ordered, [forall(tee(D, B, T, TB, A, E))]) :-
+    ordered(tee, [d=D,b=B,t=T,tb=TB,angle=A,offset=E,height=400,length=1000],
+            2, [_-Rows]),
+    (   D =:= B
+    ->  Inside is (B-TB)/2,
+        Outside is (D-T)/2
+    ;   Inside is B/2-TB,
+        Outside is D/2
+    ),
+    Neutral is (B-TB)/2,
+    Radians is A*pi/180,
+    forall(nth0(J, Rows, row(_, _, Arc, _, _, Length, _, _, _)),
+           ( At is J*pi/12,
+             Deep is sqrt(max(0.0, Outside**2 - (E + Inside*sin(At))**2)),
+             Exact is 400 - (Deep + Inside*cos(At)*cos(Radians))/sin(Radians),
+             near(Length, Exact),
+             near(Arc, Neutral*At) )).
+
+test(reducer_ordered,
+     [forall(member(D-D2-H-T, [168.3-114.3-140-4,114.3-168.3-100-3,
+                               508-323.9-508-9.5]))]) :-
+    ordered(reducer, [d=D,d2=D2,h=H,t=T], 1, [_-Rows]),
+    Off is abs(D-D2)/2,
+    Slant is sqrt(H*H + Off*Off),
+    Sine is Off/Slant,
+    Near is min(D, D2)/2/Sine - T/2*H/Off,
+    forall(nth0(J, Rows, row(_, _, Angle, From, To, Length, _, _, _)),
+           ( near(Angle, J*15*Sine),
+             near(min(From, To), Near),
+             near(max(From, To), Near+Slant),
+             near(Length, Slant) )).
+
+%   The lengths from a corner of the neutral layer to points of its circle.
+test(square_to_round_ordered,
+     [forall(member(A-B-D-H-T, [300-200-160-150-2,500-500-250-300-3,
+                                200-400-180-220-0]))]) :-
+    ordered(square_to_round, [a=A,b=B,d=D,h=H,t=T], 1, [_-Rows]),
+    R is (D-T)/2,
+    findall(Length, member(row(_, _, _, _, _, Length, _, _, _), Rows),
+            Lengths),
+    forall(between(0, 4, J),
+           ( At is J*pi/8,
+             Exact is sqrt(((A-T)/2 - R*cos(At))**2
+                           + ((B-T)/2 - R*sin(At))**2 + H*H),
+             aggregate_all(count,
+                           ( member(Length, Lengths),
+                             abs(Length-Exact) < 1.0e-9*Exact ),
+                           Count),
+             Count >= 4 )).
+
+%   Trapezoids of the neutral layer; each loses half of BD along its two bends.
+test(hopper_ordered,
+     [forall(member(T-R, [2-2,3-6,5-1]))]) :-
+    ordered(hopper, [a=600,b=500,c=200,d=150,h=400,t=T,r=R], 1, [Area-_]),
+    A is 600-T, B is 500-T, C is 200-T, D is 150-T,
+    OutX is (A-C)/2, OutY is (B-D)/2,
+    SlantX is sqrt(400*400 + OutX*OutX),
+    SlantY is sqrt(400*400 + OutY*OutY),
+    Edge is sqrt(400*400 + OutX*OutX + OutY*OutY),
+    Turn is acos(OutX*OutY/(SlantX*SlantY)),
+    Layer is R + 0.5*T,
+    Deduction is 2*tan(Turn/2)*Layer - Turn*Layer,
+    Exact is SlantX*(B+D) + SlantY*(A+C) - 8*Edge*Deduction/2,
+    near(Area, Exact).
+
+%   Barrel, cone and pipes of the cyclone are as wide as their neutral layers.
+test(cyclone_ordered, [forall(member(D-T, [300-2,800-4]))]) :-
+    ordered(cyclone, [d=D,t=T], 2, [_-[row(_, _, _, Near, Far, _, _, _, _)|_]]),
+    Off is (D - 0.375*D)/2,
+    Slant is sqrt((2.5*D)**2 + Off*Off),
+    near(abs(Far-Near), Slant),
+    near(max(Near, Far), D/2*Slant/Off - T/2*2.5*D/Off),
+    forall(member(S-Width, [3-0.375,5-0.5]),
+           ( ordered(cyclone, [d=D,t=T], S, [_-Rows]),
+             last(Rows, row(_, _, Arc, _, _, _, _, _, _)),
+             near(Arc, pi*(Width*D - T)) )).
 
 
                 /*******************************

@@ -1,0 +1,48 @@
+% A branch on a header: a tee, or a lateral if it is not square. The branch is
+% set on the header; with as large a branch they meet in a mitre.
+%
+%     sanggwan unfold facts/fittings/tee.pl --set b=60.3 --set angle=45 \
+%         -o tee.pdf
+%
+% Units: millimetres, right-handed; the header lies along x.
+
+param(d, 168.3).                % outside diameter of the header
+param(t, 6).                    % thickness of its plate
+param(length, 500).             % of the header
+param(b, 114.3).                % outside diameter of the branch
+param(tb, 5).                   % thickness of its plate
+param(height, 250).             % of the branch, from the axis of the header
+param(angle, 90).               % between the axes, degrees
+param(offset, 0).               % of the axes from each other, sideways
+param(seam, 0).                 % of the branch, degrees: 0 where it is longest
+
+segment(1, solid,
+        named(header, at([rotate(y, 90), translate(-param(length)/2, 0, 0)],
+                         cylinder(radius(param(d)/2), height(param(length)),
+                                  facets(96))))).
+segment(2, solid,
+        named(branch, at([rotate(y, 90-param(angle)),
+                          translate(0, param(offset), 0)],
+                         cylinder(radius(param(b)/2), height(param(height)),
+                                  facets(96))))).
+
+% The header is welded opposite the hole.
+unfolding(1, removed([base, top])).
+unfolding(1, true_lengths).
+unfolding(1, trim(outside)).
+unfolding(1, thickness(param(t))).
+unfolding(1, other_thickness(param(tb))).
+unfolding(1, size(outside)).
+unfolding(1, seam(0)).
+unfolding(1, generators(24)).
+
+unfolding(2, removed([base, top])).
+unfolding(2, true_lengths).
+unfolding(2, trim(outside)).
+unfolding(2, thickness(param(tb))).
+unfolding(2, other_thickness(param(t))).
+unfolding(2, size(outside)).
+unfolding(2, seam(param(seam))).
+unfolding(2, generators(24)).
+
+view(300, 62, 0).
