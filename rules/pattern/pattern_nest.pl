@@ -7,7 +7,7 @@
 :- use_module('../kernel', [nest/7]).
 :- use_module(pattern_text, [first_of/3]).
 :- use_module(library(apply), [foldl/4, maplist/3, maplist/4]).
-:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2, put_assoc/4]).
 :- use_module(library(lists),
               [ append/2, append/3, last/2, max_list/2, member/2, nth0/4,
                 nth1/3, reverse/2, sum_list/2
@@ -98,7 +98,8 @@ best_trial(Ways, Paper, Best) :-
             ),
             [First|Hows0]),
     most_work(Most),
-    tried(Paper, First, Trial, Most, Left0),
+    tried(Paper, First, Trial, Work),
+    note_tried(First, Work, left(Most,t), Left0),
     possible_trials(Ways, Paper, Possible),
     first_of(Possible, Hows0, Hows),
     length(Hows, N),
@@ -160,20 +161,42 @@ better_trials([How|Hows], Paper, Trial0, Trial, Left0, Left) :-
     better_trial(Paper, How, Trial0, Trial1, Left0, Left1),
     better_trials(Hows, Paper, Trial1, Trial, Left1, Left).
 
-%   better_trial(Paper, How, Trial0, Trial, Left0, Left): Left is what is left
-%   of the work that may be done; without any Trial0 stays.
+%   better_trial(Paper, How, Trial0, Trial, Left0, Left): Left, left(Work,Tried),
+%   is what is left of the work that may be done, and what was done already;
+%   without any work Trial0 stays. What was tried before was not better than
+%   what was best then, so it is not better now: it counts, and is not done.
 
 better_trial(_, _, Trial, Trial, Left, Left) :-
-    Left =< 0,
+    no_work(Left),
     !.
+better_trial(_, How, Trial, Trial, Left0, Left) :-
+    Left0 = left(_,Tried),
+    how_name(How, Name),
+    get_assoc(Name, Tried, Work),
+    !,
+    note_tried(How, Work, Left0, Left).
 better_trial(Paper, How, Trial0, Trial, Left0, Left) :-
-    tried(Paper, How, Trial1, Left0, Left),
+    tried(Paper, How, Trial1, Work),
+    note_tried(How, Work, Left0, Left),
     Trial0 = trial(Score0, _, _, _),
     Trial1 = trial(Score1, _, _, _),
     (   score_less(Score1, Score0)
     ->  Trial = Trial1
     ;   Trial = Trial0
     ).
+
+no_work(left(Work,_)) :-
+    Work =< 0.
+
+note_tried(How, Work, left(Work0,Tried0), left(Work1,Tried)) :-
+    how_name(How, Name),
+    put_assoc(Name, Tried0, Work, Tried),
+    Work1 is Work0-Work.
+
+how_name(how(Ways,Side), Names-Side) :-
+    maplist(way_name, Ways, Names).
+
+way_name(way(Name,_,_,_,_,_), Name).
 
 %   Better by next to nothing is no reason to move anything.
 
@@ -189,7 +212,7 @@ score_less(score(Left1,Sheets1,Used1), score(Left0,Sheets0,Used0)) :-
 %   stays.
 
 exchanged(Count, _, _, Trial, Trial, Left) :-
-    ( Count =< 0 ; Left =< 0 ),
+    ( Count =< 0 ; no_work(Left) ),
     !.
 exchanged(Count, Paper, Chance0, Trial0, Trial, Left0) :-
     Trial0 = trial(_, how(Ways0,Side), _, _),
@@ -215,17 +238,15 @@ next_chance(Chance0, Chance) :-
     Chance is (Chance0*6364136223846793005 + 1442695040888963407)
               /\ 0xffffffffffffffff >> 11.
 
-%   tried(Paper, How, Trial, Left0, Left): the pieces placed.
+%   tried(Paper, How, Trial, Work): the pieces placed, at the cost of Work.
 
-tried(Paper, how(Ways,Side), trial(Score,how(Ways,Side),Pairs,Size), Left0,
-      Left) :-
+tried(Paper, how(Ways,Side), trial(Score,how(Ways,Side),Pairs,Size), Work) :-
     maplist(way_piece(Side), Ways, Names, Pieces),
     paper_nesting(Paper, Side, Ways, W-H, One, Gap),
     raster(Paper, Ways, Raster),
     square(W, H, Gap, Paper, Raster, Square),
     Squares is max(1, ceiling(Gap/Square)),
     nest(W-H, Square, Squares, One, Pieces, Places0, Work),
-    Left is Left0-Work,
     maplist(seen_place(Side, W), Places0, Places),
     pairs_keys_values(Pairs, Names, Places),
     used_size(Paper, Ways, Places, Size, Used),
