@@ -45,9 +45,9 @@ circle.
 */
 
 :- thread_local
-    last_term/1,                        % Term
-    last_surface/2,                     % Part, Surface
-    last_face/2.                        % P, What
+    last_term/2,                        % N, Term
+    last_surface/3,                     % N, Part, Surface
+    last_face/3.                        % N, P, What
 
 %!  face_of(?S, ?P, ?What) is nondet.
 %
@@ -57,8 +57,8 @@ circle.
 face_of(S, P, What) :-
     segment(S, _, Term),
     names_primitive(Term),
-    remembered(Term),
-    last_face(P, What),
+    remembered(Term, N),
+    last_face(N, P, What),
     once(p(S, P, _)).
 
 %!  smooth_surface(?S, ?Part, ?Surface) is nondet.
@@ -68,8 +68,8 @@ face_of(S, P, What) :-
 smooth_surface(S, Part, Surface) :-
     segment(S, _, Term),
     names_primitive(Term),
-    remembered(Term),
-    last_surface(Part, Surface).
+    remembered(Term, N),
+    last_surface(N, Part, Surface).
 
 %   names_primitive(Term): and no node of a CSG tree, however it is placed.
 
@@ -86,23 +86,35 @@ innermost(Term, Inner) :-
     ;   Inner = Term
     ).
 
-%   remembered(Term): the faces and surfaces of the last term are remembered,
-%   each by itself: a list of them all would be copied whenever one is asked
-%   for.
+%   remembered(Term, N): the faces and surfaces of the last terms are
+%   remembered under their numbers, each by itself: a list of them all would be
+%   copied whenever one is asked for. A verb asks by turns of several segments.
 
-remembered(Term) :-
-    last_term(Last),
+remembered(Term, N) :-
+    last_term(N, Last),
     Last == Term,
     !.
-remembered(Term) :-
+remembered(Term, N) :-
     primitive_faces(Term, Whats, Surfaces),
-    retractall(last_term(_)),
-    retractall(last_surface(_, _)),
-    retractall(last_face(_, _)),
-    forall(nth1(P, Whats, What), assertz(last_face(P, What))),
+    forgotten_oldest,
+    flag(sg_last_term, N, N+1),
+    forall(nth1(P, Whats, What), assertz(last_face(N, P, What))),
     forall(member(Part-Surface, Surfaces),
-           assertz(last_surface(Part, Surface))),
-    assertz(last_term(Term)).
+           assertz(last_surface(N, Part, Surface))),
+    assertz(last_term(N, Term)).
+
+most_remembered(8).
+
+forgotten_oldest :-
+    most_remembered(Most),
+    predicate_property(last_term(_, _), number_of_clauses(Count)),
+    Count >= Most,
+    once(last_term(N, _)),
+    !,
+    retractall(last_term(N, _)),
+    retractall(last_surface(N, _, _)),
+    retractall(last_face(N, _, _)).
+forgotten_oldest.
 
 %!  surface_point(+Surface, +T, +H, -Point) is det.
 %
