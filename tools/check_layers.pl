@@ -6,6 +6,7 @@
 :- module(sg_check_layers, []).
 :- use_module(library(prolog_xref)).
 :- use_module(library(readutil)).
+:- use_module(library(ugraphs)).
 :- use_module(folders).
 
 :- initialization(main, main).
@@ -48,6 +49,42 @@ fault(File-What) :-
     include_line(File, Included),
     \+ may_include(File, Included),
     format(atom(What), 'may not include ~w', [Included]).
+
+fault(File-What) :-
+    findall(F-To,
+            ( member(Pattern, ['rules/*.pl', 'rules/*/*.pl',
+                               'tests/oracle/*.pl']),
+              expand_file_name(Pattern, Files),
+              member(F, Files),
+              absolute_file_name(F, Path),
+              xref_source(Path, [silent(true)]),
+              xref_uses_file(Path, _, From),
+              of_the_tree(From, To)
+            ),
+            Imports),
+    circle(Imports, Circle),
+    Circle = [File|_],
+    atomic_list_concat(Circle, ' -> ', Way),
+    format(atom(What), 'imports go round: ~w', [Way]).
+
+%   circle(Imports, Files) is semidet: Files, from one back to itself, each
+%   import the next.
+
+circle(Imports, Files) :-
+    vertices_edges_to_ugraph([], Imports, Graph),
+    \+ top_sort(Graph, _),
+    member(File-Nexts, Graph),
+    del_vertices(Graph, [File], Others),
+    member(Next, Nexts),
+    (   Next == File
+    ->  Files = [File,File]
+    ;   reachable(Next, Others, Reached),
+        member(Last, Reached),
+        neighbours(Last, Graph, After),
+        memberchk(File, After)
+    ->  Files = [File,Next,'...',Last,File]
+    ),
+    !.
 
 %   of_the_tree(Path, Name): Name is the path from the root to one of our files.
 

@@ -15,6 +15,7 @@
 :- use_module(library(occurs)).
 :- use_module(library(pcre), [re_match/2]).
 :- use_module(library(readutil)).
+:- use_module(tested, [untested/2]).
 :- use_module(unreached, [load_oracles/0, unreached/1]).
 
 :- prolog_load_context(directory, Tools),
@@ -67,6 +68,9 @@ finding(What) :-
     functor(Head, Name, Arity),
     format(atom(What), '~q: ~w: a tolerance has a name (rules/near.pl)',
            [Module:Name/Arity, Number]).
+finding(What) :-
+    untested(File, Fault),
+    format(atom(What), '~w: ~w', [File, Fault]).
 finding(What) :-
     unreached(PI),
     format(atom(What), '~q: nothing that a user can do runs it', [PI]).

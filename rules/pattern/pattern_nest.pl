@@ -161,9 +161,9 @@ better_trials([How|Hows], Paper, Trial0, Trial, Left0, Left) :-
     better_trial(Paper, How, Trial0, Trial1, Left0, Left1),
     better_trials(Hows, Paper, Trial1, Trial, Left1, Left).
 
-%   better_trial(Paper, How, Trial0, Trial, Left0, Left): Left, left(Work,Tried),
-%   is what is left of the work that may be done, and what was done already;
-%   without any work Trial0 stays. What was tried before was not better than
+%   better_trial(Paper, How, Trial0, Trial, Left0, Left): Left is
+%   left(Work,Tried): the work that may be done, and what was done already.
+%   Without any work Trial0 stays. What was tried before was not better than
 %   what was best then, so it is not better now: it counts, and is not done.
 
 better_trial(_, _, Trial, Trial, Left, Left) :-

@@ -1,5 +1,6 @@
 #!/bin/bash
 # bad_output.sh -- missing folders, full disks, interrupted runs.
+# covers: progress
 . "$(dirname "$0")/harness.bash"
 cd "$here" || exit 2
 mkdir "$work/to"

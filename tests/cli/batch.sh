@@ -3,6 +3,9 @@
 # moment, that run twice at once or in shards, whose jobs loop, eat memory or
 # crash, and whose disk is full, make the same bytes in the end as one that
 # nothing disturbs. TEST_ALL=1: killed at 50 moments; a sample otherwise.
+# covers: batch_html, batch_junit, batch_merge, batch_report, batch_store
+# covers: job_key, job_name, job_names, job_words, manifest, runner
+# covers: verbs_batch, worker
 . "$(dirname "$0")/harness.bash"
 cd "$work" || exit 2
 times=4

@@ -1,5 +1,6 @@
 # csg.sh -- trees and the verbs of solids: union, intersection, difference,
 # split, eval; what is wrong with a tree is said at its place in the file.
+# covers: solid_verbs
 . "$(dirname "$0")/../check.sh"
 
 sanggwan() { "$SANGGWAN" "$@"; }

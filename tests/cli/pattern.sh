@@ -1,4 +1,5 @@
 # pattern.sh -- patterns on paper, opened by other programs.
+# covers: fold_file
 . "$(dirname "$0")/harness.bash"
 cd "$here"
 

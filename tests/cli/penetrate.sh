@@ -1,4 +1,5 @@
 # penetrate.sh -- `sanggwan penetrate`: every format as other programs read it.
+# covers: verb_output
 . "$(dirname "$0")/../check.sh"
 
 cubes=facts/two_cubes.pl

@@ -1,5 +1,6 @@
 # sheet.sh -- `sanggwan draw` makes sheets that other programs open, at their
 # true size, and says what is wrong in a line or three.
+# covers: eye
 . "$(dirname "$0")/harness.bash"
 cd "$here"
 

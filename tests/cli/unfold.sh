@@ -1,5 +1,6 @@
 # unfold.sh -- patterns: what is printed and written, wishes in the model and as
 # options, trimming, and what is wrong said at its place.
+# covers: pattern_trim, unfold_options, verbs_unfold
 . "$(dirname "$0")/../check.sh"
 
 sanggwan() { "$SANGGWAN" "$@"; }

@@ -1,5 +1,6 @@
 #!/bin/bash
 # usage.sh -- help, options, exit codes, where text goes.
+# covers: version
 . "$(dirname "$0")/harness.bash"
 cd "$here" || exit 2
 

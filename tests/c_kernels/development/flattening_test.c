@@ -1,5 +1,8 @@
 /* flattening_test.c -- faces, joints, islands and where they lie in the end, of
- * small solids. */
+ * small solids.
+ *
+ * covers: double_double, disjoint, flat_face, island_overlap, joint
+ */
 #include "flat_model.h"
 
 #include "development/seam_moats.h"

@@ -1,5 +1,7 @@
 /* drawing_rows_test.c -- a cube from its vertices to ink, through the functions
  * of the doors, without Prolog.
+ *
+ * covers: raster_rows, stroke_rows
  */
 #include "doors/drawing.h"
 #include "picture/parts.h"

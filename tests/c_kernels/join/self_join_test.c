@@ -1,6 +1,8 @@
 /* self_join_test.c -- triangles on one edge, and round flat polygons of many
  * triangles: what meets is found all the same, in the same order, and what is
  * asked grows with their number, not with its square.
+ *
+ * covers: spine
  */
 #include "join/self_join.h"
 #include "tests/check.h"

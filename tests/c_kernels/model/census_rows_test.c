@@ -1,5 +1,7 @@
 /* census_rows_test.c -- cubes counted, measured and found defective, through
  * the functions of the doors, without Prolog.
+ *
+ * covers: census
  */
 #include "doors/world.h"
 

@@ -1,5 +1,7 @@
 /* model_rows_test.c -- files from memory into a world and back, through the
  * functions of the doors.
+ *
+ * covers: dense_rows, mesh_rows
  */
 #include "doors/file.h"
 #include "tests/c_kernels/cube_world.h"

@@ -3,6 +3,8 @@
  * The hard cases are made here, from a fixed seed: points almost or exactly
  * on a line or plane, a few units in the last place off, on grids, far from
  * the origin, tiny, huge, subnormal.
+ *
+ * covers: bounded_double, integers
  */
 #include "doors/world.h"
 #include "number/exact.h"

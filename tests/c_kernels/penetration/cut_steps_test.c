@@ -1,5 +1,7 @@
 /* cut_steps_test.c -- two cubes that go through each other, and a curve through
  * one, step by step as the rules ask, through the functions of the doors.
+ *
+ * covers: cut_enter, cut_model
  */
 #include "doors/penetration.h"
 #include "doors/work.h"

@@ -1,5 +1,8 @@
 /* hide_test.c -- PL-13: what is drawn and what is hidden, where it is known
- * beforehand. */
+ * beforehand.
+ *
+ * covers: bounds, grid, scene_model
+ */
 #include "rays.h"
 
 /* ------------------------------------------------------------- boxes */

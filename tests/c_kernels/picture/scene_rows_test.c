@@ -1,5 +1,7 @@
 /* scene_rows_test.c -- a cube seen, drawn and asked for what hides it, through
  * the functions of the doors, without Prolog.
+ *
+ * covers: dense, known_surface_rows, live_rows
  */
 #include "doors/drawing.h"
 #include "doors/pattern.h"

@@ -1,5 +1,7 @@
 /* scene_test.c -- what a scene takes from its model, and lines that are added
  * to it.
+ *
+ * covers: scene_facing, scene_standard
  */
 #include "model.h"
 #include "picture/parts.h"

@@ -1,5 +1,7 @@
 /* view_rows_test.c -- a cube seen from somewhere, and turned, through the
  * functions of the doors, without Prolog.
+ *
+ * covers: picture_points
  */
 #include "doors/drawing.h"
 

@@ -1,5 +1,7 @@
 /* work_test.c -- the scratch relation against plain integer arithmetic on
  * small grids, where everything touches everything.
+ *
+ * covers: work_grid
  */
 #include "work_scene.h"
 

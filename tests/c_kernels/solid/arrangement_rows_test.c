@@ -1,5 +1,7 @@
 /* arrangement_rows_test.c -- two cubes that penetrate each other, in pieces and
  * united, through the functions of the doors, without Prolog.
+ *
+ * covers: arrangement_choice, id_set
  */
 #include "doors/boolean.h"
 #include "doors/penetration.h"

@@ -1,5 +1,7 @@
 /* face_merge_shape_test.c -- faces that become one: curved solids, open ones,
  * what touches a face inside, and what is hardly there.
+ *
+ * covers: face_merge_hold, face_merge_sheet, places
  */
 #include "merged.h"
 #include "tests/check.h"

@@ -1,6 +1,9 @@
 /* solid_rows_test.c -- a cube as a solid under way, and back as rows, through
  * the functions of the doors, without Prolog: solid_rows.c, solid_write_rows.c,
  * solid_over_rows.c and face_merge_rows.c.
+ *
+ * covers: append_rows, edge_print, solid_move, solid_old
+ * covers: solid_region_rows, solid_take
  */
 #include "doors/boolean.h"
 

@@ -1,5 +1,7 @@
 /* roll_test.c -- cylinders and cones unrolled: against closed forms, and
  * against what their facets come to when they get finer.
+ *
+ * covers: surface
  */
 #include "tests/check.h"
 #include "unrolling/roll_curve.h"

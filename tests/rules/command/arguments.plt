@@ -1,4 +1,5 @@
 :- module(test_arguments, []).
+% covers: decimal
 :- use_module(library(plunit)).
 :- use_module(rules(command/arguments)).
 

@@ -1,4 +1,5 @@
 :- module(test_lines_written, []).
+% covers: lines_dxf, point_table
 :- use_module(library(plunit)).
 :- use_module(library(sgml)).
 :- use_module(library(xpath)).

@@ -1,4 +1,5 @@
 /* Bent plates: rules/development/bend.pl. */
+% covers: bend_corner
 :- use_module(library(plunit)).
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).

@@ -1,6 +1,7 @@
 /* Developments: rules/development/development.pl and its kernels. */
 :- module(test_development, []).
 :- use_module(library(aggregate)).
+% covers: primitive_globe
 :- use_module(library(plunit)).
 :- use_module(library(random)).
 :- use_module(library(readutil)).

@@ -1,5 +1,6 @@
 :- encoding(utf8).
 :- module(test_drawing, []).
+% covers: drawing_facts
 :- use_module(library(plunit)).
 :- use_module(library(http/json)).
 :- use_module(library(sgml)).

@@ -1,5 +1,6 @@
 :- encoding(utf8).
 :- module(test_terminal, []).
+% covers: dot_drawing
 :- use_module(library(plunit)).
 :- use_module(rules(store)).
 :- use_module(rules(drawing/terminal)).

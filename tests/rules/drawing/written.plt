@@ -1,5 +1,6 @@
 :- encoding(utf8).
 :- module(test_written, []).
+% covers: drawing_json, pattern_look, hpgl, page, pdf, ps, svg
 :- use_module(library(plunit)).
 :- use_module(library(http/json)).
 :- use_module(library(random)).

@@ -1,5 +1,6 @@
 :- encoding(utf8).
 :- module(test_explain, []).
+% covers: explain_pair
 :- use_module(library(plunit)).
 :- use_module(library(aggregate)).
 :- use_module(library(http/json)).

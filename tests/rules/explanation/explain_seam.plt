@@ -1,4 +1,5 @@
 :- module(test_explain_seam, []).
+% covers: development_given, development_instead, laid_joint
 :- use_module(library(plunit)).
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).

@@ -1,5 +1,11 @@
 :- encoding(utf8).
 :- module(test_messages, []).
+% covers: command_en, command_ko, csg_en, csg_ko, mesh_en, mesh_ko
+% covers: model_en, model_ko, openscad_en, openscad_ko, operand_en
+% covers: operand_ko, pattern_en, pattern_ko, primitive_en, primitive_ko
+% covers: prolog_en, prolog_ko, sheet_ko, style_en, style_ko, true_en
+% covers: true_ko, written_en, written_ko, session_en, session_ko, language
+% covers: batch_en, batch_ko, parameter_en, parameter_ko
 :- use_module(library(plunit)).
 :- use_module(rules(message/messages)).
 :- use_module(rules(message/messages_ko)).

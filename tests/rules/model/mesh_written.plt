@@ -1,4 +1,5 @@
 :- module(test_mesh_written, []).
+% covers: mesh_export
 :- use_module(library(plunit)).
 :- use_module(library(apply)).
 :- use_module(library(lists)).

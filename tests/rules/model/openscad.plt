@@ -1,5 +1,7 @@
 :- encoding(utf8).
 :- module(test_openscad, []).
+% covers: openscad_argument, openscad_extrusion, openscad_leaf
+% covers: primitive_extrusion, primitive_turning, text_file
 :- use_module(library(plunit)).
 :- use_module(rules(command/check)).
 :- use_module(rules(message/messages)).

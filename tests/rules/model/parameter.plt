@@ -2,6 +2,7 @@
    The values of formulas are in tests/rules/formula.plt. */
 :- module(test_parameter, []).
 :- use_module(library(lists)).
+% covers: formula_rows, formula_term
 :- use_module(library(plunit)).
 :- use_module(library(readutil)).
 :- use_module(rules(model/model), [load_model/2, save_model/1]).

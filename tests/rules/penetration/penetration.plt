@@ -1,4 +1,5 @@
 :- module(test_penetration, []).
+% covers: bodies
 :- use_module(library(plunit)).
 :- use_module(library(aggregate)).
 :- use_module(library(lists)).

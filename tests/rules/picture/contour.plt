@@ -1,4 +1,5 @@
 :- module(test_contour, []).
+% covers: scene_divided
 :- use_module(library(plunit)).
 :- use_module(library(occurs), [sub_term/2]).
 :- use_module(library(random)).

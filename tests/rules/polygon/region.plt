@@ -1,4 +1,5 @@
 :- module(test_region, []).
+% covers: planar_map
 :- use_module(library(plunit)).
 :- use_module(library(random)).
 :- use_module(rules(polygon/region)).

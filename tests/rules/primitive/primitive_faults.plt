@@ -1,4 +1,5 @@
 :- module(test_primitive_faults, []).
+% covers: plain
 :- use_module(library(plunit)).
 :- use_module(rules(message/messages)).
 :- use_module(rules(message/messages_ko)).

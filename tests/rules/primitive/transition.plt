@@ -1,6 +1,7 @@
 /* Transitions: rules/primitive/primitive_transition.pl, and their true
 developments,
    rules/unrolling/true_composed.pl. */
+% covers: transition_division, transition_facet, transition_outline
 :- use_module(library(plunit)).
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).

@@ -1,5 +1,6 @@
 /* Faces that become one: rules/solid/faces.pl. */
 :- use_module(library(aggregate)).
+% covers: source
 :- use_module(library(plunit)).
 :- use_module(library(random)).
 :- use_module(rules(solid/arrangement)).

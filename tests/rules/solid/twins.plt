@@ -1,4 +1,5 @@
 :- module(test_twins, []).
+% covers: cut_coincident
 :- use_module(library(plunit)).
 :- use_module(library(apply)).
 :- use_module(library(lists)).

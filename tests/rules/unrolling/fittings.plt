@@ -1,6 +1,7 @@
 /* Fittings against their closed forms: pipes of several pieces
    (rules/primitive/primitive_pipe.pl), and what CSG trees cut of plate
    (rules/unrolling/true_leaf.pl). */
+% covers: true_mitre
 :- use_module(library(plunit)).
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).

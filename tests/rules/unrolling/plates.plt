@@ -1,6 +1,7 @@
 /* Plates with flat faces that meet pipes: rules/unrolling/true_flat.pl,
 true_plate.pl,
    true_rim.pl, and what is said of them. */
+% covers: true_convex
 :- use_module(library(plunit)).
 :- use_module(library(aggregate)).
 :- use_module(library(lists)).

@@ -3,6 +3,8 @@ true_parallel.pl. Areas
    are held against solids of very fine facets that are trimmed as they are,
    which is another way altogether. TRUE_CUT_RANDOM=N: how many scenes of a
    kind. */
+% covers: development_border, parallel_surface, primitive_argument
+% covers: true_divide, true_pieces, true_shape, true_surface
 :- use_module(library(plunit)).
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).

@@ -1,6 +1,8 @@
 :- encoding(utf8).
 /* True developments: rules/unrolling/true_development.pl and what it is made
-of. */ :- use_module(library(plunit)).
+of. */ 
+% covers: primitive_round, true_layout, true_pattern, true_transition
+:- use_module(library(plunit)).
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
 :- use_module(library(lists)).

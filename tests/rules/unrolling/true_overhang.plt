@@ -1,6 +1,7 @@
 /* Branches that hang over their headers, or end where they hit: what facets and
    true surfaces have in different order (rules/unrolling/true_tip.pl,
    true_border.pl, true_spike.pl). */
+% covers: true_part_loop
 :- use_module(library(plunit)).
 :- use_module(library(aggregate)).
 :- use_module(library(lists)).
