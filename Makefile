@@ -23,8 +23,8 @@ B       := build
 $(if $(filter 1,$(words $(B))),,$(error B=$(B): make takes no spaces in names))
 CC      ?= cc
 PREFIX  ?= /usr/local
-# It stands in rules/command/cli.pl.
-VERSION := $(shell sed -n "s/^version('\(.*\)')\.$$/\1/p" rules/command/cli.pl)
+# It stands in rules/version.pl.
+VERSION := $(shell sed -n "s/^version('\(.*\)')\.$$/\1/p" rules/version.pl)
 
 # Goals that install what they need, beside what the build needs. deps.mk holds
 # what pkg-config says; make re-reads this file after making it, so the flags

@@ -6,4 +6,4 @@
 
 %!  version(-Text:atom) is det.
 
-version('0.1.0').
+version('0.2.0').
