@@ -50,6 +50,15 @@ check "pkg-config names PREFIX alone" grep -qx 'prefix=/opt/s' \
 check "make uninstall" in_tree uninstall DESTDIR="$TMP/stage" PREFIX=/opt/s
 check "nothing is left" no_files "$TMP/stage"
 
+# The version stands in one file; all that is installed has it.
+version=$("$prefix/bin/sanggwan" --version | cut -d ' ' -f 2)
+check "a version" grep -qx '[0-9]*[.][0-9]*[.][0-9]*' <<<"$version"
+check "pkg-config has it" grep -qx "Version: $version" \
+  "$prefix/lib/pkgconfig/sanggwan.pc"
+check "the man page has it" grep -qF "$version" "$prefix/share/man/man1/sanggwan.1"
+check "the pack has it" grep -qF "version('$version')" \
+  "$prefix/share/swi-prolog/pack/sanggwan/pack.pl"
+
 # From here on only the prefix is left, and an empty folder to stand in.
 check "the tree has no build of its own" eval '[ ! -e "$tree/build" ]'
 rm -rf "$tree" "$built"
