@@ -49,7 +49,7 @@ writing(File, Type, Goal) :-
     ),
     setup_call_catcher_cleanup(
         opened(Where, File, Id, Out),
-        ( catch(filled(Out, Type, Goal), Error, blame(File, Error)),
+        ( catch(filled(Where, Out, Type, Goal), Error, blame(File, Error)),
           complete(Id, File)
         ),
         How,
@@ -80,10 +80,13 @@ opened(apart, File, Id, Out) :-
 %   A full disk shows at the latest when the stream is closed, so it is closed
 %   before the file counts as written.
 
-filled(Out, Type, Goal) :-
+filled(Where, Out, Type, Goal) :-
     stream_type(Type, Out),
     once(call(Goal, Out)),
-    atomic_sync(Out),
+    (   Where == apart
+    ->  atomic_sync(Out)
+    ;   true
+    ),
     close(Out).
 
 stream_type(binary, _).

@@ -25,7 +25,7 @@ module that has it.
 :- reexport(solid/inside, [inside/2, winding/3]).
 :- reexport(model/integrity, [model_defect/1]).
 :- reexport(primitive/primitive_face, [face_of/3, smooth_surface/3]).
-:- reexport(command/query, [query/2]).
+:- reexport(studio/query, [query/2]).
 :- reexport(vocabulary,
             [ half_edge/1, half_edge_ends/3, half_edge_twin/2,
               half_edge_facet/2, facet/1, facet_loops/2, facet_plane/2,

@@ -24,7 +24,7 @@
 :- use_module('../spelling', [near_words/3]).
 :- use_module('../stage', [stages_reset/0, stage_seconds/2]).
 :- use_module('../status', [error_status/2]).
-:- use_module('../studio/session', [session/2]).
+:- use_module('../studio/session', [session/3]).
 :- use_module('../store', [new_world/1, in_world/2, facts_statistics/2]).
 :- use_module(usage, [verb/4, verb_options/2, print_usage/1, print_usage/2]).
 :- use_module(user:'../sanggwan').
@@ -248,7 +248,7 @@ verb_in_world(serve, Files, Options, Status) :-
     (   Files = [File|_]
     ->  usage_error(no_files_taken(serve, File))
     ;   option(stdio(true), Options)
-    ->  session(sg_cli:sanggwan, Status)
+    ->  session(sg_cli:sanggwan, sg_verbs:draw, Status)
     ;   usage_error(serve_without_stdio)
     ).
 verb_in_world(Verb, Files, Options, Status) :-

@@ -6,7 +6,7 @@
 :- use_module('../message/spoken', [spoken_lines/4]).
 :- use_module('../model/model', [load_model/1, save_model/1]).
 :- use_module('../plain', [plain_term/2]).
-:- use_module(query, [read_goal/3]).
+:- use_module('../studio/query', [read_goal/3]).
 :- use_module('../status', [error_status/2]).
 :- use_module('../store', [in_world/2]).
 :- use_module(verbs, [draw/2]).

@@ -7,7 +7,7 @@
 :- use_module('../explanation/explain',
               [statement_text/2, contact_statement/3]).
 :- use_module('../message/explain_words', [exact_text/3]).
-:- use_module(query, [print_table/2]).
+:- use_module('../studio/query', [print_table/2]).
 :- use_module('../store', [v/5, line/9]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(lists), [append/3, last/2, nth1/3]).

@@ -3,7 +3,7 @@
           ]).
 :- use_module(library(prolog_wrap), [wrap_predicate/4]).
 :- use_module(help, [short_answers/0]).
-:- use_module(query, [query/2, read_goal/3]).
+:- use_module('../studio/query', [query/2, read_goal/3]).
 :- use_module('../limits', [text_beyond/5]).
 :- use_module('../store', [segment/3]).
 /** <module> The Prolog top level with a model loaded.

@@ -25,7 +25,7 @@
 :- use_module('../model/parameter', [settings_met/2, settings_of/2]).
 :- use_module('../penetration/penetration', [penetrate/2]).
 :- use_module('../picture/sew', [borders_sewn/1]).
-:- use_module(query, [query/2, read_goal/3]).
+:- use_module('../studio/query', [query/2, read_goal/3]).
 :- use_module(repl, [repl/0]).
 :- use_module(report, [print_report/2]).
 :- use_module(sheet_options,

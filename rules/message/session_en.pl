@@ -46,6 +46,50 @@ session_en(printed(Most)) -->
     [ 'the verb printed more than ~D octets'-[Most], nl,
       '  Let it write a file: -o FILE.' ].
 
+session_en(no_document) -->
+    [ 'there is no document', nl,
+      '  Open a model first: "do":"open".' ].
+session_en(no_text) -->
+    [ 'the document is not a file of facts, so it cannot be changed here', nl,
+      '  Convert it: sanggwan convert MODEL -o MODEL.pl' ].
+session_en(other_revision(At, Revision)) -->
+    [ 'this was asked of revision ~p, but the document is at revision \c
+       ~d'-[At, Revision], nl,
+      '  Look at the document as it is now, and ask again.' ].
+session_en(nothing_to(undo)) -->
+    [ 'no change is left that could be undone' ].
+session_en(nothing_to(redo)) -->
+    [ 'no change is left that could be done again' ].
+session_en(file_changed(File)) -->
+    [ '~w is not as it was when it was opened'-[File], nl,
+      '  Open it again and lose the changes, save under another name, or save \c
+       with "force":true.' ].
+session_en(journal_of_another(Path)) -->
+    [ 'the journal ~w has changes of another text than is in the file'-[Path],
+      nl,
+      '  Open with "replay":false to lose them, or without a journal.' ].
+session_en(edit(no_fact(segment(S, _)))) -->
+    [ 'the text has no fact segment(~p, ...)'-[S] ].
+session_en(edit(no_fact(param(Name)))) -->
+    [ 'the text has no fact param(~p, ...)'-[Name] ].
+session_en(edit(no_path(Path))) -->
+    [ 'the fact has nothing at the path ~p'-[Path], nl,
+      '  A path has the number of an argument, then of one in it, and so \c
+       on.' ].
+session_en(edit(no_number(Path))) -->
+    [ 'what the fact has at the path ~p is not a number'-[Path] ].
+session_en(unsafe_goal(Goal)) -->
+    [ 'a goal of others than the owner may only read; this may do \c
+       more: ~p'-[Goal] ].
+session_en(no_answers_left(Id)) -->
+    [ 'no answers are left of the question ~p'-[Id] ].
+session_en(too_long(seconds, Most)) -->
+    [ 'the goal took more than ~w s'-[Most], nl,
+      '  Ask for less at once.' ].
+session_en(too_long(inferences, Most)) -->
+    [ 'the goal took more than ~D inferences'-[Most], nl,
+      '  Ask for less at once.' ].
+
 wanted_en(verb) -->
     [ 'a verb and its arguments, like ["draw", "tee.pl", "-o", "tee.svg"], \c
        without the character 0' ].
@@ -55,3 +99,33 @@ wanted_en(language) -->
     [ '"en" or "ko"' ].
 wanted_en(positive) -->
     [ 'a number above 0' ].
+wanted_en(goal) -->
+    [ 'a goal, like "segment(S, Kind, Name)"' ].
+wanted_en(ask) -->
+    [ 'the id of a question with answers left' ].
+wanted_en(file) -->
+    [ 'the name of a model, like "tee.pl"' ].
+wanted_en(journal) -->
+    [ 'true, or the name of a file' ].
+wanted_en(set) -->
+    [ '{"segment":2, "path":[1,1], "value":0.8} or {"param":"d", \c
+       "value":80}' ].
+wanted_en(item) -->
+    [ 'what is to be explained, like "line(1)"' ].
+wanted_en(options) -->
+    [ 'a list of options of the verb' ].
+wanted_en(export) -->
+    [ 'a verb and its options, without a model' ].
+wanted_en(port) -->
+    [ 'the name of a port' ].
+wanted_en(format) -->
+    [ '"svg", "json", "pdf", "png" or "dxf"' ].
+wanted_en(view) -->
+    [ 'the name of a view, or [theta, phi] or [theta, phi, rho]' ].
+wanted_en(size) -->
+    [ '[width, height] in millimetres' ].
+wanted_en(segments) -->
+    [ 'a list of numbers of segments' ].
+wanted_en(one_of(Words)) -->
+    { atomic_list_concat(Words, ', ', All) },
+    [ 'one of ~w'-[All] ].

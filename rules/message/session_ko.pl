@@ -45,6 +45,47 @@ session_ko(printed(Most)) -->
     [ '명령이 ~D바이트 넘게 출력했습니다'-[Most], nl,
       '  파일에 쓰게 하십시오: -o FILE.' ].
 
+session_ko(no_document) -->
+    [ '문서가 없습니다', nl,
+      '  먼저 모델을 여십시오: "do":"open".' ].
+session_ko(no_text) -->
+    [ '문서가 사실 파일이 아니어서 여기서 고칠 수 없습니다', nl,
+      '  변환하십시오: sanggwan convert MODEL -o MODEL.pl' ].
+session_ko(other_revision(At, Revision)) -->
+    [ '판 ~p에 대한 요청이나 문서는 판 ~d입니다'-[At, Revision], nl,
+      '  지금의 문서를 보고 다시 요청하십시오.' ].
+session_ko(nothing_to(undo)) -->
+    [ '되돌릴 변경이 없습니다' ].
+session_ko(nothing_to(redo)) -->
+    [ '다시 할 변경이 없습니다' ].
+session_ko(file_changed(File)) -->
+    [ '~w 이(가) 열었을 때와 다릅니다'-[File], nl,
+      '  다시 열어 변경을 버리거나, 다른 이름으로 저장하거나, "force":true로 \c
+       저장하십시오.' ].
+session_ko(journal_of_another(Path)) -->
+    [ '일지 ~w 의 변경은 파일에 있는 것과 다른 글의 것입니다'-[Path], nl,
+      '  "replay":false로 열어 버리거나, 일지 없이 여십시오.' ].
+session_ko(edit(no_fact(segment(S, _)))) -->
+    [ '글에 segment(~p, ...) 사실이 없습니다'-[S] ].
+session_ko(edit(no_fact(param(Name)))) -->
+    [ '글에 param(~p, ...) 사실이 없습니다'-[Name] ].
+session_ko(edit(no_path(Path))) -->
+    [ '사실의 경로 ~p에 아무것도 없습니다'-[Path], nl,
+      '  경로는 인자의 번호, 그 안의 인자의 번호로 이어집니다.' ].
+session_ko(edit(no_number(Path))) -->
+    [ '사실의 경로 ~p에 있는 것은 수가 아닙니다'-[Path] ].
+session_ko(unsafe_goal(Goal)) -->
+    [ '주인이 아닌 사람의 목표는 읽기만 할 수 있습니다. 그 밖의 일을 할 수 \c
+       있는 것: ~p'-[Goal] ].
+session_ko(no_answers_left(Id)) -->
+    [ '질문 ~p의 답이 남아 있지 않습니다'-[Id] ].
+session_ko(too_long(seconds, Most)) -->
+    [ '목표가 ~w초 넘게 걸렸습니다'-[Most], nl,
+      '  한 번에 더 적게 물으십시오.' ].
+session_ko(too_long(inferences, Most)) -->
+    [ '목표가 추론 ~D번을 넘었습니다'-[Most], nl,
+      '  한 번에 더 적게 물으십시오.' ].
+
 wanted_ko(verb) -->
     [ '["draw", "tee.pl", "-o", "tee.svg"]처럼 명령과 그 인자. 문자 0은 없이' ].
 wanted_ko(request) -->
@@ -53,3 +94,33 @@ wanted_ko(language) -->
     [ '"en" 또는 "ko"' ].
 wanted_ko(positive) -->
     [ '0보다 큰 수' ].
+wanted_ko(goal) -->
+    [ '목표. "segment(S, Kind, Name)"처럼' ].
+wanted_ko(ask) -->
+    [ '답이 남은 질문의 id' ].
+wanted_ko(file) -->
+    [ '모델의 이름. "tee.pl"처럼' ].
+wanted_ko(journal) -->
+    [ 'true 또는 파일 이름' ].
+wanted_ko(set) -->
+    [ '{"segment":2, "path":[1,1], "value":0.8} 또는 {"param":"d", \c
+       "value":80}' ].
+wanted_ko(item) -->
+    [ '설명할 것. "line(1)"처럼' ].
+wanted_ko(options) -->
+    [ '명령의 선택 사항 목록' ].
+wanted_ko(export) -->
+    [ '모델이 없는 명령과 선택 사항' ].
+wanted_ko(port) -->
+    [ '포트의 이름' ].
+wanted_ko(format) -->
+    [ '"svg", "json", "pdf", "png", "dxf" 가운데 하나' ].
+wanted_ko(view) -->
+    [ '시점의 이름, 또는 [theta, phi]나 [theta, phi, rho]' ].
+wanted_ko(size) -->
+    [ '[너비, 높이] 밀리미터' ].
+wanted_ko(segments) -->
+    [ '세그먼트 번호의 목록' ].
+wanted_ko(one_of(Words)) -->
+    { atomic_list_concat(Words, ', ', All) },
+    [ '다음의 하나: ~w'-[All] ].

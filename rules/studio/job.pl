@@ -1,5 +1,7 @@
 :- module(sg_job,
-          [ verb_job/5                  % :Run, +Head, +Body, -Reply, -Out
+          [ captured/2,                 % :Goal, -Octets
+            verb_job/5,                 % :Run, +Head, +Body, -Reply, -Out
+            with_input/2                % +Text, :Goal
           ]).
 :- use_module('../limits', [with_usual_limits/1]).
 :- use_module('../message/message_object', [message_object/3, objects_heard/2]).
@@ -20,7 +22,10 @@ prints goes into the reply. It begins in an empty world, in the folder and the
 language that the request names; when it is over the process is as before.
 */
 
-:- meta_predicate verb_job(2, +, +, -, -).
+:- meta_predicate
+    captured(0, -),
+    verb_job(2, +, +, -, -),
+    with_input(+, 0).
 
 %!  verb_job(:Run, +Head:dict, +Body, -Reply:dict, -Out) is det.
 %
@@ -209,6 +214,50 @@ with_streams(Body, OutFile, ErrorFile, Goal) :-
               maplist(closed, [In,Out,Error])
             )),
         free_memory_file(InFile)).
+
+%!  captured(:Goal, -Octets) is semidet.
+%
+%   Call Goal once; what it prints on standard output are Octets, and what it
+%   prints on standard error is lost.
+
+captured(Goal, Octets) :-
+    setup_call_cleanup(
+        new_memory_file(OutFile),
+        setup_call_cleanup(
+            new_memory_file(ErrorFile),
+            with_streams("", OutFile, ErrorFile, Goal),
+            free_memory_file(ErrorFile)),
+        ( memory_file_to_string(OutFile, Octets, octet),
+          free_memory_file(OutFile)
+        )).
+
+%!  with_input(+Text, :Goal) is semidet.
+%
+%   Call Goal once; Text, in UTF-8, is its standard input.
+
+with_input(Text, Goal) :-
+    stream_property(OldIn, alias(user_input)),
+    setup_call_cleanup(
+        new_memory_file(InFile),
+        setup_call_cleanup(
+            ( open_text(Text, InFile, In),
+              set_stream(In, alias(user_input)),
+              set_input(In)
+            ),
+            once(Goal),
+            ( set_stream(OldIn, alias(user_input)),
+              set_input(OldIn),
+              closed(In)
+            )),
+        free_memory_file(InFile)).
+
+open_text(Text, File, Stream) :-
+    setup_call_cleanup(
+        open_memory_file(File, write, Out, [encoding(utf8)]),
+        format(Out, "~s", [Text]),
+        close(Out)),
+    open_memory_file(File, read, Stream, [encoding(octet)]),
+    set_stream(Stream, encoding(utf8)).
 
 standard_streams(In, Out, Error) :-
     set_stream(In, alias(user_input)),

@@ -1,6 +1,8 @@
 :- module(sg_protocol,
           [ frame_read/4,               % +In, +Kind, -Head, -Body
-            frame_write/3               % +Out, +Head, +Body
+            frame_write/3,              % +Out, +Head, +Body
+            octets_text/2,              % +Octets, -Text
+            text_octets/2               % +Text, -Octets
           ]).
 :- use_module('../plain', [plain_json/2]).
 :- use_module(library(http/json), [json_read_dict/2, json_write_dict/3]).
@@ -104,16 +106,20 @@ frame_parts(N, Octets, Json, Body) :-
         )
     ).
 
-%   looked_through(Octets, Text): what is no UTF-8 does not become the same
-%   octets again.
+%   utf8_checked(Octets, Text): what is no UTF-8 does not become the same octets
+%   again.
 
-looked_through(Octets, Text) :-
-    string_codes(Text, Codes),
-    (   utf8_octets(Text, Octets),
+utf8_checked(Octets, Text) :-
+    (   text_octets(Text, Octets),
+        string_codes(Text, Codes),
         \+ ( member(Code, Codes), no_character(Code) )
     ->  true
     ;   frame_error(not_utf8)
-    ),
+    ).
+
+looked_through(Octets, Text) :-
+    utf8_checked(Octets, Text),
+    string_codes(Text, Codes),
     deepest(Most),
     (   within(Codes, 0, Most)
     ->  true
@@ -184,7 +190,7 @@ frame_write(Out, Head, Body) :-
                    plain_json(current_output,
                               json_write_dict(current_output, Head,
                                               [width(0)]))),
-    utf8_octets(Text, Json),
+    text_octets(Text, Json),
     string_length(Json, H),
     string_length(Body, B),
     N is 4+H+B,
@@ -199,7 +205,21 @@ octets_of_number(N, [A,B,C,D]) :-
     C is N>>8 /\ 255,
     D is N /\ 255.
 
-utf8_octets(Text, Octets) :-
+%!  octets_text(+Octets, -Text:string) is det.
+%
+%   Text is what the text of octets Octets is in UTF-8.
+%
+%   @error frame_error(not_utf8)
+
+octets_text(Octets, Text) :-
+    recoded(Octets, octet, utf8, Text),
+    utf8_checked(Octets, Text).
+
+%!  text_octets(+Text, -Octets:string) is det.
+%
+%   Octets is Text in UTF-8, a text of octets.
+
+text_octets(Text, Octets) :-
     recoded(Text, utf8, octet, Octets).
 
 recoded(From, Written, Read, To) :-

@@ -184,7 +184,7 @@ elsewhere(progress(_,_,_,_,_), test('tests/cli/bad_output.sh')).
 elsewhere(no_memory, test('tests/cli/memory.sh')).
 elsewhere(no_help(_,_), test('tests/rules/command/help.plt')).
 elsewhere(prolog_help(_,_), test('tests/rules/command/help.plt')).
-elsewhere(no_answer, test('tests/rules/command/query.plt')).
+elsewhere(no_answer, test('tests/rules/studio/query.plt')).
 elsewhere(because(_), test('tests/rules/explanation/explain.plt')).
 elsewhere(batch(_), test('tests/transcripts/batch.txt')).
 elsewhere(operand(repaired(no_area,_),_), test('tests/rules/solid/repair.plt')).

@@ -6,7 +6,7 @@
 :- use_module(library(lists)).
 :- use_module(library(plunit)).
 :- use_module(library(random)).
-:- use_module(rules(command/query), [read_goal/3]).
+:- use_module(rules(studio/query), [read_goal/3]).
 :- use_module(rules(drawing/style_file), [style_rows/2]).
 :- use_module(rules(limits)).
 :- use_module(rules(model/model_file), [read_model/3]).

@@ -1,6 +1,7 @@
 :- module(sg_query,
           [ query/2,                    % :Goal, +Options
             read_goal/3,                % +Text, -Goal, -Bindings
+            answer_json/2,              % +Value, -Json
             print_table/2               % +Names, +Rows
           ]).
 :- use_module('../limits', [term_of_text/3, within_depth/1]).
@@ -168,6 +169,15 @@ json_object(Names, Values0) :-
     put_char(' '),
     plain_json(current_output,
                json_write_dict(current_output, Dict, [width(0)])).
+
+%!  answer_json(+Value, -Json) is det.
+%
+%   Json is a Value of an answer as library(http/json) writes it: numbers, atoms
+%   and strings, lists of them; else the text of the term.
+
+answer_json(Value0, Json) :-
+    lettered(Value0, Value),
+    json_value(Value, Json).
 
 json_value(Value, Value) :-
     number(Value),

@@ -2,7 +2,7 @@
 :- module(test_query, []).
 :- use_module(library(plunit)).
 :- use_module(library(http/json)).
-:- use_module(rules(command/query)).
+:- use_module(rules(studio/query)).
 
 foo(_, _, _).
 

@@ -1,0 +1,104 @@
+:- module(sg_journal,
+          [ journal_begun/4,            % +Path, +File, +Digest, -Journal
+            journal_line/2,             % +Journal, +Step
+            journal_steps/3,            % +Path, +Digest, -Steps
+            journal_closed/1            % +Journal
+          ]).
+:- use_module('../kernel', [atomic_sync/1]).
+:- use_module(library(http/json), [json_read_dict/2, json_write_dict/3]).
+:- use_module(library(apply), [exclude/3]).
+:- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(readutil), [read_line_to_string/2]).
+/** <module> The journal of a document: what was changed since its file was
+saved.
+
+Each change is a line, which is on the disk before anybody is told that the
+change was made. So nothing is lost when the process is killed, or the machine
+loses its power. A last line that is not complete was told to nobody.
+*/
+
+%!  journal_begun(+Path, +File, +Digest, -Journal) is det.
+%
+%   Path is a new journal of File, the text of which has this Digest. An old
+%   one is gone.
+
+journal_begun(Path, File, Digest, Journal) :-
+    file_directory_name(Path, Folder),
+    catch(make_directory_path(Folder), error(_, _), true),
+    open(Path, write, Journal, [encoding(utf8), newline(posix)]),
+    atom_string(File, Name),
+    journal_line(Journal, _{journal:1, file:Name, digest:Digest}).
+
+%!  journal_line(+Journal, +Step:dict) is det.
+%
+%   Step stands in the Journal, on the disk; `none` is no journal.
+
+journal_line(none, _) :-
+    !.
+journal_line(Journal, Step) :-
+    json_write_dict(Journal, Step, [width(0)]),
+    nl(Journal),
+    atomic_sync(Journal).
+
+%!  journal_closed(+Journal) is det.
+
+journal_closed(none) :-
+    !.
+journal_closed(Journal) :-
+    close(Journal, [force(true)]).
+
+%!  journal_steps(+Path, +Digest, -Steps) is semidet.
+%
+%   Path is a journal. Steps are the changes of the text with this Digest, a
+%   list of dicts, the first one first; `other` if its changes are of another
+%   text.
+%   What follows a line that is not complete is left out. Fails if Path is no
+%   journal.
+%
+%   A line says that the text is about to be saved; who is killed then leaves
+%   the file either as it was before or as it is saved.
+
+journal_steps(Path, Digest, Steps) :-
+    exists_file(Path),
+    setup_call_cleanup(
+        open(Path, read, In, [encoding(utf8)]),
+        ( step(In, Head),
+          get_dict(journal, Head, 1),
+          get_dict(digest, Head, First),
+          steps(In, Steps0)
+        ),
+        close(In)),
+    (   append(_, [Saved|Behind], Steps0),
+        get_dict(digest, Saved, Digest),
+        \+ ( member(Later, Behind), get_dict(digest, Later, Digest) )
+    ->  exclude(is_save, Behind, Steps)
+    ;   First == Digest
+    ->  exclude(is_save, Steps0, Steps)
+    ;   Steps0 == []
+    ->  Steps = []
+    ;   Steps = other
+    ).
+
+is_save(Step) :-
+    get_dict(do, Step, "save").
+
+steps(In, Steps) :-
+    (   step(In, Step)
+    ->  Steps = [Step|Steps1],
+        steps(In, Steps1)
+    ;   Steps = []
+    ).
+
+%   step(In, Step): fails at the end, and at what is no complete line.
+
+step(In, Step) :-
+    \+ at_end_of_stream(In),
+    read_line_to_string(In, Line),
+    string(Line),
+    \+ Line == "",
+    catch(setup_call_cleanup(
+              open_string(Line, Text),
+              json_read_dict(Text, Step),
+              close(Text)),
+          error(_, _), fail),
+    is_dict(Step).

@@ -1,0 +1,354 @@
+"""serve_document.py PROGRAM FOLDER: the document of a session: pictures and
+explanations are those of the command line, questions have limits, changes go
+into the text and into the journal, and kill -9 loses nothing."""
+import os
+import random
+import struct
+import subprocess
+import sys
+import threading
+import time
+
+from session import Checks, Session
+
+program, work = sys.argv[1:3]
+checks = Checks()
+check = checks.check
+environment = {k: v for k, v in os.environ.items()
+               if k not in ("LC_ALL", "LC_MESSAGES")}
+environment.update(LANG="C", XDG_STATE_HOME=work + "/state")
+
+
+def alone(*argv, body=b""):
+    p = subprocess.run([program, *argv], input=body, capture_output=True,
+                       env=environment)
+    return p.returncode, p.stdout, p.stderr
+
+
+def session():
+    return Session(program, env=environment)
+
+
+def code(head):
+    return (head.get("error") or {}).get("code", "")
+
+
+def read(file):
+    with open(file, "rb") as f:
+        return f.read()
+
+
+# ---- without a document ----
+
+s = session()
+for do, keys in (("view", {}), ("ask", {"goal": "true"}), ("undo", {}),
+                 ("text", {}), ("save", {}), ("edit", {"set": {}}),
+                 ("explain", {"item": "line(1)"}),
+                 ("export", {"argv": ["draw", "-o", "a.svg"]})):
+    head, _ = s.ask(do, **keys)
+    check("no document: " + do, code(head) == "request_error.no_document",
+          head)
+head, _ = s.ask("open")
+check("open what", code(head) == "request_error.bad_key", head)
+head, _ = s.ask("open", file="no_such_file.pl")
+check("open: missing", code(head) == "model_error.cannot_read", head)
+bad = work + "/bad.pl"
+with open(bad, "w") as f:
+    f.write("v(1,1,0,0,0).\nv(1,2,zero,0,0).\n")
+head, _ = s.ask("open", file=bad)
+check("open: bad", code(head) == "model_error.value" and
+      (head["error"]["file"], head["error"]["line"]) == (bad, 2), head)
+check("revision 0", head["rev"] == 0, head)
+
+# ---- pictures are those of draw ----
+
+for file in ("facts/figures/fig13.pl", "facts/pipe_tee.pl",
+             "facts/two_cubes.pl", "facts/smooth.pl"):
+    head, _ = s.ask("open", file=file)
+    check("open " + file, head.get("do") == "open" and
+          len(head["segments"]) > 0, head)
+    for form in ("svg", "json"):
+        for keys, options in (({}, []),
+                              ({"view": "isometric"}, ["--view", "isometric"]),
+                              ({"view": [30, 60], "hidden": "removed"},
+                               ["--view", "30,60", "--hidden", "removed"])):
+            # Twice: the first one leaves nothing behind.
+            for again in (1, 2):
+                head, octets = s.ask("view", format=form, **keys)
+                wanted = alone("draw", file, "-o", "-", "--format", form,
+                               *options)
+                check("%s %s %s" % (file, form, keys), octets == wanted[1],
+                      (head, len(octets), len(wanted[1])))
+for keys in ({"view": 1}, {"view": [1]}, {"format": "stl"}, {"hidden": "x"},
+             {"size": [1]}, {"port": 1}, {"segments": 1}, {"crease": -1}):
+    head, _ = s.ask("view", **keys)
+    check("view %s" % keys, code(head) == "request_error.bad_key", head)
+head, _ = s.ask("view", view="sideways")
+check("no such view", code(head) != "", head)
+head, octets = s.ask("view")
+check("still a view", octets.startswith(b"<?xml"), head)
+
+# A newer view of the same port replaces an older one that waits.
+s.send({"id": "busy", "do": "ask", "goal": "sleep(0.5)", "owner": True})
+for i in range(20):
+    s.send({"id": i, "do": "view", "port": "a", "view": [i, 60]})
+    s.send({"id": 100 + i, "do": "view", "port": "b", "view": [i, 60]})
+replies = [s.reply()[0] for i in range(41)]
+done = [head["id"] for head in replies if "kind" in head]
+replaced = [head["id"] for head in replies if head.get("replaced")]
+check("the newest view is done", 19 in done and 119 in done, done)
+check("older ones are replaced", len(replaced) >= 30 and
+      len(done) + len(replaced) == 40, (done, replaced))
+
+# ---- questions ----
+
+s.ask("open", file="facts/two_cubes.pl")
+head, _ = s.ask("ask", goal="line(L, S1, _, _, _, S2, _, _, _)")
+check("lines are there", head["names"] == ["L", "S1", "S2"] and
+      len(head["answers"]) > 3 and head["left"] == 0, head)
+head, _ = s.ask("ask", goal="between(1, 120, X)")
+first = head
+got = list(head["answers"])
+asked = s.number
+while head["left"]:
+    check("parts of 50", len(head["answers"]) == 50, head)
+    head, _ = s.ask("next", of=asked)
+    got += head["answers"]
+check("all answers", got == [[i] for i in range(1, 121)], got)
+head, _ = s.ask("next", of=asked)
+check("no more", code(head) == "request_error.no_answers_left", head)
+head, _ = s.ask("next")
+check("of what", code(head) == "request_error.bad_key", head)
+head, _ = s.ask("ask", goal="between(1, 20000, X)")
+check("10,000 at most", head["cut"] is True and head["left"] == 9950, head)
+head, _ = s.ask("ask", goal="fail")
+check("no answer", head["answers"] == [] and head["cut"] is False, head)
+head, _ = s.ask("ask", goal="X = f(Y, 'a b'), Z = \"t\", W = [1, 2.5], N = ab")
+check("values", head["answers"] == [["f(A,'a b')", "A", "t", [1, 2.5], "ab"]]
+      or head["answers"][0][0].startswith("f("), head)
+head, octets = s.ask("ask", goal="write(printed)", owner=True)
+check("what it prints", octets == b"printed", (head, octets))
+head, _ = s.ask("ask", goal="assertz(a(1)), a(X)")
+head, _ = s.ask("ask", goal="a(X)")
+check("what others assert is gone", code(head) == "existence_error", head)
+for goal in ("shell(ls)", "evaluate", "assertz(user:a)", "open(a, write, _)",
+             "penetrate", "facts_undo", "X = 1, call(shell, ls)",
+             "retract_fact(v(1,1,_,_,_))", "halt", "set_limit(depth, 1)",
+             "assertz(sg_session:a)", "thread_self(X), thread_signal(X, halt)"):
+    head, _ = s.ask("ask", goal=goal)
+    check("may not: " + goal, code(head) != "", head)
+for goal, wanted in (("X = ", "usage_error.bad_goal"),
+                     ("X is foo+1", "type_error"),
+                     ("no_such_predicate(1)", "existence_error"),
+                     ("repeat, fail", "request_error.too_long"),
+                     ("numlist(1, 100000000, L), length(L, N)", "")):
+    began = time.time()
+    head, _ = s.ask("ask", goal=goal)
+    check("ends: " + goal, code(head).startswith(wanted) and code(head) != "",
+          head)
+    check("within its time: " + goal, time.time() - began < 20)
+head, _ = s.ask("ask", goal="length(L, 2)")
+check("after it", head["answers"] != [], head)
+head, _ = s.ask("ask", goal="retract_fact(v(1,1,_,_,_)), \\+ v(1,1,_,_,_)",
+                owner=True)
+check("the owner may", head.get("owner") is True or code(head) != "", head)
+head, _ = s.ask("ask", goal="aggregate_all(count, v(_,_,_,_,_), N)")
+check("but in a snapshot", head["answers"][0][0] > 16, head)
+s.send({"id": 1, "do": "ask", "goal": "repeat, fail"})
+time.sleep(0.3)
+began = time.time()
+s.send({"id": 2, "do": "stop"})
+head, _ = s.reply()
+check("a question is stopped", code(head) == "interrupted" and
+      time.time() - began < 1, head)
+s.reply()
+
+# ---- explanations and exports are those of the command line ----
+
+for item, options in (("line(1)", []), ("vertex(1, 9)", []),
+                      ("line(99)", []), ("hidden(1, 7)", ["--view", "iso"])):
+    head, octets = s.ask("explain", item=item, options=options)
+    wanted = alone("explain", "facts/two_cubes.pl", item, *options)
+    check("explain " + item, (head["status"], octets) ==
+          (wanted[0], wanted[1] + wanted[2]), head)
+head, _ = s.ask("explain")
+check("explain what", code(head) == "request_error.bad_key", head)
+head, _ = s.ask("export", argv=["draw", "-o", work + "/a.pdf"])
+alone("draw", "facts/two_cubes.pl", "-o", work + "/b.pdf")
+check("export", head["files"] == [work + "/a.pdf"] and
+      read(work + "/a.pdf") == read(work + "/b.pdf"), head)
+head, octets = s.ask("export", argv=["unfold"])
+check("unfold", head["status"] == alone("unfold", "facts/two_cubes.pl")[0],
+      head)
+head, _ = s.ask("export", argv=[])
+check("export what", code(head) == "request_error.bad_key", head)
+
+# ---- changes ----
+
+model = work + "/m.pl"
+TEXT = """% A cone and a cylinder: 상관.
+segment(1, solid, cone(radius(57.15), height( -1 + 96))). % stays
+segment(2, solid, named(pipe, at([translate(-60, 0, 30), rotate(y, 90)],
+    cylinder(radius(20), /* here */ height(120.0), facets(24))))).
+"""
+TEXT = TEXT.replace("height( -1 + 96)", "height(95)")
+with open(model, "w") as f:
+    f.write(TEXT)
+head, _ = s.ask("open", file=model)
+base = head["rev"]
+check("changed: open", len(head["segments"]) >= 2, head)
+before = s.ask("view")[1]
+head, _ = s.ask("edit", at=base, set={"segment": 2, "path": [2, 2, 1, 1],
+                                      "value": 22.5})
+check("edit", head["rev"] == base + 1 and head["was"] == 20, head)
+_, octets = s.ask("text")
+changed = TEXT.replace("radius(20)", "radius(22.5)")
+check("one number differs", octets.decode() == changed, octets)
+after = s.ask("view")[1]
+check("another picture", after != before)
+check("that of the text", after == alone("draw", "-", "-o", "-", "--format",
+                                         "svg", body=changed.encode())[1])
+head, octets = s.ask("export", argv=["check"])
+check("export of what was changed",
+      octets == alone("check", "-", body=changed.encode())[1], octets)
+for keys, wanted in (
+        ({"at": base, "set": {"segment": 1, "path": [1, 1], "value": 1}},
+         "other_revision"),
+        ({"set": {"segment": 9, "path": [1, 1], "value": 1}}, "edit"),
+        ({"set": {"segment": 1, "path": [1, 7], "value": 1}}, "edit"),
+        ({"set": {"segment": 1, "path": [1], "value": 1}}, "edit"),
+        ({"set": {"segment": 1, "path": "a", "value": 1}}, "bad_key"),
+        ({"set": {"segment": 1, "path": [1, 1], "value": "x"}}, "bad_key"),
+        ({"set": {"param": "d", "value": 1}}, "edit"),
+        ({}, "bad_key")):
+    head, _ = s.ask("edit", **keys)
+    check("refused %s" % keys, code(head) == "request_error." + wanted, head)
+head, _ = s.ask("edit", set={"segment": 1, "path": [1, 1], "value": -5})
+check("no such cone", code(head).startswith("model_error.") and
+      head["error"]["file"] == model and head["error"]["line"] == 2, head)
+head, _ = s.ask("text", b"segment(1, solid, \xff).")
+check("no text", code(head) == "frame_error.not_utf8", head)
+head, _ = s.ask("text", b"segment(1, solid, oops(1)).")
+check("no model", code(head).startswith("model_error."), head)
+check("nothing has changed", s.ask("text")[1].decode() == changed and
+      s.ask("view")[1] == after)
+head, _ = s.ask("undo")
+check("undo", s.ask("view")[1] == before and head["rev"] == base + 2, head)
+head, _ = s.ask("redo")
+check("redo", s.ask("view")[1] == after, head)
+head, _ = s.ask("redo")
+check("no redo", code(head) == "request_error.nothing_to", head)
+head, _ = s.ask("text", TEXT.replace("95", "90").encode(), at=head["rev"])
+check("another text", "error" not in head, head)
+for i in range(2):
+    head, _ = s.ask("undo")
+check("undone", s.ask("text")[1].decode() == TEXT)
+head, _ = s.ask("undo")
+check("no undo", code(head) == "request_error.nothing_to", head)
+head, _ = s.ask("redo")
+head, _ = s.ask("save")
+check("saved", head.get("file") == model and read(model).decode() == changed,
+      head)
+head, _ = s.ask("undo")
+check("undo behind save", s.ask("text")[1].decode() == TEXT, head)
+with open(model, "a") as f:
+    f.write("% another hand\n")
+head, _ = s.ask("save")
+check("changed outside", code(head) == "request_error.file_changed", head)
+head, _ = s.ask("save", file=work + "/other.pl")
+check("saved as", read(work + "/other.pl").decode() == TEXT, head)
+head, _ = s.ask("save", file=work + "/other.txt")
+check("only .pl", code(head) == "request_error.bad_key", head)
+alone("convert", "facts/cube.pl", "-o", work + "/cube.stl")
+head, _ = s.ask("open", file=work + "/cube.stl")
+check("a mesh", "error" not in head, head)
+check("its picture", s.ask("view")[1] ==
+      alone("draw", work + "/cube.stl", "-o", "-", "--format", "svg")[1])
+for do, body in (("undo", b""), ("text", b""), ("text", b"x"), ("save", b"")):
+    head, _ = s.ask(do, body)
+    check("no text to " + do, code(head) == "request_error.no_text", head)
+check("end", s.end() == (0, b""))
+
+# ---- the journal: killed at random, nothing that was told is lost ----
+
+draw = random.Random(int(os.environ.get("SERVE_SEED", "1")))
+with open(model, "w") as f:
+    f.write(TEXT)
+kills = int(os.environ.get("SERVE_KILLS", "12"))
+text = maybe = TEXT
+seen, going_back, rounds = {TEXT}, False, 0
+for kill in range(kills):
+    s = session()
+    head, _ = s.ask("open", file=model, journal=True)
+    check("replayed", "error" not in head, head)
+    got = s.ask("text")[1].decode()
+    # What was told is there. One more step may be, which was not told.
+    check("killed %d: the text" % kill, got in (text, maybe) or
+          going_back and got in seen, (got, text, maybe))
+    text = maybe = got
+    timer = threading.Timer(draw.uniform(0, 0.6), s.process.kill)
+    timer.start()
+    try:
+        while True:
+            value = draw.randint(10, 25)
+            do, keys = draw.choice(
+                [("edit", {"set": {"segment": 2, "path": [2, 2, 1, 1],
+                                   "value": value}})] * 4 +
+                [("undo", {}), ("redo", {}), ("save", {})])
+            going_back = do in ("undo", "redo")
+            if do == "edit":
+                at = text.index("cylinder(radius(") + len("cylinder(radius(")
+                maybe = text[:at] + str(value) + text[text.index(")", at):]
+            head, _ = s.ask(do, **keys)
+            if head is None:
+                break
+            if "error" in head:
+                check("only what cannot be",
+                      code(head) == "request_error.nothing_to", head)
+                going_back = False
+                continue
+            rounds += 1
+            if do == "edit":
+                text = maybe
+            elif going_back:
+                head, octets = s.ask("text")
+                if head is None:
+                    break
+                text = maybe = octets.decode()
+            going_back = False
+            seen.add(text)
+    except (OSError, ValueError, struct.error, TypeError):
+        pass  # half a reply
+    timer.cancel()
+    s.kill()
+print("%d changes, %d kills" % (rounds, kills))
+
+# A line that is not complete, and a journal of another text.
+journal = work + "/a.journal"
+with open(model, "w") as f:
+    f.write(TEXT)
+s = session()
+s.ask("open", file=model, journal=journal)
+for value in (30, 31):
+    s.ask("edit", set={"segment": 1, "path": [1, 1], "value": value})
+s.kill()
+with open(journal, "a") as f:
+    f.write('{"do":"edit","from":1')
+s = session()
+head, _ = s.ask("open", file=model, journal=journal)
+check("two steps", head["replayed"] == 2 and
+      "radius(31)" in s.ask("text")[1].decode(), head)
+s.ask("undo")
+check("undo behind a replay", "radius(30)" in s.ask("text")[1].decode())
+s.kill()
+with open(model, "a") as f:
+    f.write("% changed\n")
+s = session()
+head, _ = s.ask("open", file=model, journal=journal)
+check("another text", code(head) == "request_error.journal_of_another", head)
+head, _ = s.ask("open", file=model, journal=journal, replay=False)
+check("without it", head.get("replayed") == 0, head)
+head, _ = s.ask("open", file=model, journal=7)
+check("which journal", code(head) == "request_error.bad_key", head)
+check("end", s.end() == (0, b""))
+checks.finish()

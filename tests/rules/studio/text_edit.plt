@@ -1,0 +1,84 @@
+:- encoding(utf8).
+:- module(test_text_edit, []).
+:- use_module(library(plunit)).
+:- use_module(library(random)).
+:- use_module(rules(model/model_text), []).
+:- use_module(rules(studio/text_edit)).
+
+/* Where a number stands in a text, and what the text is with another one.
+*/
+
+text("% 상관: segment(1, solid, cube(size(9))).
+segment(1, solid, box(size(1, -2.5, 3e2))). /* 7 */ param(d, 80).
+segment(
+  2, solid,  named('a(1, 2)', union([ 1,
+     at([translate(0x10, 0'a, -  4)], (5)) ]))).
+segment(3,solid,f(-1,-(2),2-3,[1,2|[3]],\"4\")).
+param(e, -7).
+").
+
+place(Which, Characters) :-
+    text(Text),
+    number_place(Text, Which, From, To, _),
+    Length is To-From,
+    sub_string(Text, From, Length, _, Characters).
+
+:- begin_tests(text_edit).
+
+test(places, [forall(member(Which-Characters,
+                 [ segment(1, [1,1])-"1", segment(1, [1,2])-"-2.5",
+                   segment(1, [1,3])-"3e2", param(d)-"80", param(e)-"-7",
+                   segment(2, [2,1,1])-"1",
+                   segment(2, [2,1,2,1,1,1])-"0x10",
+                   segment(2, [2,1,2,1,1,2])-"0'a",
+                   segment(2, [2,1,2,2])-"5",
+                   segment(3, [1])-"-1", segment(3, [2,1])-"2",
+                   segment(3, [3,1])-"2", segment(3, [3,2])-"3",
+                   segment(3, [4,2])-"2"
+                 ])),
+              true(Got == Characters)]) :-
+    place(Which, Got).
+test(no_places, [forall(member(Which-Why,
+                 [ segment(9, [1])-no_fact(segment(9, [1])),
+                   param(f)-no_fact(param(f)),
+                   segment(1, [7])-no_path([7]),
+                   segment(1, [1,4])-no_path([1,4]),
+                   segment(1, [1,1,1])-no_path([1,1,1]),
+                   segment(1, [])-no_number([]),
+                   segment(1, [1])-no_number([1]),
+                   segment(2, [1])-no_number([1]),
+                   segment(3, [5])-no_number([5])
+                 ])),
+                 throws(error(request_error(edit(Why)), _))]) :-
+    place(Which, _).
+test(replaced, New == "f(12.5, b)") :-
+    number_replaced("f(1, b)", 2, 3, 12.5, New).
+test(sign_behind_a_symbol, New == "f(2- -3)") :-
+    number_replaced("f(2-1)", 4, 5, -3, New).
+test(sign, New == "f(-3)") :-
+    number_replaced("f(1)", 2, 3, -3, New).
+
+% Whatever is put there is read again at the same place, and the rest of the
+% text is as it was.
+test(random, [forall(between(1, 200, Seed)), true(Got =:= Value)]) :-
+    set_random(seed(Seed)),
+    text(Text),
+    random_member(Which, [ segment(1, [1,2]), param(d), segment(3, [3,1]),
+                           segment(3, [3,2]), segment(2, [2,1,2,2]),
+                           segment(3, [4,2]), param(e) ]),
+    random_member(Kind, [integer, float]),
+    random_between(-1000, 1000, N),
+    (   Kind == integer
+    ->  Value = N
+    ;   Value is N/7.0
+    ),
+    number_place(Text, Which, From, To, _),
+    number_replaced(Text, From, To, Value, New),
+    number_place(New, Which, From1, To1, Got),
+    sub_string(Text, To, _, 0, After),
+    sub_string(New, To1, _, 0, After),
+    sub_string(New, 0, From, _, Before),
+    sub_string(Text, 0, From, _, Before),
+    From1 >= From.
+
+:- end_tests(text_edit).
