@@ -7,7 +7,9 @@
 :- use_module(rules(explanation/explain)).
 :- use_module(rules(csg/provenance)).
 :- use_module(rules(store)).
+:- use_module(rules(polygon/triangulation)).
 :- use_module(tests('rules/csg/csg_tree'), [with_tree/2]).
+:- use_module(tests(rules/polyhedron), [polyhedron/4]).
 
 :- begin_tests(provenance).
 
@@ -51,6 +53,24 @@ test(edge_is_on_its_origin) :-
 
 place(S-V, X-Y-Z) :-
     v(S, V, X, Y, Z).
+
+%   A box split by a roof: its top within the box is a vertex of the result, its
+%   four sides are polygons of it.
+
+test(split, Vs-Ps == [2-5]-[2-1,2-2,2-3,2-4]) :-
+    with_tree([ box(size(2,2,2)) ],
+              ( polyhedron(2, surface,
+                           [p(-3,-3,0.5), p(3,-3,0.5), p(3,3,0.5), p(-3,3,0.5),
+                            p(0,0,1.5)],
+                           [[1,2,5], [2,3,5], [3,4,5], [4,1,5]]),
+                complete_segments,
+                assert_fact(segment(3, solid, split(1, 2, below))),
+                evaluate,
+                findall(S-V, ( vertex_from(3, _, S, V), S =\= 1 ), Vs0),
+                findall(S-P, ( polygon_from(3, _, S, P, _), S =\= 1 ),
+                        Ps0) )),
+    sort(Vs0, Vs),
+    sort(Ps0, Ps).
 
 %   Every polygon of the result is said to be kept, with the sense that
 %   polygon_from/5 has; and what became of polygons of operands.
