@@ -1,5 +1,5 @@
-/* Tables of true lengths on paper of many sizes: every row is there once, letters
-   can be read, and there are no more parts than there have to be. */
+/* Tables of true lengths on paper of many sizes: every row is there once,
+   letters can be read, and there are no more parts than there have to be. */
 :- module(test_pattern_table, []).
 :- use_module(library(plunit)).
 :- use_module(library(apply)).
@@ -99,7 +99,8 @@ fits_long(W, H, RW, RH) :-
       W > 0.96*RW*0.999999
     ).
 
-:- begin_tests(pattern_table, [setup(made), cleanup(retractall(world(_,_,_,_)))]).
+:- begin_tests(pattern_table, [ setup(made),
+                                cleanup(retractall(world(_,_,_,_))) ]).
 
 test(roll, Sizes == [Whole]) :-
     laid(roll(500), Whole, Tables, _),
