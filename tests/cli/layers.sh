@@ -74,5 +74,6 @@ layers 2>"$TMP/found"
 for line in "${planted[@]}"; do
   check "$line" grep -qxF "$line" "$TMP/found"
 done
-check "nothing else" test "$(wc -l <"$TMP/found")" = ${#planted[@]}
+check "they make a circle" grep -q ': imports go round: .* -> ' "$TMP/found"
+check "nothing else" test "$(wc -l <"$TMP/found")" = $((${#planted[@]} + 1))
 check_report
