@@ -57,8 +57,8 @@ version_free(sg_version *version)
   free(version);
 }
 
-void
-sg_version_release(sg_version *version)
+static void
+release_version(sg_version *version)
 {
   if (atomic_fetch_sub_explicit(&version->holders, 1, memory_order_acq_rel) ==
       1) {
@@ -160,7 +160,7 @@ sg_world_own(sg_world *world)
     return NULL;
   }
   world->current = owned;
-  sg_version_release(old);
+  release_version(old);
   return owned;
 }
 
@@ -177,7 +177,7 @@ void
 sg_stack_clear(sg_stack *stack)
 {
   while (stack->count > 0) {
-    sg_version_release(stack->version[--stack->count]);
+    release_version(stack->version[--stack->count]);
   }
 }
 
@@ -192,7 +192,7 @@ stack_limit(sg_stack *stack, size_t most)
   }
   extra = stack->count - most;
   for (size_t i = 0; i < extra; i++) {
-    sg_version_release(stack->version[i]);
+    release_version(stack->version[i]);
   }
   memmove(stack->version, stack->version + extra, most * sizeof(sg_version *));
   stack->count = most;
@@ -438,7 +438,7 @@ commit(sg_world *world, bool is_step)
       world->undo.version[world->undo.count++] = before;
       stack_limit(&world->undo, world->undo_limit);
     } else {
-      sg_version_release(before);
+      release_version(before);
     }
     if (changed) {
       sg_stack_clear(&world->redo);
@@ -470,7 +470,7 @@ sg_world_rollback(sg_world *world)
   sg_world_enter(world);
   if (world->open.count > 0) {
     size_t depth = --world->open.count;
-    sg_version_release(world->current);
+    release_version(world->current);
     world->current = world->open.version[depth];
     world->changes = world->changes_at[depth];
     unclaim(world);

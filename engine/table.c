@@ -393,19 +393,6 @@ value_equal(sg_type type, sg_value a, sg_value b)
 }
 
 bool
-sg_row_equal(const sg_relation_info *info, uint16_t mask, const sg_value *a,
-             const sg_value *b)
-{
-  for (unsigned m = mask; m; m &= m - 1) {
-    unsigned c = (unsigned)__builtin_ctz(m);
-    if (!value_equal(info->column[c].type, a[c], b[c])) {
-      return false;
-    }
-  }
-  return true;
-}
-
-bool
 sg_page_match(const sg_page *page, const sg_relation_info *info, uint16_t mask,
               unsigned place, const sg_value *row)
 {

@@ -167,8 +167,6 @@ void sg_page_find_span(sg_page *page);
 
 void sg_page_row(const sg_page *page, const sg_relation_info *info,
                  uint16_t mask, unsigned place, sg_value *out);
-bool sg_row_equal(const sg_relation_info *info, uint16_t mask,
-                  const sg_value *a, const sg_value *b);
 /* The row at this place is equal to `row` in the columns of the mask. */
 bool sg_page_match(const sg_page *page, const sg_relation_info *info,
                    uint16_t mask, unsigned place, const sg_value *row);

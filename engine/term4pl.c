@@ -458,8 +458,8 @@ unify_node(term_t t0, const uint32_t **at)
   return done;
 }
 
-int
-sg_unify_term(term_t t, const uint32_t *term)
+static int
+unify_term(term_t t, const uint32_t *term)
 {
   const uint32_t *at = term + 1;
 
@@ -469,7 +469,7 @@ sg_unify_term(term_t t, const uint32_t *term)
 int
 sg_put_term(term_t t, const uint32_t *term)
 {
-  return PL_put_variable(t) && sg_unify_term(t, term);
+  return PL_put_variable(t) && unify_term(t, term);
 }
 
 /* ---- values ------------------------------------------------------------ */
@@ -502,7 +502,7 @@ sg_unify_value(term_t t, sg_type type, sg_value value)
   case SG_ATOM:
     return PL_unify_atom(t, sg_symbol_atom(value.i));
   case SG_TERM:
-    return sg_unify_term(t, value.term);
+    return unify_term(t, value.term);
   }
   return FALSE;
 }

@@ -69,7 +69,6 @@ sg_version *sg_world_visible(sg_world *world);
 /* The current version, for writing. Null: no memory. */
 sg_version *sg_world_own(sg_world *world);
 /* One holder of a version less. */
-void sg_version_release(sg_version *version);
 void sg_stack_clear(sg_stack *stack);
 /* Makes slots that no version shows empty. */
 void sg_world_sweep(sg_world *world, sg_relation relation);

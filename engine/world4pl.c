@@ -85,8 +85,9 @@ drop_current(void *world)
   sg_world_drop(world);
 }
 
-void
-sg_set_current_world(sg_world *world)
+/* Makes it this thread's world, or none (null); holds it itself. */
+static void
+set_current_world(sg_world *world)
 {
   sg_world *old = pthread_getspecific(current_key);
 
@@ -149,7 +150,7 @@ set_world(term_t t)
   if (!get_world_ex(t, &world)) {
     return FALSE;
   }
-  sg_set_current_world(world);
+  set_current_world(world);
   return TRUE;
 }
 
@@ -171,7 +172,7 @@ restore_world(term_t t)
   if (PL_is_blob(t, &type) && type == &world_blob) {
     return set_world(t);
   }
-  sg_set_current_world(NULL);
+  set_current_world(NULL);
   return TRUE;
 }
 
@@ -492,7 +493,7 @@ sg_install_world(void)
     installed = true;
     pthread_key_create(&current_key, drop_current);
     if (world) {
-      sg_set_current_world(world);
+      set_current_world(world);
       sg_world_drop(world);
     }
   }

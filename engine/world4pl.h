@@ -23,9 +23,6 @@ sg_world *sg_current_world_ex(void);
 /* The same; null without an exception if there is none. */
 sg_world *sg_current_world(void);
 
-/* Makes it this thread's world, or none (null); holds it itself. */
-void sg_set_current_world(sg_world *world);
-
 /* Waits for the turn to write, asking for signals; release it afterwards. */
 int sg_claim_ex(sg_world *world);
 
@@ -57,7 +54,6 @@ int32_t sg_intern_atom(atom_t atom);
 bool sg_encode_term(term_t t, sg_term_builder *out);
 int sg_get_term_ex(term_t t, uint32_t **out); /* free() it */
 int sg_put_term(term_t t, const uint32_t *term);
-int sg_unify_term(term_t t, const uint32_t *term);
 
 /* Unifies t with a value of this type. */
 int sg_unify_value(term_t t, sg_type type, sg_value value);

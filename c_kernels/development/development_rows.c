@@ -131,9 +131,9 @@ sg_development_joint(sg_call *call, const sg_development *d, int32_t j,
   return (size_t)j <= d->joints.n || sg_call_missing(call, "joint", argument);
 }
 
-bool
-sg_development_joints(sg_call *call, const uint32_t *joint, size_t n,
-                      sg_int_list *out)
+/* Joints as they are numbered, from 1. */
+static bool
+joints_of(sg_call *call, const uint32_t *joint, size_t n, sg_int_list *out)
 {
   for (size_t i = 0; i < n; i++) {
     if (sg_cancel_every(&call->cancel, i) ||
@@ -204,7 +204,7 @@ sg_door_joint_order(sg_call *call, sg_development *d, size_t number,
                     sg_int_list *joints)
 {
   uint32_t *order = make_order(call, d, number);
-  bool good = order && sg_development_joints(call, order, d->joints.n, joints);
+  bool good = order && joints_of(call, order, d->joints.n, joints);
 
   free(order);
   return good;
@@ -269,8 +269,7 @@ sg_development_path(sg_call *call, sg_development *d, uint32_t from,
   bool stopped;
   uint32_t *path =
       sg_flattening_path(&d->flattening, from, to, &call->cancel, &n, &stopped);
-  bool good =
-      path ? sg_development_joints(call, path, n, joints) : sg_call_ended(call);
+  bool good = path ? joints_of(call, path, n, joints) : sg_call_ended(call);
 
   free(path);
   return good;

@@ -32,10 +32,6 @@ bool sg_development_is_laid(sg_call *call, const sg_development *d);
 bool sg_development_joint(sg_call *call, const sg_development *d, int32_t j,
                           int argument, uint32_t *out);
 
-/* Joints as they are numbered, from 1. */
-bool sg_development_joints(sg_call *call, const uint32_t *joint, size_t n,
-                           sg_int_list *out);
-
 /* The joints that are joined on the way between two faces. */
 bool sg_development_path(sg_call *call, sg_development *d, uint32_t from,
                          uint32_t to, sg_int_list *joints);

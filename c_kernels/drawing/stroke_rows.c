@@ -63,8 +63,9 @@ role_number(const sg_ranked_look_list *looks, size_t n)
   return (int)i;
 }
 
-sg_stroke_look *
-sg_looks_of(sg_call *call, const sg_ranked_look_list *looks)
+/* The looks as the kernel has them; null: refused. */
+static sg_stroke_look *
+looks_of(sg_call *call, const sg_ranked_look_list *looks)
 {
   sg_stroke_look *out = sg_call_alloc(call, looks->n * sizeof *out);
 
@@ -171,7 +172,7 @@ bool
 sg_strokes_of(sg_call *call, const sg_ranked_look_list *looks,
               sg_stroke_parts *parts, sg_sheet_stroke_list *out)
 {
-  const sg_stroke_look *look = sg_looks_of(call, looks);
+  const sg_stroke_look *look = looks_of(call, looks);
   sg_strokes strokes;
   bool memory, good = true;
 

@@ -9,9 +9,6 @@
 #include "doors/drawing.h"
 #include "stroke.h"
 
-/* The looks as the kernel has them; null: refused. */
-sg_stroke_look *sg_looks_of(sg_call *call, const sg_ranked_look_list *looks);
-
 /* The place of a look, or looks->n; `last` is tried first. */
 size_t sg_looks_find(const sg_ranked_look_list *looks, int32_t visibility,
                      int32_t role, size_t last);

@@ -41,9 +41,11 @@ close_asking(asking *a)
 /* ---- answers that are kept ------------------------------------------------
  */
 
-bool
-sg_kept_operand_of(sg_call *call, sg_kept_tree *kept, const sg_version *version,
-                   const sg_leaf_views *views, sg_operand *out)
+/* What a kept tree is as an operand (operand_rows.c). It is kept if it is the
+ * first; edges that change alone, without vertices and triangles, are rare. */
+static bool
+operand_of(sg_call *call, sg_kept_tree *kept, const sg_version *version,
+           const sg_leaf_views *views, sg_operand *out)
 {
   uint64_t stamp = sg_version_stamp(version, SG_E, kept->s);
   sg_kept_operand *there = atomic_load(&kept->operand), *fresh;
@@ -75,7 +77,7 @@ make_nonmanifold(sg_call *call, sg_kept_tree *kept, const sg_version *version,
   sg_nonmanifold *fresh = NULL;
   sg_operand operand;
 
-  if (!sg_kept_operand_of(call, kept, version, views, &operand)) {
+  if (!operand_of(call, kept, version, views, &operand)) {
     return NULL;
   }
   if (!(fresh = calloc(1, sizeof *fresh)) ||
@@ -123,7 +125,7 @@ find_self(asking *a, size_t i, bool *out)
   sg_operand operand;
 
   if (known == SG_SELF_NOT_ASKED) {
-    if (!sg_kept_operand_of(a->call, kept, a->version, &a->views, &operand)) {
+    if (!operand_of(a->call, kept, a->version, &a->views, &operand)) {
       return false;
     }
     *out = false;
@@ -178,7 +180,7 @@ sg_door_segment_operand(sg_call *call, int32_t s, sg_operand *operand)
 {
   asking a;
   bool good = open_asking(call, &s, 1, &a) &&
-              sg_kept_operand_of(call, a.tree[0], a.version, &a.views, operand);
+              operand_of(call, a.tree[0], a.version, &a.views, operand);
 
   close_asking(&a);
   return good;

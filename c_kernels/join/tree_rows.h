@@ -55,11 +55,6 @@ sg_self_known sg_self_known_of(sg_world *world, const sg_kept_tree *kept);
 void sg_self_keep(sg_world *world, const sg_kept_tree *kept,
                   sg_self_known known);
 
-/* What a kept tree is as an operand (operand_rows.c). It is kept if it is the
- * first; edges that change alone, without vertices and triangles, are rare. */
-bool sg_kept_operand_of(sg_call *call, sg_kept_tree *kept,
-                        const sg_version *version, const sg_leaf_views *views,
-                        sg_operand *out);
 /* Where its surface is not one sheet; good as long as the tree is held. */
 bool sg_kept_nonmanifold(sg_call *call, sg_kept_tree *kept,
                          const sg_version *version, const sg_leaf_views *views,

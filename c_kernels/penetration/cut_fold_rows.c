@@ -138,8 +138,9 @@ find_bent(sg_cut_handle *handle, int32_t s, int32_t p)
   return off > handle->flat_within;
 }
 
-int
-sg_cut_is_bent(sg_cut_handle *handle, int32_t s, int32_t p)
+/* Whether polygon p of segment s is not flat: 1, 0, or -1: no memory. */
+static int
+is_bent(sg_cut_handle *handle, int32_t s, int32_t p)
 {
   uint32_t key[2] = {(uint32_t)s, (uint32_t)p};
   uint32_t known = sg_key_table_get(&handle->bent, key);
@@ -227,7 +228,7 @@ sg_cut_add_folds(sg_call *call, sg_cut_handle *handle, int32_t s, int32_t p,
                  sg_outlines *out)
 {
   sides all = {0};
-  int bent = sg_cut_is_bent(handle, s, p);
+  int bent = is_bent(handle, s, p);
   bool good = bent >= 0 && (bent == 0 || read_sides(handle, s, p, &all));
 
   for (size_t i = 0; good && i < all.n; i++) {
@@ -248,7 +249,7 @@ sg_cut_is_real_or_fold(void *data, uint32_t triangle, int edge)
   const sg_leaf_triangle *leaf = &handle->set.model.triangle[triangle];
   int real = sg_cut_is_real(handle, triangle, edge);
 
-  return real != 0 ? real : sg_cut_is_bent(handle, leaf->s, leaf->p);
+  return real != 0 ? real : is_bent(handle, leaf->s, leaf->p);
 }
 
 /* ---- doors ---- */

@@ -421,18 +421,3 @@ sg_cut_set_settle(sg_cut_set *set)
   }
   return sg_cut_set_link(set);
 }
-
-uint32_t
-sg_cut_set_find(const sg_cut_set *set, int32_t s1, int32_t s2, uint32_t a,
-                uint32_t b)
-{
-  for (uint32_t i = 0; i < set->pieces; i++) {
-    const sg_cut_piece *k = &set->piece[i];
-
-    if (k->live && k->s[0] == s1 && k->s[1] == s2 &&
-        ((k->a == a && k->b == b) || (k->a == b && k->b == a))) {
-      return i;
-    }
-  }
-  return SG_NO_KEY;
-}

@@ -134,9 +134,6 @@ int sg_cut_is_real(void *handle, uint32_t triangle, int edge);
 /* The same, or a fold: an sg_is_real for this set (cut_fold_rows.c). */
 int sg_cut_is_real_or_fold(void *handle, uint32_t triangle, int edge);
 
-/* Whether polygon p of segment s is not flat: 1, 0, or -1: no memory. */
-int sg_cut_is_bent(sg_cut_handle *handle, int32_t s, int32_t p);
-
 /* Adds the folds of a polygon that is not flat to the last outline, which is
  * its own. */
 bool sg_cut_add_folds(sg_call *call, sg_cut_handle *handle, int32_t s,

@@ -162,9 +162,4 @@ void sg_cut_set_join(sg_cut_set *set, uint32_t point);
  * Makes ready for joints. False: no memory. */
 bool sg_cut_set_settle(sg_cut_set *set);
 
-/* The first piece of two segments that lives between two points, whichever way
- * round; SG_NO_KEY: none. Looks at all pieces. */
-uint32_t sg_cut_set_find(const sg_cut_set *set, int32_t s1, int32_t s2,
-                         uint32_t a, uint32_t b);
-
 #endif

@@ -201,8 +201,10 @@ sense_of(const sg_contour_finder *f, const sg_contour *piece)
   return (b[0] - a[0]) * y - (b[1] - a[1]) * x > 0.0 ? -1 : 1;
 }
 
-bool
-sg_contour_across(const sg_contour_finder *f, uint32_t t, sg_contour *piece)
+/* The piece across triangle t, with what is turned to the eye on its left, seen
+ * from outside. False: there is none. */
+static bool
+run_across(const sg_contour_finder *f, uint32_t t, sg_contour *piece)
 {
   int ends = 0, end = 0;
   uint32_t apex = SG_NO_SIDE;
@@ -362,8 +364,7 @@ push_across(sg_contour_finder *f, uint32_t t)
 {
   sg_contour piece;
 
-  return !f->sense[t] || !sg_contour_across(f, t, &piece) ||
-         push_outermost(f, &piece);
+  return !f->sense[t] || !run_across(f, t, &piece) || push_outermost(f, &piece);
 }
 
 static bool
@@ -406,7 +407,7 @@ find_senses(sg_contour_finder *f, const sg_cancel *cancel)
     f->face[t] = facing(f, t);
     f->kind[t] = (uint8_t)kind_of(f, t);
     if (smooth->curved[t] && !smooth->coarse[t] &&
-        f->kind[t] == SG_CONTOUR_MIXED && sg_contour_across(f, t, &piece)) {
+        f->kind[t] == SG_CONTOUR_MIXED && run_across(f, t, &piece)) {
       f->sense[t] = sense_of(f, &piece);
     }
   }

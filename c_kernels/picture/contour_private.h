@@ -97,11 +97,6 @@ bool sg_contour_outermost(const sg_contour_finder *f, const sg_contour *piece,
 void sg_contour_point(const sg_contour_finder *f, const sg_contour *piece,
                       int end, double out[3]);
 
-/* The piece across triangle t, with what is turned to the eye on its left, seen
- * from outside. False: there is none. */
-bool sg_contour_across(const sg_contour_finder *f, uint32_t t,
-                       sg_contour *piece);
-
 /* True if triangle t is of no known surface, and a smooth one would bulge at a
  * side of it (SG_SIDE_BULGES). */
 bool sg_contour_bulges(const sg_contour_finder *f, uint32_t t);

@@ -483,8 +483,10 @@ build_grid(sg_work *work)
   return work->grid.open;
 }
 
-bool
-sg_work_ready(sg_work *work, bool *served)
+/* Are there so many edges that the grid serves? Builds it or builds it anew
+ * when it is missing or stale. *served tells; false: no memory. */
+static bool
+make_ready(sg_work *work, bool *served)
 {
   const sg_work_grid *grid = &work->grid;
   size_t living = work->living;
@@ -502,7 +504,7 @@ sg_work_scan_open(sg_work_scan *scan, sg_work *work, const int32_t *corner,
                   int corners)
 {
   *scan = (sg_work_scan){.work = work};
-  if (!sg_work_ready(work, &scan->served)) {
+  if (!make_ready(work, &scan->served)) {
     return false;
   }
   if (scan->served) {

@@ -92,10 +92,6 @@ bool sg_work_ends_ready(sg_work *work);
  * is reflex. *no_memory is set, or left alone. */
 bool sg_work_occupied(sg_work *work, const int32_t corner[3], bool *no_memory);
 
-/* Are there so many edges that the grid serves? Builds it or builds it anew
- * when it is missing or stale. *served tells; false: no memory. */
-bool sg_work_ready(sg_work *work, bool *served);
-
 /* The edges that may meet a convex piece of the picture (a point, a segment, a
  * triangle), each once: all of them when there are few. */
 typedef struct sg_work_scan {

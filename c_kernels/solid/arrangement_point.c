@@ -109,8 +109,9 @@ row_point(const sg_arrangement *a, sg_part *part)
 
 /* ---- of a cell ---- */
 
-void
-sg_cell_corners(const sg_arrangement *a, const sg_cell *cell,
+/* The corners of a cell's triangle: copies, to be cleared. */
+static void
+corners_of_cell(const sg_arrangement *a, const sg_cell *cell,
                 const sg_cell_triangle *triangle, sg_point out[3])
 {
   const sg_arranged *leaf = &a->leaf[cell->leaf];
@@ -144,7 +145,7 @@ size_of(const sg_arrangement *a, const sg_cell *cell, size_t i)
   sg_point corner[3];
   int u = (cell->axis + 1) % 3, v = (cell->axis + 2) % 3;
 
-  sg_cell_corners(a, cell, &a->triangle[cell->first + i], corner);
+  corners_of_cell(a, cell, &a->triangle[cell->first + i], corner);
   const double *p = corner[0].p, *q = corner[1].p, *r = corner[2].p;
   double size = (q[u] - p[u]) * (r[v] - p[v]) - (q[v] - p[v]) * (r[u] - p[u]);
 
@@ -280,7 +281,7 @@ cell_point(const sg_arrangement *a, sg_part *part)
     size_t i = triangle_of(a, cell, part->tries / WEIGHTS);
     sg_point corner[3];
 
-    sg_cell_corners(a, cell, &a->triangle[cell->first + i], corner);
+    corners_of_cell(a, cell, &a->triangle[cell->first + i], corner);
     if (sg_point_turn(cell->axis, &corner[0], &corner[1], &corner[2]) != 0) {
       weigh((const sg_point *)corner, weight[part->tries % WEIGHTS], q);
       good = lower(a, cell, q, part, &found);

@@ -130,10 +130,6 @@ sg_arranged_corners(const sg_arrangement *a, uint32_t row, int32_t v[3])
   }
 }
 
-/* The corners of a cell's triangle: copies, to be cleared. */
-void sg_cell_corners(const sg_arrangement *a, const sg_cell *cell,
-                     const sg_cell_triangle *triangle, sg_point out[3]);
-
 /* A new node, connected with nothing; SG_NO_KEY: no memory. */
 uint32_t sg_arrangement_new_node(sg_arrangement *a);
 static inline uint32_t
@@ -155,9 +151,6 @@ bool sg_arrangement_flood(sg_arrangement *a, sg_pool *pool,
                           const sg_cancel *cancel);
 bool sg_arrangement_find_parts(sg_arrangement *a, sg_pool *pool,
                                const sg_cancel *cancel);
-
-/* The sides of all components (arrangement_side.c). */
-bool sg_arrangement_find_sides(sg_arrangement *a, const sg_cancel *cancel);
 
 /* Another point inside a component, by part->tries (arrangement_point.c).
  * False: no memory. */

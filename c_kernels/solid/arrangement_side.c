@@ -411,8 +411,9 @@ move_points(sg_arrangement *a, const sg_cancel *cancel)
   return n;
 }
 
-bool
-sg_arrangement_find_sides(sg_arrangement *a, const sg_cancel *cancel)
+/* The sides of all components (arrangement_side.c). */
+static bool
+find_all_sides(sg_arrangement *a, const sg_cancel *cancel)
 {
   int64_t left = 1;
 
@@ -438,7 +439,7 @@ sg_arrangement_seal(sg_arrangement *a, sg_pool *pool, const sg_cancel *cancel)
          sg_arrangement_flood(a, pool, cancel) &&
          sg_arrangement_find_made(a, pool, cancel) &&
          sg_arrangement_find_parts(a, pool, cancel) &&
-         sg_arrangement_find_sides(a, cancel);
+         find_all_sides(a, cancel);
 }
 
 size_t

@@ -194,6 +194,19 @@ vertex_point(sg_cut_set *set, int32_t s, int32_t v)
 }
 
 /* Points noted in any order divide a piece at all of them. */
+static bool
+has_piece(const sg_cut_set *set, uint32_t a, uint32_t b)
+{
+  for (uint32_t i = 0; i < set->pieces; i++) {
+    const sg_cut_piece *k = &set->piece[i];
+
+    if (k->live && ((k->a == a && k->b == b) || (k->a == b && k->b == a))) {
+      return true;
+    }
+  }
+  return false;
+}
+
 static void
 late_splits(void)
 {
@@ -223,7 +236,7 @@ late_splits(void)
     dead += !set.piece[i].live;
   }
   CHECK("one piece became four", living(&set) == before + 3 && dead == 3);
-  CHECK("found", sg_cut_set_find(&set, 1, 2, x[1], a) != SG_NO_KEY);
+  CHECK("found", has_piece(&set, x[1], a));
   sg_cut_set_clear(&set);
 }
 
