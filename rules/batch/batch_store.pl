@@ -200,18 +200,22 @@ key_place(store(Out, _), Key, Parent, Name) :-
 
 published(Store, Folder, Key, Place) :-
     key_place(Store, Key, Parent, Name),
-    made_folder(Parent),
     atomic_list_concat([Parent, /, Name], Place),
-    (   exists_directory(Place)
+    (   renamed(Folder, Place)
+    ->  true
+    ;   exists_directory(Place)         % another batch was faster
     ->  folder_removed(Folder)
-    ;   catch(rename_file(Folder, Place), Error, true),
-        (   var(Error)
+    ;   made_folder(Parent),
+        (   renamed(Folder, Place)
         ->  true
-        ;   exists_directory(Place)     % another batch was faster
+        ;   exists_directory(Place)
         ->  folder_removed(Folder)
-        ;   throw(Error)
+        ;   rename_file(Folder, Place)  % says why not
         )
     ).
+
+renamed(From, To) :-
+    catch(rename_file(From, To), error(_, _), fail).
 
 %!  stored(+Store, +Key, -Place) is semidet.
 %
@@ -296,7 +300,10 @@ up(_, '..').
 link_there(_, Target, To) :-
     read_link(To, Target, _),
     !.
-link_there(Own, Target, To) :-
+link_there(_, Target, To) :-
+    catch(link_file(Target, To, symbolic), error(_, _), fail),
+    !.
+link_there(Own, Target, To) :-          % there is another one, or no folder
     atom_concat(Own, '/link', New),
     placed(To, New, link_file(Target, New, symbolic)).
 
