@@ -21,6 +21,7 @@ folder(rules, development, 'laid flat, face by face').
 folder(rules, unrolling, 'round parts, unrolled').
 folder(rules, unfolding, 'from a model to its patterns').
 folder(rules, pattern, 'patterns on paper').
+folder(rules, problem, 'problem sheets for a class').
 folder(rules, message, 'what people read').
 folder(rules, explanation, 'why something is there').
 folder(rules, studio, 'sessions that others ask').

@@ -67,6 +67,9 @@ verb(explain, 'MODEL... ITEM',
 verb(repl, '[MODEL...]',
      'the Prolog top level with the model loaded',
      '모델을 읽은 프롤로그 최상위').
+verb(problems, 'FILE -o FOLDER',
+     'questions, answers and a key for a class (docs/problems.md)',
+     '수업을 위한 문제지, 답안지, 정답 (docs/problems.md)').
 verb(serve, '--stdio',
      'a process that others ask: frames in, frames out (docs/protocol.md)',
      '다른 프로그램이 묻는 프로세스. 프레임을 받고 프레임으로 답한다').
@@ -234,6 +237,16 @@ verb_option(explain, option(tolerance, '', number(0), 'T',
 verb_option(explain, Option) :-
     wish_option(Option).
 verb_option(explain, option(json, '', flag, '', 'the reasons as JSON')).
+
+verb_option(problems, option(output, o, value, 'FOLDER',
+    'where to; it is made if it is not there')).
+verb_option(problems, option(format, '',
+    one_of([svg, pdf, eps, ps, png, dxf, hpgl]), 'FORMAT',
+    'the format of the sheets; default svg')).
+verb_option(problems, option(angle, '', one_of([first, third]), 'ANGLE',
+    'first-angle or third-angle projection (third, as is usual)')).
+verb_option(problems, option(language, '', one_of([en, ko]), 'LANGUAGE',
+    'language of the questions; default en')).
 
 verb_option(serve, option(stdio, '', flag, '',
     'frames on standard input and output; the one way there is')).
@@ -407,6 +420,9 @@ example(explain, 'sanggwan explain facts/patterns/fig09.pl \'seam(_)\' \c
 --cut 1 --root top').
 example(explain, 'sanggwan explain facts/two_cubes.pl \'hidden(1, 7)\' \c
 --view iso').
+example(problems, 'sanggwan problems facts/problems/collection.pl -o sheets').
+example(problems, 'sanggwan problems facts/problems/collection.pl \c
+--language ko --angle first --format pdf -o sheets').
 example(serve, 'sanggwan serve --stdio < requests > replies').
 example(repl, 'sanggwan repl facts/figures/fig13.pl').
 

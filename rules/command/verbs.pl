@@ -25,6 +25,7 @@
 :- use_module('../model/parameter', [settings_met/2, settings_of/2]).
 :- use_module('../penetration/penetration', [penetrate/2]).
 :- use_module('../picture/sew', [borders_sewn/1]).
+:- use_module('../problem/problem_sheet', [problem_sheets/3]).
 :- use_module('../studio/query', [query/2, read_goal/3]).
 :- use_module(repl, [repl/0]).
 :- use_module(report, [print_report/2]).
@@ -193,6 +194,16 @@ verb_run(unfold, Files, Options, Status) :-
     unfold_run(Files, Options, Status).
 verb_run(batch, Files, Options, Status) :-
     batch_run_verb(Files, Options, Status).
+verb_run(problems, Files, Options, 0) :-
+    (   Files = [File]
+    ->  true
+    ;   usage_error(no_files('FILE'))
+    ),
+    (   option(output(Folder), Options)
+    ->  true
+    ;   usage_error(no_output)
+    ),
+    problem_sheets(File, Folder, Options).
 verb_run(repl, Files, Options, 0) :-
     (   Files == []
     ->  settings_of(Options, Settings),

@@ -70,6 +70,7 @@ width(visible, field,       0.25).
 width(visible, hatching,    0.25).
 width(visible, cutting,     0.25).
 width(visible, axis,        0.25).
+width(visible, construction, 0.13).
 width(visible, any,         0.5).
 width(hidden,  penetration, 0.35).
 width(hidden,  smooth,      0.18).
@@ -79,6 +80,8 @@ width(hidden,  any,         0.25).
 line_colour(Role, Colour) :-
     (   Role == penetration
     ->  Colour = colour(rgb(170,0,0), black)
+    ;   Role == construction
+    ->  Colour = rgb(110,110,110)
     ;   Colour = black
     ).
 
@@ -112,6 +115,7 @@ sheet_role(cutting_end).
 sheet_role(arrow).
 sheet_role(symbol).
 sheet_role(axis).
+sheet_role(construction).
 sheet_role(text).
 
 :- decision(paper_style/1, "The colour of the paper").

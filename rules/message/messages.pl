@@ -19,6 +19,7 @@
 :- use_module(true_en, [true_en//1]).
 :- use_module(unfold_en, [wish_en//3, unfold_en//1, trim_en//1]).
 :- use_module(primitive_en, [primitive_en//2]).
+:- use_module(problem_en, [problem_en//1]).
 :- use_module(style_en, [style_en//1]).
 :- use_module(sheet_en, [sheet_tiny_en//3]).
 :- use_module(parameter_en, [parameter_en//1]).
@@ -107,6 +108,8 @@ fault_en(trim(What)) -->
     trim_en(What).
 fault_en(true(What)) -->
     true_en(What).
+fault_en(problem(What)) -->
+    problem_en(What).
 fault_en(style(What)) -->
     style_en(What).
 fault_en(not_whole(Row, Missing)) -->

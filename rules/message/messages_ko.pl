@@ -7,6 +7,7 @@
 :- use_module(csg_ko, [csg_ko//1]).
 :- use_module(explain_ko, [statement_ko//1, hidden_ko//1]).
 :- use_module(openscad_ko, [openscad_ko//1]).
+:- use_module(problem_ko, [problem_ko//1]).
 :- use_module(style_ko, [style_ko//1]).
 :- use_module(sheet_ko, [sheet_tiny_ko//3]).
 :- use_module(parameter_ko, [parameter_ko//1]).
@@ -100,6 +101,8 @@ fault_ko(trim(What)) -->
     trim_ko(What).
 fault_ko(true(What)) -->
     true_ko(What).
+fault_ko(problem(What)) -->
+    problem_ko(What).
 fault_ko(style(What)) -->
     style_ko(What).
 fault_ko(not_whole(Row, Missing)) -->

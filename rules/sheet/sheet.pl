@@ -36,6 +36,7 @@ no Edges, and segment 0 if they show no segment either. Their roles are
   - `cutting`, `cutting_end`, `arrow`: the line of a cutting plane, its thick
     ends and corners, its arrows
   - `symbol`, `axis`: the symbol of the projection method and its axes
+  - `construction`: light lines of an answer, from view to view
 
 The dashes of such lines are drawn already. A text is
 

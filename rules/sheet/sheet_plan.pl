@@ -1,5 +1,6 @@
 :- module(sg_sheet_plan,
-          [ views_drawing/4             % +Request, +Lines, :Cuts, -Drawing
+          [ views_drawing/4,            % +Request, +Lines, :Cuts, -Drawing
+            seen_drawing/3              % +Request, +Seens, -Drawing
           ]).
 :- use_module(eye, [eye_view/3]).
 :- use_module('../picture/section', [model_box/1, section_plane/3]).
@@ -14,6 +15,7 @@
               [ paper_name/3, paper_size/3, standard_scale/1, scale_factor/2 ]).
 :- use_module(sheet_view,
               [ section_view/5, view_seen/5, view_cell/4, seen_box/2 ]).
+:- use_module(lettering, [lettering_width/3]).
 :- use_module('../store', [facts_snapshot/1]).
 :- use_module(stroke, [strokes/2]).
 :- use_module(library(apply),
@@ -70,6 +72,27 @@ views_drawing(Request, Lines, Module:cuts(First,Again), Drawing) :-
     boxed_views(Shown, Boxed),
     warned_if_empty(Boxed),
     sheet_laid(Request, Sections, Boxed, Drawing).
+
+%!  seen_drawing(+Request, +Seens, -Drawing) is det.
+%
+%   Drawing shows Seens, seen(View, Parts, []) as of view_seen/5, as Request
+%   says, and what Request has besides
+%
+%     - construction(Items)
+%     Light lines, Name being that of a view and P = X-Y a point of its picture:
+%     line(Name, [P, ...]); between(Name1, P, Name2, Q), from view to view;
+%     dot(Name, P, Text), a small circle with Text beside it.
+%     - question(Texts)
+%     Lines of text in the lower left corner.
+%
+%   @error as views_drawing/4
+
+seen_drawing(Request, Seens, Drawing) :-
+    option(hidden(Hidden), Request),
+    maplist(shown(Hidden), Seens, Shown),
+    boxed_views(Shown, Boxed),
+    warned_if_empty(Boxed),
+    sheet_laid(Request, [], Boxed, Drawing).
 
 whole_seen(Lines, Picture, View, Seen) :-
     view_seen(View, Lines, true, Picture, Seen).
@@ -168,7 +191,9 @@ sheet_laid(Request, Sections, Boxed, Drawing) :-
     hatching(AllRegions, Hatching),
     maplist(view_drawn(PerUnit, Hatching, Marking, Places), Celled, Views),
     frame_view(FrameMarks, Frame),
-    append(Views, Frame, AllViews),
+    construction_view(Request, PerUnit, Places, Construction),
+    question_view(Request, Height, Question),
+    append([Construction,Views,Frame,Question], AllViews),
     W is round(Width*1000),
     H is round(Height*1000),
     Drawing = drawing(sheet(W,H,PerUnit), AllViews).
@@ -181,10 +206,34 @@ sheet_room(Request, Width, Height, ScaleText, Marks, Room) :-
         atom_string(Paper, PaperText),
         frame(Width, Height,
               [scale-ScaleText,paper-PaperText,angle-Angle|Facts],
-              Marks, Room)
+              Marks, Room0)
     ;   Marks = [],
-        bare_room(Width, Height, Room)
-    ).
+        bare_room(Width, Height, Room0)
+    ),
+    question_room(Request, Height, Room0, Room).
+
+%   question_room(Request, Height, Room0, Room): no view comes where the
+%   question stands.
+
+question_room(Request, Height, room(Rectangle,Taken),
+              room(Rectangle,[rect(20,Top,Right,Bottom)|Taken])) :-
+    question_lines(Request, Lines),
+    !,
+    findall(Width,
+            ( member(Line, Lines),
+              text_to_string(Line, String),
+              lettering_width(String, 3.5, Width) ),
+            Widths),
+    max_list(Widths, Widest),
+    length(Lines, N),
+    Right is 27+Widest,
+    Bottom is Height-10,
+    Top is Bottom - 6*N - 4.
+question_room(_, _, Room, Room).
+
+question_lines(Request, Lines) :-
+    option(question(Lines), Request),
+    Lines = [_|_].
 
 %   celled(Boxed, Angle, Celled): cell(Seen,Box,Cell) of each; the six sides
 %   choose first.
@@ -488,6 +537,73 @@ mark_text(Place, text(X,Y,High0,Anchor,Text0), text(A,B,High,Anchor,Text)) :-
     placed_point(Place, X-Y, A-B),
     High is round(High0*1000),
     text_to_string(Text0, Text).
+
+%   construction_view(Request, PerUnit, Places, Views)
+
+construction_view(Request, PerUnit, Places, Views) :-
+    (   option(construction(Items), Request),
+        Items = [_|_]
+    ->  findall(Stroke,
+                ( member(Item, Items),
+                  item_stroke(Item, PerUnit, Places, Stroke) ),
+                Strokes),
+        findall(Text,
+                ( member(dot(Name,P,Word), Items),
+                  item_place(Name, P, PerUnit, Places, X-Y),
+                  X1 is X+900,
+                  Y1 is Y-700,
+                  atom_string(Word, String),
+                  Text = text(X1,Y1,2000,start,String) ),
+                Texts),
+        Views = [view(construction,Strokes,Texts)]
+    ;   Views = []
+    ).
+
+item_stroke(line(Name,Points0), PerUnit, Places, Stroke) :-
+    findall(Point,
+            ( member(P, Points0),
+              item_place(Name, P, PerUnit, Places, Point) ),
+            Points),
+    light_stroke(Points, joint, Stroke).
+item_stroke(between(Name1,P0,Name2,Q0), PerUnit, Places, Stroke) :-
+    item_place(Name1, P0, PerUnit, Places, P),
+    item_place(Name2, Q0, PerUnit, Places, Q),
+    light_stroke([P,Q], joint, Stroke).
+item_stroke(dot(Name,P0,_), PerUnit, Places, Stroke) :-
+    item_place(Name, P0, PerUnit, Places, X-Y),
+    findall(X1-Y1,
+            ( between(0, 8, I),
+              Angle is I*pi/4,
+              X1 is X + round(500*cos(Angle)),
+              Y1 is Y + round(500*sin(Angle)) ),
+            Points),
+    light_stroke(Points, ring, Stroke).
+
+item_place(Name, P, PerUnit, Places, Point) :-
+    memberchk(place(Name,X,Y,Left,Top), Places),
+    Scale is PerUnit*1000,
+    Left1 is Left*1000,
+    Top1 is Top*1000,
+    placed_point(place(Scale,X,Y,Left1,Top1), P, Point).
+
+light_stroke(Points, End,
+             stroke(visible,construction,0,[],Points,End,End)) :-
+    Points = [First|_],
+    \+ forall(member(Point, Points), Point == First).
+
+%   question_view(Request, Height, Views): in the lower left corner.
+
+question_view(Request, Height, Views) :-
+    (   question_lines(Request, Lines)
+    ->  length(Lines, N),
+        findall(text(25000,Y,3500,start,String),
+                ( nth1(I, Lines, Line),
+                  Y is round((Height-15)*1000) - (N-I)*6000,
+                  text_to_string(Line, String) ),
+                Texts),
+        Views = [view(question,[],Texts)]
+    ;   Views = []
+    ).
 
 %   frame_view(Marks, Views): y runs down in its marks.
 

@@ -1,0 +1,157 @@
+:- module(sg_problem_file,
+          [ problems_read/2             % +File, -Problems
+          ]).
+:- use_module('../model/model_text', [next_term/3, place_error/2]).
+:- use_module('../sheet/sheet_paper', [paper/3]).
+:- use_module('../sheet/sheet_view', [view_named/2]).
+:- use_module('../text_file', [with_text/4]).
+:- use_module(library(apply), [maplist/2]).
+:- use_module(library(lists), [append/3, member/2]).
+/** <module> Files of problems for a class.
+
+A file of problems is data, as a model file. It has
+
+    problem(Name, Model, Items)         Model: a file, beside this one
+    variant(Name, Parameter, Values)    of its model (`param(Parameter, _)`)
+    sheet(Paper, Names, Items)          on what paper these problems stand
+
+with the Items of a problem
+
+    given([front, top, ...])    the views
+    branch(S)                   whose generators are drawn; without it the last
+                                segment
+    generators(N)               how many: 12
+    ask(draw(penetration))      what is asked: the lines, how many loops there
+    ask(count(loops))           are, the pattern of segment S
+    ask(develop(S))
+    text(Language, Text)        the question
+
+and those of a sheet angle(first), or angle(third), and title_block(Item, Text).
+*/
+
+%!  problems_read(+File, -Problems:list) is det.
+%
+%   Problems are problem(Name, Model, Items, Variants, Sheet) in the order of
+%   File: Variants is a list of lists Parameter=Value, one of each variant;
+%   Sheet is sheet(Paper, Items).
+%
+%   @error model_error(problem(What)): fact(Name, Arity), item(Item), model(M),
+%   paper(Paper), values(Values), twice(Name), no_problem(Name), no_sheet(Name),
+%   variable; and those of model_text.pl
+
+problems_read(File, Problems) :-
+    with_text(facts, File, Text, rows_read(Text, Rows)),
+    forall(member(Row-Place, Rows), checked_row(Row, Place)),
+    forall(append(Before, [problem(Name,_,_)-Place|_], Rows),
+           (   memberchk(problem(Name,_,_)-_, Before)
+           ->  place_error(Place, problem(twice(Name)))
+           ;   true
+           )),
+    forall(( member(Row-Place, Rows), names_problem(Row, Name) ),
+           (   memberchk(problem(Name,_,_)-_, Rows)
+           ->  true
+           ;   place_error(Place, problem(no_problem(Name)))
+           )),
+    findall(problem(Name, Model, Items, Variants, Sheet),
+            ( member(problem(Name,Model,Items)-Place, Rows),
+              variants(Name, Rows, Variants),
+              sheet_of(Name, Rows, Place, Sheet) ),
+            Problems).
+
+rows_read(Text, Rows) :-
+    next_term(Text, Fact, Place),
+    (   Fact == end_of_file
+    ->  Rows = []
+    ;   \+ ground(Fact)
+    ->  place_error(Place, problem(variable))
+    ;   Rows = [Fact-Place|Rows1],
+        rows_read(Text, Rows1)
+    ).
+
+names_problem(variant(Name, _, _), Name).
+names_problem(sheet(_, Names, _), Name) :-
+    member(Name, Names).
+
+%   variants(Name, Rows, Variants): each value of one parameter with each of the
+%   others; one without settings if nothing varies.
+
+variants(Name, Rows, Variants) :-
+    findall(Parameter-Values,
+            member(variant(Name,Parameter,Values)-_, Rows),
+            Ranges),
+    findall(Settings, chosen(Ranges, Settings), Variants).
+
+chosen([], []).
+chosen([Parameter-Values|Ranges], [Parameter=Value|Settings]) :-
+    member(Value, Values),
+    chosen(Ranges, Settings).
+
+sheet_of(Name, Rows, Place, Sheet) :-
+    (   member(sheet(Paper,Names,Items)-_, Rows),
+        memberchk(Name, Names)
+    ->  Sheet = sheet(Paper, Items)
+    ;   place_error(Place, problem(no_sheet(Name)))
+    ).
+
+checked_row(problem(Name, Model, Items), Place) :-
+    !,
+    (   atom(Name),
+        atom(Model)
+    ->  true
+    ;   place_error(Place, problem(model(Model)))
+    ),
+    items_checked(Items, problem_item, Place).
+checked_row(variant(_, Parameter, Values), Place) :-
+    !,
+    (   atom(Parameter),
+        is_list(Values),
+        Values = [_|_],
+        maplist(number, Values)
+    ->  true
+    ;   place_error(Place, problem(values(Values)))
+    ).
+checked_row(sheet(Paper, Names, Items), Place) :-
+    !,
+    (   atom(Paper),
+        paper(Paper, _, _)
+    ->  true
+    ;   place_error(Place, problem(paper(Paper)))
+    ),
+    (   is_list(Names)
+    ->  true
+    ;   place_error(Place, problem(no_problem(Names)))
+    ),
+    items_checked(Items, sheet_item, Place).
+checked_row(Row, Place) :-
+    functor(Row, Name, Arity),
+    place_error(Place, problem(fact(Name, Arity))).
+
+items_checked(Items, Kind, Place) :-
+    (   is_list(Items)
+    ->  forall(( member(Item, Items), \+ call(Kind, Item) ),
+               place_error(Place, problem(item(Item))))
+    ;   place_error(Place, problem(item(Items)))
+    ).
+
+problem_item(given(Views)) :-
+    is_list(Views),
+    Views = [_|_],
+    forall(member(View, Views), view_named(View, _)).
+problem_item(branch(S)) :-
+    integer(S).
+problem_item(generators(N)) :-
+    integer(N),
+    between(2, 360, N).
+problem_item(ask(draw(penetration))).
+problem_item(ask(count(loops))).
+problem_item(ask(develop(S))) :-
+    integer(S).
+problem_item(text(Language, Text)) :-
+    memberchk(Language, [en,ko]),
+    atom(Text).
+
+sheet_item(angle(Angle)) :-
+    memberchk(Angle, [first,third]).
+sheet_item(title_block(Item, Text)) :-
+    atom(Item),
+    atom(Text).
