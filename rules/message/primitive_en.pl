@@ -131,7 +131,7 @@ primitive_en(sharp_turn(I), _) -->
       '  A mitre takes less than 168 degrees, a wye less than 170: put more \c
        points, or pieces.' ].
 primitive_en(same_point(I), _) -->
-    [ 'points ~d and the next one are in one place'-[I], nl,
+    [ 'point ~d and the next one are in one place'-[I], nl,
       '  Leave one of them out.' ].
 primitive_en(short_piece(I, Length, Least), _) -->
     [ 'piece ~d has an axis of ~6g; its mitres need more than ~6g'-

@@ -1,6 +1,7 @@
 :- encoding(utf8).
 /* Problem sheets: nothing of the answer is in the question, and the key is what
-   closed forms say (rules/problem/). */
+   closed forms say.
+   covers: problem_drawing, problem_file, problem_point, problem_sheet */
 :- use_module(library(plunit)).
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
