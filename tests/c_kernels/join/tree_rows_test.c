@@ -5,6 +5,7 @@
 #include "doors/world.h"
 #include "tests/c_kernels/cube_world.h"
 #include "tests/check.h"
+#include "tests/memory/refusals.h"
 
 #include "engine/symbol.h"
 #include "engine/term.h"
@@ -160,9 +161,55 @@ meets_itself(sg_world *world)
   CHECK("known", sg_door_segment_meets_itself(&call, 1));
 }
 
+/* Of a world without trees, while memory runs out at request n: all or none.
+ * True: there was enough. */
+static bool
+held_or_none(long n)
+{
+  sg_world *world = make_world();
+  const sg_version *version = sg_world_version(world);
+  sg_kept_tree *tree[CUBES];
+  sg_leaf_views views;
+  bool all_held, full = true, none = true;
+
+  sg_call_open(&call, NULL, NULL);
+  call.world = world;
+  CHECK("views", sg_leaf_views_open(&call, version, &views));
+  left = n, living = 0, counting = true;
+  all_held = sg_trees_hold(&call, version, &views, all, CUBES, tree);
+  left = -1, counting = false;
+  for (size_t i = 0; i < CUBES; i++) {
+    full &= tree[i] != NULL;
+    none &= !tree[i];
+    sg_kept_tree_drop(tree[i]);
+  }
+  CHECK("all or none", all_held ? full : none);
+  CHECK("and why", all_held == (call.refusal.how == SG_REFUSED_NOTHING));
+  sg_leaf_views_clear(&views);
+  sg_version_drop(version);
+  sg_call_close(&call);
+  sg_world_drop(world);
+  return all_held;
+}
+
+static void
+memory_runs_out(void)
+{
+  long n = 0;
+
+  while (n < 10000 && !held_or_none(n)) {
+    n++;
+  }
+  CHECK("in the end there is enough", n < 10000);
+  CHECK("not at once", n > CUBES || !is_counted());
+}
+
 int
 main(void)
 {
+  spare_gmp();
+  memory_runs_out();
+
   sg_world *world = make_world();
 
   sg_call_open(&call, NULL, NULL);

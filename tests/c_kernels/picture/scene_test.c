@@ -204,6 +204,11 @@ copies_without_place(void)
     m->vertex[i].screen[0] = 1e6;
   }
   seen = model_scene_model(m, NULL);
+  CHECK("both ends of the line are one vertex of both",
+        seen->same[3] == seen->same[0] && seen->same[4] == seen->same[1]);
+  CHECK("nothing else is",
+        seen->same[0] != seen->same[1] && seen->same[2] != seen->same[5] &&
+            seen->same[2] != seen->same[0] && seen->same[5] != seen->same[1]);
   scene = scene_with(seen, m, shown, NULL, 0);
   for (size_t i = 0; i < scene->lines; i++) {
     inside &= fabs(scene->at[scene->line[i].a][0]) <= 1.0 &&
