@@ -1,5 +1,6 @@
 :- module(sg_role,
           [ edge_role/5,                % +S, +E, +Look, +Crease, -Role
+            look_part/3,                % ?Part, +Look, -Value
             backs_seen/2,               % +Look, -Away
             role_rank/2,                % ?Role, ?Rank
             role_drawn/2,               % ?Which, ?Role
@@ -54,18 +55,21 @@ scene_edge/5 reports it, decides its role:
 %
 %   A decision.
 
-edge_role(_, _, look(Faces,_,_,Left,Right,Bend,Edge,_,Cut,Inside), Crease,
-          Role) :-
-    (   Cut == true
+edge_role(_, _, Look, Crease, Role) :-
+    look_part(faces, Look, Faces),
+    look_part(bend, Look, Bend),
+    (   look_part(cut, Look, true)
     ->  Role = penetration
     ;   Faces =:= 0
     ->  Role = curve
     ;   Faces =:= 1
     ->  Role = border
-    ;   Inside == false,
+    ;   look_part(inside, Look, false),
+        look_part(left, Look, Left),
+        look_part(right, Look, Right),
         on_one_side(Left, Right)
     ->  Role = outline
-    ;   Edge == true
+    ;   look_part(edge, Look, true)
     ->  Role = crease
     ;   before_angle(Crease, Bend)      % all facets of a mesh alike
     ->  Role = crease
@@ -75,6 +79,22 @@ edge_role(_, _, look(Faces,_,_,Left,Right,Bend,Edge,_,Cut,Inside), Crease,
     ;   Role = mesh
     ).
 
+%!  look_part(?Part, +Look, -Value) is nondet.
+%
+%   Value is what Look says of Part: one of `faces`, `towards`, `away`, `left`,
+%   `right`, `bend`, `edge`, `solid`, `cut` and `inside`.
+
+look_part(faces,   look(Faces,_,_,_,_,_,_,_,_,_), Faces).
+look_part(towards, look(_,Towards,_,_,_,_,_,_,_,_), Towards).
+look_part(away,    look(_,_,Away,_,_,_,_,_,_,_), Away).
+look_part(left,    look(_,_,_,Left,_,_,_,_,_,_), Left).
+look_part(right,   look(_,_,_,_,Right,_,_,_,_,_), Right).
+look_part(bend,    look(_,_,_,_,_,Bend,_,_,_,_), Bend).
+look_part(edge,    look(_,_,_,_,_,_,Edge,_,_,_), Edge).
+look_part(solid,   look(_,_,_,_,_,_,_,Solid,_,_), Solid).
+look_part(cut,     look(_,_,_,_,_,_,_,_,Cut,_), Cut).
+look_part(inside,  look(_,_,_,_,_,_,_,_,_,Inside), Inside).
+
 on_one_side(Left, 0) :- Left > 0, !.
 on_one_side(0, Right) :- Right > 0.
 
@@ -82,7 +102,10 @@ on_one_side(0, Right) :- Right > 0.
 %
 %   True when only backs of a solid lie at the edge, Away of them.
 
-backs_seen(look(_,0,Away,_,_,_,_,true,_,_), Away) :-
+backs_seen(Look, Away) :-
+    look_part(towards, Look, 0),
+    look_part(solid, Look, true),
+    look_part(away, Look, Away),
     Away > 0.
 
 %!  usual_crease(-Degrees) is det.
