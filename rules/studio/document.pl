@@ -1,6 +1,7 @@
 :- module(sg_document,
-          [ document_opened/3,          % +Head, +Body, -Reply
-            document_changed/4,         % +Request, +Head, +Body, -Reply
+          [ document_opened/3,          % +Head, -Reply, -Commit
+            document_changed/5,         % +Request, +Head, +Body, -Reply,
+                                        % -Commit
             document_saved/2,           % +Head, -Reply
             document_text/2,            % -Text, -Reply
             document_world/1,           % -World
@@ -155,14 +156,17 @@ forget_worlds :-
                 *             OPEN             *
                 *******************************/
 
-%!  document_opened(+Head:dict, +Body, -Reply:dict) is det.
+%!  document_opened(+Head:dict, -Reply:dict, -Commit:callable) is det.
 %
-%   The document is the model in the file Head.file from now on; with a
-%   journal, with all that was changed since it was saved.
+%   When Commit has been called, the document is the model in the file
+%   Head.file; with a journal, with all that was changed since it was saved.
 %
 %   @error model_error(What), request_error(What)
 
-document_opened(Head, _, Reply) :-
+document_opened(Head, Reply,
+                sg_document:open_committed(
+                    document(File, Kind, Text, Past, Future, Digest),
+                    Journal0, Steps0)) :-
     (   get_dict(file, Head, Name),
         string(Name),
         Name \== ""
@@ -185,17 +189,23 @@ document_opened(Head, _, Reply) :-
     ),
     retractall(kept_world(file(File), _)),
     model_world(Kind, File, Text, World, Objects),
-    (   retract(document(_, _, _, _, _, _, _, OldJournal))
-    ->  journal_closed(OldJournal)
-    ;   true
-    ),
-    journal_opened(Journal0, File, Digest, Steps0, Journal),
-    next_revision(Revision),
-    assertz(document(File, Kind, Revision, Text, Past, Future, Digest,
-                     Journal)),
     length(Steps0, Replayed),
     shape(World, Objects, Shape),
     Reply = Shape.put(_{file:Name, replayed:Replayed}).
+
+:- public open_committed/3.
+
+open_committed(document(File, Kind, Text, Past, Future, Digest), Journal0,
+               Steps) :-
+    journal_opened(Journal0, File, Digest, Steps, Journal),
+    (   document(_, _, _, _, _, _, _, OldJournal)
+    ->  journal_closed(OldJournal),
+        retractall(document(_, _, _, _, _, _, _, _))
+    ;   true
+    ),
+    next_revision(Revision),
+    assertz(document(File, Kind, Revision, Text, Past, Future, Digest,
+                     Journal)).
 
 %   model_text(File, Text, Steps, Journal, Head): Journal is file(Path) or none.
 
@@ -253,8 +263,13 @@ journal_opened(none, _, _, _, none).
 journal_opened(file(Path), File, Digest, Steps, Journal) :-
     atom_concat(Path, '.new', New),
     journal_begun(New, File, Digest, Journal),
-    forall(member(Step, Steps), journal_line(Journal, Step)),
-    rename_file(New, Path).
+    catch(( forall(member(Step, Steps), journal_line(Journal, Step)),
+            rename_file(New, Path)
+          ),
+          Error,
+          ( journal_closed(Journal),
+            throw(Error)
+          )).
 
 next_revision(Revision) :-
     (   retract(last_number(N))
@@ -279,27 +294,46 @@ shape(World, Objects, _{segments:Segments, messages:Objects}) :-
                 *            CHANGE            *
                 *******************************/
 
-%!  document_changed(+Request, +Head:dict, +Body, -Reply:dict) is det.
+%!  document_changed(+Request, +Head:dict, +Body, -Reply:dict,
+%!                   -Commit:callable) is det.
 %
-%   Request is `edit`, `text`, `undo` or `redo`. Reply has the keys segments and
-%   messages; of `edit` also `was`, the number that was replaced.
+%   Request is `edit`, `text`, `undo` or `redo`. Reply has the keys segments
+%   and messages; of `edit` also `was`, the number that was replaced. When
+%   Commit has been called, the change stands in the journal, and the document
+%   has it.
 %
-%   @error request_error(What), model_error(What): nothing has changed
+%   @error request_error(What), model_error(What)
 
-document_changed(Request, Head, Body, Reply) :-
-    text_document(File, Revision0, Text0, Past0, Future0, Saved, Journal),
+document_changed(Request, Head, Body, Reply,
+                 sg_document:change_committed(Kept,
+                                              state(Text, Past, Future))) :-
+    text_document(File, _, Text0, Past0, Future0, _, _),
     change_step(Request, Head, Body, Text0, Step, More),
     stepped(Step, state(Text0, Past0, Future0), state(Text, Past, Future)),
     model_world(text, File, Text, World, Objects),
     kept_step(Step, Text, Kept),
-    journal_line(Journal, Kept),
-    next_revision(Revision),
-    retract(document(File, text, Revision0, Text0, Past0, Future0, Saved,
-                     Journal)),
-    assertz(document(File, text, Revision, Text, Past, Future, Saved,
-                     Journal)),
     shape(World, Objects, Shape),
     Reply = Shape.put(More).
+
+:- public change_committed/2.
+
+%   A journal that could not be written is not gone on with: nothing is
+%   changed until the document is opened again.
+
+change_committed(Kept, state(Text, Past, Future)) :-
+    document(File, Kind, Revision0, Text0, Past0, Future0, Saved, Journal),
+    catch(journal_line(Journal, Kept), Error, true),
+    (   nonvar(Error)
+    ->  retractall(document(_, _, _, _, _, _, _, _)),
+        assertz(document(File, Kind, Revision0, Text0, Past0, Future0, Saved,
+                         failed(Journal, Error))),
+        throw(Error)
+    ;   true
+    ),
+    next_revision(Revision),
+    retractall(document(_, _, _, _, _, _, _, _)),
+    assertz(document(File, text, Revision, Text, Past, Future, Saved,
+                     Journal)).
 
 %   change_step(Request, Head, Body, Text, Step, More): Step as in the journal.
 

@@ -27,14 +27,21 @@ journal_begun(Path, File, Digest, Journal) :-
     catch(make_directory_path(Folder), error(_, _), true),
     open(Path, write, Journal, [encoding(utf8), newline(posix)]),
     atom_string(File, Name),
-    journal_line(Journal, _{journal:1, file:Name, digest:Digest}).
+    catch(journal_line(Journal, _{journal:1, file:Name, digest:Digest}),
+          Error,
+          ( journal_closed(Journal),
+            throw(Error)
+          )).
 
 %!  journal_line(+Journal, +Step:dict) is det.
 %
-%   Step stands in the Journal, on the disk; `none` is no journal.
+%   Step stands in the Journal, on the disk; `none` is no journal, and
+%   failed(Journal, Error) one of which that was not so.
 
 journal_line(none, _) :-
     !.
+journal_line(failed(_, Error), _) :-
+    throw(Error).
 journal_line(Journal, Step) :-
     json_write_dict(Journal, Step, [width(0)]),
     nl(Journal),
@@ -44,8 +51,11 @@ journal_line(Journal, Step) :-
 
 journal_closed(none) :-
     !.
+journal_closed(failed(Journal, _)) :-
+    !,
+    catch(close(Journal, [force(true)]), error(_, _), true).
 journal_closed(Journal) :-
-    close(Journal, [force(true)]).
+    catch(close(Journal, [force(true)]), error(_, _), true).
 
 %!  journal_steps(+Path, +Digest, -Steps) is semidet.
 %

@@ -9,7 +9,7 @@
 :- use_module('../store', [facts_snapshot/1, in_world/2]).
 :- use_module(ask, [asked/3, asks_forgotten/0, next_answers/2]).
 :- use_module(document,
-              [ document_changed/4, document_file/1, document_input/2,
+              [ document_changed/5, document_file/1, document_input/2,
                 document_opened/3,
                 document_revision/1, document_saved/2, document_text/2,
                 document_world/1
@@ -172,18 +172,10 @@ is_stopped(Sequence) :-
 %   answered(Session, Message, Reply, Octets): an error of a request is its
 %   reply.
 
-answered(Session, request(Sequence, Head, Body), Reply, Octets) :-
+answered(Session, Request, Reply, Octets) :-
+    Request = request(_, Head, _),
     request_id(Head, Id),
-    setup_call_cleanup(
-        asserta(under_way(Sequence)),
-        catch(( (   is_stopped(Sequence)
-                ->  throw(sanggwan_interrupt(int))
-                ;   done(Session, Sequence, Head, Body, Reply0, Octets)
-                ),
-                retractall(under_way(_))
-              ),
-              Error, true),
-        retractall(under_way(_))),
+    catch(worked(Session, Request, Reply0, Octets), Error, true),
     (   var(Error)
     ->  true
     ;   message_object(error, Error, Object0),
@@ -193,6 +185,32 @@ answered(Session, request(Sequence, Head, Body), Reply, Octets) :-
     ),
     document_revision(Revision),
     Reply = Reply0.put(_{id:Id, rev:Revision}).
+
+%   worked(Session, Request, Reply, Octets): nobody can stop it but between the
+%   beginning and the end of this.
+
+worked(Session, request(Sequence, Head, Body), Reply, Octets) :-
+    setup_call_cleanup(
+        asserta(under_way(Sequence)),
+        ( (   is_stopped(Sequence)
+          ->  throw(sanggwan_interrupt(int))
+          ;   done(Session, Sequence, Head, Body, Reply, Octets)
+          ),
+          not_stopped_now
+        ),
+        not_stopped_now).
+
+not_stopped_now :-
+    retractall(under_way(_)).
+
+%   committed(Goal): what has begun to change the document is not stopped any
+%   more.
+
+:- meta_predicate committed(0).
+
+committed(Goal) :-
+    sig_atomic(( not_stopped_now,
+                 once(Goal) )).
 
 request_id(Head, Id) :-
     (   is_dict(Head),
@@ -279,8 +297,9 @@ reply(run, request(_, Head, Body), Session, Reply, Octets) :-
     session_run(Session, Run),
     verb_job(Run, Head, Body, Reply, Octets).
 reply(stop, _, _, _{}, "").
-reply(open, request(_, Head, Body), _, Reply, "") :-
-    captured(document_opened(Head, Body, Reply), _),
+reply(open, request(_, Head, _), _, Reply, "") :-
+    captured(document_opened(Head, Reply, Commit), _),
+    committed(Commit),
     asks_forgotten.
 reply(edit, Request, _, Reply, "") :-
     changed(edit, Request, Reply).
@@ -297,7 +316,7 @@ reply(text, Request, _, Reply, Octets) :-
         Octets = ""
     ).
 reply(save, request(_, Head, _), _, Reply, "") :-
-    document_saved(Head, Reply).
+    committed(document_saved(Head, Reply)).
 reply(view, request(Sequence, Head, _), Session, Reply, Octets) :-
     a_document,
     view_port(Head, Port),
@@ -334,7 +353,8 @@ reply(export, request(_, Head, _), Session, Reply, Octets) :-
     of_the_document(Session, [Verb], Options, Head, Reply, Octets).
 
 changed(Request, request(_, Head, Body), Reply) :-
-    captured(document_changed(Request, Head, Body, Reply), _),
+    captured(document_changed(Request, Head, Body, Reply, Commit), _),
+    committed(Commit),
     asks_forgotten.
 
 a_document :-

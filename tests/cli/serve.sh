@@ -1,7 +1,8 @@
 #!/bin/bash
 # serve.sh -- sessions: serve.py asks one all there is, and what goes wrong;
 # serve_document.py has its document, killed SERVE_KILLS times; serve_same.py has
-# verbs in random order, for SERVE_SECONDS more. SERVE_SEED is of both.
+# verbs in random order, for SERVE_SECONDS more. serve_fuzz.py
+# sends SERVE_FRAMES random frames. SERVE_SEED is of all.
 # covers: ask, document, job, journal, message_object, port, process_state, session
 . "$(dirname "$0")/harness.bash"
 cd "$here" || exit 2
@@ -28,8 +29,9 @@ asked() {
   passed=$((passed + ${more:-0})) failed=$((failed + ${less:-1}))
 }
 
-mkdir "$work/one" "$work/document" "$work/same"
+mkdir "$work/one" "$work/document" "$work/same" "$work/fuzz"
 asked serve.py "$work/one"
 asked serve_document.py "$work/document"
 asked serve_same.py "$work/same" "${SERVE_SECONDS:-0}" "${SERVE_SEED:-1}"
+asked serve_fuzz.py "$work/fuzz" "${SERVE_FRAMES:-1500}" "${SERVE_SEED:-1}"
 finish

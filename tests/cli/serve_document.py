@@ -350,5 +350,37 @@ head, _ = s.ask("open", file=model, journal=journal, replay=False)
 check("without it", head.get("replayed") == 0, head)
 head, _ = s.ask("open", file=model, journal=7)
 check("which journal", code(head) == "request_error.bad_key", head)
+# A full disk: the change is refused, and all that follow, until it is opened
+# again.
+head, _ = s.ask("open", file=model, journal=journal)
+os.symlink("/dev/full", work + "/full.journal.new")
+before = s.ask("text")[1]
+head, _ = s.ask("open", file=model, journal=work + "/full.journal")
+check("no journal can be begun", "error" in head, head)
+check("the document is as before", s.ask("text")[1] == before)
+check("end", s.end() == (0, b""))
+small = work + "/small"
+with open(small, "w") as f:
+    f.write('#!/bin/bash\nulimit -f 3; exec "%s" "$@"\n' % program)
+os.chmod(small, 0o755)
+s = Session(small, env=environment)
+head, _ = s.ask("open", file=model, journal=journal, replay=False)
+change = {"segment": 1, "path": [1, 1], "value": 33}
+done, told = 0, s.ask("text")[1]
+while done < 200:
+    change["value"] = done + 20
+    head, _ = s.ask("edit", set=change)
+    if "error" in head:
+        break
+    done, told = done + 1, s.ask("text")[1]
+check("the journal is full", 20 < done < 200, done)
+check("what is not in it is not done", s.ask("text")[1] == told, head)
+head, _ = s.ask("edit", set=change)
+check("and no change", "error" in head and s.ask("text")[1] == told, head)
+s.kill()
+s = session()
+head, _ = s.ask("open", file=model, journal=journal)
+check("what was told is there", s.ask("text")[1] == told and
+      head["replayed"] == done, head)
 check("end", s.end() == (0, b""))
 checks.finish()

@@ -9,9 +9,6 @@
 % The top level alone says it.
 unsaid(messages, notice_en(greeting)).
 
-% On most machines the seconds are over first.
-unsaid(session_en, session_en(too_long(inferences,_))).
-
 % A fault of the program, or a last resort: no model is known that has it.
 unsaid(messages, notice_en(no_end)).
 unsaid(messages, fault_en(result_open)).
