@@ -210,19 +210,19 @@ picture(unfolded_15b, 'Development, figure 15, the lying cylinder',
 picture(fitting_elbow, 'Elbow',
         'Four pieces of plate of 4 mm that meet in mitres; sizes are those of \c
          the order, no angle is computed by hand.',
-        [unfold,'facts/fittings/elbow.pl']).
+        [unfold,'facts/fittings/elbow.pl','--generators','12']).
 picture(fitting_tee, 'Tee',
         'A branch set on a header, both of plate; the hole is marked outside.',
-        [unfold,'facts/fittings/tee.pl']).
+        [unfold,'facts/fittings/tee.pl','--generators','12']).
 picture(fitting_wye, 'Wye',
         'A stem and two legs of one diameter.',
-        [unfold,'facts/fittings/wye.pl']).
+        [unfold,'facts/fittings/wye.pl','--generators','12']).
 picture(fitting_offset, 'Offset',
         'Three pieces of pipe that go on beside where it was.',
-        [unfold,'facts/fittings/offset.pl']).
+        [unfold,'facts/fittings/offset.pl','--generators','12']).
 picture(fitting_reducer, 'Reducer',
         'A part of a cone, in the layer that keeps its length.',
-        [unfold,'facts/fittings/reducer.pl']).
+        [unfold,'facts/fittings/reducer.pl','--generators','12']).
 picture(fitting_square_to_round, 'Square to round',
         'A duct to a pipe, in plate of 2 mm.',
         [unfold,'facts/fittings/square_to_round.pl']).
@@ -231,4 +231,4 @@ picture(fitting_hopper, 'Hopper',
         [unfold,'facts/fittings/hopper.pl']).
 picture(fitting_cyclone, 'Cyclone in plate',
         'Barrel, cone, dust pipe, inlet and outlet.',
-        [unfold,'facts/fittings/cyclone.pl']).
+        [unfold,'facts/fittings/cyclone.pl','--generators','12']).
