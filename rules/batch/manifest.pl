@@ -166,12 +166,17 @@ place_forgotten :-
 next_object(Text, Entry, Place) :-
     Text = text(Name, _, In),
     line_count(In, Line),
-    Place = line(Name, Line),
     read_line_to_string(In, String),
+    (   String \== end_of_file,
+        split_string(String, "", " \t\r\uFEFF", [""])
+    ->  next_object(Text, Entry, Place)
+    ;   Place = line(Name, Line),
+        object_of_line(String, Place, Entry)
+    ).
+
+object_of_line(String, Place, Entry) :-
     (   String == end_of_file
     ->  Entry = end_of_file
-    ;   split_string(String, "", " \t\r\uFEFF", [""])
-    ->  next_object(Text, Entry, _)
     ;   catch(object(String, Dict), error(_, _), fail)
     ->  Entry = json(Dict)
     ;   entry_error(Place, json(String))

@@ -289,9 +289,11 @@ job_taken(Job, Run, Out) :-
 cached_job(Job, Key, Run, Out) :-
     Run = run(Store, _, _, _),
     stored(Store, Key, Place),
-    folder_files(Place, Files),
-    sizes_text(Place, Files, Sizes),
-    (   catch(cached_result(Place, Sizes, Status, Said), error(_, _), fail)
+    (   named_files(Job, Files),
+        cached_files(Place, Files, Status, Said)
+    ->  true
+    ;   folder_files(Place, Files),
+        cached_files(Place, Files, Status, Said)
     ->  true
     ;   spoiled(Place),
         fail
@@ -308,6 +310,20 @@ cached_job(Job, Key, Run, Out) :-
         failure_told(Job, null, Language)
     ;   true
     ).
+
+%   named_files(Job, Files): those that most jobs make, so that the folder need
+%   not be searched.
+
+named_files(job(_, _, _, _, _, Options, _, _), Files) :-
+    findall(File, ( member(Name-File, Options), output_option(Name) ), Files0),
+    sort(Files0, Files).
+
+%   cached_files(Place, Files, Status, Said): Files are what was put in Place.
+
+cached_files(Place, Files, Status, Said) :-
+    catch(( sizes_text(Place, Files, Sizes),
+            cached_result(Place, Sizes, Status, Said) ),
+          error(_, _), fail).
 
 %   cached_result(Place, Sizes, Status, Said): most results need no reader of
 %   JSON.
