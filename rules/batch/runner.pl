@@ -170,10 +170,24 @@ run_of(Manifest, Options, Store, run(Store, Folder, Made, Options)) :-
 
 report_opened(Options, Out) :-
     (   option(report(File), Options)
-    ->  catch(open(File, write, Out, [encoding(utf8)]), error(Formal, _),
-              throw(error(cannot_write(File, Formal), _)))
+    ->  file_directory_name(File, Folder),
+        (   exists_directory(Folder)
+        ->  true
+        ;   throw(error(usage_error(no_folder(Folder)), _))
+        ),
+        catch(open(File, write, Out, [encoding(utf8)]), error(Formal, _),
+              report_refused(File, Formal))
     ;   Out = user_output
     ).
+
+report_refused(File, Formal) :-
+    (   exists_directory(File)
+    ->  Why = directory
+    ;   Formal = permission_error(_, _, _)
+    ->  Why = permission
+    ;   Why = error
+    ),
+    throw(error(cannot_write(File, Why), _)).
 
 report_closed(Options, Out) :-
     (   option(report(_), Options)

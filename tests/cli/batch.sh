@@ -99,6 +99,13 @@ p = re.findall(r"<img src=\"([^\"]*)\"", t)
 assert len(p) == 30 and all(os.path.exists("shards/" + q) for q in p)'
 rm shards/index.html
 
+# A report that has no place.
+run batch many.pl -o good --report nowhere/r.jsonl
+check 'no folder for the report' status_is 2
+check 'no folder for the report: said' has 'there is no folder nowhere'
+run batch many.pl -o good --report good
+check 'the report is a folder' has 'good is a folder; the result is a file'
+
 # Two batches of one manifest at once.
 "$sanggwan" batch many.pl -o twice -j 2 -q >t1.jsonl 2>t1.err &
 "$sanggwan" batch many.pl -o twice -j 2 -q >t2.jsonl 2>t2.err
