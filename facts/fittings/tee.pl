@@ -14,7 +14,7 @@ param(tb, 5).                   % thickness of its plate
 param(height, 250).             % of the branch, from the axis of the header
 param(angle, 90).               % between the axes, degrees
 param(offset, 0).               % of the axes from each other, sideways
-param(seam, 0).                 % of the branch, degrees: 0 where it is longest
+param(seam, 0).                 % of the branch, degrees: 0 along the header
 
 segment(1, solid,
         named(header, at([rotate(y, 90), translate(-param(length)/2, 0, 0)],
