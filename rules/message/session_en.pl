@@ -64,6 +64,9 @@ session_en(file_changed(File)) -->
     [ '~w is not as it was when it was opened'-[File], nl,
       '  Open it again and lose the changes, save under another name, or save \c
        with "force":true.' ].
+session_en(no_journal(Path)) -->
+    [ '~w is there, and is no journal: it is not written over'-[Path], nl,
+      '  Give the journal another name.' ].
 session_en(journal_of_another(Path)) -->
     [ 'the journal ~w has changes of another text than is in the file'-[Path],
       nl,

@@ -62,6 +62,9 @@ session_ko(file_changed(File)) -->
     [ '~w 이(가) 열었을 때와 다릅니다'-[File], nl,
       '  다시 열어 변경을 버리거나, 다른 이름으로 저장하거나, "force":true로 \c
        저장하십시오.' ].
+session_ko(no_journal(Path)) -->
+    [ '~w 은(는) 이미 있으며 일지가 아닙니다. 덮어쓰지 않습니다'-[Path], nl,
+      '  일지에 다른 이름을 주십시오.' ].
 session_ko(journal_of_another(Path)) -->
     [ '일지 ~w 의 변경은 파일에 있는 것과 다른 글의 것입니다'-[Path], nl,
       '  "replay":false로 열어 버리거나, 일지 없이 여십시오.' ].

@@ -218,6 +218,11 @@ model_text(File, Text, Steps, Journal, Head) :-
     ->  Steps = [],
         Journal = none
     ;   Journal = file(Path),
+        (   exists_file(Path),
+            \+ journal_steps(Path, Digest, _)
+        ->  request_error(no_journal(Path))
+        ;   true
+        ),
         (   get_dict(replay, Head, false)
         ->  Steps = []
         ;   journal_steps(Path, Digest, Steps0)

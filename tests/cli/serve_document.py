@@ -350,6 +350,10 @@ head, _ = s.ask("open", file=model, journal=journal, replay=False)
 check("without it", head.get("replayed") == 0, head)
 head, _ = s.ask("open", file=model, journal=7)
 check("which journal", code(head) == "request_error.bad_key", head)
+head, _ = s.ask("open", file=model, journal=model)
+check("a model is no journal", code(head) == "request_error.no_journal" and
+      read(model).startswith(b"%"), head)
+
 # A full disk: the change is refused, and all that follow, until it is opened
 # again.
 head, _ = s.ask("open", file=model, journal=journal)

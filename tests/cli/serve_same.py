@@ -23,11 +23,19 @@ NESTED = work + "/nested.pl"
 with open(NESTED, "w") as f:
     f.write("segment(1, solid, %s).\n" % ("f(" * 150 + "a" + ")" * 150))
 
+PIPE = work + "/pipe.pl"
+with open(PIPE, "w") as f:
+    f.write("param(d, 2).\n"
+            "segment(1, solid, cylinder(radius(param(d)/2), height(5))).\n")
+
 COMMANDS = """
 check facts/cube.pl
 check --json facts/pipe_tee.pl
 check --lang ko facts/two_cubes.pl facts/cube.pl
 check no_such_file.pl
+check facts/cube.pl --set d=1
+draw PIPE --set d=3 -o OUT.svg
+draw PIPE -o OUT.svg
 check BAD
 check NESTED
 check NESTED --limits depth=300
@@ -93,6 +101,7 @@ draw
 def words(line, out):
     line = line.replace("OUT", out)
     return [word.replace("BAD", BAD).replace("NESTED", NESTED)
+            .replace("PIPE", PIPE)
             for word in line.split(" ")]
 
 
