@@ -210,7 +210,7 @@ segment(30, surface, named(pot, at([translate(17, -16.8, 0)],
 segment(31, curve, line(from(-1.6, -18.6, 0), to(18.6, -18.6, 0))).
 segment(32, solid, named(transition, at([translate(20.4, 0, 0)],
     transition(base(rectangle(2, 1.6)), top(circle(0.6)), height(1.6),
-               shift(0.2, 0), tilt(20, 30))))).
+               shift(0.2, 0), tilt(20.0, 30.0))))).
 segment(33, surface, named(open_transition, at([translate(20.4, -4.2, 0)],
     open_transition(base(circle(0.9)), top(rectangle(1.4, 0.8, 0.2)),
                     height(1.8))))).

@@ -35,6 +35,7 @@ module that has it.
 :- topic(changing, "Changing worlds, reading and writing models").
 :- reexport(model/model,
             [ load_model/1, load_model/2, save_model/1, save_model/2 ]).
+:- reexport(model/parameter_change, [set_parameter/2]).
 :- reexport(model/openscad, [read_csg/2]).
 :- reexport(model/mesh, [read_mesh/2, read_mesh/3, write_mesh/2, write_mesh/3]).
 :- reexport(command/verbs, [convert/2]).

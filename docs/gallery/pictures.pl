@@ -56,6 +56,12 @@ picture(glass, 'Pipes, brackets of glass',
         ['facts/pipes.pl', '--rules', 'docs/pipes_rules.pl',
          '--rules', 'docs/glass_rules.pl']).
 
+% Parameters: docs/model_files.md.
+
+picture(family, 'A family of tees',
+        'One file for all sizes: here a branch of 88.9, leaning by 30 degrees.',
+        ['facts/family.pl', '--set', 'branch=88.9', '--set', 'lean=30']).
+
 % A CSG tree: docs/model_files.md.
 
 picture(pipe_tee, 'Pipe tee',

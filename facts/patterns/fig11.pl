@@ -6,7 +6,7 @@
 %         Personal Computer, KSME Journal, 1989, Fig. 11; sizes chosen.
 % Units:  millimetres, right-handed; polygons counter-clockwise from outside.
 
-segment(1, solid, cylinder(radius(30, 18), height(60), shift(25, 0),
+segment(1, solid, cylinder(radius(30.0, 18.0), height(60), shift(25, 0),
                            facets(32))).
 
 view(300, 62, 0).

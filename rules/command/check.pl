@@ -4,7 +4,8 @@
           ]).
 :- use_module('../model/integrity', [defect_weight/2, shell_defect/3]).
 :- use_module('../kernel', [census/1, self_meetings/2]).
-:- use_module('../store', [segment/3]).
+:- use_module('../model/formula_rows', [written_fact/2]).
+:- use_module('../store', [segment/3, param/2]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists),
@@ -13,7 +14,10 @@
 
 A report is a dict; report.pl prints it as text or as JSON:
 
-    _{segments: [Segment, ...], total: Total, faults: N, remarks: M}
+    _{parameters: [Parameter, ...], segments: [Segment, ...], total: Total,
+      faults: N, remarks: M}
+
+A Parameter has name, value, and formula: what it is made from, as text, or null.
 
 Segment has segment, name, kind, vertices, half_edges, edges, polygons,
 triangles, curve_edges, box ([[X1,Y1,Z1],[X2,Y2,Z2]]), area, volume (null unless
@@ -36,8 +40,23 @@ check_report(Report) :-
     sum_of(fault_count, Segments, Faults),
     sum_of(remark_count, Segments, Remarks),
     total(Segments, Total),
-    Report = _{segments:Segments, total:Total,
+    parameters(Parameters),
+    Report = _{parameters:Parameters, segments:Segments, total:Total,
                faults:Faults, remarks:Remarks}.
+
+parameters(Parameters) :-
+    findall(_{name:Name, value:Value, formula:Formula},
+            ( param(Name, Value), parameter_formula(Name, Formula) ),
+            Parameters).
+
+parameter_formula(Name, Formula) :-
+    param(Name, Value),
+    written_fact(param(Name, Value), param(_, Written)),
+    (   Written == Value
+    ->  Formula = null
+    ;   format(string(Formula), '~W',
+               [Written, [quoted(true),numbervars(false)]])
+    ).
 
 %!  report_faults(+Report, ?Faults) is semidet.
 %

@@ -486,6 +486,7 @@ names_place(error(Fault, Where)) :-
     nonvar(Fault),
     memberchk(Fault, [model_error(_),geometry_error(_)]).
 names_place(sanggwan(not_utf8(_, _))).
+names_place(sanggwan(comma(_, location(_, _, _)))).
 
 print_prefixed(Out, Word, Term, Lines) :-
     (   names_place(Term)

@@ -69,6 +69,8 @@ example(load_model/1, none, "load_model('facts/cube.pl'), volume(S, V).",
         "S = 1, V = 1.0").
 example(load_model/2, none, "load_model('facts/cube.pl', [complete(false)]).",
         "true").
+example(set_parameter/2, 'facts/family.pl',
+        "set_parameter(length, 500), param(length, Length).", "Length = 500").
 example(save_model/1, 'facts/two_cubes.pl',
         "save_model('cubes.off').", "true").
 example(save_model/2, 'facts/two_cubes.pl', "save_model('cubes.pl', []).",

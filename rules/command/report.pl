@@ -24,11 +24,20 @@ print_report(json, Report) :-
     nl.
 print_report(text, Report) :-
     language(Language),
+    forall(member(Parameter, Report.parameters),
+           print_parameter(Language, Parameter)),
     forall(member(S, Report.segments), print_segment(Language, S)),
     (   Report.faults =:= 0
     ->  say(Language, no_faults, [])
     ;   counted(Language, fault, Report.faults, Faults),
         say(Language, faults, [Faults])
+    ).
+
+print_parameter(Language, Parameter) :-
+    format(string(Name), '~q', [Parameter.name]),
+    (   Parameter.formula == null
+    ->  say(Language, parameter, [Name, Parameter.value])
+    ;   say(Language, formula, [Name, Parameter.value, Parameter.formula])
     ).
 
 print_segment(Language, S) :-
@@ -155,6 +164,10 @@ translated(open,    open,    '열림').
 translated(fault,   'FAULT', '잘못').
 translated(remark,  remark,  '참고').
 
+text(en, parameter, "parameter ~w = ~w").
+text(ko, parameter, "매개변수 ~w = ~w").
+text(en, formula,   "parameter ~w = ~w, from ~w").
+text(ko, formula,   "매개변수 ~w = ~w, 식 ~w").
 text(en, no_faults, "no faults").
 text(ko, no_faults, "잘못이 없습니다").
 text(_,  faults,    "~w").

@@ -14,12 +14,12 @@
               ]).
 :- use_module('../kernel', [kept_leaves/2]).
 :- use_module('../primitive/primitive_rows',
-              [add_primitive/2, primitive_rows/3]).
+              [add_shape/5, primitive_rows/3]).
 :- use_module(csg_record,
               [record/2, recorded/2, up_to_date/2, made_and_kept/2]).
 :- use_module(csg_rows, [drop_boundary/1]).
 :- use_module(operand_name, [fault_named/2, note_unnumbered/3]).
-:- use_module('../primitive/primitive', [is_primitive/1]).
+:- use_module('../primitive/primitive', [is_primitive/1, primitive_shape/4]).
 :- use_module('../store',
               [ v/5, p/3, t/6, segment/3, origin/3, assert_fact/1,
                 retractall_facts/1, facts_transaction/1, fresh_id/3
@@ -321,7 +321,8 @@ operand_number(Operand, S) :-
     assert_fact(segment(S, solid, Operand)),
     numbered(S, solid, Operand, _).
 operand_number(Operand, S) :-
-    add_primitive(Operand, S).
+    primitive_shape(Operand, Kind, Points, Chains),
+    add_shape(Kind, Operand, Points, Chains, S).
 
 %   joined_kind(Nodes, Operation, Child, ChildKind-ChildCount, Kind0-Count0,
 %   Kind-Count): of the first of Nodes, with one more child (CB-2).

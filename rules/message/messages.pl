@@ -18,7 +18,7 @@
 :- use_module(operand_en, [operand_en//2, operand_notice_en//2]).
 :- use_module(true_en, [true_en//1]).
 :- use_module(unfold_en, [wish_en//3, unfold_en//1, trim_en//1]).
-:- use_module(primitive_en, [primitive_en//2]).
+:- use_module(primitive_en, [comma_en//1, primitive_en//2]).
 :- use_module(problem_en, [problem_en//1]).
 :- use_module(style_en, [style_en//1]).
 :- use_module(sheet_en, [sheet_tiny_en//3]).
@@ -141,6 +141,9 @@ notice_en(development(S, What)) -->
     development_notice_en(S, What).
 notice_en(operand(What, S)) -->
     operand_notice_en(What, S).
+notice_en(comma(Argument, Location)) -->
+    located(Location),
+    comma_en(Argument).
 notice_en(parameter(What)) -->
     parameter_en(What).
 notice_en(pattern(What)) -->

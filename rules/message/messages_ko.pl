@@ -23,7 +23,7 @@
 :- use_module(operand_ko, [operand_ko//2, operand_notice_ko//2]).
 :- use_module(true_ko, [true_ko//1]).
 :- use_module(unfold_ko, [wish_ko//3, unfold_ko//1, trim_ko//1]).
-:- use_module(primitive_ko, [primitive_ko//2]).
+:- use_module(primitive_ko, [comma_ko//1, primitive_ko//2]).
 /** <module> Messages in Korean; messages.pl has them in English.
 
 The heads are the same as in messages.pl, clause by clause
@@ -133,6 +133,9 @@ notice_ko(development(S, What)) -->
     development_notice_ko(S, What).
 notice_ko(operand(What, S)) -->
     operand_notice_ko(What, S).
+notice_ko(comma(Argument, Location)) -->
+    located(Location),
+    comma_ko(Argument).
 notice_ko(parameter(What)) -->
     parameter_ko(What).
 notice_ko(pattern(What)) -->

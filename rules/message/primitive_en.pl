@@ -1,14 +1,18 @@
 :- module(sg_primitive_en,
           [ primitive_en//2,            % +What, +Term
+            comma_en//1,                % +Argument
             misshapen_en//1,            % +Term
             primitive_names//0,         %
-            primitive_usage//1          % +Term
+            primitive_usage//1,         % +Term
+            comma_forms/3,              % +Argument, -Point, -Apart
+            surplus_numbers/2           % +Argument, +Types
           ]).
 :- use_module('../csg/csg_term', [misshapen/2, near_operands/2]).
 :- use_module(message_parts, [meant_en//1, shown_count/2]).
 :- use_module('../primitive/primitive',
               [primitive/1, primitive_form/2, primitive_name/2]).
 :- use_module(library(apply), [maplist/3]).
+:- use_module(library(lists), [append/3]).
 /** <module> What is wrong with a primitive, in English.
 
 primitive_ko.pl has the same heads in Korean
@@ -78,6 +82,7 @@ primitive_en(wrong_argument(A, Types), Term) -->
       maplist(type_en, Types, Words),
       atomic_list_concat(Words, ', ', Text) },
     [ '~p should be ~w(~w)'-[A, Name, Text] ],
+    comma_usage_en(A, Types),
     primitive_usage(Term).
 primitive_en(wrong_item(Name, N, Item, Type), Term) -->
     { type_en(Type, Word) },
@@ -222,6 +227,53 @@ primitive_en(patches_clash(K, L), _) -->
     [ 'patches ~d and ~d run along a common edge the same way'-[K, L], nl,
       '  Neighbours show the same side: turn one of them (write its rows \c
        backwards). Three patches at one border are not possible.' ].
+
+%!  comma_en(+Argument)// is det.
+%
+%   Argument, of a primitive, has two numbers; a comma may be meant as the
+%   decimal point.
+
+comma_en(Argument) -->
+    { comma_forms(Argument, Point, Apart) },
+    [ '~p has two numbers; is a comma meant as the decimal point?'-[Argument],
+      nl, '  Write ~p for one number, ~p for two.'-[Point, Apart] ].
+
+%   comma_usage_en(A, Types): more numbers than there should be.
+
+comma_usage_en(A, Types) -->
+    (   { surplus_numbers(A, Types) }
+    ->  [ nl, '  The decimal point is a point, as in 57.15.' ]
+    ;   []
+    ).
+
+%!  comma_forms(+Argument, -Point, -Apart) is det.
+%
+%   Argument, radius(57, 15), with a decimal point: Point is radius(57.15), Apart
+%   radius(57.0, 15.0).
+
+comma_forms(Argument, Point, Apart) :-
+    Argument =.. [Name, Whole, Part],
+    atomic_list_concat([Whole, '.', Part], Text),
+    atom_number(Text, Number),
+    Point =.. [Name, Number],
+    A is float(Whole),
+    B is float(Part),
+    Apart =.. [Name, A, B].
+
+%!  surplus_numbers(+Argument, +Types) is semidet.
+%
+%   Argument has more numbers than Types, two whole ones side by side.
+
+surplus_numbers(Argument, Types) :-
+    Argument =.. [_|Values],
+    length(Values, N),
+    length(Types, Wanted),
+    N > Wanted,
+    append(_, [A, B|_], Values),
+    integer(A),
+    integer(B),
+    B >= 0,
+    !.
 
 face_en(list) -->
     [ 'a jump leads nowhere', nl,

@@ -1,12 +1,16 @@
 :- encoding(utf8).
 :- module(sg_primitive_ko,
           [ primitive_ko//2,            % +What, +Term
-            misshapen_ko//1             % +Term
+            misshapen_ko//1,            % +Term
+            comma_ko//1                 % +Argument
           ]).
 :- use_module('../csg/csg_term', [misshapen/2, near_operands/2]).
 :- use_module(message_parts, [meant_ko//1, shown_count/2]).
 :- use_module('../primitive/primitive', [primitive_name/2]).
-:- use_module(primitive_en, [primitive_names//0, primitive_usage//1]).
+:- use_module(primitive_en,
+              [ comma_forms/3, primitive_names//0, primitive_usage//1,
+                surplus_numbers/2
+              ]).
 :- use_module(library(apply), [maplist/3]).
 /** <module> What is wrong with a primitive, in Korean.
 
@@ -55,6 +59,7 @@ primitive_ko(wrong_argument(A, Types), Term) -->
       maplist(type_ko, Types, Words),
       atomic_list_concat(Words, ', ', Text) },
     [ '~p 은(는) ~w(~w) 이어야 합니다'-[A, Name, Text] ],
+    comma_usage_ko(A, Types),
     primitive_usage(Term).
 primitive_ko(wrong_item(Name, N, Item, Type), Term) -->
     { type_ko(Type, Word) },
@@ -196,6 +201,24 @@ primitive_ko(patches_clash(K, L), _) -->
       nl,
       '  이웃한 조각은 같은 쪽을 보입니다. 하나를 뒤집으십시오(줄을 거꾸로 \c
        쓰십시오). 한 경계에 조각 셋은 올 수 없습니다.' ].
+
+%!  comma_ko(+Argument)// is det.
+%
+%   Argument, of a primitive, has two numbers; a comma may be meant as the
+%   decimal point.
+
+comma_ko(Argument) -->
+    { comma_forms(Argument, Point, Apart) },
+    [ '~p: 수가 둘입니다. 쉼표를 소수점으로 썼습니까?'-[Argument],
+      nl, '  수가 하나이면 ~p, 둘이면 ~p 꼴로 쓰십시오.'-[Point, Apart] ].
+
+%   comma_usage_ko(A, Types): more numbers than there should be.
+
+comma_usage_ko(A, Types) -->
+    (   { surplus_numbers(A, Types) }
+    ->  [ nl, '  소수점은 57.15처럼 점으로 씁니다.' ]
+    ;   []
+    ).
 
 face_ko(list) -->
     [ '건너뛴 곳에 아무것도 없습니다', nl,

@@ -17,6 +17,7 @@
 :- use_module('../primitive/primitive', [primitive_shape/4]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [append/2, append/3, member/2, numlist/3]).
+:- use_module(library(pairs), [pairs_values/2]).
 /** <module> Parameters in the world, and what was made from them.
 
 `param(Name, Value)` has the parameters, formula(Row, Fact) the facts as their
@@ -212,17 +213,26 @@ as_made(S, Kind, Term) :-
     untouched(S),
     catch(primitive_shape(Term, Kind, Points, Chains),
           error(model_error(_), _), fail),
-    findall(point(X, Y, Z), v(S, _, X, Y, Z), Points),
+    in_order(V-point(X, Y, Z), v(S, V, X, Y, Z), Points),
     findall(Edges,
             ( member(Chain, Chains), chain_edges(Kind, Chain, Edges) ),
             Wanted),
     append(Wanted, Pairs),
-    findall(V1-V2, e(S, _, V1, V2, 1), Pairs),
+    in_order(E-(V1-V2), e(S, E, V1, V2, 1), Pairs),
     (   Kind == curve
     ->  true
     ;   made_polygons(Wanted, 1, 1, S, Last),
         \+ ( p(S, P, _), P > Last )
     ).
+
+:- meta_predicate in_order(+, 0, -).
+
+%   in_order(Id-Item, Goal, Items): by their numbers, whatever the rows' order.
+
+in_order(Pair, Goal, Items) :-
+    findall(Pair, Goal, Pairs0),
+    keysort(Pairs0, Pairs),
+    pairs_values(Pairs, Items).
 
 chain_edges(curve, Chain, Edges) :-
     !,

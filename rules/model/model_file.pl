@@ -10,7 +10,7 @@
               ]).
 :- use_module(model_text,
               [ model_text_bytes/3, next_written/3, formed_fact/4,
-                place_error/2, place_error/3
+                place_error/2, place_error/3, place_location/3
               ]).
 :- use_module('../csg/csg', [complete_tree/1, is_node/1]).
 :- use_module('../csg/csg_term', [is_node_term/1]).
@@ -21,8 +21,9 @@
 :- use_module(formula_rows, [formula_kept/2, parameters_added/3]).
 :- use_module('../text_file', [with_text/4]).
 :- use_module('../progress', [progress_by/1]).
-:- use_module('../primitive/primitive', [is_primitive/1, primitive_shape/4]).
-:- use_module('../primitive/primitive_rows', [shape_rows/4]).
+:- use_module('../primitive/primitive',
+              [comma_argument/2, is_primitive/1, primitive_shape/4]).
+:- use_module('../primitive/primitive_rows', [commas_told/2, shape_rows/4]).
 :- use_module(shifted, [own_numbers/3, shifted/3]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
@@ -144,16 +145,29 @@ streamed(Text, Shift, Ss0, Ss, Later) :-
     (   Fact == end_of_file
     ->  Ss = Ss0,
         Later = []
-    ;   Fact = waiting(_)
-    ->  Later = [later(Fact, Place)|Later1],
+    ;   Fact = waiting(Term)
+    ->  segment_commas_told(Term, Place),
+        Later = [later(Fact, Place)|Later1],
         streamed(Text, Shift, Ss0, Ss, Later1)
-    ;   shifted(Shift, Fact, Row),
+    ;   segment_commas_told(Fact, Place),
+        shifted(Shift, Fact, Row),
         with_segment(Row, Ss0, Ss1),
         (   added_now(Row, Place)
         ->  Later = Later1
         ;   Later = [later(Row, Place)|Later1]
         ),
         streamed(Text, Shift, Ss1, Ss, Later1)
+    ).
+
+%   segment_commas_told(Fact, Place): of what the file itself has, not of values
+%   of formulas.
+
+segment_commas_told(Fact, Place) :-
+    (   Fact = segment(_, _, Term),
+        once(comma_argument(Term, _))
+    ->  place_location(Place, 3, Location),
+        commas_told(Term, Location)
+    ;   true
     ).
 
 %   with_segment(Row, Ss0, Ss): rows of a segment mostly follow one another; one

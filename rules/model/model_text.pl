@@ -9,6 +9,7 @@
             no_fact/2,                  % +Term, -What
             place_error/2,              % +Place, +What
             place_error/3,              % +Place, +Argument, +What
+            place_location/3,           % +Place, +Argument, -Location
             model_float/2               % +Value, -Float
           ]).
 :- use_module('../limits', [limit_value/2]).
@@ -200,7 +201,7 @@ at_real_end(Stream, Place) :-
 %!  place_error(+Place, +Argument, +What).
 %
 %   Raise model_error(What) at the start of the fact, or at its Argument,
-%   counted from 1.
+%   counted from 1. A Place `none` is no place.
 
 place_error(Place, What) :-
     Place = place(Name, _, Position),
@@ -209,14 +210,28 @@ place_error(Place, What) :-
     Column is Column0+1,
     throw(error(model_error(What), location(Name, Line, Column))).
 
-place_error(Place, Argument, What) :-
-    catch(argument_location(Place, Argument, Line, Column), error(_, _),
-          fail),
+place_error(none, _, What) :-
     !,
-    Place = place(Name, _, _),
-    throw(error(model_error(What), location(Name, Line, Column))).
-place_error(Place, _, What) :-
-    place_error(Place, What).
+    throw(error(model_error(What), _)).
+place_error(Place, Argument, What) :-
+    place_location(Place, Argument, Location),
+    throw(error(model_error(What), Location)).
+
+%!  place_location(+Place, +Argument, -Location) is det.
+%
+%   Location, location(File, Line, Column), is where that Argument begins, or
+%   else the fact.
+
+place_location(Place, Argument, location(Name, Line, Column)) :-
+    Place = place(Name, _, Position),
+    (   catch(argument_location(Place, Argument, Line0, Column0),
+              error(_, _), fail)
+    ->  Line = Line0,
+        Column = Column0
+    ;   stream_position_data(line_count, Position, Line),
+        stream_position_data(line_position, Position, Before),
+        Column is Before+1
+    ).
 
 %   The fact is read once more, now with the positions of its arguments; the
 %   characters up to the argument give line and column.

@@ -3,6 +3,7 @@
             primitive_form/2,           % ?Name, -Form
             primitive_name/2,           % +Term, -Name
             is_primitive/1,             % @Term
+            comma_argument/2,           % +Term, -Argument
             primitive_shape/4,          % +Term, -Kind, -Points, -Chains
             primitive_faces/3,          % +Term, -Whats, -Surfaces
             primitive_parts/3           % +Term, -Parts, -Surfaces
@@ -310,6 +311,29 @@ is_primitive(Term) :-
     ->  true
     ;   primitive(Name)
     ->  true
+    ).
+
+%!  comma_argument(+Term, -Argument) is nondet.
+%
+%   A primitive in Term, a primitive or a tree, has the Argument radius(57, 15)
+%   or such: two whole numbers where one would do as well, so 57.15 may be meant
+%   and a comma be written for the point.
+
+comma_argument(Term, Argument) :-
+    compound(Term),
+    compound_name_arguments(Term, Name, Arguments),
+    (   primitive_row(Name, _, Wanted, _, _)
+    ->  member(Argument, Arguments),
+        compound(Argument),
+        compound_name_arguments(Argument, Of, [Whole, Part]),
+        integer(Whole),
+        integer(Part),
+        Part >= 0,
+        memberchk(argument(Of, Forms, _), Wanted),
+        memberchk([_], Forms),
+        memberchk([_, _], Forms)
+    ;   member(Inner, Arguments),
+        comma_argument(Inner, Argument)
     ).
 
 %!  primitive_shape(+Term, -Kind, -Points, -Chains) is det.

@@ -1,12 +1,13 @@
 :- module(sg_primitive_rows,
           [ add_primitive/2,            % +Term, -S
+            commas_told/2,              % +Term, +Location
             add_shape/5,                % +Kind, +Term, +Points, +Chains, -S
             primitive_rows/3,           % +Term, +S, -Kind
             shape_rows/4                % +Kind, +S, +Points, +Chains
           ]).
 :- use_module('../polygon/polygon_list',
               [polygon_fault/2, vertex_list_edges/2]).
-:- use_module(primitive, [primitive_shape/4]).
+:- use_module(primitive, [comma_argument/2, primitive_shape/4]).
 :- use_module('../store', [assert_fact/1, facts_transaction/1, fresh_id/3]).
 :- use_module(library(apply), [foldl/4]).
 /** <module> Primitives as rows of the world.
@@ -23,8 +24,19 @@ polygons of a segment, each numbered from 1 in the order of the shape.
 %   @error model_error(primitive(What, Term))
 
 add_primitive(Term, S) :-
+    commas_told(Term, none),
     primitive_shape(Term, Kind, Points, Chains),
     add_shape(Kind, Term, Points, Chains, S).
+
+%!  commas_told(+Term, +Location) is det.
+%
+%   A warning for each number of the primitive or tree Term in which a comma may
+%   stand for the decimal point, comma_argument/2. Location is where Term is:
+%   location(File, Line, Column), or `none`.
+
+commas_told(Term, Location) :-
+    forall(comma_argument(Term, Argument),
+           print_message(warning, sanggwan(comma(Argument, Location)))).
 
 %!  add_shape(+Kind, +Term, +Points, +Chains, -S) is semidet.
 %

@@ -33,20 +33,22 @@ reads([ area/2, bounding_box/3, chain/5, chain_length/2, chain_points/2,
       ]).
 
 writes([ add_primitive/2, assert_fact/1, assert_fact/2, boolean/2, boolean/3,
-         complete_segments/0, convert/2, develop/2, develop/3, draw/1,
-         draw/2, evaluate/0, evaluate/1, evaluate/2, evaluated/1,
-         facts_redo/0, facts_transaction/1, facts_transaction/2,
-         facts_undo/0, facts_undo_limit/1, fresh_id/3, load_model/1,
-         load_model/2, new_world/1, no_rules/1, pattern_bent/2, penetrate/0,
-         penetrate/1, penetrate/2, picture/0, picture/1, read_csg/2,
-         read_mesh/2, read_mesh/3, repair_operand/1, repl/0, retract_fact/1,
+         complete_segments/0, convert/2, develop/2, develop/3,
+         draw/1, draw/2, evaluate/0, evaluate/1, evaluate/2,
+         evaluated/1, facts_redo/0, facts_transaction/1,
+         facts_transaction/2, facts_undo/0, facts_undo_limit/1,
+         fresh_id/3, load_model/1, load_model/2, new_world/1,
+         no_rules/1, pattern_bent/2, penetrate/0, penetrate/1,
+         penetrate/2, picture/0, picture/1, read_csg/2, read_mesh/2,
+         read_mesh/3, repair_operand/1, repl/0, retract_fact/1,
          retract_fact/2, retractall_facts/1, sanggwan_help/0,
-         sanggwan_help/1, save_model/1, save_model/2, set_direction/3,
-         set_limit/2, set_projection/1, set_view/1, set_view/3, set_world/1,
-         show/0, show/1, trimmed/4, trimmed/5, true_development/4, unfold/2,
-         unfold/3, use_rules/1, write_lines/1, write_lines/2, write_mesh/2,
-         write_mesh/3, write_solid/2, write_solid/3, write_true_lengths/2,
-         write_true_lengths/3
+         sanggwan_help/1, save_model/1, save_model/2,
+         set_direction/3, set_limit/2, set_parameter/2,
+         set_projection/1, set_view/1, set_view/3, set_world/1,
+         show/0, show/1, trimmed/4, trimmed/5, true_development/4,
+         unfold/2, unfold/3, use_rules/1, write_lines/1,
+         write_lines/2, write_mesh/2, write_mesh/3, write_solid/2,
+         write_solid/3, write_true_lengths/2, write_true_lengths/3
        ]).
 
 %   is_safe(PI): with its arguments free; a meta-predicate with a goal that is

@@ -61,6 +61,8 @@ file('wide.pl',
      "param(w, 9). segment(1, solid, box(size(param(w),1,1))).\n").
 file('narrow.pl',
      "param(w, 1). segment(1, solid, box(size(param(w),1,1))).\n").
+file('comma.pl',
+     "segment(1, solid, cylinder(radius(57,15), height(9))).\n").
 file('wire.pl', "v(1,1,0,0,0). v(1,2,1,0,0). e(1,1,1,2,1).
 segment(1, curve, wire).\n").
 file('tiny.pl', "segment(1, solid, box(size(1.0e-11,1.0e-11,1.0e-11))).\n").
@@ -102,6 +104,7 @@ command(no_area(_,1,_), [check, @('thin.off')]).
 command(not_flat(_,1,_,_), [check, @('bent.pl')]).
 command(polygon_edge(_,_,_,_), [check, @('bow.pl')]).
 command(parameter(renamed(_,_,_)), [check, @('wide.pl'), @('narrow.pl')]).
+command(comma(_,_), [check, @('comma.pl')]).
 command(wrote(_), [draw, @('cube.pl'), '-o', @('a.svg')]).
 command(pen_travel(_,_,_), [draw, @('cube.pl'), '-o', @('a.hpgl')]).
 command(nothing_drawn, [draw, @('wire.pl'), '--lines', penetration,

@@ -1,12 +1,14 @@
 /* Parameters and formulas in model files: what is read, set, kept and written.
    The values of formulas are in tests/rules/formula.plt. */
 :- module(test_parameter, []).
+:- use_module(library(aggregate)).
 :- use_module(library(lists)).
 % covers: formula_rows, formula_term
 :- use_module(library(plunit)).
 :- use_module(library(readutil)).
 :- use_module(rules(model/model), [load_model/2, save_model/1]).
 :- use_module(rules(model/parameter)).
+:- use_module(rules(model/parameter_change), [set_parameter/2]).
 :- use_module(rules(penetration/penetration), [penetrate/0]).
 :- use_module(rules(store)).
 :- use_module(tests(rules/polyhedron), [in_new_world/1]).
@@ -76,6 +78,60 @@ two(TextA, TextB, Options, Goal) :-
     with_file(TextA, A,
         with_file(TextB, B,
             in_new_world(( load_model([A,B], Options), Goal )))).
+
+%   Each has the parameter a, and is made from it.
+
+made_from("segment(1, solid, box(size(param(a), 2, 3))).").
+made_from("segment(1, surface, circle(radius(param(a)))).").
+made_from("segment(1, curve, line(from(0,0,0), to(param(a),1,1))).").
+made_from("segment(1, solid, prism(outline([[0,0],[9,0],[0,9]]),
+           holes([[[1,1],[1,param(a)],[param(a),1]]]), height(2))).").
+made_from("segment(1, solid, at([rotate(z, param(a)*10)],
+           named(x-1, box(size(1,2,3))))).").
+made_from("segment(1, solid, union([at([translate(param(a)/2,0,0)],
+           box(size(1,2,3))), box(size(param(a),1,1))])).").
+made_from("segment(1, solid, named(n, at([scale(param(a))], difference([
+           box(size(5,5,5)), at([rotate(x, 90)], union([cylinder(
+           radius(param(a)/4), height(9), facets(6)), 2]))])))).
+           segment(2, solid, sphere(radius(1), facets(6), bands(4))).").
+made_from("v(1,1,0,0,0). v(1,2,param(a),0,0). v(1,3,0,1,0).
+           p(1,1,[1,2,3]). segment(1, surface, flat).
+           view(param(a), 0, 0).").
+made_from("segment(1, solid, box(size(1,2,3))). title_block(number, param(a)).
+           unfolding(1, root(param(a))).").
+
+lines(Lines) :-
+    findall([A,B,S,T],
+            ( line(_, S, _, A1, B1, T, _, _, _),
+              v(S, A1, X1, Y1, Z1), v(S, B1, X2, Y2, Z2),
+              msort([[X1,Y1,Z1], [X2,Y2,Z2]], [A,B]) ),
+            Lines0),
+    msort(Lines0, Lines).
+
+%   shapes(Shapes): what there is, whatever the numbers of what was made anew.
+
+shapes(Shapes) :-
+    findall(Row,
+            ( member(Row, [ segment(_, _, _), unfolding(_, _), view(_, _, _),
+                            title_block(_, _), param(_, _) ]),
+              call(Row) ),
+            Rows),
+    findall(p(S, Ends),
+            ( p(S, _, Es),
+              findall(A-B, ( member(E, Es), ends(S, E, A, B) ), Ends0),
+              msort(Ends0, Ends) ),
+            Polygons),
+    findall(e(S, A, B), ( e(S, E, _, _, _), ends(S, E, A, B) ), Edges),
+    findall(t(S, N), ( segment(S, _, _),
+                       aggregate_all(count, t(S, _, _, _, _, _), N) ), Ts),
+    findall(plane(S, N), plane(S, _, N, _, _, _), Planes),
+    append([Rows,Polygons,Edges,Ts,Planes], Shapes0),
+    msort(Shapes0, Shapes).
+
+ends(S, E, [X1,Y1,Z1], [X2,Y2,Z2]) :-
+    e(S, E, V1, V2, _),
+    v(S, V1, X1, Y1, Z1),
+    v(S, V2, X2, Y2, Z2).
 
 :- begin_tests(parameter).
 
@@ -199,27 +255,6 @@ test(no_pair, error(type_error(setting, a))) :-
 
 :- begin_tests(parameter_files).
 
-%   Each has the parameter a, and is made from it.
-
-made_from("segment(1, solid, box(size(param(a), 2, 3))).").
-made_from("segment(1, surface, circle(radius(param(a)))).").
-made_from("segment(1, curve, line(from(0,0,0), to(param(a),1,1))).").
-made_from("segment(1, solid, prism(outline([[0,0],[9,0],[0,9]]),
-           holes([[[1,1],[1,param(a)],[param(a),1]]]), height(2))).").
-made_from("segment(1, solid, at([rotate(z, param(a)*10)],
-           named(x-1, box(size(1,2,3))))).").
-made_from("segment(1, solid, union([at([translate(param(a)/2,0,0)],
-           box(size(1,2,3))), box(size(param(a),1,1))])).").
-made_from("segment(1, solid, named(n, at([scale(param(a))], difference([
-           box(size(5,5,5)), at([rotate(x, 90)], union([cylinder(
-           radius(param(a)/4), height(9), facets(6)), 2]))])))).
-           segment(2, solid, sphere(radius(1), facets(6), bands(4))).").
-made_from("v(1,1,0,0,0). v(1,2,param(a),0,0). v(1,3,0,1,0).
-           p(1,1,[1,2,3]). segment(1, surface, flat).
-           view(param(a), 0, 0).").
-made_from("segment(1, solid, box(size(1,2,3))). title_block(number, param(a)).
-           unfolding(1, root(param(a))).").
-
 %   What is saved, and set again, is what the file gives that is set so.
 test(set_again, forall(made_from(Text0))) :-
     string_concat("param(a, 2). param(b, param(a)*2). ", Text0, Text),
@@ -276,3 +311,71 @@ test(one_is_set, Ps == [a-2,b-5]) :-
         [parameters([b=5])], findall(N-V, param(N, V), Ps)).
 
 :- end_tests(parameter_files).
+
+
+:- begin_tests(set_parameter).
+
+%   In a world that has it, a parameter that is set makes what the file makes
+%   that is set so; undo and redo go back and forth.
+test(as_set, forall(made_from(Text0))) :-
+    string_concat("param(a, 2). param(b, param(a)*2). ", Text0, Text),
+    with_model(Text, [parameters([a=3])], ( shapes(Rows3), saved(Saved3) )),
+    with_model(Text, [],
+               ( shapes(Rows2), set_parameter(a, 3), shapes(Now), saved(Saved),
+                 facts_undo, shapes(Before), facts_redo, shapes(Again),
+                 set_parameter(a, 2), shapes(Back) )),
+    assertion(Now == Rows3),
+    assertion(Saved == Saved3),
+    assertion(Before == Rows2),
+    assertion(Again == Rows3),
+    assertion(Back == Rows2),
+    assertion(Rows2 \== Rows3).
+
+%   What was cut is cut again.
+test(cut_again, Now == Wanted) :-
+    Text = "param(a, 2). segment(1, solid, box(size(param(a), 2, 2))).
+            segment(2, solid, at([translate(param(a)/2, 0, 1)],
+            box(size(1, 1, 9)))). segment(3, solid, box(size(20, 1, 1))).",
+    with_model(Text, [parameters([a=5])], ( penetrate, lines(Wanted) )),
+    with_model(Text, [], ( penetrate, lines(Before), set_parameter(a, 5),
+                           lines(Now), facts_undo, lines(Undone) )),
+    assertion(Undone == Before),
+    assertion(Before \== Now),
+    length(Now, N),
+    assertion(N > 0).
+
+test(of_formula, B-C == 7-[b-7,a-2]) :-
+    with_model("param(a, 2). param(b, param(a)*3). segment(1, solid,
+                box(size(param(b), 1, 1))).", [],
+               ( set_parameter(b, 7), segment(1, _, box(size(B, 1, 1))),
+                 \+ formula(param(b), _), set_parameter(a, 2),
+                 findall(N-V, param(N, V), C0), sort(0, @>=, C0, C) )).
+test(by_hand, X == 9.0) :-
+    with_model("param(a, 2). v(1,1,param(a),0,0). v(1,2,0,0,0).
+                curve(1,[1,2]).", [],
+               ( facts_transaction(( retractall_facts(v(1, 1, _, _, _)),
+                                     assert_fact(v(1, 1, 9.0, 0.0, 0.0)) )),
+                 set_parameter(a, 5), v(1, 1, X, _, _) )).
+
+%   What is not possible changes nothing.
+refused(0, model_error(primitive(wrong_argument(size(0, 1, 1), _), _))).
+refused(-4, model_error(formula(not_real, sqrt(param(a)-2)))).
+refused(1.0e300, model_error(formula(too_large, param(a)**2))).
+
+test(refused, forall(refused(Value, Fault))) :-
+    with_model("param(a, 2). param(r, sqrt(param(a)-2)). param(q, param(a)**2).
+                segment(1, solid, box(size(param(a), 1, 1))).", [],
+               ( ( Value == 0 -> set_parameter(r, 1) ; true ),
+                 rows(Before),
+                 catch(set_parameter(a, Value), error(Fault0, _), true),
+                 rows(After) )),
+    assertion(subsumes_term(Fault, Fault0)),
+    assertion(Before == After).
+test(unknown, error(existence_error(parameter, c))) :-
+    with_model("param(a, 2). segment(1, solid, box(size(param(a), 1, 1))).",
+               [], set_parameter(c, 1)).
+test(no_number, error(type_error(float, "2"))) :-
+    with_model("param(a, 2). segment(1, solid, box(size(param(a), 1, 1))).",
+               [], set_parameter(a, "2")).
+
+:- end_tests(set_parameter).
