@@ -6,6 +6,7 @@
 % covers: formula_rows, formula_term
 :- use_module(library(plunit)).
 :- use_module(library(readutil)).
+:- use_module(rules(csg/csg), [is_helper/1]).
 :- use_module(rules(model/model), [load_model/2, save_model/1]).
 :- use_module(rules(model/parameter)).
 :- use_module(rules(model/parameter_change), [set_parameter/2]).
@@ -111,20 +112,25 @@ lines(Lines) :-
 %   shapes(Shapes): what there is, whatever the numbers of what was made anew.
 
 shapes(Shapes) :-
+    findall(S, ( segment(S, _, _), \+ is_helper(S) ), Ss),
     findall(Row,
-            ( member(Row, [ segment(_, _, _), unfolding(_, _), view(_, _, _),
-                            title_block(_, _), param(_, _) ]),
+            ( member(Row, [ segment(S, _, _), unfolding(S, _) ]),
+              member(S, Ss),
+              call(Row)
+            ; member(Row, [ view(_, _, _), title_block(_, _), param(_, _) ]),
               call(Row) ),
             Rows),
     findall(p(S, Ends),
-            ( p(S, _, Es),
+            ( member(S, Ss),
+              p(S, _, Es),
               findall(A-B, ( member(E, Es), ends(S, E, A, B) ), Ends0),
               msort(Ends0, Ends) ),
             Polygons),
-    findall(e(S, A, B), ( e(S, E, _, _, _), ends(S, E, A, B) ), Edges),
-    findall(t(S, N), ( segment(S, _, _),
+    findall(e(S, A, B),
+            ( member(S, Ss), e(S, E, _, _, _), ends(S, E, A, B) ), Edges),
+    findall(t(S, N), ( member(S, Ss),
                        aggregate_all(count, t(S, _, _, _, _, _), N) ), Ts),
-    findall(plane(S, N), plane(S, _, N, _, _, _), Planes),
+    findall(plane(S, N), ( member(S, Ss), plane(S, _, N, _, _, _) ), Planes),
     append([Rows,Polygons,Edges,Ts,Planes], Shapes0),
     msort(Shapes0, Shapes).
 
