@@ -17,7 +17,8 @@ A report is a dict; report.pl prints it as text or as JSON:
     _{parameters: [Parameter, ...], segments: [Segment, ...], total: Total,
       faults: N, remarks: M}
 
-A Parameter has name, value, and formula: what it is made from, as text, or null.
+A Parameter has name, value, and formula: what it is made from, as text, or
+null.
 
 Segment has segment, name, kind, vertices, half_edges, edges, polygons,
 triangles, curve_edges, box ([[X1,Y1,Z1],[X2,Y2,Z2]]), area, volume (null unless

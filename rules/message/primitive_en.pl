@@ -248,8 +248,8 @@ comma_usage_en(A, Types) -->
 
 %!  comma_forms(+Argument, -Point, -Apart) is det.
 %
-%   Argument, radius(57, 15), with a decimal point: Point is radius(57.15), Apart
-%   radius(57.0, 15.0).
+%   Argument is radius(57, 15). Point is radius(57.15), with a decimal point;
+%   Apart is radius(57.0, 15.0).
 
 comma_forms(Argument, Point, Apart) :-
     Argument =.. [Name, Whole, Part],
@@ -265,7 +265,8 @@ comma_forms(Argument, Point, Apart) :-
 %   Argument has more numbers than Types, two whole ones side by side.
 
 surplus_numbers(Argument, Types) :-
-    Argument =.. [_|Values],
+    compound(Argument),
+    compound_name_arguments(Argument, _, Values),
     length(Values, N),
     length(Types, Wanted),
     N > Wanted,

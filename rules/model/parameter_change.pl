@@ -27,12 +27,12 @@
 
 %!  set_parameter(+Name:atom, +Value:number) is det.
 %
-%   The parameter Name of the current world is Value, and what was made from it
-%   is made again: parameters with formulas, segments, vertices, the view, the
-%   title block, wishes. If the world was cut, cuts are taken back first, and all
-%   segments cut each other again afterwards. What was changed by hand keeps its
-%   place. One transaction, so facts_undo/0 takes all of it back. Pictures and
-%   patterns are to be made again.
+%   Gives the parameter Name of the current world this Value, and makes again
+%   what was made from it: parameters with formulas, segments, vertices, the
+%   view, the title block, wishes. If the world was cut, cuts are taken back
+%   first, and all segments cut each other again afterwards. What was changed
+%   by hand keeps its place. It is one transaction, so facts_undo/0 takes all of
+%   it back. Pictures and patterns are to be made again.
 %
 %   @error existence_error(parameter, Name); type_error(float, Value); what
 %   load_model/2 raises of a file with this value, without a place

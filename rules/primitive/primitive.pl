@@ -316,8 +316,8 @@ is_primitive(Term) :-
 %!  comma_argument(+Term, -Argument) is nondet.
 %
 %   A primitive in Term, a primitive or a tree, has the Argument radius(57, 15)
-%   or such: two whole numbers where one would do as well, so 57.15 may be meant
-%   and a comma be written for the point.
+%   or such: two whole lengths where one would do as well, so 57.15 may be meant
+%   and a comma be written for the point. Angles and factors are left alone.
 
 comma_argument(Term, Argument) :-
     compound(Term),
@@ -330,8 +330,9 @@ comma_argument(Term, Argument) :-
         integer(Part),
         Part >= 0,
         memberchk(argument(Of, Forms, _), Wanted),
-        memberchk([_], Forms),
-        memberchk([_, _], Forms)
+        member(Length, [length,radius]),
+        memberchk([Length], Forms),
+        memberchk([Length, Length], Forms)
     ;   member(Inner, Arguments),
         comma_argument(Inner, Argument)
     ).

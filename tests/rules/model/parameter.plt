@@ -1,5 +1,6 @@
 /* Parameters and formulas in model files: what is read, set, kept and written.
-   The values of formulas are in tests/rules/formula.plt. */
+   The values of formulas are compared by tests/cli/formula_fuzz.sh. */
+% covers: formula, formula_rows, formula_term
 :- module(test_parameter, []).
 :- use_module(library(aggregate)).
 :- use_module(library(lists)).

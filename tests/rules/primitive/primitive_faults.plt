@@ -22,11 +22,11 @@ wrong(box(), missing(size)).
 wrong(cylinder(radius(), height(1)), wrong_argument(radius(), [length])).
 wrong(hollow_cylinder(radius(1), inner(1), height(1)), inner_too_large).
 wrong(hollow_cylinder(radius(1), inner(2), height(1)), inner_too_large).
-wrong(hollow_cylinder(radius(2,1), inner(1.5,1), height(1)),
+wrong(hollow_cylinder(radius(2.0,1.0), inner(1.5,1), height(1)),
       inner_too_large).
 wrong(hollow_cylinder(radius(1), inner(0.1,0.99), height(1), facets(3)),
       inner_too_large).
-wrong(cone(radius(1), top(1,0), height(1)), flat_top).
+wrong(cone(radius(1), top(1.0,0.0), height(1)), flat_top).
 wrong(sphere(radius(1), bands(1)), few(bands, 1, 2)).
 wrong(egg(radius(1), up(1), down(1), bands(3)), odd(bands, 3)).
 wrong(torus(radius(1), tube(1)), tube_too_large).

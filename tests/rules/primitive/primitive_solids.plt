@@ -19,7 +19,7 @@ ring(N, Area) :-
 
 % solid(Term, Volume, Vertices, Polygons, Euler): the closed form of the faceted
 % solid.
-solid(cylinder(radius(2,1), height(3), facets(20)), V, 40, 22, 2) :-
+solid(cylinder(radius(2.0,1.0), height(3), facets(20)), V, 40, 22, 2) :-
     ring(20, A),
     V is 2*A*3.
 solid(cylinder(radius(2), height(3), shift(5,1), facets(20)), V, 40, 22, 2) :-
@@ -29,18 +29,18 @@ solid(hollow_cylinder(radius(2), inner(1), height(3), facets(12)),
       V, 48, 26, 0) :-
     ring(12, A),
     V is (4-1)*A*3.
-solid(hollow_cylinder(radius(2,3), inner(1,2.5), height(3), shift(-4,2),
+solid(hollow_cylinder(radius(2.0,3.0), inner(1,2.5), height(3), shift(-4,2),
                       facets(12)), V, 48, 26, 0) :-
     ring(12, A),
     V is (6-2.5)*A*3.
-solid(cone(radius(2,1), height(3), shift(1,1), facets(9)), V, 10, 10, 2) :-
+solid(cone(radius(2.0,1.0), height(3), shift(1,1), facets(9)), V, 10, 10, 2) :-
     ring(9, A),
     V is 2*A*3/3.
 solid(cone(radius(2), top(1), height(3), shift(0,-4), facets(9)),
       V, 18, 11, 2) :-
     ring(9, A),
     V is A*(4+2+1)*3/3.
-solid(cone(radius(2,1), top(1), height(3), facets(9)), V, 18, 11, 2) :-
+solid(cone(radius(2.0,1.0), top(1), height(3), facets(9)), V, 18, 11, 2) :-
     ring(9, A),
     V is A*(2+1+0.5)*3/3.
 solid(sphere(radius(1), facets(4), bands(2)), V, 6, 8, 2) :-
@@ -440,10 +440,10 @@ centre_distance(S, D) :-
 
 :- begin_tests(faces).
 
-round_term(cylinder(radius(2,1), height(3), shift(1,2))).
+round_term(cylinder(radius(2.0,1.0), height(3), shift(1,2))).
 round_term(cone(radius(2), height(3))).
 round_term(cone(radius(2), top(1), height(3), shift(0,1))).
-round_term(cone(radius(2,1), top(1,1), height(3))).
+round_term(cone(radius(2.0,1.0), top(1.0,1.0), height(3))).
 round_term(hollow_cylinder(radius(2), inner(1), height(3))).
 round_term(turning(outline([[0,0],[3,1],[3,2],[1,5],[0,5]]))).
 round_term(turning(outline([[1,0],[3,1],[3,2],[1,5]]), angle(100))).
