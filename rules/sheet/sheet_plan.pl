@@ -16,6 +16,7 @@
 :- use_module(sheet_view,
               [ section_view/5, view_seen/5, view_cell/4, seen_box/2 ]).
 :- use_module(lettering, [lettering_width/3]).
+:- use_module(point_text, [point_texts/4]).
 :- use_module('../store', [facts_snapshot/1]).
 :- use_module(stroke, [strokes/2]).
 :- use_module(library(apply),
@@ -81,7 +82,7 @@ views_drawing(Request, Lines, Module:cuts(First,Again), Drawing) :-
 %     - construction(Items)
 %     Light lines, Name being that of a view and P = X-Y a point of its picture:
 %     line(Name, [P, ...]); between(Name1, P, Name2, Q), from view to view;
-%     dot(Name, P, Text), a small circle with Text beside it.
+%     dot(Name, P, Text), a small circle with Text where there is room near it.
 %     - question(Texts)
 %     Lines of text in the lower left corner.
 %
@@ -191,8 +192,9 @@ sheet_laid(Request, Sections, Boxed, Drawing) :-
     hatching(AllRegions, Hatching),
     maplist(view_drawn(PerUnit, Hatching, Marking, Places), Celled, Views),
     frame_view(FrameMarks, Frame),
-    construction_view(Request, PerUnit, Places, Construction),
     question_view(Request, Height, Question),
+    append([Views,Frame,Question], Drawn),
+    construction_view(Request, PerUnit, Places, Drawn, Construction),
     append([Construction,Views,Frame,Question], AllViews),
     W is round(Width*1000),
     H is round(Height*1000),
@@ -538,26 +540,66 @@ mark_text(Place, text(X,Y,High0,Anchor,Text0), text(A,B,High,Anchor,Text)) :-
     High is round(High0*1000),
     text_to_string(Text0, Text).
 
-%   construction_view(Request, PerUnit, Places, Views)
+%   construction_view(Request, PerUnit, Places, Drawn, Views): Drawn are the
+%   other views of the sheet.
 
-construction_view(Request, PerUnit, Places, Views) :-
+construction_view(Request, PerUnit, Places, Drawn, Views) :-
     (   option(construction(Items), Request),
         Items = [_|_]
     ->  findall(Stroke,
                 ( member(Item, Items),
                   item_stroke(Item, PerUnit, Places, Stroke) ),
-                Strokes),
-        findall(Text,
+                Strokes0),
+        findall(point(Name,Point,String),
                 ( member(dot(Name,P,Word), Items),
-                  item_place(Name, P, PerUnit, Places, X-Y),
-                  X1 is X+900,
-                  Y1 is Y-700,
-                  atom_string(Word, String),
-                  Text = text(X1,Y1,2000,start,String) ),
-                Texts),
+                  item_place(Name, P, PerUnit, Places, Point),
+                  atom_string(Word, String) ),
+                Points),
+        drawn_shapes(Drawn, Shapes),
+        stroke_shapes(Strokes0, Lights),
+        point_texts(Shapes, Lights, Points, Placed),
+        findall(Text, member(placed(Text,_), Placed), Texts),
+        findall(Stroke,
+                ( member(placed(_,Line), Placed),
+                  Line = [_,_],
+                  light_stroke(Line, joint, Stroke) ),
+                Strokes1),
+        append(Strokes0, Strokes1, Strokes),
         Views = [view(construction,Strokes,Texts)]
     ;   Views = []
     ).
+
+%   drawn_shapes(Views, Shapes): for point_texts/4.
+
+drawn_shapes(Views, Shapes) :-
+    findall(Shape,
+            ( member(view(_,Strokes,Texts), Views),
+              (   stroke_shapes(Strokes, Shapes0),
+                  member(Shape, Shapes0)
+              ;   member(Text, Texts),
+                  text_shape(Text, Shape)
+              ) ),
+            Shapes).
+
+stroke_shapes(Strokes, Shapes) :-
+    findall([A,B],
+            ( member(stroke(_,_,_,_,Points,_,_), Strokes),
+              append(_, [A,B|_], Points),
+              A \== B ),
+            Shapes).
+
+text_shape(text(X,Y,Height,Anchor,String),
+           [Left-Top,Right-Top,Right-Y,Left-Y]) :-
+    lettering_width(String, Height, Width),
+    Width > 0,
+    (   Anchor == start
+    ->  Left = X
+    ;   Anchor == middle
+    ->  Left is X - Width/2
+    ;   Left is X-Width
+    ),
+    Right is Left+Width,
+    Top is Y-Height.
 
 item_stroke(line(Name,Points0), PerUnit, Places, Stroke) :-
     findall(Point,
