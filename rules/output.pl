@@ -4,6 +4,7 @@
             asked_for/2,                % +File, -Target
             files_together/1,           % :Goal
             when_written/1,             % :Goal
+            files_waiting/1,            % -Files
             files_recorded/2,           % :Goal, -Files
             write_fact/2                % +Stream, +Fact
           ]).
@@ -162,6 +163,18 @@ when_written(Goal) :-
     ;   pended(said(Goal))
     ).
 
+%!  files_waiting(-Files:list) is det.
+%
+%   Files are the names of the files, as writing/3 was given them, which will
+%   take their places at the end of files_together/1.
+
+files_waiting(Files) :-
+    pending(Items),
+    (   Items == none
+    ->  Files = []
+    ;   findall(File, member(file(_, File), Items), Files)
+    ).
+
 %!  copied_to(+Target, +Ending, :Goal) is semidet.
 %
 %   Call Goal with one more argument, the name of a file with this Ending, once.
@@ -239,15 +252,23 @@ placed(Files) :-
 %!  files_recorded(:Goal, -Files:list) is semidet.
 %
 %   Call Goal once; Files are the names of the files that took their places
-%   meanwhile, in their order, as writing/3 was given them.
+%   meanwhile, in their order, as writing/3 was given them. One that goes on
+%   outside of this one has them too.
 
 files_recorded(Goal, Files) :-
+    (   nb_current(sg_output_recorded, Before0)
+    ->  Before = Before0
+    ;   Before = none
+    ),
     setup_call_cleanup(
         nb_setval(sg_output_recorded, []),
         ( once(Goal),
           nb_getval(sg_output_recorded, Files)
         ),
-        nb_setval(sg_output_recorded, none)).
+        ( nb_getval(sg_output_recorded, Names),
+          nb_setval(sg_output_recorded, Before),
+          recorded(Names)
+        )).
 
 recorded(Names) :-
     (   nb_current(sg_output_recorded, Before),

@@ -5,6 +5,7 @@
             sanggwan/2                  % +Arguments, -Status
           ]).
 :- use_module(arguments, [parsed_arguments/4]).
+:- use_module(each, [each_file/5]).
 :- use_module('../solid/csg_evaluate',
               [csg_statistics/1, csg_statistics_reset/0]).
 :- use_module('../decision', [no_rules/0, use_rules/1]).
@@ -43,7 +44,7 @@ status is
     0    done                           2    wrong usage, or a program error
     1    the answer is no; or warnings  3    input unreadable or invalid
          with --strict                  4    the geometry is not possible
-    5    some jobs of a batch failed    128+N  ended by signal N (130: Ctrl-C)
+    5    some of many have failed       128+N  ended by signal N (130: Ctrl-C)
 
 An interrupt is an exception here: transactions roll back, files being written
 vanish, then the program ends.
@@ -107,19 +108,28 @@ flushed(Status0, Status) :-
 %   exit status. Never fails, never raises.
 
 sanggwan(Arguments, Status) :-
-    nothing_told,
     retractall(output_lost),
-    flag(sg_cli_warnings, _, 0),
     set_language(Arguments),
+    (   memberchk('--strict', Arguments)
+    ->  Strict = true
+    ;   Strict = false
+    ),
     setup_call_cleanup(
         asserta(running, Running),
-        ( catch(strictly_ended(Arguments, Status0), Error,
-                failed_status(Error, Status0)),
-          strict_status(Arguments, Status0, Status)
-        ),
+        ended(Strict, command(Arguments), Status),
         ( erase(Running),
           nothing_told
         )).
+
+%   ended(Strict, Work, Status): call(Work, Status), as of a command that has
+%   said nothing yet; what it raises is said.
+
+ended(Strict, Work, Status) :-
+    nothing_told,
+    flag(sg_cli_warnings, _, 0),
+    catch(strictly_ended(Strict, Work, Status0), Error,
+          failed_status(Error, Status0)),
+    strict_status(Strict, Status0, Status).
 
 %   nothing_told: no verb has said anything yet.
 
@@ -128,16 +138,15 @@ nothing_told :-
     retractall(told_once),
     retractall(told(_)).
 
-strictly_ended(Arguments, Status) :-
-    (   memberchk('--strict', Arguments)
-    ->  refusing_tight_moves(sg_cli:command_ended(Arguments, Status))
-    ;   command_ended(Arguments, Status)
-    ).
+strictly_ended(true, Work, Status) :-
+    refusing_tight_moves(sg_cli:work_ended(Work, Status)).
+strictly_ended(false, Work, Status) :-
+    work_ended(Work, Status).
 
-%   command_ended(Arguments, Status): a verb that fails is a fault of ours.
+%   work_ended(Work, Status): a verb that fails is a fault of ours.
 
-command_ended(Arguments, Status) :-
-    (   command(Arguments, Status0)
+work_ended(Work, Status) :-
+    (   call(Work, Status0)
     ->  Status = Status0
     ;   print_message(error, sanggwan(no_end)),
         Status = 4
@@ -252,6 +261,16 @@ verb_in_world(serve, Files, Options, Status) :-
     ;   usage_error(serve_without_stdio)
     ).
 verb_in_world(Verb, Files, Options, Status) :-
+    option(each(true), Options),
+    !,
+    option(strict(Strict), Options, false),
+    each_file(sg_cli:file_ended(Verb, Strict), Verb, Files, Options, Status).
+verb_in_world(Verb, _, Options, _) :-
+    memberchk(Verb, [draw,convert]),
+    option(json(true), Options),
+    !,
+    usage_error(each(json_alone)).
+verb_in_world(Verb, Files, Options, Status) :-
     option(limits(Limits), Options, ''),
     limits_given(Limits),
     (   option(quiet(true), Options)
@@ -272,6 +291,13 @@ verb_in_world(Verb, Files, Options, Status) :-
                  ( measured(Options, Start),
                    no_rules
                  ))).
+
+%   file_ended(Verb, Strict, File, Options, Status): as by a command of its own.
+
+:- public file_ended/5.
+
+file_ended(Verb, Strict, File, Options, Status) :-
+    ended(Strict, verb_in_world(Verb, [File], Options), Status).
 
 %   in_session: the verb is a job of a session, which is a verb itself.
 
@@ -314,7 +340,16 @@ verb_watched(Verb, Files, Options, Status) :-
 verb_whole(Verb, Files, Options, Status) :-
     (   memberchk(Verb, [repl,query,batch])
     ->  verb_run(Verb, Files, Options, Status)
-    ;   files_together(verb_run(Verb, Files, Options, Status))
+    ;   files_together(( verb_run(Verb, Files, Options, Status),
+                         places_looked_at(Options) ))
+    ).
+
+%   places_looked_at(Options): with --each, before files take their places.
+
+places_looked_at(Options) :-
+    (   option(places(Look), Options)
+    ->  call(Look)
+    ;   true
     ).
 
 %   measured(Options, Start): what --timings and --stats ask for, also after
@@ -411,11 +446,11 @@ signal_status(term, 143).
 broken_pipe(error(io_error(write, _), context(_, Message))) :-
     sub_atom(Message, _, _, _, 'roken pipe').
 
-strict_status(Arguments, Status0, Status) :-
+strict_status(Strict, Status0, Status) :-
     flag(sg_cli_warnings, N, N),
     (   N > 0,
         Status0 == 0,
-        memberchk('--strict', Arguments)
+        Strict == true
     ->  print_message(error, sanggwan(warnings_are_errors(N))),
         Status = 1
     ;   Status = Status0

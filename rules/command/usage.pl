@@ -78,6 +78,15 @@ verb(serve, '--stdio',
 
 verb_option(check, option(json, '', flag, '', 'the report as JSON')).
 
+verb_option(Verb, option(each, '', flag, '',
+    'each file alone, one result for each, also after one that failed; in \c
+     -o FILE % is the name of the file without folder and ending')) :-
+    each_verb(Verb).
+verb_option(Verb, option(json, '', flag, '',
+    'with --each: a line of JSON for each file')) :-
+    each_verb(Verb),
+    memberchk(Verb, [convert,draw]).
+
 verb_option(convert, option(output, o, each, 'FILE',
     'where to; the ending decides the format; may be repeated')).
 verb_option(convert, option(format, '', one_of([pl, stl, off, obj, ply]),
@@ -251,6 +260,13 @@ verb_option(problems, option(language, '', one_of([en, ko]), 'LANGUAGE',
 verb_option(serve, option(stdio, '', flag, '',
     'frames on standard input and output; the one way there is')).
 
+%   What may be done with each of many files.
+
+each_verb(check).
+each_verb(convert).
+each_verb(draw).
+each_verb(unfold).
+
 %   What makes a picture: explain hidden(S, E) does as well.
 
 picture_verb(draw).
@@ -290,6 +306,9 @@ common_option(option(help, h, flag, '', 'this text')).
 %   option_ko(Option, Help)
 
 option_ko(json, '보고를 JSON으로').
+option_ko(each,
+    '파일마다 따로, 결과도 파일마다. 실패한 파일이 있어도 나머지를 계속한다. \c
+-o FILE 의 % 는 폴더와 확장자를 뺀 파일 이름').
 option_ko(stdio, '표준 입력과 표준 출력의 프레임. 다른 길은 없다').
 option_ko(output, '결과 파일. 확장자가 형식을 정하며 여러 번 쓸 수 있다').
 option_ko(format, '-o - 의 형식').
@@ -365,10 +384,12 @@ option_ko(stats, '행, 바이트, 색인 사용을 JSON으로 표준 오류에')
 option_ko(lang, '메시지의 언어').
 option_ko(help, '이 설명').
 
-%   batch_option_ko(Verb, Name, Help): where batch says another thing.
+%   verb_option_ko(Verb, Name, Help): where Verb says another thing.
 
-batch_option_ko(batch, only, '이름이 NAME인 작업만. 여러 번 쓸 수 있다').
-batch_option_ko(batch, output,
+verb_option_ko(Verb, json, '--each 와 함께: 파일마다 JSON 한 줄') :-
+    memberchk(Verb, [convert,draw]).
+verb_option_ko(batch, only, '이름이 NAME인 작업만. 여러 번 쓸 수 있다').
+verb_option_ko(batch, output,
     '결과 폴더: FOLDER/NAME.svg는 FOLDER/store로 가는 링크. --merge와 함께: 파일 \c
 (.json, JUnit의 .xml, .html), 여러 번 쓸 수 있다').
 
@@ -483,7 +504,7 @@ print_option(Language, Verb, option(Name, Short, _, Meta, Help)) :-
     (   Verb == unfold,
         unfold_option_ko(Name, HelpKo)
     ->  true
-    ;   batch_option_ko(Verb, Name, HelpKo)
+    ;   verb_option_ko(Verb, Name, HelpKo)
     ->  true
     ;   option_ko(Name, HelpKo)
     ->  true
@@ -509,8 +530,8 @@ heading_en(options, 'Options:').
 heading_en(examples, 'Examples:').
 heading_en(more, 'sanggwan VERB --help says more, with examples.\n\c
 Exit codes: 0 done; 1 the answer is no; 2 wrong usage; 3 input unreadable\n\c
-or invalid; 4 geometry not possible; 5 some jobs of a batch failed;\n\c
-130 interrupted.').
+or invalid; 4 geometry not possible; 5 some jobs of a batch, or some files\n\c
+of --each, failed; 130 interrupted.').
 
 heading_ko(what, '상관: 상관선, 은선, 그리고 관계로서의 모델.').
 heading_ko(usage, '사용법:').
@@ -518,4 +539,4 @@ heading_ko(options, '선택 사항:').
 heading_ko(examples, '보기:').
 heading_ko(more, 'sanggwan VERB --help 에 자세한 설명과 보기가 있다.\n종료 코드: \c
 0 끝남; 1 아니오; 2 잘못된 사용; 3 입력을 읽을 수 없거나 잘못됨;\n\c
-4 기하 계산 불가; 5 일괄 작업 일부 실패; 130 중단됨.').
+4 기하 계산 불가; 5 일괄 작업이나 --each 파일 일부 실패; 130 중단됨.').

@@ -123,6 +123,8 @@ command_en(pattern(What)) -->
     pattern_fault_en(What).
 command_en(batch(What)) -->
     batch_usage_en(What).
+command_en(each(What)) -->
+    each_en(What).
 command_en(sheet(What)) -->
     sheet_en(What).
 command_en(exact_format(Format)) -->
@@ -137,3 +139,31 @@ command_en(bad_goal(Text, Why)) -->
     [ 'this is no goal: ~w ('-[Text] ],
     syntax_words(Why),
     [ ')' ].
+
+%   each_en(What)//: what is wrong with the list of files of --each.
+
+each_en(standard_input) -->
+    [ 'standard input (-) is not one of the files of --each: it has no name',
+      nl,
+      '  Leave --each out, or name a file.' ].
+each_en(no_place(Option, Text)) -->
+    [ '~w ~w: with --each the name needs a % for the name of the file'-
+      [Option, Text], nl,
+      '  For example \'%.svg\', or \'plans/%.pdf\'.' ].
+each_en(same_output(Output, File, File)) -->
+    !,
+    [ '~w is named twice, and would be written to ~w twice'-[File, Output], nl,
+      '  Name each file once.' ].
+each_en(same_output(Output, File1, File2)) -->
+    [ '~w would hold the result of both ~w and ~w'-[Output, File1, File2], nl,
+      '  Do files of the same name in commands of their own.' ].
+each_en(model_output(Output)) -->
+    [ '~w is one of the files; the result of another would take its place'-
+      [Output], nl,
+      '  Give the results another folder: -o \'FOLDER/%.pl\'.' ].
+each_en(json_alone) -->
+    [ '--json needs --each here: it is a line for each file' ].
+each_en(rules_remain(File)) -->
+    [ 'the rules did to the program, at ~w, what cannot be taken back'-[File],
+      nl,
+      '  The files after it are not done. Do each in a command of its own.' ].

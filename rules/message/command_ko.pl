@@ -125,6 +125,8 @@ command_ko(pattern(What)) -->
     pattern_fault_ko(What).
 command_ko(batch(What)) -->
     batch_usage_ko(What).
+command_ko(each(What)) -->
+    each_ko(What).
 command_ko(sheet(What)) -->
     sheet_ko(What).
 command_ko(exact_format(Format)) -->
@@ -140,3 +142,30 @@ command_ko(bad_goal(Text, Why)) -->
     [ '목표가 아닙니다: ~w ('-[Text] ],
     syntax_words(Why),
     [ ')' ].
+
+%   each_ko(What)//
+
+each_ko(standard_input) -->
+    [ '--each 에는 표준 입력(-)을 쓸 수 없습니다. 이름이 없습니다', nl,
+      '  --each 를 빼거나 파일 이름을 주십시오.' ].
+each_ko(no_place(Option, Text)) -->
+    [ '~w ~w: --each 에서는 파일 이름이 들어갈 자리 % 가 있어야 합니다'-
+      [Option, Text], nl,
+      '  보기: \'%.svg\', \'plans/%.pdf\'.' ].
+each_ko(same_output(Output, File, File)) -->
+    !,
+    [ '~w 이(가) 두 번 있어 ~w 에 두 번 쓰게 됩니다'-[File, Output], nl,
+      '  파일마다 한 번만 쓰십시오.' ].
+each_ko(same_output(Output, File1, File2)) -->
+    [ '~w 은(는) ~w 와(과) ~w 의 결과를 함께 담을 수 없습니다'-
+      [Output, File1, File2], nl,
+      '  이름이 같은 파일은 명령을 나누어 하십시오.' ].
+each_ko(model_output(Output)) -->
+    [ '~w 은(는) 주어진 파일이며, 다른 파일의 결과가 그 자리를 차지하게 됩니다'-
+      [Output], nl,
+      '  결과를 다른 폴더에 두십시오: -o \'FOLDER/%.pl\'.' ].
+each_ko(json_alone) -->
+    [ '여기에서 --json 은 --each 와 함께 씁니다. 파일마다 한 줄입니다' ].
+each_ko(rules_remain(File)) -->
+    [ '~w 에서 규칙이 프로그램에 되돌릴 수 없는 일을 했습니다'-[File], nl,
+      '  그 뒤의 파일은 하지 않았습니다. 파일마다 따로 명령을 내리십시오.' ].

@@ -4,6 +4,8 @@
             message_said/2              % +Kind, +Term
           ]).
 :- use_module(spoken, [spoken_lines/4]).
+:- use_module(library(aggregate), [aggregate_all/3]).
+:- use_module(library(solution_sequences), [offset/2]).
 /** <module> Messages as objects, for programs: what JSON holds of them.
 
 A program tells messages apart by their code, and shows people their words in
@@ -124,17 +126,20 @@ translated(Kind, Term, Lines) :-
 %
 %   Call Goal once; Objects are those of the messages that were said meanwhile
 %   in this thread, in their order. They are there also if Goal binds nothing.
+%   One that goes on outside of this one hears them too.
 
 objects_heard(Goal, Objects) :-
+    aggregate_all(count, heard(_), Count),
     setup_call_cleanup(
-        ( retractall(heard(_)),
-          asserta(hearing, Hearing)
-        ),
+        asserta(hearing, Hearing),
         ( once(Goal),
-          findall(Object, heard(Object), Objects)
+          findall(Object, offset(Count, heard(Object)), Objects)
         ),
         ( erase(Hearing),
-          retractall(heard(_))
+          (   hearing
+          ->  true
+          ;   retractall(heard(_))
+          )
         )).
 
 % hearing: of this thread; heard(Object): what was said since.

@@ -7,6 +7,7 @@
             meant_en//1,                % +Near
             meant_ko//1,                % +Near
             shown_count/2,              % +Count, -Shown
+            shown_names/2,              % +Names, -Text
             shown_value/2,              % +Value, -Shown
             syntax_words//1,            % +What
             loading_fault//2,           % :Words, +Formal
@@ -14,7 +15,7 @@
             manual_page//1              % +PI
           ]).
 :- use_module(library(apply), [convlist/3, maplist/3]).
-:- use_module(library(lists), [member/2]).
+:- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(uri), [uri_encoded/3]).
 :- use_module('../spelling', [near_words/3]).
 :- meta_predicate loading_fault(4, +, ?, ?).
@@ -228,3 +229,16 @@ manual_page(Name/Arity) -->
       uri_encoded(query_value, Text, Encoded)
     },
     [ '  https://www.swi-prolog.org/pldoc/man?predicate=~w'-[Encoded] ].
+
+%!  shown_names(+Names, -Text) is det.
+%
+%   Text is the first ten of Names, with commas between them, and dots for the
+%   rest.
+
+shown_names(Names, Text) :-
+    (   length(First, 10),
+        append(First, [_|_], Names)
+    ->  append(First, [...], Shown)
+    ;   Shown = Names
+    ),
+    atomic_list_concat(Shown, ', ', Text).

@@ -11,7 +11,9 @@
               [ development_en//2, development_notice_en//2 ]).
 :- use_module(mesh_en, [mesh_en//1]).
 :- use_module(message_parts,
-              [counted//3, loading_fault//2, located//1, manual_page//1]).
+              [ counted//3, loading_fault//2, located//1, manual_page//1,
+                shown_names/2
+              ]).
 :- use_module(session_en, [session_en//1]).
 :- use_module(prolog_en, [prolog_en//2]).
 :- use_module(model_en, [model_en//1]).
@@ -158,6 +160,9 @@ notice_en(pen_travel(N, Way, Unsorted)) -->
     { Metres is Way/1.0e6, Before is Unsorted/1.0e6 },
     [ '~D lines for the pen; between them it goes ~3f m (~3f m unsorted)'-
       [N, Metres, Before] ].
+notice_en(each_failed(Bad, Count, Files)) -->
+    { shown_names(Files, Text) },
+    [ '~D of ~D files failed: ~w'-[Bad, Count, Text] ].
 notice_en(interrupted) -->
     [ 'interrupted' ].
 notice_en(greeting) -->

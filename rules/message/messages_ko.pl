@@ -16,7 +16,9 @@
 :- use_module(development_ko,
               [ development_ko//2, development_notice_ko//2 ]).
 :- use_module(mesh_ko, [mesh_ko//1]).
-:- use_module(message_parts, [loading_fault//2, located//1, manual_page//1]).
+:- use_module(message_parts,
+              [ loading_fault//2, located//1, manual_page//1, shown_names/2
+              ]).
 :- use_module(session_ko, [session_ko//1]).
 :- use_module(prolog_ko, [prolog_ko//2]).
 :- use_module(model_ko, [model_ko//1]).
@@ -150,6 +152,9 @@ notice_ko(pen_travel(N, Way, Unsorted)) -->
     { Metres is Way/1.0e6, Before is Unsorted/1.0e6 },
     [ '펜이 그리는 선 ~D개, 그 사이를 ~3f m 간다 (차례를 바꾸지 않으면 ~3f m)'-
       [N, Metres, Before] ].
+notice_ko(each_failed(Bad, Count, Files)) -->
+    { shown_names(Files, Text) },
+    [ '파일 ~D개 가운데 ~D개가 실패했습니다: ~w'-[Count, Bad, Text] ].
 notice_ko(interrupted) -->
     [ '중단되었습니다' ].
 notice_ko(greeting) -->

@@ -1,7 +1,9 @@
 :- module(sg_job,
           [ captured/2,                 % :Goal, -Octets
+            error_object/3,             % +Status, +Objects, -Error
             verb_job/5,                 % :Run, +Head, +Body, -Reply, -Out
-            with_input/2                % +Text, :Goal
+            with_input/2,               % +Text, :Goal
+            worlds_collected/0
           ]).
 :- use_module('../limits', [with_usual_limits/1]).
 :- use_module('../message/message_object', [message_object/3, objects_heard/2]).
@@ -330,7 +332,10 @@ printed(OutFile, ErrorFile, Status0, Objects0, Printed) :-
         Printed = printed(4, Objects, "", "")
     ).
 
-%   error_object(Status, Objects, Error): the last error is what ended it.
+%!  error_object(+Status, +Objects, -Error) is det.
+%
+%   Error is null, or, if Status is not 0, that of the messages Objects which
+%   ended the work: the last error.
 
 error_object(Status, Objects, Error) :-
     (   Status =\= 0,
@@ -341,8 +346,10 @@ error_object(Status, Objects, Error) :-
     ;   Error = null
     ).
 
-%   worlds_collected: a world goes with its handle, an atom, and nobody collects
-%   these as often as worlds of jobs need it.
+%!  worlds_collected is det.
+%
+%   A world goes with its handle, an atom, and nobody collects these as often as
+%   worlds of jobs need it; so who begins many calls this after each.
 
 worlds_collected :-
     flag(sg_jobs, Jobs, Jobs+1),

@@ -189,6 +189,7 @@ elsewhere(no_help(_,_), test('tests/rules/command/help.plt')).
 elsewhere(prolog_help(_,_), test('tests/rules/command/help.plt')).
 elsewhere(no_answer, test('tests/rules/studio/query.plt')).
 elsewhere(because(_), test('tests/rules/explanation/explain.plt')).
+elsewhere(each_failed(_, _, _), test('tests/transcripts/each.txt')).
 elsewhere(batch(_), test('tests/transcripts/batch.txt')).
 elsewhere(operand(repaired(no_area,_),_), test('tests/rules/solid/repair.plt')).
 elsewhere(written(_,rounds(_)), test('tests/rules/model/solid_file.plt')).
