@@ -295,7 +295,7 @@ loop_en(hole(N), Word) :-
     format(atom(Word), 'hole ~d', [N]).
 
 type_en(length, 'a length above 0').
-type_en(radius, 'a radius from 0').
+type_en(radius, 'a length from 0').
 type_en(facets, 'a whole number from 3 to 1000000').
 type_en(count, 'a whole number from 1 to 1000000').
 type_en(factor, 'a factor from 0').

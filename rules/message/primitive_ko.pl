@@ -239,7 +239,7 @@ loop_ko(hole(N), Word) :-
     format(atom(Word), '구멍 ~d', [N]).
 
 type_ko(length, '0보다 큰 길이').
-type_ko(radius, '0 이상의 반지름').
+type_ko(radius, '0 이상의 길이').
 type_ko(facets, '3에서 1000000까지의 정수').
 type_ko(count, '1에서 1000000까지의 정수').
 type_ko(factor, '0 이상의 배율').

@@ -39,6 +39,10 @@ true_en(no_offset(S)) -->
          round spheres and tori, transitions,', nl,
       '  and what has flat faces and is convex, or has corners of three; and \c
          the plate must be thinner than there is room for within.' ].
+true_en(too_thick(S, T, Most)) -->
+    [ 'a plate ~p thick leaves nothing hollow in segment ~d: it must be less \c
+       than ~6g thick'-[T, S, Most], nl,
+      '  Take a smaller thickness, or make the part wider.' ].
 true_en(bend(S, P1, P2, Degrees)) -->
     [ 'segment ~d: the fold between polygons ~d and ~d turns by ~2f degrees: \c
        no bend has such an angle'-[S, P1, P2, Degrees], nl,

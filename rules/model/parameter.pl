@@ -11,7 +11,7 @@
 :- use_module(model_text, [model_float/2, place_error/2, place_error/3]).
 :- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
 :- use_module(library(error), [must_be/2, type_error/2]).
-:- use_module(library(lists), [append/3, member/2, reverse/2]).
+:- use_module(library(lists), [append/3, list_to_set/2, member/2, reverse/2]).
 :- use_module(library(option), [option/3]).
 /** <module> The parameters of a model file, and what sets them.
 
@@ -115,8 +115,9 @@ set_once(Settings) :-
 settings_met(Settings, Names) :-
     (   member(Name-_, Settings),
         \+ memberchk(Name, Names)
-    ->  near_words(Name, Names, Near),
-        throw(error(usage_error(parameter(unset(Name, Near, Names))), _))
+    ->  list_to_set(Names, Known),      % several models may have the same
+        near_words(Name, Known, Near),
+        throw(error(usage_error(parameter(unset(Name, Near, Known))), _))
     ;   true
     ).
 

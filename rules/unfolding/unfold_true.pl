@@ -15,7 +15,8 @@
 :- use_module('../unrolling/true_leaf', [composed_leaves/2]).
 :- use_module('../unrolling/true_parts',
               [drawn_wanted/4, parts_made/3, polygon_drawn/4]).
-:- use_module('../unrolling/true_plate', [plate_alone/4, plate_parts/5]).
+:- use_module('../unrolling/true_plate',
+              [plate_alone/4, plate_fits/2, plate_parts/5]).
 :- use_module('../unrolling/true_rim', [pattern_measured/1, rims_rounded/3]).
 :- use_module('../unrolling/true_shape', [part_facet/5]).
 :- use_module(unfold, [trimmed_part/3, other_parts/3, part_developed/4]).
@@ -38,12 +39,15 @@
 %   is its seam. A warning if edges should be kept between what is unrolled and
 %   what is flat. If the plate has a thickness, what is trimmed are the surfaces
 %   that touch (plate_parts/5). One transaction.
+%
+%   @error as plate_fits/2, plate_parts/5, trimmed/4 (of S)
 
 true_patterns(S, Wanted, Options, Ds) :-
     asked_once(facts_transaction(
                    sg_unfold_true:patterns(S, Wanted, Options, Ds))).
 
 patterns(S, Wanted, Options0, Ds) :-
+    plate_fits(S, Options0),
     trimmed_as_cut(S, Options0, Options, S1, T),
     drawn_wanted(S1, S, Wanted, Wanted1),
     wanted_in(T, S1, Wanted1, Manual),
@@ -145,7 +149,9 @@ kept_apart_told(T, Rest, Ps, Manual) :-
 
 trimmed_as_cut(S, Options0, Options, S1, T) :-
     parts_cut(S, Options0, Options1, S2),
-    trimmed_part(S2, Options1, T2),
+    catch(trimmed_part(S2, Options1, T2),
+          error(geometry_error(trim(nothing_left(S2, Side))), Context),
+          throw(error(geometry_error(trim(nothing_left(S, Side))), Context))),
     (   T2 == S2,
         \+ takes_turns(S),
         \+ composed_of_plate(S, Options0)

@@ -1,5 +1,6 @@
 :- module(sg_true_plate,
           [ plate_layer/2,              % +Options, -Layer
+            plate_fits/2,               % +S, +Options
             plate_alone/4,              % +S, +Options0, -Options, -S1
             plate_parts/5               % +S, +Others, +Options0, -Options,
                                         % -Parts
@@ -9,6 +10,7 @@
 :- use_module(true_leaf, [composed_leaves/2]).
 :- use_module(true_parts, [parts_made/3]).
 :- use_module(true_resized, [outline_area/2]).
+:- use_module(true_surface, [offset_surface/3]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(error), [domain_error/2, must_be/2]).
 :- use_module(library(lists), [max_list/2, member/2, min_list/2]).
@@ -68,6 +70,74 @@ size_inner(Options, T, Inner) :-
 inner(inside, _, 0.0).
 inner(middle, T, Inner) :- Inner is -T/2.0.
 inner(outside, T, Inner) :- Inner is -float(T).
+
+%!  plate_fits(+S, +Options) is det.
+%
+%   The plate of segment S leaves a hollow: its inside is nearer to what is
+%   drawn than the axis is, at both ends, or than the middle of an outline. So
+%   it is of each leaf of a CSG tree that is plate.
+%
+%   @error geometry_error(true(too_thick(S, T, Most))): T is not less than Most
+
+plate_fits(S, Options) :-
+    plate(Options, T, Inner),
+    Depth is -Inner,
+    (   Depth > 0,
+        plate_leaf(S, Leaf),
+        hollow_depth(Leaf, Inner, Most),
+        \+ longer(Most, Depth)
+    ->  MostT is T*Most/Depth,
+        throw(error(geometry_error(true(too_thick(S, T, MostT))), _))
+    ;   true
+    ).
+
+plate_leaf(S, Leaf) :-
+    (   composed_leaves(S, Leaves)
+    ->  member(Leaf, Leaves)
+    ;   Leaf = S
+    ).
+
+%   hollow_depth(S, Inner, Most) is nondet: the inside of S can be no more than
+%   Most within what is drawn; Inner is where it is.
+
+hollow_depth(S, _, Most) :-
+    placed_term(S, Term),
+    transition_outlines(Term, Outlines),
+    !,
+    member(Outline, Outlines),
+    least_half(Outline, Most).
+hollow_depth(S, Inner, Most) :-
+    placed_surface(S, _, Surface),
+    surface_hollow(Surface, Inner, Most).
+
+%   surface_hollow(Surface, Inner, Most) is semidet. That of a right circular
+%   cone is measured at right angles to it; of others it is less than the
+%   radius, at the least.
+
+surface_hollow(cylinder(_, U, V, _), _, Most) :-
+    least_radius(U, V, Most).
+surface_hollow(cone(C, U, V, W, K), Inner, Most) :-
+    least_radius(U, V, R0),
+    (   K > 0.0
+    ->  R is R0*min(1.0, K)
+    ;   R = R0
+    ),
+    (   offset_surface(cone(C, U, V, W, K), -Inner, cone(_, U1, V1, _, _))
+    ->  least_radius(U1, V1, R1),
+        Most is -Inner*R/(R1-R0)
+    ;   Most = R
+    ).
+
+least_radius(vector(A, B, C), vector(D, E, F), R) :-
+    R is sqrt(min(A*A + B*B + C*C, D*D + E*E + F*F)).
+
+least_half(circle(R), R).
+least_half(ellipse(A, B), Least) :-
+    Least is min(A, B).
+least_half(rectangle(A, B), Least) :-
+    Least is min(A, B)/2.0.
+least_half(rectangle(A, B, _), Least) :-
+    Least is min(A, B)/2.0.
 
 %!  plate_parts(+S, +Others, +Options0, -Options, -Parts) is det.
 %
@@ -195,18 +265,21 @@ composed_width(S, Width) :-
 
 %   transition_width(Term, Width): half of the wider of its outlines.
 
-transition_width(at(_, Term), Width) :-
-    transition_width(Term, Width).
-transition_width(named(_, Term), Width) :-
-    transition_width(Term, Width).
 transition_width(Term, Width) :-
-    Term =.. [Name|Arguments],
-    memberchk(Name, [transition,open_transition]),
-    memberchk(base(Outline1), Arguments),
-    memberchk(top(Outline2), Arguments),
+    transition_outlines(Term, [Outline1,Outline2]),
     half_width(Outline1, Width1),
     half_width(Outline2, Width2),
     Width is max(Width1, Width2).
+
+transition_outlines(at(_, Term), Outlines) :-
+    transition_outlines(Term, Outlines).
+transition_outlines(named(_, Term), Outlines) :-
+    transition_outlines(Term, Outlines).
+transition_outlines(Term, [Outline1,Outline2]) :-
+    Term =.. [Name|Arguments],
+    memberchk(Name, [transition,open_transition]),
+    memberchk(base(Outline1), Arguments),
+    memberchk(top(Outline2), Arguments).
 
 half_width(circle(R), R).
 half_width(ellipse(A, B), Width) :-

@@ -43,6 +43,11 @@ fitting cyclone 464.9557
 check "a size that cannot be" complains 3 \
   'piece 1 has an axis of .*; its mitres need more than' \
   sanggwan unfold -q "$fittings/elbow.pl" --set r=50
+check "a plate that leaves no room" complains 4 \
+  'a plate 60 thick .* it must be less than 57.15 thick' \
+  sanggwan unfold -q "$fittings/elbow.pl" --set t=60
+check "a branch within its header" complains 0 'nothing is left of segment 2' \
+  sanggwan unfold "$fittings/tee.pl" --set height=50
 check "a name that no parameter has" status 2 \
   sanggwan unfold -q "$fittings/elbow.pl" --set radius=50
 check "an option counts before the file" output 'sheet  *359.084 x' \

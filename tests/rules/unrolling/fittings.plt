@@ -17,6 +17,7 @@
 :- use_module(rules(unfolding/unfold)).
 :- use_module(rules(unfolding/unfold_how)).
 :- use_module(rules(unfolding/unfold_true)).
+:- use_module(rules(unrolling/true_plate)).
 :- use_module(rules(unrolling/true_table)).
 
 :- begin_tests(fittings).
@@ -509,5 +510,82 @@ test(how_twice, error(model_error(unfold(1, seam(90), twice(seam(0)))))) :-
              ],
              ( wishes(1, [], Wishes),
                wanted_of(1, Wishes, _) )).
+
+
+                /*******************************
+                *       WHAT CANNOT BE         *
+                *******************************/
+
+%   thickest(Term, Removed, Size, Most): plate must be thinner than Most. The
+%   cone of 3:4:5 is 40 from its axis at the top: 40*4/5 at right angles to it.
+
+thickest(cylinder(radius(50), height(90)), [base,top], outside, 50).
+thickest(cylinder(radius(50), height(90)), [base,top], middle, 100).
+thickest(cylinder(radius(50.0,20.0), height(90)), [base,top], outside, 20).
+thickest(at([rotate(axis(1,2,3),40),translate(1,2,3)],
+            cylinder(radius(50), height(90))), [base,top], outside, 50).
+thickest(cone(radius(100), top(40), height(80)), [base,top], outside, 32).
+thickest(at([mirror(z)], cone(radius(40), top(100), height(80))), [base,top],
+         outside, 32).
+thickest(cone(radius(100), top(40), height(80), shift(9,0)), [base,top],
+         outside, 40).
+thickest(elbow(diameter(100), radius(150), pieces(4), angle(90)), [base,top],
+         outside, 50).
+thickest(wye(diameter(100), angle(60), stem(150), legs(250)), [base,cap],
+         outside, 50).
+thickest(mitred_pipe(diameter(100), through([[0,0,0],[0,0,200],[90,0,400]])),
+         [base,top], middle, 100).
+thickest(transition(base(rectangle(300, 200)), top(circle(60)), height(90)),
+         [base,top], outside, 60).
+thickest(transition(base(rectangle(300, 90)), top(ellipse(80,60)),
+                    height(90)), [base,top], outside, 45).
+
+test(too_thick, [ forall(thickest(Term, Removed, Size, Most)),
+                  error(geometry_error(true(too_thick(1, T, Found)))) ]) :-
+    T is Most*1.01,
+    catch(in_model([segment(1, solid, Term)],
+                   true_rows(1, [removed(Removed)],
+                             [thickness(T),size(Size)], _)),
+          error(geometry_error(true(too_thick(1, T, Found))), Context),
+          ( near(Found, Most),
+            throw(error(geometry_error(true(too_thick(1, T, Found))),
+                        Context)) )).
+
+test(thick_enough, [forall(thickest(Term, Removed, Size, Most))]) :-
+    T is Most*0.9,
+    in_model([segment(1, solid, Term)],
+             ( plate_fits(1, [thickness(T),size(Size)]),
+               plate_fits(1, [thickness(1000),size(inside)]),
+               true_rows(1, [removed(Removed)],
+                         [thickness(1),size(Size)], [_|_]) )).
+
+%   A pointed cone has a tip that no plate leaves hollow: its base counts.
+test(pointed, error(geometry_error(true(too_thick(1, 49, _))))) :-
+    in_model([segment(1, solid, cone(radius(60), height(80)))],
+             ( plate_fits(1, [thickness(47),size(outside)]),
+               plate_fits(1, [thickness(49),size(outside)]) )).
+
+%   A pipe of a CSG tree; what is bored out of it is no plate.
+test(tree_too_thick, error(geometry_error(true(too_thick(1, 60, _))))) :-
+    in_model([ segment(1, solid,
+                       difference([ cylinder(radius(50), height(90)),
+                                    at([rotate(y,90),translate(0,0,45)],
+                                       cylinder(radius(9), height(99)))
+                                  ]))
+             ],
+             ( plate_fits(1, [thickness(40),size(outside)]),
+               true_rows(1, [removed([base,top])],
+                         [thickness(60),size(outside)], _) )).
+
+%   A branch that ends within its header is told by its own number, not by that
+%   of the plate that is trimmed for it.
+test(nothing_left, error(geometry_error(trim(nothing_left(2, outside))))) :-
+    in_model([ segment(1, solid, at([rotate(y,90),translate(-250,0,0)],
+                                    cylinder(radius(84), height(500)))),
+               segment(2, solid, cylinder(radius(57), height(50)))
+             ],
+             true_rows(2, [removed([base,top])],
+                       [ thickness(5), size(outside), trim(outside),
+                         by([1]) ], _)).
 
 :- end_tests(fittings).
