@@ -24,7 +24,6 @@ polygons of a segment, each numbered from 1 in the order of the shape.
 %   @error model_error(primitive(What, Term))
 
 add_primitive(Term, S) :-
-    commas_told(Term, none),
     primitive_shape(Term, Kind, Points, Chains),
     add_shape(Kind, Term, Points, Chains, S).
 
@@ -32,7 +31,8 @@ add_primitive(Term, S) :-
 %
 %   A warning for each number of the primitive or tree Term in which a comma may
 %   stand for the decimal point, comma_argument/2. Location is where Term is:
-%   location(File, Line, Column), or `none`.
+%   location(File, Line, Column). It is for what people write in files: programs
+%   compute whole numbers too.
 
 commas_told(Term, Location) :-
     forall(comma_argument(Term, Argument),
