@@ -60,13 +60,22 @@ clear_points(sg_work *work)
   }
 }
 
+static void
+close_indexes(sg_work *work)
+{
+  sg_work_grid_close(&work->grid);
+  sg_work_grid_close(&work->ends);
+  sg_work_grid_close(&work->tips);
+  sg_work_forest_clear(&work->forest);
+  sg_work_places_clear(work);
+}
+
 void
 sg_work_clear(sg_work *work, const double normal[3])
 {
   clear_points(work);
-  sg_work_grid_close(&work->grid);
-  sg_work_grid_close(&work->ends);
-  sg_work_grid_close(&work->tips);
+  close_indexes(work);
+  work->looked = 0;
   work->simple = SG_NOT_ASKED;
   forget_proven(work);
   sg_key_table_empty(&work->ids, SLOTS_KEPT);
@@ -80,9 +89,7 @@ sg_work_close(sg_work *work)
 {
   if (work) {
     clear_points(work);
-    sg_work_grid_close(&work->grid);
-    sg_work_grid_close(&work->ends);
-    sg_work_grid_close(&work->tips);
+    close_indexes(work);
     free(work->vertex);
     sg_key_table_clear(&work->ids);
     free(work->edge);
@@ -227,6 +234,7 @@ note_added(sg_work *work, int32_t start, int32_t end)
       sg_work_pair(work, start, end)) {
     forget_proven(work);
     sg_work_grid_close(&work->ends);
+    sg_work_places_clear(work);
     sg_work_grid_close(&work->tips);
     if (work->simple == SG_SIMPLE) {
       work->simple = SG_NOT_ASKED;

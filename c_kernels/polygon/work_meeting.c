@@ -292,6 +292,50 @@ sg_candidates_close(sg_candidates *walk)
   walk->near = NULL;
 }
 
+typedef struct in_way {
+  const sg_work *work;
+  const triangle *t;
+} in_way;
+
+static bool
+edge_blocks(void *data, int32_t e)
+{
+  const in_way *of = data;
+
+  return blocks(of->work, of->t, e);
+}
+
+static void
+note_blocker(sg_candidates *walk, int32_t e)
+{
+  walk->blocker[walk->blocked++ % SG_BLOCKERS] = e;
+}
+
+/* No edge is in the way, as the grid or the trees have it. */
+static bool
+no_edge_blocks(sg_candidates *walk, const triangle *t)
+{
+  sg_work *work = walk->work;
+  sg_work_scan scan;
+  int32_t e = 0;
+
+  if (work->living > SG_WORK_FEW && sg_work_looked_far(work)) {
+    in_way of = {work, t};
+
+    walk->no_memory |= !sg_work_forest_find(work, t->v, edge_blocks, &of, &e);
+  } else if (!sg_work_scan_open(&scan, work, t->v, 3)) {
+    walk->no_memory = true;
+  } else {
+    while ((e = sg_work_scan_next(&scan)) != 0 && !blocks(work, t, e)) {
+      work->looked++;
+    }
+  }
+  if (e) {
+    note_blocker(walk, e);
+  }
+  return e == 0 && !walk->no_memory;
+}
+
 /* (II): nothing is in the way of the triangle. The edges that were in the way
  * of earlier ones are asked first. */
 static bool
@@ -299,24 +343,13 @@ is_free(sg_candidates *walk, const int32_t corner[3])
 {
   sg_work *work = walk->work;
   triangle t = triangle_of(work, corner[0], corner[1], corner[2]);
-  sg_work_scan scan;
 
   for (int i = 0; i < SG_BLOCKERS && walk->blocker[i]; i++) {
     if (blocks(work, &t, walk->blocker[i])) {
       return false;
     }
   }
-  if (!sg_work_scan_open(&scan, work, corner, 3)) {
-    walk->no_memory = true;
-    return false;
-  }
-  for (int32_t e; (e = sg_work_scan_next(&scan)) != 0;) {
-    if (blocks(work, &t, e)) {
-      walk->blocker[walk->blocked++ % SG_BLOCKERS] = e;
-      return false;
-    }
-  }
-  return true;
+  return no_edge_blocks(walk, &t);
 }
 
 /* (I) and (II). In a simple relation it is quicker to see if an ear is free. */
@@ -367,6 +400,7 @@ push_near(sg_candidates *walk, int32_t vertex, const double from[2])
 {
   const double *at = walk->work->vertex[vertex].at;
 
+  walk->work->looked++;
   if (!sg_list_grow(&walk->near, walk->n, &walk->room, sizeof *walk->near)) {
     walk->no_memory = true;
     return false;
@@ -393,6 +427,23 @@ collect_cell(sg_candidates *walk, int32_t column, int32_t row,
   return true;
 }
 
+/* Goes on to the next ring that may have a vertex on the left; false: there is
+ * none, or no memory. */
+static bool
+skip_rings(sg_candidates *walk, const int32_t centre[2])
+{
+  sg_work *work = walk->work;
+
+  work->looked++;
+  if (walk->ring == 0 || !sg_work_looked_far(work)) {
+    return true;
+  }
+  if (!sg_work_next_ring(work, walk->v1, walk->v2, centre, &walk->ring)) {
+    walk->no_memory = true;
+  }
+  return !walk->no_memory && walk->ring < INT32_MAX;
+}
+
 /* The vertices of the next ring of cells round the edge's middle; false: no
  * ring touches the grid any more, or no memory. */
 static bool
@@ -400,10 +451,14 @@ collect_ring(sg_candidates *walk)
 {
   const sg_work_grid *grid = &walk->work->ends;
   double from[2];
-  int32_t centre[2], r = walk->ring++;
+  int32_t centre[2], r;
 
   middle(walk, from);
   sg_work_grid_cell(grid, from, centre);
+  if (!skip_rings(walk, centre)) {
+    return false;
+  }
+  r = walk->ring++;
   int32_t bottom = centre[1] - r, top = centre[1] + r;
   int32_t left = centre[0] - r, right = centre[0] + r;
   if (bottom < 0 && top >= grid->cells[1] && left < 0 &&

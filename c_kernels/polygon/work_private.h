@@ -6,6 +6,7 @@
 
 #include "rows/key_table.h"
 #include "work_grid.h"
+#include "work_tree.h"
 
 /* `at` is the picture: seen from outside, counter-clockwise is left. Rounded
  * for derived points; rounding keeps order, so a strict < of two is exact. */
@@ -42,6 +43,10 @@ struct sg_work {
   sg_work_grid grid; /* of living edges, when grid.open */
   sg_work_grid ends; /* of vertices that have edges, + 1, when ends.open */
   sg_work_grid tips; /* of those that can be in an ear, when tips.open */
+  size_t looked;     /* at edges, vertices and rings, by sg_candidates_next() */
+  sg_work_forest forest; /* of living edges, when forest.open */
+  sg_work_tree places;   /* of the vertices in `ends`, when planted */
+  bool planted, rounded; /* the second: a vertex there is */
   enum { SG_NOT_ASKED, SG_SIMPLE, SG_NOT_SIMPLE } simple;
   bool orderly;      /* and if simple: the inside is left of every edge */
   int32_t proven[3]; /* the last triangle in whose way nothing was */
@@ -104,6 +109,29 @@ typedef struct sg_work_scan {
 bool sg_work_scan_open(sg_work_scan *scan, sg_work *work, const int32_t *corner,
                        int corners);
 int32_t sg_work_scan_next(sg_work_scan *scan); /* 0: no more */
+
+/* Whether so much was looked at that trees are worth while (work_tree.h). */
+static inline bool
+sg_work_looked_far(const sg_work *work)
+{
+  return work->looked > 16 * (size_t)work->edges + 1024;
+}
+
+/* Whether an edge is in the way. */
+typedef bool sg_work_in_way(void *data, int32_t edge);
+
+/* *found: a living edge that is in the way, of those near the triangle, which
+ * is counter-clockwise; 0: none is. False: no memory. */
+bool sg_work_forest_find(sg_work *work, const int32_t corner[3],
+                         sg_work_in_way *in_way, void *data, int32_t *found);
+
+/* *ring: the first from *ring on, of rings of cells of `ends` round the centre,
+ * that may have a vertex left of v1-v2; INT32_MAX: there is none. `ends` are
+ * ready. False: no memory. */
+bool sg_work_next_ring(sg_work *work, int32_t v1, int32_t v2,
+                       const int32_t centre[2], int32_t *ring);
+/* When `ends` are closed. */
+void sg_work_places_clear(sg_work *work);
 
 /* False if v is certainly not on the edge: a cheap question first. */
 bool sg_work_near(const sg_work *work, int32_t edge, int32_t v);

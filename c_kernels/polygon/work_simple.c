@@ -382,7 +382,14 @@ vertices_ready(sg_work *work, sg_work_grid *grid, bool all)
 bool
 sg_work_ends_ready(sg_work *work)
 {
-  return vertices_ready(work, &work->ends, true);
+  bool open = work->ends.open;
+  size_t expected = work->ends.expected;
+  bool ready = vertices_ready(work, &work->ends, true);
+
+  if (!open || expected != work->ends.expected) { /* they are others */
+    sg_work_places_clear(work);
+  }
+  return ready;
 }
 
 /* v is certainly beside the triangle: a cheap question first. */
