@@ -15,7 +15,8 @@ pattern_ko.pl has the same heads in Korean (tests/rules/message/messages.plt).
 
 pattern_en(divided(Before, After)) -->
     [ 'pieces larger than the page are divided: of ~D in all there are now \c
-       ~D'-[Before, After] ].
+       ~D'-[Before, After], nl,
+      '  With --tile they stay whole, over pages to be stuck together.' ].
 pattern_en(opened(Before, After)) -->
     [ 'pieces are parted so that slits have room for tabs: of ~D in all there \c
        are now ~D'-[Before, After] ].

@@ -15,7 +15,8 @@ pattern_en.pl has the same heads in English.
 
 pattern_ko(divided(Before, After)) -->
     [ '조각 ~D개 가운데 종이보다 큰 것을 나누어 ~D개가 되었습니다'
-      -[Before, After] ].
+      -[Before, After], nl,
+      '  --tile을 주면 나누지 않고, 이어 붙일 여러 장에 그립니다.' ].
 pattern_ko(opened(Before, After)) -->
     [ '틈에 풀칠 날개가 들어가도록 조각 ~D개를 나누어 ~D개가 되었습니다'
       -[Before, After] ].
