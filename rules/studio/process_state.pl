@@ -1,7 +1,6 @@
 :- module(sg_process_state,
           [ with_process_kept/3         % +Arguments, :Goal, -Kept
           ]).
-:- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(gensym), [reset_gensym/0]).
 :- use_module(library(lists), [member/2]).
 /** <module> What goals and rule files of users leave in a process, put back.
@@ -55,8 +54,8 @@ process_state(state(Flags, Keys, Operators, Predicates, Globals, Threads,
     msort(Predicates0, Predicates),
     findall(Key-Value, kept_global(Key, Value), Globals0),
     msort(Globals0, Globals),
-    aggregate_all(count, thread_property(_, _), Threads0),
-    Threads = Threads0,
+    findall(Id, kept_thread(Id), Threads0),
+    msort(Threads0, Threads),
     findall(Stream, stream_property(Stream, mode(_)), Streams0),
     msort(Streams0, Streams),
     findall(Name-Value,
@@ -79,6 +78,13 @@ kept_key(Key, Value) :-
 
 kept_operator(Priority, Type, Name) :-
     current_op(Priority, Type, user:Name).
+
+%   Prolog itself starts the thread `gc`, when it first collects atoms: at any
+%   moment.
+
+kept_thread(Id) :-
+    thread_property(Thread, id(Id)),
+    \+ thread_property(Thread, alias(gc)).
 
 users_predicate(Name/Arity-Clauses) :-
     current_predicate(user:Name/Arity),
