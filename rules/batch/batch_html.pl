@@ -5,6 +5,7 @@
 :- use_module(batch_junit, [error_words/2, marked_up/2]).
 :- use_module('../language', [language/1]).
 :- use_module('../output', [writing/3]).
+:- use_module(library(filesex), [relative_file_name/3]).
 :- use_module(library(lists), [member/2, sum_list/2]).
 :- use_module(library(solution_sequences), [limit/2, offset/2]).
 :- use_module(library(uri), [uri_encoded/3]).

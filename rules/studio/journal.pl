@@ -7,6 +7,7 @@
 :- use_module('../kernel', [atomic_sync/1]).
 :- use_module(library(http/json), [json_read_dict/2, json_write_dict/3]).
 :- use_module(library(apply), [exclude/3]).
+:- use_module(library(filesex), [make_directory_path/1]).
 :- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(readutil), [read_line_to_string/2]).
 /** <module> The journal of a document: what was changed since its file was
