@@ -13,6 +13,7 @@
               [empty_assoc/1, get_assoc/3, list_to_assoc/2, put_assoc/4]).
 :- use_module(library(lists), [member/2, reverse/2]).
 :- use_module(library(option), [option/2, option/3]).
+:- use_module(library(pairs), [pairs_keys_values/3]).
 /** <module> Lists of files: the option --each, one result for each file.
 
 Each file is done as by a command of its own: in an empty world, with its own
@@ -27,7 +28,8 @@ can be wrong with the list itself is found before anything is done.
 %   For each of Files call(Run, File, Own, FileStatus), which says what is
 %   wrong; Own are Options with the outputs of File, and places(Look), a goal to
 %   be called before files take their places. Status is 0, or 5 if a FileStatus
-%   was another; one of 128 or more ends all, and is Status.
+%   was another, 2 if all are 2: what is wrong with an option is so for every
+%   file. A FileStatus of 128 or more ends all, and is Status.
 %
 %   With json(true) what is printed is a line of JSON for each file.
 %
@@ -52,9 +54,14 @@ each_file(Run, Verb, Files, Options0, Status) :-
     ;   Failed == []
     ->  Status = 0
     ;   length(Files, Count),
-        length(Failed, Bad),
-        print_message(error, sanggwan(each_failed(Bad, Count, Failed))),
-        Status = 5
+        pairs_keys_values(Failed, Names, Statuses),
+        length(Names, Bad),
+        print_message(error, sanggwan(each_failed(Bad, Count, Names))),
+        (   Bad =:= Count,
+            sort(Statuses, [2])
+        ->  Status = 2
+        ;   Status = 5
+        )
     ).
 
 %   of_the_list(Verb, Option): it is not about a single file.
@@ -172,7 +179,7 @@ jobs_done([Job|Jobs], How, Taken0, Failed0, Failed, Ended) :-
     job_done(Job, How, Taken0, Status, Written, Kept),
     (   Status >= 128
     ->  Ended = Status
-    ;   ( Status =:= 0 -> Failed1 = Failed0 ; Failed1 = [File|Failed0] ),
+    ;   ( Status =:= 0 -> Failed1 = Failed0 ; Failed1 = [File-Status|Failed0] ),
         (   Kept == false,
             Jobs \== []
         ->  usage_error(each(rules_remain(File)))

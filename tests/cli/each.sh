@@ -130,6 +130,14 @@ check 'a model of the list' usage 'one of the files' \
   convert --each cube.pl two_cubes.pl -o 'two_%s.pl'
 check 'a model of the list: as it was' is "$(cat two_cubes.pl)" "$before"
 
+check 'an option' usage '2 of 2 files failed' \
+  draw --each cube.pl two_cubes.pl --view nowhere -o '%.svg'
+run draw --each cube.pl two_cubes.pl --segment 2 -o '%.svg'
+check 'an option that is wrong for one' status_is 5
+check 'an option that is wrong for one: the other' is "$(ls ./*.svg)" \
+  ./two_cubes.svg
+rm two_cubes.svg
+
 # Names with numbers are known late: the file that would take the place of
 # another one's result fails, the others go on.
 cp two_cubes.pl part.pl
