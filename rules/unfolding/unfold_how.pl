@@ -26,13 +26,13 @@ is given itself counts before the fact.
 
 how_row(true_lengths, none, none, 'true_lengths').
 how_row(trim, oneof([inside,outside]), none, 'trim(outside) or trim(inside)').
-how_row(thickness, size, none, 'thickness(T)').
+how_row(thickness, size, none, 'thickness(T), T from 0').
 how_row(size, oneof([inside,middle,outside]), thickness,
         'size(inside), size(middle) or size(outside)').
 how_row(k_factor, part, thickness, 'k_factor(K), K from 0 to 1').
-how_row(bend_radius, size, thickness, 'bend_radius(R)').
+how_row(bend_radius, size, thickness, 'bend_radius(R), R from 0').
 how_row(set_in, oneof([true,false]), trim, 'set_in(true)').
-how_row(other_thickness, size, trim, 'other_thickness(T)').
+how_row(other_thickness, size, trim, 'other_thickness(T), T from 0').
 how_row(seam, number, true_lengths, 'seam(Degrees)').
 how_row(generators, count, true_lengths, 'generators(N), N from 2 to 3600').
 how_row(half, oneof([true,false]), true_lengths, 'half(true)').
@@ -99,9 +99,15 @@ all_said(S, Name, Wish, Options) :-
     ->  true
     ;   said(Needs, Options)
     ->  true
-    ;   how_form(Needs, Form),
+    ;   needed_form(Needs, Form),
         throw(error(model_error(unfold(S, Wish, needs(Form))), _))
     ).
+
+%   needed_form(Name, Form): without the range of its value.
+
+needed_form(Name, Form) :-
+    how_form(Name, Full),
+    atomic_list_concat([Form|_], ', ', Full).
 
 said(true_lengths, Options) :-
     !,

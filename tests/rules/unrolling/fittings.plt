@@ -491,7 +491,9 @@ test(how_needs, error(model_error(unfold(1, size(inside),
              ],
              how_wished(1, [], _)).
 
-how_fault(thickness(-1), how_form('thickness(T)')).
+how_fault(thickness(-1), how_form('thickness(T), T from 0')).
+how_fault(bend_radius(-1), how_form('bend_radius(R), R from 0')).
+how_fault(other_thickness(a), how_form('other_thickness(T), T from 0')).
 how_fault(trim(left), how_form('trim(outside) or trim(inside)')).
 how_fault(generators(1), how_form('generators(N), N from 2 to 3600')).
 how_fault(true_lengths(1), how_form(true_lengths)).
