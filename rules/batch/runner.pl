@@ -14,7 +14,8 @@
 :- use_module(manifest, [with_manifest/4, manifest_folder/2, manifest_job/3]).
 :- use_module(worker,
               [ worker_started/2, worker_asked/2, workers_ready/3,
-                worker_answer/3, worker_ended/2, worker_killed/1
+                worker_answer/3, worker_ended/2, worker_kilobytes/2,
+                worker_killed/1
               ]).
 :- use_module('../language', [language/1]).
 :- use_module('../message/message_object', [message_object/3]).
@@ -293,7 +294,8 @@ job_taken(Job, Run, Out) :-
     ->  failed_again(Job, Key, Text, Out)
     ;   worker_found(Run, Out, Worker),
         \+ stops
-    ->  job_given(Job, Key, Inputs, Worker, Run, Out)
+    ->  worker_with_room(Job, Worker, Run, Roomy),
+        job_given(Job, Key, Inputs, Roomy, Run, Out)
     ;   true
     ).
 
@@ -418,6 +420,23 @@ worker_found(Run, Out, Worker) :-
         assertz(worker(Worker, idle(Grace)))
     ;   answers_heard(Run, Out),
         worker_found(Run, Out, Worker)
+    ).
+
+%   worker_with_room(Job, Worker0, Run, Worker): Worker is another one if what
+%   jobs before left in Worker0 would count for the limit of memory of this Job.
+
+worker_with_room(job(_, _, _, _, _, _, Limits, _), Worker0, Run, Worker) :-
+    (   memberchk(memory-Megabytes, Limits),
+        worker(Worker0, idle(0)),
+        worker_kilobytes(Worker0, Kilobytes),
+        Kilobytes*2 > Megabytes*1000
+    ->  retract(worker(Worker0, idle(0))),
+        worker_killed(Worker0),
+        Run = run(_, Folder, _, _),
+        worker_started(Folder, Worker),
+        starting_seconds(Grace),
+        assertz(worker(Worker, idle(Grace)))
+    ;   Worker = Worker0
     ).
 
 %   starting_seconds(Grace): what a new worker may take before its first job.

@@ -4,6 +4,7 @@
             workers_ready/3,            % +Workers, +Seconds, -Ready
             worker_answer/3,            % +Worker, -Head, -Body
             worker_ended/2,             % +Worker, -How
+            worker_kilobytes/2,         % +Worker, -Kilobytes
             worker_killed/1             % +Worker
           ]).
 :- use_module('../studio/protocol', [frame_read/4, frame_write/3]).
@@ -12,6 +13,7 @@
 :- use_module(library(process),
               [ process_create/3, process_kill/2, process_wait/2,
                 process_wait/3 ]).
+:- use_module(library(readutil), [read_file_to_string/3]).
 /** <module> Workers: processes that do one job after the other.
 
 A worker is worker(Pid, In, Out): the program again, as a session that reads
@@ -87,6 +89,18 @@ worker_ended(worker(Pid, In, Out), How) :-
         process_wait(Pid, How)
     ;   How = How0
     ).
+
+%!  worker_kilobytes(+Worker, -Kilobytes) is semidet.
+%
+%   Worker has so much memory of its own, as Linux counts it.
+
+worker_kilobytes(worker(Pid, _, _), Kilobytes) :-
+    format(atom(File), '/proc/~d/status', [Pid]),
+    catch(read_file_to_string(File, Text, []), error(_, _), fail),
+    sub_string(Text, _, _, After, "VmData:"),
+    sub_string(Text, _, After, 0, Rest),
+    split_string(Rest, "\n", " \tkB", [Number|_]),
+    number_string(Kilobytes, Number).
 
 %!  worker_killed(+Worker) is det.
 %

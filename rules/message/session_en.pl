@@ -102,6 +102,8 @@ wanted_en(language) -->
     [ '"en" or "ko"' ].
 wanted_en(positive) -->
     [ 'a number above 0' ].
+wanted_en(least(Megabytes)) -->
+    [ '~D or more, for the session has almost as much already'-[Megabytes] ].
 wanted_en(goal) -->
     [ 'a goal, like "segment(S, Kind, Name)"' ].
 wanted_en(ask) -->

@@ -97,6 +97,8 @@ wanted_ko(language) -->
     [ '"en" 또는 "ko"' ].
 wanted_ko(positive) -->
     [ '0보다 큰 수' ].
+wanted_ko(least(Megabytes)) -->
+    [ '~D 이상. 세션이 이미 그만큼 쓰고 있습니다'-[Megabytes] ].
 wanted_ko(goal) -->
     [ '목표. "segment(S, Kind, Name)"처럼' ].
 wanted_ko(ask) -->

@@ -125,7 +125,20 @@ job_limits(Head, limits(Octets, Seconds)) :-
     positive(Head, cpu_s, Seconds),
     (   Megabytes == unlimited
     ->  Octets = unlimited
-    ;   Octets is ceiling(Megabytes*1 000 000)
+    ;   Octets is ceiling(Megabytes*1 000 000),
+        room_checked(Octets)
+    ).
+
+%   room_checked(Octets): the process does not have more already. Below that
+%   nothing could be done, not even a reply be written.
+
+room_checked(Octets) :-
+    (   status_kilobytes("VmData:", Kilobytes),
+        Least is Kilobytes*1024 + 2 000 000,
+        Octets < Least
+    ->  Megabytes is ceiling(Least/1 000 000),
+        request_error(bad_key(memory_mb, least(Megabytes)))
+    ;   true
     ).
 
 positive(Head, Key, Value) :-
@@ -301,14 +314,22 @@ within_limits(limits(Octets, Seconds), Goal) :-
           limited(cpu, Cpu, OldCpu)
         ),
         once(Goal),
-        ( limited(data, OldOctets, _),
-          limited(cpu, OldCpu, _)
+        ( limit_put_back(data, OldOctets),
+          limit_put_back(cpu, OldCpu)
         )).
 
-limited(_, unlimited, unlimited) :-
+%   limited(What, New, Old): Old is `same` if the limit stays as it is, or else
+%   what it was, which may be `unlimited`.
+
+limited(_, unlimited, same) :-
     !.
 limited(What, New, Old) :-
     rlimit(What, Old, New).
+
+limit_put_back(_, same) :-
+    !.
+limit_put_back(What, Old) :-
+    rlimit(What, _, Old).
 
 
                 /*******************************
@@ -369,12 +390,17 @@ peak_reset :-
           error(_, _), true).
 
 peak_memory(Kilobytes) :-
-    (   catch(read_file_to_string('/proc/self/status', Text, []),
-              error(_, _), fail),
-        sub_string(Text, _, _, After, "VmHWM:"),
-        sub_string(Text, _, After, 0, Rest),
-        split_string(Rest, "\n", " \tkB", [Number|_]),
-        number_string(Kilobytes0, Number)
+    (   status_kilobytes("VmHWM:", Kilobytes0)
     ->  Kilobytes = Kilobytes0
     ;   Kilobytes = null
     ).
+
+%   status_kilobytes(Name, Kilobytes) is semidet: as Linux counts them.
+
+status_kilobytes(Name, Kilobytes) :-
+    catch(read_file_to_string('/proc/self/status', Text, []),
+          error(_, _), fail),
+    sub_string(Text, _, _, After, Name),
+    sub_string(Text, _, After, 0, Rest),
+    split_string(Rest, "\n", " \tkB", [Number|_]),
+    number_string(Kilobytes, Number).

@@ -213,6 +213,16 @@ batch bad.pl -o bad -j 1
 check 'bad: ends at the first' status_is 5
 check 'bad: ends at the first: no other' is "$(grep -c '"job"' r.jsonl)" 1
 
+# A limit is that of one job: one after it, in the same process, has none; and
+# what one before it left there does not count.
+cat >limits.pl <<'END'
+job(little, check, ['cube.pl'], [memory(90), cpu(30)]).
+job(much, query, ['cube.pl', 'numlist(1, 2000000, L), length(L, _)'], []).
+job(again, check, ['cube.pl'], [json, memory(90)]).
+END
+batch limits.pl -o limits -j 1 --keep-going
+check 'limits end with their job' report_is 'done 3'
+
 # A disk that takes no more: files of 8 kB at most, then as many as wanted.
 (
   set -o pipefail

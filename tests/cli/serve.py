@@ -50,6 +50,13 @@ head, _ = s.ask("run", argv=["check"], cwd="/nowhere/at/all")
 check("no folder", head["error"]["code"] == "request_error.no_folder", head)
 head, _ = s.ask("run", argv=["check"], memory_mb=-1)
 check("memory", head["error"]["code"] == "request_error.bad_key", head)
+# Less than the process has is refused; else it could not even reply.
+for megabytes in (1, 5, 20, 35):
+    head, _ = s.ask("run", argv=["check", "facts/cube.pl"],
+                    memory_mb=megabytes)
+    check("too little memory", head["error"]["code"]
+          == "request_error.bad_key" and "already" in
+          head["error"]["words"]["en"], head)
 head, _ = s.ask("run", argv=["check"], lang="de")
 check("language", head["error"]["code"] == "request_error.bad_key", head)
 for verb in ("serve", "repl"):
@@ -126,6 +133,20 @@ check("memory limit", status == 4 and "memory" in
       head["error"]["words"]["en"], head)
 status, out, err, head = s.run("check", "facts/cube.pl")
 check("after it", status == 0, head)
+
+
+def limits(process):
+    """The limits of a process on memory and on the processor."""
+    with open("/proc/%d/limits" % process.pid, encoding="ascii") as lines:
+        return [line.split()[3] for line in lines
+                if line.startswith(("Max cpu time", "Max data size"))]
+
+
+# What was limited for one verb is not limited afterwards.
+before = limits(s.process)
+for argv in (["check", "facts/cube.pl"], ["check", "nowhere.pl"]):
+    s.run(*argv, memory_mb=400, cpu_s=50)
+    check("limits are put back", limits(s.process) == before, before)
 check("stray on standard error", s.end() == (0, b"stray\n"))
 
 s = session()

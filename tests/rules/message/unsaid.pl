@@ -25,6 +25,9 @@ unsaid(written_en, unwritten_en(penetrates(_,meeting(_,_,_,_)))).
 unsaid(written_en, unwritten_en(touches(_,meeting(_,_,_,_)))).
 unsaid(written_en, instead_en(other_file)).
 
+% It has a number of the machine: tests/cli/serve.sh.
+unsaid(session_en, wanted_en(least(_))).
+
 % It depends on the time: tests/cli/bad_output.sh.
 unsaid(messages, notice_en(progress(_,_,_,_,_))).
 
