@@ -23,9 +23,9 @@ that is placed; also if others have trimmed it.
 %   one primitive meet, in Plane.
 
 mitre_place(S, V, Plane) :-
-    findall(Leaf, mitred_leaf(S, Leaf), Leaves0),
-    sort(Leaves0, Leaves),
-    member(Leaf, Leaves),
+    leaf_of(S, Leaf),
+    placed_term(Leaf, Term),
+    is_mitred(Term),
     findall(Pair-W, shared_vertex(Leaf, Leaf, Pair, W), All0),
     sort(All0, All),
     group_pairs_by_key(All, Groups),
@@ -38,13 +38,16 @@ mitre_place(S, V, Plane) :-
     plane_of(Leaf, Ws, Plane),
     member(Pair-V, Own).
 
-mitred_leaf(S, Leaf) :-
+%   leaf_of(S, Leaf): S is made of Leaf, or is Leaf itself. Each leaf is an
+%   answer once, not once for each facet.
+
+leaf_of(S, Leaf) :-
     (   from_p(S, _, _, _, _)
-    ->  placed_polygon(S, _, Leaf, _)
+    ->  findall(Leaf0, placed_polygon(S, _, Leaf0, _), Leaves0),
+        sort(Leaves0, Leaves),
+        member(Leaf, Leaves)
     ;   Leaf = S
-    ),
-    placed_term(Leaf, Term),
-    is_mitred(Term).
+    ).
 
 %   shared_vertex(S, Leaf, I-J, V): V is a corner of facets of both pieces.
 

@@ -103,7 +103,8 @@ facts_file(File) :-
     member(Pattern, ['*.pl', 'figures/*.pl']),
     directory_file_path(Folder, Pattern, Path),
     expand_file_name(Path, Files),
-    member(File, Files).
+    member(File, Files),
+    \+ file_base_name(File, 'batch.pl').        % a manifest, no model
 
 :- begin_tests(model_file).
 
