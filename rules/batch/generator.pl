@@ -259,10 +259,18 @@ rows_after(File, In, Csv, Header, Row) :-
         )
     ).
 
+%   next_row(File, In, Csv, Row): csv_read_row/3 takes a quote without its end
+%   for the end of the file.
+
 next_row(File, In, Csv, Row) :-
     line_count(In, Line),
-    catch(csv_read_row(In, Row, Csv), error(_, _),
-          generator_error(rows(File, Line, no_table))).
+    (   at_end_of_stream(In)
+    ->  Row = end_of_file
+    ;   catch(csv_read_row(In, Row0, Csv), error(_, _), fail),
+        Row0 \== end_of_file
+    ->  Row = Row0
+    ;   generator_error(rows(File, Line, no_table))
+    ).
 
 empty_row(row('')).
 

@@ -1,6 +1,7 @@
 :- module(sg_usage,
           [ verb/4,                     % ?Verb, -Arguments, -Summary, -Ko
             verb_options/2,             % +Verb, -Specs
+            job_options/2,              % +Verb, -Specs
             common_option/1,            % ?Spec
             example/2,                  % ?Verb, -Command
             print_usage/1,              % +Language
@@ -11,6 +12,7 @@
 :- use_module(usage_unfold,
               [ unfold_option/1, wish_option/1, unfold_option_ko/2,
                 unfold_example/1 ]).
+:- use_module(library(apply), [exclude/3]).
 :- use_module(library(lists), [append/3, member/2]).
 /** <module> What the program can do: verbs, options, examples.
 
@@ -84,8 +86,7 @@ verb_option(Verb, option(each, '', flag, '',
     each_verb(Verb).
 verb_option(Verb, option(json, '', flag, '',
     'with --each: a line of JSON for each file')) :-
-    each_verb(Verb),
-    memberchk(Verb, [convert,draw]).
+    line_of_each(Verb).
 
 verb_option(convert, option(output, o, each, 'FILE',
     'where to; the ending decides the format; may be repeated')).
@@ -261,6 +262,9 @@ verb_option(serve, option(stdio, '', flag, '',
     'frames on standard input and output; the one way there is')).
 
 %   What may be done with each of many files.
+
+line_of_each(convert).
+line_of_each(draw).
 
 each_verb(check).
 each_verb(convert).
@@ -446,6 +450,19 @@ example(problems, 'sanggwan problems facts/problems/collection.pl \c
 --language ko --angle first --format pdf -o sheets').
 example(serve, 'sanggwan serve --stdio < requests > replies').
 example(repl, 'sanggwan repl facts/figures/fig13.pl').
+
+%!  job_options(+Verb, -Specs) is det.
+%
+%   Specs are those of verb_options/2 that a job of a batch may have. It is one
+%   of many itself, so they are without `each` and what belongs to it.
+
+job_options(Verb, Specs) :-
+    verb_options(Verb, Specs0),
+    exclude(option_of_each(Verb), Specs0, Specs).
+
+option_of_each(_, option(each, _, _, _, _)).
+option_of_each(Verb, option(json, _, _, _, _)) :-
+    line_of_each(Verb).
 
 %!  verb_options(+Verb, -Specs) is det.
 %

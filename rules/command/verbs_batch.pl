@@ -5,7 +5,7 @@
 :- use_module('../batch/batch_merge', [reports_merged/2]).
 :- use_module('../batch/runner', [batch_run/4]).
 :- use_module('../version', [version/1]).
-:- use_module(usage, [verb_options/2]).
+:- use_module(usage, [job_options/2]).
 :- use_module(verb_output, [usage_error/1]).
 :- use_module(library(apply), [convlist/3]).
 :- use_module(library(lists), [append/3, member/2]).
@@ -37,7 +37,7 @@ batch_run_verb(Files, Options, Status) :-
         version(Version),
         findall(Word, given_word(Options, Word), Words),
         batch_run(File, [version(Version)|Own],
-                  tools(sg_usage:verb_options, sg_arguments:parsed_arguments,
+                  tools(sg_usage:job_options, sg_arguments:parsed_arguments,
                         Words),
                   Status)
     ).

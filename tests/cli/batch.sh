@@ -271,6 +271,23 @@ else
   skip 'GNU parallel is not installed (apt-get install parallel)'
 fi
 
+# A quote without its end is a fault, not the end of the table.
+printf 'a,b\n1,2\n3,"4\n5,6\n' >quote.csv
+echo "job(j(A), check, ['cube.pl'], []) @ [A] in rows('quote.csv', [a])." \
+  >quote.pl
+batch quote.pl -o quote
+check 'a quote without its end' status_is 3
+check 'a quote without its end: where' has 'quote.csv:3'
+
+# A default of one verb is none of another that has its name for --each.
+cat >each.pl <<'END'
+defaults([json, output('%.svg')]).
+job(a, check, ['cube.pl'], []).
+job(b, draw, ['cube.pl'], []).
+END
+batch each.pl -o each
+check 'json is an option of check' report_is 'done 2'
+
 # To look through ten thousand jobs needs no more memory than one.
 echo "job(a(1), draw, ['cube.pl'], [view(1, 30), output('%.svg')])." >cubes.pl
 echo "job(a(N), draw, ['cube.pl'], [view(N, 30), output('%.svg')]) @ N in 1..10000." >big.pl

@@ -28,7 +28,7 @@ with_jobs(File, Name, Options) :-
                             All) )),
     member(Name-Options, All).
 
-sg_manifest_tools(tools(sg_usage:verb_options, sg_arguments:parsed_arguments,
+sg_manifest_tools(tools(sg_usage:job_options, sg_arguments:parsed_arguments,
                         [])).
 
 with_file(Text, Ending, File, Goal) :-
