@@ -182,7 +182,7 @@ sheet_laid(Request, Sections, Boxed, Drawing) :-
     chosen_scale(Wanted, Request, layout_of(Celled,Marking,Unit), Room, Scale,
                  Places),
     scale_text(Scale, ScaleText),
-    sheet_room(Request, Width, Height, ScaleText, FrameMarks, _),
+    sheet_room(Request, Width, Height, ScaleText, FrameMarks, Room),
     scale_value(Scale, Factor),
     PerUnit is Factor*Unit,
     findall(Region, ( member(cell(seen(_,_,Regions),_,_), Celled),
@@ -192,7 +192,7 @@ sheet_laid(Request, Sections, Boxed, Drawing) :-
     hatching(AllRegions, Hatching),
     maplist(view_drawn(PerUnit, Hatching, Marking, Places), Celled, Views),
     frame_view(FrameMarks, Frame),
-    question_view(Request, Height, Question),
+    question_view(Request, Room, Question),
     append([Views,Frame,Question], Drawn),
     construction_view(Request, PerUnit, Places, Drawn, Construction),
     append([Construction,Views,Frame,Question], AllViews),
@@ -215,7 +215,8 @@ sheet_room(Request, Width, Height, ScaleText, Marks, Room) :-
     question_room(Request, Height, Room0, Room).
 
 %   question_room(Request, Height, Room0, Room): no view comes where the
-%   question stands.
+%   question stands, in the lower left corner, or above the title block if that
+%   is as wide as the paper.
 
 question_room(Request, Height, room(Rectangle,Taken),
               room(Rectangle,[rect(20,Top,Right,Bottom)|Taken])) :-
@@ -229,9 +230,20 @@ question_room(Request, Height, room(Rectangle,Taken),
     max_list(Widths, Widest),
     length(Lines, N),
     Right is 27+Widest,
-    Bottom is Height-10,
+    Lowest is Height-10,
+    foldl(bottom_above(Right), Taken, Lowest, Bottom),
     Top is Bottom - 6*N - 4.
 question_room(_, _, Room, Room).
+
+%   bottom_above(Right, Taken, Bottom0, Bottom): up to Right nothing of the
+%   rectangle Taken is above Bottom; y runs down.
+
+bottom_above(Right, rect(X1,Y1,_,Y2), Bottom0, Bottom) :-
+    (   X1 < Right,
+        Y2 > Bottom0-10
+    ->  Bottom is min(Bottom0, Y1)
+    ;   Bottom = Bottom0
+    ).
 
 question_lines(Request, Lines) :-
     option(question(Lines), Request),
@@ -633,14 +645,15 @@ light_stroke(Points, End,
     Points = [First|_],
     \+ forall(member(Point, Points), Point == First).
 
-%   question_view(Request, Height, Views): in the lower left corner.
+%   question_view(Request, Room, Views): where question_room/4 has made room.
 
-question_view(Request, Height, Views) :-
+question_view(Request, room(_, Taken), Views) :-
     (   question_lines(Request, Lines)
-    ->  length(Lines, N),
+    ->  Taken = [rect(_,_,_,Bottom)|_],
+        length(Lines, N),
         findall(text(25000,Y,3500,start,String),
                 ( nth1(I, Lines, Line),
-                  Y is round((Height-15)*1000) - (N-I)*6000,
+                  Y is round((Bottom-5)*1000) - (N-I)*6000,
                   text_to_string(Line, String) ),
                 Texts),
         Views = [view(question,[],Texts)]

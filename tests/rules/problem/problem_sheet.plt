@@ -25,12 +25,17 @@ model(Name, File) :-
 :- meta_predicate with_sheets(+, +, +, +, -, 0).
 
 with_sheets(Name, Items, Variants, Options, Folder, Goal) :-
+    with_sheets_on('A3', Name, Items, Variants, Options, Folder, Goal).
+
+:- meta_predicate with_sheets_on(+, +, +, +, +, -, 0).
+
+with_sheets_on(Paper, Name, Items, Variants, Options, Folder, Goal) :-
     model(Name, Model),
     findall(variant(Name, Parameter, Values),
             member(Parameter-Values, Variants),
             Rows),
     append([problem(Name, Model, Items)|Rows],
-           [sheet('A3', [Name], [angle(third)])], Facts),
+           [sheet(Paper, [Name], [angle(third)])], Facts),
     tmp_file(problems, Folder),
     make_directory_path(Folder),
     setup_call_cleanup(
@@ -241,5 +246,24 @@ test(wrong, [forall(wrong(Facts, What)),
 test(told, [forall(wrong(_, What))]) :-
     phrase(problem_en(What), [_,_|_]),
     phrase(problem_ko(What), [_,_|_]).
+
+%   The title block of A4 is as wide as the paper: the question stands above it.
+
+test(question_above_title_block, [true(Question < Block)]) :-
+    with_sheets_on('A4', fig12,
+                   [given([front]), ask(draw(penetration)), text(en, 'Draw!')],
+                   [r-[12]], [], Folder,
+                   text(Folder, 'fig12-1-question.svg', Text)),
+    height_of(Text, 'Draw!', Question),
+    height_of(Text, 'Drawn by', Block).
+
+%   height_of(Text, Word, Y): where the Word stands on the sheet, from the top.
+
+height_of(Text, Word, Y) :-
+    split_string(Text, "\n", "", Lines),
+    format(string(End), ">~w</text>", [Word]),
+    once(( member(Line, Lines), sub_string(Line, _, _, _, End) )),
+    split_string(Line, "\"", "", [_,_,_,Value|_]),
+    number_string(Y, Value).
 
 :- end_tests(problem_sheet).
