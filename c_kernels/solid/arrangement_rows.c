@@ -110,7 +110,9 @@ take_leaves(sg_call *call, const sg_int_list *segments,
   if (!h->s || !h->wanted) {
     return false;
   }
-  memcpy(h->s, segments->at, h->n * sizeof *h->s);
+  if (h->n > 0) {
+    memcpy(h->s, segments->at, h->n * sizeof *h->s);
+  }
   for (size_t i = 0, k = 0; i < wanted->n; i++) {
     while (k < h->n && h->s[k] < wanted->at[i]) {
       k++;
