@@ -18,7 +18,7 @@
 :- use_module(formula_term, [formed_term/3, formed_wish/3]).
 :- use_module(model_text, [model_float/2, world_parameter/2]).
 :- use_module(parameter, [file_parameters/3]).
-:- use_module(library(apply), [maplist/2, maplist/3]).
+:- use_module(library(apply), [maplist/2, maplist/3, maplist/4]).
 :- use_module(library(error),
               [existence_error/2, must_be/2, type_error/2]).
 :- use_module(library(lists), [member/2]).
