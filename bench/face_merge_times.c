@@ -52,7 +52,7 @@ add_triangle(sg_solid *solid, uint32_t a, uint32_t b, uint32_t c)
 }
 
 /* Rows from pole to pole, each turned a little, so that no two triangles are
- * flat; but for one belt of flat pairs, if that is wanted. */
+ * flat; except for one belt of flat pairs, if that is wanted. */
 static void
 make_sphere(sg_solid *out, uint32_t rows, uint32_t columns, bool belt)
 {

@@ -44,6 +44,8 @@ family(apexes,     draw,  [250,500,1000]).
 family(comb,       draw,  [250,500,1000]).
 family(comb,       unfold, [25,50,100]).
 family(holes,      draw,  [500,1000,2000,4000]).
+family(circles,    check, [250,500,1000,2000]).
+family(discs,      check, [250,500,1000,2000]).
 family(rods,       penetrate, [400,800,1600]).
 family(rods,       union, [400,800,1600]).
 family(boxes,      penetrate, [1000,2000,4000]).
@@ -164,6 +166,11 @@ model_file(parts, N, File) :-
     tmp_file_stream(File, Stream, [extension(stl)]),
     call_cleanup(forall(between(1, N, I), part(Stream, I)), close(Stream)).
 model_file(Name, N, File) :-
+    plane_family(Name, Step),
+    !,
+    tmp_file_stream(File, Stream, [extension(csg)]),
+    call_cleanup(circles(Stream, N, Step), close(Stream)).
+model_file(Name, N, File) :-
     grown_family(Name),
     !,
     tmp_file_stream(File, Stream, [extension(off)]),
@@ -190,6 +197,22 @@ part(Stream, I) :-
                     format(Stream, "vertex ~d ~d ~d~n", [U,V,W])),
              format(Stream, "endloop~nendfacet~n", []) )),
     format(Stream, "endsolid part~d~n", [I]).
+
+%   N circles of 12 corners united, each over its neighbours or apart.
+
+plane_family(circles, 1.5).
+plane_family(discs, 2.5).
+
+circles(Stream, N, Step) :-
+    C is ceiling(sqrt(N)),
+    format(Stream, "linear_extrude(height = 1) { union() {~n", []),
+    forall(between(1, N, I),
+           ( X is Step*(I mod C),
+             Y is Step*(I//C),
+             format(Stream, "multmatrix([[1, 0, 0, ~w], [0, 1, 0, ~w], \c
+                             [0, 0, 1, 0], [0, 0, 0, 1]]) \c
+                             { circle($fn = 12, r = 1); }~n", [X,Y]) )),
+    format(Stream, "} }~n", []).
 
 %   A plate with N triangular holes.
 segments(holes, N, Stream) :-

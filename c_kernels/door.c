@@ -45,6 +45,7 @@ static int
 raise_geometry(const sg_refusal *r)
 {
   term_t t = PL_new_term_ref(), number = PL_new_term_refs(4);
+  term_t error = PL_new_term_ref();
 
   for (size_t i = 0; i < r->numbers; i++) {
     if (!PL_put_integer(number + i, r->of[i])) {
@@ -53,9 +54,9 @@ raise_geometry(const sg_refusal *r)
   }
   return PL_cons_functor_v(t, PL_new_functor(PL_new_atom(r->what), r->numbers),
                            number) &&
-         PL_unify_term(number, PL_FUNCTOR_CHARS, "error", 2, PL_FUNCTOR_CHARS,
+         PL_unify_term(error, PL_FUNCTOR_CHARS, "error", 2, PL_FUNCTOR_CHARS,
                        "geometry_error", 1, PL_TERM, t, PL_VARIABLE) &&
-         PL_raise_exception(number);
+         PL_raise_exception(error);
 }
 
 static int

@@ -246,7 +246,7 @@ note_ids(const sg_append *a, sg_map *map)
   return true;
 }
 
-/* Indexes have not seen n rows from `row` on, on one page; but for the first
+/* Indexes have not seen n rows from `row` on, on one page; except for the first
  * if that is to have their keys at once. */
 static void
 keep_from_indexes(sg_table *table, sg_row row, size_t n, bool keyed)

@@ -275,3 +275,35 @@ sg_world_retract_with(sg_world *world, sg_relation relation, unsigned column,
   sg_world_leave(world);
   return good;
 }
+
+static bool
+has_of(const sg_world *world, sg_relation relation, int32_t s)
+{
+  const sg_map *map = world->current->map[relation];
+  size_t pages = map ? map->chunks * SG_CHUNK_PAGES : 0;
+
+  for (size_t i = 0; i < pages; i++) {
+    const sg_live *live = sg_map_live(map, i);
+    if (!live || !sg_page_may_have(live->page, s)) {
+      continue;
+    }
+    for (unsigned r = sg_live_next(live->word, 0); r < SG_PAGE_ROWS;
+         r = sg_live_next(live->word, r + 1)) {
+      if (live->page->cells[0].i[r] == s) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+bool
+sg_world_has_of(sg_world *world, sg_relation relation, int32_t s)
+{
+  bool has;
+
+  sg_world_enter(world);
+  has = has_of(world, relation, s);
+  sg_world_leave(world);
+  return has;
+}

@@ -224,6 +224,8 @@ bool sg_world_retract_all_again(sg_world *world, sg_relation relation);
  * memory, some of them may live. */
 bool sg_world_retract_with(sg_world *world, sg_relation relation,
                            unsigned column, int32_t id);
+/* Whether rows of segment s live: it is their first column. */
+bool sg_world_has_of(sg_world *world, sg_relation relation, int32_t s);
 
 /* Whole worlds. A version is whole if every row that a row refers to is there,
  * as relations.def has it. Kernels rely on it, and what they write themselves
@@ -324,7 +326,7 @@ void sg_view_clear(sg_view *view);
 typedef struct sg_walk sg_walk;
 /* Builds the index that a walk by `mask` will look into (0: a member walk) if
  * that would take long, asking the cancellation every few ms, without the lock.
- * False: it said stop. Not needed, but for the cancellation. */
+ * False: it said stop. Not needed, except for the cancellation. */
 bool sg_index_ready(const sg_version *version, sg_relation relation,
                     uint16_t mask, const sg_cancel *cancel);
 bool sg_walk_open(sg_walk *walk, const sg_version *version,

@@ -187,7 +187,7 @@ sg_table_taken(const sg_table *table, sg_row row)
 }
 
 /* Segments are looked for in whole pages, dead rows and all: before one of a
- * fresh page lives, column 0 is made zero but for rows place .. place + n - 1,
+ * fresh page lives, column 0 is made zero except rows place .. place + n - 1,
  * which are written. */
 void sg_page_show(sg_page *page, size_t place, size_t n);
 

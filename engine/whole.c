@@ -205,6 +205,18 @@ may_be_meant(const sg_relation_info *info, const links *by,
   return false;
 }
 
+/* False: no row of a page does. */
+static bool
+page_may_mean(const links *by, const sg_suspects *x, const sg_page *page)
+{
+  for (unsigned i = 0; i < by->n; i++) {
+    if (by->in[i] != 0) {
+      return true;
+    }
+  }
+  return sg_page_first(page) <= x->last_s && sg_page_last(page) >= x->first_s;
+}
+
 static bool
 scan(check *c, sg_relation relation, sg_relation to)
 {
@@ -218,8 +230,12 @@ scan(check *c, sg_relation relation, sg_relation to)
   }
   for (size_t i = 0; i < pages; i++) {
     const sg_live *live = sg_map_live(map, i);
-    for (unsigned r = live ? sg_live_next(live->word, 0) : SG_PAGE_ROWS;
-         r < SG_PAGE_ROWS; r = sg_live_next(live->word, r + 1)) {
+    if (!live ||
+        (to != SG_NONE && !page_may_mean(&by, &c->of[to], live->page))) {
+      continue;
+    }
+    for (unsigned r = sg_live_next(live->word, 0); r < SG_PAGE_ROWS;
+         r = sg_live_next(live->word, r + 1)) {
       if (to != SG_NONE &&
           !may_be_meant(info, &by, &c->of[to], live->page, r)) {
         continue;
@@ -599,6 +615,7 @@ sg_world_retract_all_edit(sg_world *world, sg_relation relation)
 bool
 sg_world_retract_of_edit(sg_world *world, sg_relation relation, int32_t s)
 {
-  return mark_many(world, relation, SG_MARK_GONE_OF, s) &&
-         sg_world_retract_with(world, relation, 0, s);
+  return !sg_world_has_of(world, relation, s) ||
+         (mark_many(world, relation, SG_MARK_GONE_OF, s) &&
+          sg_world_retract_with(world, relation, 0, s));
 }

@@ -11,6 +11,15 @@ param(lean, 0).                         % of the branch, from square, degrees
 param(length, 3*param(pipe)).
 param(out, param(pipe)*1.2/cos(param(lean))).   % of the branch, from the axis
 param(facets, 48).
+param_about(pipe, [ min(20), max(1000), step(0.1),
+                    text(en, 'outside diameter of the pipe'),
+                    text(ko, '관의 바깥지름') ]).
+param_about(branch, [ min(20), max(1000), step(0.1),
+                      text(en, 'outside diameter of the branch'),
+                      text(ko, '가지관의 바깥지름') ]).
+param_about(lean, [ min(-60), max(60), step(1),
+                    text(en, 'lean of the branch, degrees'),
+                    text(ko, '가지관의 기울기, 도') ]).
 segment(1, solid, named(pipe,
     cylinder(radius(param(pipe)/2), height(param(length)),
              facets(param(facets))))).

@@ -4,6 +4,7 @@
             decision_is_default/1,      % +Name/Arity
             default/1,                  % :Goal
             use_rules/1,                % +File
+            use_rules_of/2,             % +Text, +Name
             no_rules/0,
             no_rules/1,                 % +File
             rule_file/1,                % ?File
@@ -239,7 +240,16 @@ rule_file(File) :-
 use_rules(Spec) :-
     readable_file(Spec, File),
     world_number(World),
-    with_mutex(sg_rules, follow(World, File)).
+    with_mutex(sg_rules, follow(World, File, File)).
+
+%!  use_rules_of(+Text, +Name) is det.
+%
+%   The same of what the file Text, or standard input, `-`, holds; the rules are
+%   known as Name.
+
+use_rules_of(Text, Name) :-
+    world_number(World),
+    with_mutex(sg_rules, follow(World, Text, Name)).
 
 readable_file(Spec, File) :-
     absolute_file_name(Spec, File0,
@@ -257,11 +267,11 @@ readable_file(Spec, _) :-
     ),
     throw(error(model_error(cannot_read(Why)), location(Spec, 0, 0))).
 
-follow(World, File) :-
+follow(World, Text, File) :-
     forget_ended,
     new_module(Module),
     module_id(Module, File, Id),
-    catch(( load_rules(File, Module, Id),
+    catch(( load_rules(Text, File, Module, Id),
             rules_defined(Module, File, Decisions)
           ),
           Error,
@@ -348,7 +358,7 @@ new_module(Module) :-
 %   under a name of its own where another world follows it too.
 
 module_id(Module, File, Id) :-
-    (   source_file(File)
+    (   ( source_file(File) ; followed(_, _, _, _, File) )
     ->  atomic_list_concat([File, ' (', Module, ')'], Id)
     ;   Id = File
     ).
@@ -357,8 +367,8 @@ free_module(Module, Id) :-
     unload_file(Id),
     catch('$destroy_module'(Module), error(_, _), true).
 
-load_rules(File, Module, Id) :-
-    with_text(program, File, text(_, _, Stream),
+load_rules(Text, File, Module, Id) :-
+    with_text(program, Text, text(_, _, Stream),
               with_first_error(
                   load_files(Module:Id, [stream(Stream), silent(true)]),
                   Error)),

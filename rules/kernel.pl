@@ -36,6 +36,8 @@ export_doors :-
               kernel/work,         % a polygon that lines enter
               kernel/penetration,  % cut sets
               kernel/boolean,      % operands, arrangements, solids under way
+              kernel/shading,      % scan lines straight from CSG trees
+              kernel/image,        % shaded pictures in dots
               kernel/drawing,      % views, outlines, scenes, strokes, dots
               kernel/pattern       % laying flat, unrolling, nesting
             ]).

@@ -1,5 +1,7 @@
 :- module(sg_language,
-          [ language/1                  % ?Language
+          [ language/1,                 % ?Language
+            result_language/1,          % -Language
+            with_result_language/2      % +Language, :Goal
           ]).
 /** <module> The language that people are spoken to in.
 
@@ -18,3 +20,24 @@ language(Language) :-
     ;   Language0 = en
     ),
     Language = Language0.
+
+:- meta_predicate with_result_language(+, 0).
+
+:- thread_local
+    of_results/1.
+
+%!  with_result_language(+Language, :Goal) is semidet.
+%!  result_language(-Language) is det.
+%
+%   Call Goal once; meanwhile what is drawn on sheets for others is in Language.
+%   Else that is the language of people.
+
+with_result_language(Language, Goal) :-
+    setup_call_cleanup(asserta(of_results(Language), Ref), once(Goal),
+                       erase(Ref)).
+
+result_language(Language) :-
+    (   of_results(Language0)
+    ->  Language = Language0
+    ;   language(Language)
+    ).

@@ -9,6 +9,7 @@
             less_part/2,                % +H1, +H2
             off_sign/2,                 % +Off, -Sign
             is_rounding/2,              % +Off, +Size
+            is_exactly/2,               % +Off, +Size
             longer/2,                   % +Length1, +Length2
             is_on_surface/2,            % +Off, +Size
             is_straight/2,              % +Cross, +Square
@@ -33,6 +34,10 @@ expressions.
 %       over its distance from the axis, far less; facets are far wider.
 %     - rounding: of numbers of the size of one: heights from 0 to 1, whole
 %       turns, a length over another. Thousands of roundings.
+%     - exact: of numbers made in a few steps of coordinates, over their size:
+%       some roundings.
+%     - event: of generators where lines of true surfaces change places, in
+%       degrees: roots of closed forms.
 %     - place: of points of a pattern, over its size: sums along all its pieces.
 %     - surface: of points where surfaces meet, over the size of the model: they
 %       are found by steps, which end at less.
@@ -41,6 +46,8 @@ expressions.
 
 tolerance(angle,    1.0e-6).
 tolerance(rounding, 1.0e-9).
+tolerance(exact,    2.0e-13).
+tolerance(event,    5.0e-8).
 tolerance(place,    1.0e-7).
 tolerance(surface,  1.0e-6).
 tolerance(paper,    1.0e-6).
@@ -79,7 +86,7 @@ same_direction(T1, T2) :-
 
 %!  whole_turns(+T, -By) is det.
 %
-%   By, degrees, are whole turns: T-By is from 0 up to 360; what is 360 but for
+%   By, degrees, are whole turns: T-By is from 0 up to 360; what is 360 up to
 %   rounding is about 0.
 
 whole_turns(T, By) :-
@@ -119,6 +126,14 @@ off_sign(Off, Sign) :-
 
 is_rounding(Off, Size) :-
     tolerance(rounding, Near),
+    abs(Off) =< Near*Size.
+
+%!  is_exactly(+Off, +Size) is semidet.
+%
+%   True when Off is what a few roundings make of 0 in numbers of this Size.
+
+is_exactly(Off, Size) :-
+    tolerance(exact, Near),
     abs(Off) =< Near*Size.
 
 %!  longer(+Length1, +Length2) is semidet.

@@ -50,7 +50,7 @@ hidden_code(Code) :-
     Code =< To,
     !.
 
-%   What is not seen but changes how the rest is, but for the two joiners, which
+%   What is not seen but changes how the rest is, except the two joiners, which
 %   scripts need.
 
 hidden_range(0x61c, 0x61c).

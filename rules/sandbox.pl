@@ -59,6 +59,13 @@ sandbox:safe_primitive(sg_boolean:select_boundary(_,_,_)).
 sandbox:safe_primitive(sg_development:seam_reason(_,_,_)).
 sandbox:safe_primitive(sg_development_record:development_measures(_,_)).
 sandbox:safe_primitive(sg_hidden_lines:open_scene(_,_)).
+sandbox:safe_primitive(sg_shading_scene:shading_scene(_,_)).
+sandbox:safe_primitive(sg_shading_scene:scene_leaf(_,_)).
+sandbox:safe_primitive(sg_seen:slice(_,_,_)).
+sandbox:safe_primitive(sg_seen:met(_,_,_,_)).
+sandbox:safe_primitive(sg_seen:seen_at(_,_,_,_)).
+sandbox:safe_primitive(sg_seen:line_spans(_,_,_)).
+sandbox:safe_primitive(sg_seen:seen_side(_,_,_,_,_)).
 sandbox:safe_primitive(sg_hidden_lines:hidden_by(_,_,_,_,_,_)).
 sandbox:safe_primitive(sg_hidden_lines:hidden_by_polygon(_,_,_,_,_,_)).
 sandbox:safe_primitive(sg_penetration:touches(_,_)).

@@ -12,8 +12,8 @@ module that has it.
             [ segment/3, v/5, e/5, p/3, plane/6, t/6, line/9, origin/3,
               from_v/4, from_p/5, leaf_v/5, leaf_e/5, leaf_p/3, leaf_t/6,
               unfolding/2, piece/3, joint/6, view/3, projection/1,
-              title_block/2, param/2, formula/2, screen/5, contour/13,
-              surface_facing/6, drawn/7 ]).
+              title_block/2, look/2, light/2, param/2, param_about/2, formula/2,
+              screen/5, contour/13, surface_facing/6, drawn/7 ]).
 
 :- topic(asking, "Asking what is there").
 :- reexport(csg/csg, [root_segment/1, node/4]).
@@ -75,6 +75,9 @@ module that has it.
 :- reexport(picture/view,
             [ set_view/1, set_view/3, set_direction/3, set_projection/1,
               current_view/4 ]).
+:- reexport(shading/shading_scene, [ shading_scene/2, scene_leaf/2 ]).
+:- reexport(shading/seen, 
+            [ slice/3, met/4, seen_at/4, line_spans/3, seen_side/5 ]).
 
 :- topic(unfolding, "Unfolding: developments and patterns").
 :- reexport(unfolding/unfold, [unfold/2, unfold/3]).

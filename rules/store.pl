@@ -20,7 +20,10 @@
             view/3,                   % ?Theta, ?Phi, ?Rho
             projection/1,             % ?Kind
             title_block/2,            % ?Item, ?Text
+            look/2,                   % ?S, ?Property
+            light/2,                  % ?N, ?Property
             param/2,                  % ?Name, ?Value
+            param_about/2,            % ?Name, ?Items
             formula/2,                % ?Row, ?Fact
             screen/5,                 % ?S, ?V, ?Xs, ?Ys, ?Zs
             contour/13,               % ?S, ?K, ?T, ?I1, ?F1, ?I2, ?F2,
@@ -202,10 +205,26 @@ refers to any more is freed with its handle by atom garbage collection.
 %   for Item: one of `name number material drawn_by checked_by date company
 %   revision sheet`.
 
+%!  look(?S, ?Property) is nondet.
+%
+%   True when segment S has Property in shaded pictures: colour(C), C a name or
+%   rgb(R,G,B).
+
+%!  light(?N, ?Property) is nondet.
+%
+%   True when light N of shaded pictures has Property: picture(X,Y,Z), it comes
+%   from there (to the right, up, towards the eye); direction(X,Y,Z), it goes
+%   there in the model; strength(F). Light 0 comes from everywhere.
+
 %!  param(?Name, ?Value) is nondet.
 %
 %   True when the model has the parameter Name, an atom, and Value is its number
 %   now. set_parameter/2 changes it.
+
+%!  param_about(?Name, ?Items) is nondet.
+%
+%   True when the model says Items of its parameter Name: a list of min(Number),
+%   max(Number), step(Number) and text(Language, Text), Language `en` or `ko`.
 
 %!  formula(?Row, ?Fact) is nondet.
 %
@@ -213,6 +232,7 @@ refers to any more is freed with its handle by atom garbage collection.
 %   over parameters. Row is segment(S), v(S, V), param(Name), ...: the relation
 %   with the key of the row; or the row itself, if it has no key. It holds as
 %   long as the values of the formulas are those of the row (formula_rows.pl).
+%   Row is set(Name) if the parameter Name was set: Fact has its default.
 
 %!  screen(?S, ?V, ?Xs, ?Ys, ?Zs) is nondet.
 %
@@ -567,7 +587,10 @@ sandbox:safe_primitive(sg_store:joint(_,_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:view(_,_,_)).
 sandbox:safe_primitive(sg_store:projection(_)).
 sandbox:safe_primitive(sg_store:title_block(_,_)).
+sandbox:safe_primitive(sg_store:look(_,_)).
+sandbox:safe_primitive(sg_store:light(_,_)).
 sandbox:safe_primitive(sg_store:param(_,_)).
+sandbox:safe_primitive(sg_store:param_about(_,_)).
 sandbox:safe_primitive(sg_store:formula(_,_)).
 sandbox:safe_primitive(sg_store:screen(_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:contour(_,_,_,_,_,_,_,_,_,_,_,_,_)).

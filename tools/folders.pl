@@ -15,6 +15,7 @@ folder(rules, penetration, 'where segments meet').
 folder(rules, solid, 'Boolean operations').
 folder(rules, model, 'models and meshes in files').
 folder(rules, picture, 'views, outlines, hidden lines').
+folder(rules, shading, 'what is seen, line by line').
 folder(rules, sheet, 'the picture on paper').
 folder(rules, drawing, 'how lines look, files of drawings').
 folder(rules, development, 'laid flat, face by face').
@@ -35,6 +36,7 @@ folder(c_kernels, penetration, 'cut sets, chains, contacts').
 folder(c_kernels, solid, 'arrangements, merged faces').
 folder(c_kernels, model, 'meshes in files, the census').
 folder(c_kernels, picture, 'scenes, outlines, hidden lines').
+folder(c_kernels, shading, 'scan lines from CSG trees').
 folder(c_kernels, drawing, 'strokes, travel, dots').
 folder(c_kernels, development, 'faces, joints, islands, seams').
 folder(c_kernels, unrolling, 'cylinders and cones unrolled').

@@ -3,8 +3,9 @@
        swipl -p foreign=build tools/gallery.pl [-- PROGRAM]
 
    Run in the project's root. docs/gallery/pictures.pl lists the pictures;
-   each is drawn by the very command that the page shows under it. PROGRAM
-   is ./sanggwan unless given. Exits 1 if a picture could not be drawn.
+   each is drawn by the very command that the page shows under it. Of problem
+   sheets the first variant is kept, question and answer. PROGRAM is ./sanggwan
+   unless given. Exits 1 if a picture could not be drawn.
 */
 :- module(sg_gallery, []).
 :- use_module(library(http/html_write)).
@@ -46,12 +47,28 @@ terms(In, Terms) :-
         terms(In, Terms1)
     ).
 
-file(picture(Name,_,_,_), File) :-
-    format(atom(File), 'docs/gallery/~w.svg', [Name]).
+file(sheets(Name,_,_,_,_), File) :-
+    !,
+    format(atom(File), 'docs/gallery/~w', [Name]).
+file(Picture, File) :-
+    file_name(Picture, Name),
+    atom_concat('docs/gallery/', Name, File).
+
+file_name(picture(Name,_,_,Words), File) :-
+    (   Words = [render|_]
+    ->  Ending = png
+    ;   Ending = svg
+    ),
+    file_name_extension(Name, Ending, File).
 
 words(Picture, Words) :-
+    Picture = sheets(_, _, _, Words0, _),
+    !,
+    file(Picture, File),
+    append([problems|Words0], ['-o',File], Words).
+words(Picture, Words) :-
     Picture = picture(_, _, _, Words0),
-    (   Words0 = [unfold|_]
+    (   ( Words0 = [unfold|_] ; Words0 = [render|_] )
     ->  Words1 = Words0
     ;   Words1 = [draw|Words0]
     ),
@@ -62,7 +79,27 @@ drawn(Program, Picture) :-
     words(Picture, Words),
     append(Words, ['-q'], Quiet),
     process_create(Program, Quiet, [process(Process), stdout(null)]),
-    process_wait(Process, exit(0)).
+    process_wait(Process, exit(0)),
+    forall(left_over(Picture, File), delete_file(File)).
+
+%   left_over(Picture, File): File was made with problem sheets, and is not on
+%   the page.
+
+left_over(Picture, File) :-
+    Picture = sheets(_, _, _, _, Numbers),
+    file(Picture, Folder),
+    exists_directory(Folder),
+    directory_files(Folder, Locals),
+    findall(Local,
+            ( member(Number, Numbers), sheet_file(Number, _, Local) ),
+            Kept),
+    member(Local, Locals),
+    \+ memberchk(Local, ['.','..'|Kept]),
+    directory_file_path(Folder, Local, File).
+
+sheet_file(Number, Kind, Local) :-
+    member(Kind, [question,answer]),
+    format(atom(Local), '~w-1-~w.svg', [Number,Kind]).
 
 page(Pictures) :-
     writing('docs/gallery/index.html', text, page_written(Pictures)).
@@ -92,8 +129,20 @@ page_written(Pictures, Out) :-
 figures([]) -->
     [].
 figures([Picture|Pictures]) -->
+    { Picture = sheets(Name, Title, Caption, _, Numbers),
+      !,
+      words(Picture, Words),
+      atomic_list_concat(['./sanggwan'|Words], ' ', Command)
+    },
+    html(figure([id(Name), class(pairs)],
+                [ figcaption([ strong(Title), ' ', Caption ]),
+                  pre(code(Command)),
+                  div(\pairs(Name, Numbers))
+                ])),
+    figures(Pictures).
+figures([Picture|Pictures]) -->
     { Picture = picture(Name, Title, Caption, _),
-      atom_concat(Name, '.svg', File),
+      file_name(Picture, File),
       atomic_list_concat([Title,Caption], ': ', Alt),
       words(Picture, Words),
       atomic_list_concat(['./sanggwan'|Words], ' ', Command)
@@ -105,6 +154,20 @@ figures([Picture|Pictures]) -->
                 ])),
     figures(Pictures).
 
+%   pairs(Folder, Numbers)//: question and answer beside each other.
+
+pairs(_, []) -->
+    [].
+pairs(Folder, [Number|Numbers]) -->
+    { findall(a(href(File), img([src(File), alt(Alt)])),
+              ( sheet_file(Number, Kind, Local),
+                atomic_list_concat([Folder,Local], /, File),
+                atomic_list_concat([Number,', ',Kind], Alt) ),
+              Both)
+    },
+    html(Both),
+    pairs(Folder, Numbers).
+
 style('
 body { font: 16px/1.5 Georgia, "Noto Serif", serif; color: #111;
        background: #fff; max-width: 72rem; margin: 2rem auto;
@@ -114,6 +177,9 @@ main { display: grid; gap: 2.5rem 2rem;
        grid-template-columns:
          repeat(auto-fit, minmax(min(30rem, 100%), 1fr)) }
 figure { margin: 0; break-inside: avoid }
+.pairs { grid-column: 1 / -1 }
+.pairs div { display: grid; gap: 1rem; grid-template-columns: 1fr 1fr;
+             margin-top: 1rem }
 img { width: 100%; border: 1px solid #ddd }
 figcaption { margin: .5rem 0 }
 pre { margin: 0; padding: .4rem .6rem; background: #f4f4f4;

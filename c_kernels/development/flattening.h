@@ -68,7 +68,7 @@ bool sg_flattening_make(const sg_dense *dense, const sg_flat_faces *faces,
                         sg_flattening *out, bool *stopped);
 void sg_flattening_clear(sg_flattening *flattening);
 
-/* As it was at first, but for what is forbidden. False: stopped by the
+/* As it was at first, except for what is forbidden. False: stopped by the
  * cancellation, to be called again. */
 bool sg_flattening_restart(sg_flattening *flattening, const sg_cancel *cancel);
 
@@ -104,7 +104,7 @@ typedef enum sg_order {
 /* The joints in an order (a number from SG_ORDER_SHUFFLED on is another
  * chance). Equal ones by the middle of the edge (the higher z, y, x first),
  * then by edge. Lengths and places are rounded to steps, so that what is equal
- * but for rounding is equal. Null: no memory, or (*stopped) stopped by the
+ * up to rounding is equal. Null: no memory, or (*stopped) stopped by the
  * cancel. Owner: the caller, free(). */
 uint32_t *sg_joint_order(const sg_flattening *flattening, unsigned order,
                          const sg_cancel *cancel, bool *stopped);

@@ -30,7 +30,7 @@ typedef struct sg_joints {
   uint32_t *of_side; /* [sides] or SG_NO_JOINT: a border, or not real */
 } sg_joints;
 
-/* Inexact but for the pairing, which looks at vertices; where more than two
+/* Inexact except for the pairing, which looks at vertices; where more than two
  * faces meet it looks at angles. Faces without area take the normal of the face
  * at their longest side. `tolerance`: how far a vertex may be off a plane.
  *

@@ -5,17 +5,14 @@
  */
 #include "png.h"
 
+#include "png_chunk.h"
+
 #include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 #include <zlib.h>
 
 enum {
-  CHUNK = 12,     /* length, type and check sum round a chunk's data */
-  HEADER = 13,    /* data bytes of IHDR */
-  PHYSICAL = 9,   /* data bytes of pHYs */
-  TRUECOLOUR = 2, /* colour types */
-  INDEXED = 3,
   POLL_LINES = 64 /* lines packed between two cancellations */
 };
 
@@ -28,44 +25,6 @@ typedef struct image {
   const sg_colour *palette;
   uint32_t per_metre; /* dots; 0: not said */
 } image;
-
-/* Bytes being written; `n` counts them. */
-typedef struct buffer {
-  uint8_t *byte;
-  size_t n;
-} buffer;
-
-static void
-put_number(buffer *out, size_t number)
-{
-  for (int shift = 24; shift >= 0; shift -= 8) {
-    out->byte[out->n++] = (uint8_t)(number >> shift);
-  }
-}
-
-static void
-put_bytes(buffer *out, const void *bytes, size_t n)
-{
-  memcpy(out->byte + out->n, bytes, n);
-  out->n += n;
-}
-
-/* A chunk round `n` bytes of data; a null `data` is in its place already. */
-static void
-put_chunk(buffer *out, const char *type, const uint8_t *data, size_t n)
-{
-  put_number(out, n);
-
-  size_t checked = out->n;
-
-  put_bytes(out, type, 4);
-  if (data) {
-    put_bytes(out, data, n);
-  } else {
-    out->n += n;
-  }
-  put_number(out, crc32(0, out->byte + checked, (uInt)(n + 4)));
-}
 
 static unsigned /* bits of a sample: of a dot, if there is a palette */
 sample_bits(const image *in)
@@ -169,62 +128,35 @@ deflate_image(const image *in, const sg_cancel *cancel, uint8_t *room,
   return status;
 }
 
-static void
-put_header(buffer *out, const image *in)
-{
-  static const uint8_t signature[8] = {137, 80, 78, 71, 13, 10, 26, 10};
-  uint8_t header[HEADER] = {0};
-  buffer size = {header, 0};
-
-  put_bytes(out, signature, sizeof signature);
-  put_number(&size, (size_t)in->width);
-  put_number(&size, (size_t)in->height);
-  header[8] = (uint8_t)sample_bits(in);
-  header[9] = in->colours == 0 ? TRUECOLOUR : INDEXED;
-  put_chunk(out, "IHDR", header, HEADER);
-}
-
-/* How many dots a metre has, which makes the picture as large as it is. */
-static void
-put_physical(buffer *out, uint32_t per_metre)
-{
-  uint8_t physical[PHYSICAL];
-  buffer size = {physical, 0};
-
-  put_number(&size, per_metre);
-  put_number(&size, per_metre);
-  physical[PHYSICAL - 1] = 1; /* the unit is the metre */
-  put_chunk(out, "pHYs", physical, PHYSICAL);
-}
-
 static sg_png_status
 write_image(const image *in, const sg_cancel *cancel, uint8_t **bytes,
             size_t *n)
 {
   size_t raw = line_bytes(in) * (size_t)in->height;
   size_t packed = compressBound(raw) + 64;
-  size_t room = 8 + 5 * CHUNK + HEADER + PHYSICAL + 3 * in->colours;
-  buffer out = {malloc(room + packed), 0};
+  size_t room = SG_PNG_HEAD + 3 * in->colours;
+  sg_png_file out = {malloc(room + packed), 0};
   sg_png_status status;
 
   *bytes = NULL;
   if (!out.byte) {
     return SG_PNG_NO_MEMORY;
   }
-  put_header(&out, in);
+  sg_png_start(&out, in->width, in->height, sample_bits(in),
+               in->colours == 0 ? SG_PNG_TRUECOLOUR : SG_PNG_INDEXED);
   if (in->per_metre > 0) {
-    put_physical(&out, in->per_metre);
+    sg_png_physical(&out, in->per_metre);
   }
   if (in->colours > 0) {
-    put_chunk(&out, "PLTE", (const uint8_t *)in->palette, 3 * in->colours);
+    sg_png_chunk(&out, "PLTE", (const uint8_t *)in->palette, 3 * in->colours);
   }
   status = deflate_image(in, cancel, out.byte + out.n + 8, &packed);
   if (status != SG_PNG_OK) {
     free(out.byte);
     return status;
   }
-  put_chunk(&out, "IDAT", NULL, packed);
-  put_chunk(&out, "IEND", (const uint8_t *)"", 0);
+  sg_png_chunk(&out, "IDAT", NULL, packed);
+  sg_png_chunk(&out, "IEND", (const uint8_t *)"", 0);
   *bytes = out.byte;
   *n = out.n;
   return SG_PNG_OK;

@@ -1,4 +1,4 @@
-/* stroke_rows.c -- stroke_looks/2 and stroke_chains/3. */
+/* stroke_rows.c -- stroke_looks/2, stroke_chains/3 and stroke_octets/3. */
 #include "stroke_rows.h"
 
 #include "engine/symbol.h"
@@ -202,4 +202,76 @@ sg_door_stroke_chains(sg_call *call, const sg_sheet_part_list *parts,
 
   return sg_parts_add(call, parts, 1, looks, &all) &&
          sg_strokes_of(call, looks, &all, out);
+}
+
+/* ---- octets ---- */
+
+/* Words of 32 bits under way, the lowest octet of each first. */
+typedef struct words {
+  sg_call *call;
+  uint8_t *at;
+  size_t n, room; /* octets */
+} words;
+
+static bool
+put_word(words *out, int64_t value)
+{
+  if (value < INT32_MIN || value > INT32_MAX) {
+    return sg_call_cannot_hold(out->call, "sheet_coordinate");
+  }
+  if (out->n == out->room) {
+    size_t room = out->room ? 2 * out->room : 4096;
+    uint8_t *at = sg_call_realloc(out->call, out->at, room);
+
+    if (!at) {
+      return false;
+    }
+    out->at = at;
+    out->room = room;
+  }
+  for (int k = 0; k < 4; k++) {
+    out->at[out->n++] = (uint8_t)((uint32_t)value >> 8 * k);
+  }
+  return true;
+}
+
+static bool
+put_stroke(words *out, size_t look, const sg_sheet_stroke *stroke)
+{
+  bool good =
+      put_word(out, (int64_t)look) && put_word(out, stroke->s) &&
+      put_word(out, (int64_t)stroke->start + 4 * (int64_t)stroke->end) &&
+      put_word(out, (int64_t)stroke->edges.n) &&
+      put_word(out, (int64_t)stroke->points.n);
+
+  for (size_t i = 0; i < stroke->edges.n && good; i++) {
+    good = put_word(out, stroke->edges.at[i]);
+  }
+  for (size_t i = 0; i < stroke->points.n && good; i++) {
+    good = put_word(out, stroke->points.at[i].x) &&
+           put_word(out, stroke->points.at[i].y);
+  }
+  return good;
+}
+
+bool
+sg_door_stroke_octets(sg_call *call, const sg_ranked_look_list *looks,
+                      const sg_sheet_stroke_list *strokes, sg_bytes *octets)
+{
+  words out = {.call = call};
+  size_t last = 0;
+
+  for (size_t i = 0; i < strokes->n; i++) {
+    const sg_sheet_stroke *stroke = &strokes->at[i];
+
+    last = sg_looks_find(looks, stroke->visibility, stroke->role, last);
+    if (last == looks->n) {
+      return sg_call_domain(call, "look", 1);
+    }
+    if (!put_stroke(&out, last, stroke)) {
+      return false;
+    }
+  }
+  *octets = (sg_bytes){out.at, out.n};
+  return true;
 }

@@ -39,7 +39,7 @@ bool sg_bvh_join(const sg_bvh_pair *pair, size_t n, double reach, sg_pool *pool,
  * a time; the answer may depend on the hit alone. */
 typedef bool sg_bvh_wants(void *data, const sg_bvh_hit *hit);
 
-/* The same, but for those that nobody wants: they take no memory. */
+/* The same, except for those that nobody wants: they take no memory. */
 bool sg_bvh_join_wanted(const sg_bvh_pair *pair, size_t n, double reach,
                         sg_bvh_wants *wants, void *data, sg_pool *pool,
                         const sg_cancel *cancel, sg_bvh_hits *out);

@@ -1,4 +1,4 @@
-/* contact.c -- where two triangles touch, but for rounding: see contact.h. */
+/* contact.c -- where two triangles touch up to rounding: see contact.h. */
 #include "contact.h"
 
 #include "number/exact.h"

@@ -1,4 +1,4 @@
-/* contact.h -- where two triangles touch, but for rounding.
+/* contact.h -- where two triangles touch up to rounding.
  *
  * Layer: kernel. A contact is a pair of features (cut.h) nearer to each other
  * than `reach`, the smallest that are: corner and corner, corner and edge,

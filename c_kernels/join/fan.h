@@ -33,7 +33,7 @@ bool sg_fans_open(const sg_bvh *tree, sg_fan_read *read, const void *data,
 void sg_fans_close(sg_fans *fans);
 
 /* An sg_bvh_apart: whether no triangle below box a of a level has more in
- * common with one below box b than a vertex that all of them have, but for
+ * common with one below box b than a vertex that all of them have, except for
  * triangles of one polygon. */
 bool sg_fans_apart(const void *fans, unsigned level, size_t a, size_t b);
 

@@ -184,7 +184,7 @@ take_vertices(const forest *f, size_t i)
   return sg_id_rows_make(&f->views->v, row, n, &tree->vertex);
 }
 
-/* Makes tree i but for its vertices. What is left null tells of a failure. */
+/* Makes tree i except its vertices. What is left null tells of a failure. */
 static void
 grow_one(const forest *f, size_t i, sg_pool *pool, const sg_cancel *cancel)
 {

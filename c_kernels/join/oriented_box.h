@@ -1,7 +1,7 @@
 /* oriented_box.h -- boxes round points, along their own axes.
  *
  * Layer: kernel. Long thin solids that run askew have boxes along x, y and z
- * which overlap wherever the solids are; these boxes do not. Inexact, but for
+ * which overlap wherever the solids are; these boxes do not. Inexact, except
  * what is said of the answer.
  */
 #ifndef SG_ORIENTED_BOX_H

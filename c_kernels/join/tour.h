@@ -27,7 +27,7 @@ typedef struct sg_tour {
   void (*arrive)(void *data, size_t i);
 } sg_tour;
 
-/* Goes to the n points, all inside the tree's box but for rounding. Where
+/* Goes to the n points, all inside the tree's box up to rounding. Where
  * triangles are not closed, what has been passed at a point means nothing.
  *
  * Returns: false: no memory, or the cancellation said stop.

@@ -77,7 +77,7 @@ void sg_boundary_clear(sg_boundary *boundary);
 /* Takes out the faces whose vertices are all on one line (exact), those of
  * SG_NO_AREA and, if `turned`, of SG_TURNED. What lay along a long edge of such
  * a face gets the vertices in between: the edge is turned. Other faces keep
- * their places in space, but for what was thinner than the rounding, and edges
+ * their places in space, except what was thinner than the rounding, and edges
  * their opposites. False: no memory. */
 bool sg_boundary_drop_flat(sg_boundary *boundary, bool turned);
 

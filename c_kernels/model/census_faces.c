@@ -18,7 +18,7 @@ mix(uint64_t h)
 }
 
 /* A number for the side from a to b; that from b to a is what cancels it. So
- * the sides of triangles have the sum of a polygon's edges if, and but for a
+ * the sides of triangles have the sum of a polygon's edges if, and except for a
  * chance of 2^-64 only if, they end where it ends. */
 static uint64_t
 side(int32_t a, int32_t b)

@@ -17,7 +17,7 @@ bool sg_mesh_send(sg_call *call, sg_mesh *mesh, const sg_name_list *names,
                   sg_mesh_format format, const sg_output *to,
                   sg_mesh_written *result);
 
-/* True: the error is an answer. False: it is none, but for this call. */
+/* True: the error is an answer. False: it is none, except for this call. */
 bool sg_mesh_refused(sg_call *call, const sg_mesh_error *error);
 
 #endif

@@ -131,7 +131,7 @@ sg_cut_split_edge(const sg_cut_set *set, int32_t s, int32_t v1, int32_t v2)
 }
 
 /* The points on an edge that came last, in n + 1 pieces: they are exactly on
- * it, but for those that it has from polygons which are not quite flat. */
+ * it, except for those that it has from polygons which are not quite flat. */
 static void
 note_points(sg_work *work, int32_t n)
 {

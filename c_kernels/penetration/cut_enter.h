@@ -16,7 +16,7 @@
 #include "polygon/triangulate.h"
 #include "polygon/work.h"
 
-/* An edge of a polygon: a row of e/5 but for the segment; a fold
+/* An edge of a polygon: a row of e/5 except for the segment; a fold
  * (cut_fold_rows.c) has the number 0. */
 typedef struct sg_outline_edge {
   int32_t e, v1, v2, et;

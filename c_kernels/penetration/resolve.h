@@ -20,7 +20,7 @@
  *   sg_resolve_clear(&r);
  *
  * Contacts that are exact in all segments that are connected are left alone.
- * Inexact but for the contacts' own exactness; deterministic.
+ * Inexact except for the contacts' own exactness; deterministic.
  */
 #ifndef SG_RESOLVE_H
 #define SG_RESOLVE_H

@@ -3,7 +3,7 @@
  *
  * Layer: kernel. Inexact. A FEATURE of a segment, seen from a shared point, is
  * an edge that is near it, or the distance to another sheet of the segment: a
- * wall, or a gap; or the gap between two segments, one that is closed, but for
+ * wall, or a gap; or the gap between two segments, one that is closed, except
  * what their sources explain (sg_resolve.rounded), or one beside it. A move is
  * TIGHT if it is more than a hundredth of the smallest feature there: then what
  * is made to touch may be other than what was meant.

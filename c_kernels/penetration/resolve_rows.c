@@ -1,4 +1,4 @@
-/* resolve_rows.c -- what touches but for rounding, as predicates.
+/* resolve_rows.c -- what touches up to rounding, as predicates.
  *
  * Layer: rows. The doors are documented in rules/kernel/penetration.pl.
  */

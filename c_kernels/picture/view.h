@@ -32,7 +32,7 @@ void sg_eye_init(sg_eye *eye, double theta, double phi, double rho);
 
 /* (Xe, Ye, Ze - rho) of a model point: the eye's coordinates, with depth
  * counted from the origin (the paper's parallel projection). The products
- * with the rows of the eye, rounded once: exact but for 2^-100 of their terms,
+ * with the rows of the eye, rounded once: exact up to 2^-100 of their terms,
  * then the nearest double (where nothing underflows). */
 void sg_eye_point(const sg_eye *eye, const double p[3], double out[3]);
 

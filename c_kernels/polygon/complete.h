@@ -60,7 +60,7 @@ typedef struct sg_completion_input {
 } sg_completion_input;
 
 /* False: no memory, or stopped (*stopped). Polygons in row order. Owner: the
- * caller calls sg_completion_clear() in any case. Exact but for the planes and
+ * caller calls sg_completion_clear() in any case. Exact except the planes and
  * sizes. Source: [PL] section 4 (PL-6). */
 bool sg_complete(const sg_completion_input *in, sg_completion *out,
                  bool *stopped, const sg_cancel *cancel);

@@ -25,7 +25,7 @@ enum {
  * fewer) until SG_CONVEX_CORNERS
  * are left (or fewer than that were there): sides go, the shortest way round,
  * and those before and after them are made longer until they meet. So it lies
- * inside of what is left, but for rounding; a corner that is a corner of the
+ * inside of what is left up to rounding; a corner that is a corner of the
  * outline stays where it is. How many are left; 0: sides do not meet. */
 size_t sg_convex_outline(double (*corner)[2], size_t n);
 

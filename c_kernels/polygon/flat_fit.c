@@ -38,7 +38,7 @@ farthest(const hull *h, size_t *i, double x, double y)
 }
 
 /* The smallest box round a hull of three points or more, by turning callipers;
- * the first of those that are equal but for rounding. */
+ * the first of those that are equal up to rounding. */
 static sg_flat_fit
 find_fit(const hull *h)
 {

@@ -13,7 +13,7 @@ typedef struct sg_flat_fit {
 } sg_flat_fit;
 
 /* The box of the least area that holds n points, and has a side of their hull;
- * of those that are equal but for rounding the first, from the leftmost point
+ * of those that are equal up to rounding the first, from the leftmost point
  * on, counter-clockwise. (1, 0) if the points lie in a line. Puts the points in
  * another order; `room` is for n + 1 of them. (1, 0) as well if *stopped by the
  * cancel. */

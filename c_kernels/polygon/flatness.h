@@ -1,7 +1,7 @@
 /* flatness.h -- how far off a place may be that is meant to be there.
  *
  * Layer: kernel. Inexact. What is known of a model is where its numbers come
- * from; nothing is guessed from what they are. Doubles are exact but for their
+ * from; nothing is guessed from what they are. Doubles are exact up to their
  * last places, which turning and moving rounds: 2^-44 of the farthest
  * coordinate (256 units in the last place), made a power of two (upwards, so
  * that an edit seldom changes it). A source that was rounded, as float32 or

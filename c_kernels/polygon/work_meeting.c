@@ -352,7 +352,8 @@ is_free(sg_candidates *walk, const int32_t corner[3])
   return no_edge_blocks(walk, &t);
 }
 
-/* (I) and (II). In a simple relation it is quicker to see if an ear is free. */
+/* (I) and (II). In a simple relation it is mostly quicker to see if an ear is
+ * free. */
 static bool
 fits(sg_candidates *walk, int32_t v3)
 {
@@ -363,7 +364,7 @@ fits(sg_candidates *walk, int32_t v3)
     return false;
   }
   if (walk->phase != ANY && work->living > SG_WORK_FEW &&
-      sg_work_is_simple(work)) {
+      !sg_work_looked_far(work) && sg_work_is_simple(work)) {
     if (sg_work_occupied(work, corner, &walk->no_memory)) {
       return false;
     }

@@ -10,6 +10,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum {
+  HUB = 32, /* so many edges hang on a vertex */
+  FAN = 8   /* so few are no fan */
+};
+
 /* ---- edges -------------------------------------------------------------- */
 
 /* As much wider as its ends may be rounded. */
@@ -27,25 +32,194 @@ box_of_edge(const sg_work *work, int32_t e)
   return box;
 }
 
+/* Does so much hang on a vertex that it is asked for by angle? */
+static bool
+is_hub(const sg_work *work, int32_t v)
+{
+  int n = 0;
+
+  for (int32_t e = work->vertex[v].first_out; e && n < HUB;
+       e = work->edge[e].out_younger) {
+    n++;
+  }
+  for (int32_t e = work->vertex[v].first_in; e && n < HUB;
+       e = work->edge[e].in_younger) {
+    n++;
+  }
+  return n >= HUB;
+}
+
+/* An edge of a hub, and in which half turn round it; or of none. */
+typedef struct spoke {
+  int32_t hub, half, edge;
+} spoke;
+
+static int32_t
+far_end(const sg_work *work, int32_t hub, int32_t e)
+{
+  const sg_work_edge *edge = &work->edge[e].edge;
+
+  return edge->start == hub ? edge->end : edge->start;
+}
+
+static spoke
+spoke_of(const sg_work *work, int32_t e)
+{
+  const sg_work_edge *edge = &work->edge[e].edge;
+  spoke out = {SG_WORK_NONE, 0, e};
+
+  if (is_hub(work, edge->start)) {
+    out.hub = edge->start;
+  } else if (is_hub(work, edge->end)) {
+    out.hub = edge->end;
+  }
+  if (out.hub != SG_WORK_NONE) {
+    out.half = sg_work_place(work, out.hub, far_end(work, out.hub, e));
+  }
+  return out;
+}
+
+/* Round each hub, in each half counter-clockwise. */
+static int
+by_angle(const void *x, const void *y, void *work)
+{
+  const spoke *a = x, *b = y;
+
+  if (a->hub != b->hub) {
+    return a->hub < b->hub ? -1 : 1;
+  }
+  if (a->half != b->half) {
+    return a->half < b->half ? -1 : 1;
+  }
+  int turn = a->hub == SG_WORK_NONE
+                 ? 0
+                 : sg_work_turn(work, a->hub, far_end(work, a->hub, a->edge),
+                                far_end(work, a->hub, b->edge));
+
+  return turn ? -turn : (a->edge > b->edge) - (a->edge < b->edge);
+}
+
+/* A tree of n spokes of one half turn, in this order. False: no memory. */
+static bool
+open_fan(const sg_work *work, const spoke *of, size_t n, sg_work_fan *out)
+{
+  int32_t *number = malloc(n * sizeof *number);
+  sg_work_box *box = malloc(n * sizeof *box);
+
+  *out = (sg_work_fan){.hub = of->hub};
+  if (!number || !box) {
+    free(number);
+    free(box);
+    return false;
+  }
+  for (size_t i = 0; i < n; i++) {
+    number[i] = of[i].edge;
+    box[i] = box_of_edge(work, of[i].edge);
+  }
+  return sg_work_tree_open(&out->tree, number, box, n, true);
+}
+
+static sg_work_box
+box_of_fan(const sg_work_fan *fan)
+{
+  sg_work_box all = fan->tree.box[0];
+
+  for (size_t i = 1; i < fan->tree.n; i++) {
+    sg_work_box_join(&all, &fan->tree.box[i]);
+  }
+  return all;
+}
+
+static void
+clear_plant(sg_work_plant *plant)
+{
+  for (size_t i = 0; i < plant->fans; i++) {
+    sg_work_tree_close(&plant->fan[i].tree);
+  }
+  free(plant->fan);
+  sg_work_tree_close(&plant->tree);
+  *plant = (sg_work_plant){0};
+}
+
+/* The spokes, in order, as a tree of fans and of single edges. */
+static bool
+plant_spokes(const sg_work *work, const spoke *of, size_t n, sg_work_plant *out)
+{
+  int32_t *number = malloc((n + 1) * sizeof *number);
+  sg_work_box *box = malloc((n + 1) * sizeof *box);
+  size_t items = 0;
+  bool good = number && box;
+
+  out->edges = n;
+  out->fan = malloc((n / FAN + 1) * sizeof *out->fan);
+  good = good && out->fan;
+  for (size_t i = 0, end; good && i < n; i = end) {
+    for (end = i + 1; end < n && of[i].hub != SG_WORK_NONE &&
+                      of[end].hub == of[i].hub && of[end].half == of[i].half;
+         end++) {
+    }
+    if (end - i >= FAN) {
+      good = open_fan(work, of + i, end - i, &out->fan[out->fans++]);
+      number[items] = ~(int32_t)(out->fans - 1);
+      if (good) {
+        box[items++] = box_of_fan(&out->fan[out->fans - 1]);
+      }
+      continue;
+    }
+    for (size_t k = i; k < end; k++) {
+      number[items] = of[k].edge;
+      box[items++] = box_of_edge(work, of[k].edge);
+    }
+  }
+  if (!good) {
+    free(number);
+    free(box);
+    return false;
+  }
+  return sg_work_tree_open(&out->tree, number, box, items, false);
+}
+
 /* Adds a tree of living edges. False: no memory. */
 static bool
 plant(sg_work *work, int32_t *number, size_t n)
 {
   sg_work_forest *f = &work->forest;
-  sg_work_box *box = malloc((n + 1) * sizeof *box);
+  sg_work_plant *fresh = &f->tree[f->trees];
+  spoke *of = malloc((n + 1) * sizeof *of);
+  bool any = false;
 
-  for (size_t i = 0; box && i < n; i++) {
-    box[i] = box_of_edge(work, number[i]);
+  *fresh = (sg_work_plant){0};
+  for (size_t i = 0; of && i < n; i++) {
+    of[i] = spoke_of(work, number[i]);
+    any = any || of[i].hub != SG_WORK_NONE;
   }
-  if (!box || !sg_work_tree_open(&f->tree[f->trees], number, box, n)) {
-    f->tree[f->trees] = (sg_work_tree){0};
-    free(number);
-    free(box);
+  if (of && any) {
+    qsort_r(of, n, sizeof *of, by_angle, work);
+  }
+  bool good = of && plant_spokes(work, of, n, fresh);
+
+  free(of);
+  free(number);
+  if (!good) {
+    clear_plant(fresh);
     return false;
   }
   f->trees++;
   f->held += n;
   return true;
+}
+
+/* Appends those of a tree that live. */
+static size_t
+take_living(const sg_work *work, const sg_work_tree *tree, int32_t *out,
+            size_t n)
+{
+  for (size_t i = 0; i < tree->n; i++) {
+    if (tree->number[i] > 0 && work->edge[tree->number[i]].living) {
+      out[n++] = tree->number[i];
+    }
+  }
+  return n;
 }
 
 /* What came last, and the trees after `trees` ones, become one. False: no
@@ -57,7 +231,7 @@ replant(sg_work *work, int trees)
   size_t room = (size_t)f->n, n = 0;
 
   for (int i = trees; i < f->trees; i++) {
-    room += f->tree[i].n;
+    room += f->tree[i].edges;
   }
   int32_t *number = malloc((room + 1) * sizeof *number);
 
@@ -65,14 +239,14 @@ replant(sg_work *work, int trees)
     return false;
   }
   while (f->trees > trees) {
-    sg_work_tree *last = &f->tree[--f->trees];
+    sg_work_plant *last = &f->tree[--f->trees];
 
-    for (size_t i = 0; i < last->n; i++) {
-      number[n] = last->number[i];
-      n += work->edge[last->number[i]].living;
+    n = take_living(work, &last->tree, number, n);
+    for (size_t i = 0; i < last->fans; i++) {
+      n = take_living(work, &last->fan[i].tree, number, n);
     }
-    f->held -= last->n;
-    sg_work_tree_close(last);
+    f->held -= last->edges;
+    clear_plant(last);
   }
   for (int i = 0; i < f->n; i++) {
     number[n] = f->fresh[i];
@@ -89,8 +263,8 @@ first_small(const sg_work_forest *f)
   size_t n = (size_t)f->n;
   int first = f->trees;
 
-  while (first > 0 && f->tree[first - 1].n <= 2 * n) {
-    n += f->tree[--first].n;
+  while (first > 0 && f->tree[first - 1].edges <= 2 * n) {
+    n += f->tree[--first].edges;
   }
   return first;
 }
@@ -109,6 +283,7 @@ catch_up(sg_work *work)
     for (int32_t e = work->oldest; number && e; e = work->edge[e].younger) {
       number[n++] = e;
     }
+    sg_work_grid_close(&work->grid); /* a new edge may be in many cells */
     *f = (sg_work_forest){.open = true, .upto = work->edges};
     return number && plant(work, number, n);
   }
@@ -125,7 +300,7 @@ void
 sg_work_forest_clear(sg_work_forest *forest)
 {
   while (forest->trees > 0) {
-    sg_work_tree_close(&forest->tree[--forest->trees]);
+    clear_plant(&forest->tree[--forest->trees]);
   }
   *forest = (sg_work_forest){0};
 }
@@ -134,10 +309,14 @@ sg_work_forest_clear(sg_work_forest *forest)
 
 typedef struct searching {
   const sg_work *work;
+  const int32_t *corner;
   double at[3][2];
   double low[2], high[2];
+  const sg_work_plant *plant; /* the one that is asked */
+  int32_t hub;                /* of the fan that is asked */
   sg_work_in_way *in_way;
   void *data;
+  int32_t found;
 } searching;
 
 /* Whether a box is plainly on the right of side a-b: far more than anything is
@@ -173,6 +352,28 @@ is_apart(const void *data, const sg_work_box *box)
   return false;
 }
 
+/* Whether all corners but the hub lie to the right of all spokes from the first
+ * to the last, or all to the left: then none of these has more in common with
+ * the triangle than the hub. Exact. */
+static bool
+is_beside(const void *data, int32_t first, int32_t last)
+{
+  const searching *s = data;
+  int32_t low = far_end(s->work, s->hub, first);
+  int32_t high = far_end(s->work, s->hub, last);
+  bool right = true, left = true;
+
+  for (int i = 0; i < 3 && (right || left); i++) {
+    int32_t v = s->corner[i];
+
+    if (v != s->hub) {
+      right = right && sg_work_turn(s->work, s->hub, low, v) < 0;
+      left = left && sg_work_turn(s->work, s->hub, high, v) > 0;
+    }
+  }
+  return right || left;
+}
+
 static bool
 is_in_way(void *data, int32_t e)
 {
@@ -181,12 +382,36 @@ is_in_way(void *data, int32_t e)
   return s->work->edge[e].living && s->in_way(s->data, e);
 }
 
+/* An edge in the way of what a tree has: an edge or a fan; 0: none. */
+static int32_t
+find_in(searching *s, int32_t number)
+{
+  if (number > 0) {
+    return is_in_way(s, number) ? number : 0;
+  }
+  const sg_work_fan *fan = &s->plant->fan[~number];
+
+  s->hub = fan->hub;
+  return sg_work_tree_go(
+      &(sg_work_tree_walk){&fan->tree, is_apart, is_beside, is_in_way, s, 0});
+}
+
+static bool
+has_in_way(void *data, int32_t number)
+{
+  searching *s = data;
+
+  s->found = find_in(s, number);
+  return s->found != 0;
+}
+
 bool
 sg_work_forest_find(sg_work *work, const int32_t corner[3],
                     sg_work_in_way *in_way, void *data, int32_t *found)
 {
   const sg_work_forest *f = &work->forest;
-  searching s = {.work = work, .in_way = in_way, .data = data};
+  searching s = {
+      .work = work, .corner = corner, .in_way = in_way, .data = data};
 
   *found = 0;
   if (!catch_up(work)) {
@@ -203,8 +428,10 @@ sg_work_forest_find(sg_work *work, const int32_t corner[3],
     *found = is_in_way(&s, f->fresh[i]) ? f->fresh[i] : 0;
   }
   for (int i = f->trees - 1; i >= 0 && !*found; i--) {
-    *found = sg_work_tree_go(
-        &(sg_work_tree_walk){&f->tree[i], is_apart, is_in_way, &s, 0});
+    s.plant = &f->tree[i];
+    sg_work_tree_go(&(sg_work_tree_walk){&s.plant->tree, is_apart, NULL,
+                                         has_in_way, &s, 0});
+    *found = s.found;
   }
   return true;
 }
@@ -236,7 +463,7 @@ plant_ends(sg_work *work)
       work->rounded = work->rounded || work->vertex[v].point.exactly;
     }
   }
-  work->planted = sg_work_tree_open(&work->places, number, box, n);
+  work->planted = sg_work_tree_open(&work->places, number, box, n, false);
   if (!work->planted) {
     sg_work_tree_close(&work->places);
   }
@@ -305,8 +532,8 @@ sg_work_next_ring(sg_work *work, int32_t v1, int32_t v2,
   ring_search s = {work, v1, v2, {centre[0], centre[1]}, *ring, INT32_MAX};
 
   if (!work->rounded) {
-    sg_work_tree_go(&(sg_work_tree_walk){&work->places, is_no_ring, note_ring,
-                                         &s, SG_WORK_NONE});
+    sg_work_tree_go(&(sg_work_tree_walk){&work->places, is_no_ring, NULL,
+                                         note_ring, &s, SG_WORK_NONE});
     *ring = s.best;
   }
   return true;

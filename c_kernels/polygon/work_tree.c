@@ -69,8 +69,8 @@ select_middle(sg_work_tree *t, size_t low, size_t high, size_t middle, int axis)
   }
 }
 
-static void
-join(sg_work_box *box, const sg_work_box *other)
+void
+sg_work_box_join(sg_work_box *box, const sg_work_box *other)
 {
   for (int k = 0; k < 2; k++) {
     box->low[k] = fmin(box->low[k], other->low[k]);
@@ -89,13 +89,15 @@ grow(sg_work_tree *t, size_t low, size_t high)
   sg_work_box all = t->box[low];
 
   for (size_t i = low + 1; i < high; i++) {
-    join(&all, &t->box[i]);
+    sg_work_box_join(&all, &t->box[i]);
   }
   t->part[middle] = all;
   if (high - low > LEAF) {
     int axis = all.high[1] - all.low[1] > all.high[0] - all.low[0];
 
-    select_middle(t, low, high, middle, axis);
+    if (!t->ordered) {
+      select_middle(t, low, high, middle, axis);
+    }
     grow(t, low, middle);
     /* The part at the middle is that of the whole: the box of the half that
      * begins there stands at the middle of that half. */
@@ -105,9 +107,10 @@ grow(sg_work_tree *t, size_t low, size_t high)
 
 bool
 sg_work_tree_open(sg_work_tree *tree, int32_t *number, sg_work_box *box,
-                  size_t n)
+                  size_t n, bool ordered)
 {
-  *tree = (sg_work_tree){.n = n, .number = number, .box = box};
+  *tree =
+      (sg_work_tree){.n = n, .ordered = ordered, .number = number, .box = box};
   tree->part = malloc((n + 1) * sizeof *tree->part);
   if (tree->part && n > 0) {
     grow(tree, 0, n);
@@ -130,7 +133,9 @@ go(const sg_work_tree_walk *walk, size_t low, size_t high)
   const sg_work_tree *t = walk->tree;
   size_t middle = half_way(low, high);
 
-  if (walk->skips(walk->data, &t->part[middle])) {
+  if (walk->skips(walk->data, &t->part[middle]) ||
+      (walk->passes &&
+       walk->passes(walk->data, t->number[low], t->number[high - 1]))) {
     return walk->none;
   }
   if (high - low > LEAF) {

@@ -19,8 +19,12 @@ typedef struct sg_work_box {
   int32_t first[2], last[2];
 } sg_work_box;
 
+/* Makes a box hold another one, too. */
+void sg_work_box_join(sg_work_box *box, const sg_work_box *other);
+
 typedef struct sg_work_tree {
   size_t n;
+  bool ordered;      /* numbers stay as they came */
   int32_t *number;   /* [n] in the order of the tree */
   sg_work_box *box;  /* [n] of each */
   sg_work_box *part; /* [n] of a part, at its middle */
@@ -28,14 +32,16 @@ typedef struct sg_work_tree {
 
 /* Takes both arrays over: [n] numbers and their boxes. False: no memory. */
 bool sg_work_tree_open(sg_work_tree *tree, int32_t *number, sg_work_box *box,
-                       size_t n);
+                       size_t n, bool ordered);
 void sg_work_tree_close(sg_work_tree *tree);
 
-/* A walk goes down where `skips` is false, and ends where `ends` is true of a
- * number. Returns that number, or `none`. */
+/* A walk goes down where `skips` and `passes` (null: nowhere) are false, and
+ * ends where `ends` is true of a number. A part has the numbers from the first
+ * to the last that passes() is given. Returns that number, or `none`. */
 typedef struct sg_work_tree_walk {
   const sg_work_tree *tree;
   bool (*skips)(const void *data, const sg_work_box *box);
+  bool (*passes)(const void *data, int32_t first, int32_t last);
   bool (*ends)(void *data, int32_t number);
   void *data;
   int32_t none;
@@ -44,12 +50,26 @@ typedef struct sg_work_tree_walk {
 int32_t sg_work_tree_go(const sg_work_tree_walk *walk);
 
 /* Numbers that come one after another: in trees each of which is more than
- * twice as large as all after it, but for the last few. */
+ * twice as large as all after it, except for the last few. */
 enum { SG_WORK_TREES = 32, SG_WORK_FRESH = 32 };
+
+/* Edges of one vertex, in half a turn round it, in the order of that. */
+typedef struct sg_work_fan {
+  int32_t hub;
+  sg_work_tree tree;
+} sg_work_fan;
+
+/* A tree of edges and, as ~i, of fans. */
+typedef struct sg_work_plant {
+  sg_work_tree tree;
+  sg_work_fan *fan; /* [fans] */
+  size_t fans;
+  size_t edges; /* with those of the fans */
+} sg_work_plant;
 
 typedef struct sg_work_forest {
   bool open;
-  sg_work_tree tree[SG_WORK_TREES];
+  sg_work_plant tree[SG_WORK_TREES];
   int trees;
   int32_t fresh[SG_WORK_FRESH];
   int n;

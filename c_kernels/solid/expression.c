@@ -57,9 +57,8 @@ see_operand(sg_expression_node *node, const sg_expression_node *operand)
   }
 }
 
-/* A node is `holds` now, and what is above it may change. */
-static void
-set_node(sg_expression *e, uint32_t at, bool holds)
+void
+sg_expression_set(sg_expression *e, uint32_t at, bool holds)
 {
   while (e->node[at].holds != holds) {
     sg_expression_node *node = &e->node[at];
@@ -116,7 +115,7 @@ set_segment(sg_expression *e, int32_t s, bool holds)
   size_t low = sg_first_id(e->leaf, e->leaves, sizeof *e->leaf, s);
 
   for (; low < e->leaves && e->leaf[low].s == s; low++) {
-    set_node(e, e->leaf[low].node, holds);
+    sg_expression_set(e, e->leaf[low].node, holds);
   }
 }
 

@@ -49,6 +49,9 @@ size_t sg_expression_add(sg_expression *e, size_t parent,
 bool sg_expression_seal(sg_expression *e);
 void sg_expression_clear(sg_expression *e);
 
+/* Node `at`, a leaf, is `holds` now, and so is what is above it. */
+void sg_expression_set(sg_expression *e, uint32_t at, bool holds);
+
 /* Whether it holds where just segments s[0 .. n - 1] are; each once. */
 bool sg_expression_holds(sg_expression *e, const int32_t *s, size_t n);
 

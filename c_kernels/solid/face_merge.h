@@ -12,7 +12,7 @@
  *     nothing. The largest face begins.
  *   - All round such a group the surface must end or bend off by more than 16
  *     tolerances. Else it is a part of something smooth that is finer than the
- *     tolerance, and only what is flat but for rounding becomes one.
+ *     tolerance, and only what is flat up to rounding becomes one.
  *   - A vertex in the middle of one face vanishes; so does one that lies
  *     straight between the only two edges that end there: all such vertices of
  *     a run are within the tolerance of the edge that replaces it, and none
@@ -31,7 +31,7 @@
  *     the tolerance. And vertices are not put together where that would come of
  *     it.
  *
- * What comes out depends on neither the number of threads nor, but for equal
+ * What comes out depends on neither the number of threads nor, except for equal
  * areas in equal places, on the order of faces.
  */
 #ifndef SG_FACE_MERGE_H

@@ -283,7 +283,7 @@ is_fixed(void *data, int32_t a, int32_t b)
   return find_side(f, v, w) || sg_holds_have(&f->holds, v, w);
 }
 
-/* Vertices that are straight but for rounding make slivers, and two faces might
+/* Vertices that are straight up to rounding make slivers, and two faces might
  * have one in the same place: so the angles are made as wide as they can be. */
 static bool
 triangulated(filler *f)

@@ -19,8 +19,8 @@ enum {
   BLOCK = 1 << 11 /* faces a task */
 };
 
-/* Of faces. Those of a smooth surface become one only where they are flat but
- * for rounding. */
+/* Of faces. Those of a smooth surface become one only where they are flat up
+ * to rounding. */
 enum { UNSEEN, SEEN, SMOOTH, PLACED };
 
 typedef struct growth {
@@ -240,7 +240,7 @@ gather(growth *g, uint32_t face, uint8_t most, sg_plane *plane)
 }
 
 /* The group of a seed: all in one plane within the tolerance; or, if that is a
- * part of a smooth surface, all that are flat but for rounding. */
+ * part of a smooth surface, all that are flat up to rounding. */
 static bool
 grow_from(growth *g, uint32_t face)
 {

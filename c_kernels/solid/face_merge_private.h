@@ -62,7 +62,7 @@ typedef struct sg_merge {
   uint32_t *face_of;   /* [triangles] */
   uint32_t *first;     /* [vertices + 2]: of a vertex in `leaving` */
   sg_leaving *leaving; /* [3 * triangles] */
-  uint32_t *twin;      /* [3 * triangles]: SG_NOTHING where, but for chords of
+  uint32_t *twin;      /* [3 * triangles]: SG_NOTHING where, except chords of
                           faces, there is not just one half-edge each way */
   bool regular;        /* all have twins */
   uint32_t (*weak)[2]; /* [weaks]: neighbours that might be one face */

@@ -12,7 +12,7 @@
  *   - All other rows go. What is new has the least ids that are free, in the
  *     order of the solid.
  *
- * So but for the ids the segment has the rows that solid_out.h would write.
+ * So except for the ids the segment has the rows that solid_out.h would write.
  *
  * Of a REGION (solid_old.h) nothing else is looked at: its new faces have to go
  * in where the old ones were.

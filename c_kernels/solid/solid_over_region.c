@@ -23,7 +23,7 @@ print_of(uint32_t a, uint32_t b, uint32_t c)
   return sg_edge_print(a, b) + sg_edge_print(b, c) + sg_edge_print(c, a);
 }
 
-/* The edges of all old triangles are in balance but for those that bound them,
+/* The edges of all old triangles are in balance except those that bound them,
  * and so are those of the new ones. */
 static bool
 same_bounds(const sg_solid *solid, const sg_solid_old *old,

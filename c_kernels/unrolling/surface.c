@@ -7,7 +7,10 @@
 #include <math.h>
 #include <string.h>
 
+enum { STEPS_MOST = 60 };
+
 static const double TURN = 6.283185307179586;
+static const double TREMBLING_MOST = 1e-10;
 
 /* out += f * a */
 static void
@@ -431,7 +434,7 @@ sg_surfaces_meet(const sg_surface *const *surface, size_t n, double reach,
   double size = fabs(x[0]) + fabs(x[1]) + fabs(x[2]) + reach;
   double smallest = 4 * DBL_EPSILON * size;
 
-  for (int i = 0; i < 60; i++) {
+  for (int i = 0; i < STEPS_MOST; i++) {
     double before[3] = {at[0], at[1], at[2]};
 
     if (!step(surface, n, at, &moved, &off)) {
@@ -447,7 +450,9 @@ sg_surfaces_meet(const sg_surface *const *surface, size_t n, double reach,
     if (!(sqrt(sg_dot(way, way)) <= reach)) {
       return false;
     }
-    if (moved <= smallest) {
+    /* Where they are nearly tangent rounding never lets it rest. */
+    if (moved <= smallest || (i == STEPS_MOST - 1 && off <= smallest &&
+                              moved <= TREMBLING_MOST * size)) {
       memcpy(x, at, sizeof at);
       return true;
     }

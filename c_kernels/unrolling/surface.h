@@ -80,7 +80,7 @@ double sg_surface_before(const sg_surface *surface, double t, double h);
 
 /* Moves x, by the shortest steps, to where n surfaces (1..SG_SURFACES_MOST)
  * meet: Newton's, with the step of least length. Exact to some roundings of
- * the coordinates.
+ * the coordinates; where two of them are nearly tangent, to 1e-10 of them.
  * Returns: false if it does not come to rest within 60 steps, or goes farther
  * than `reach`, or two of them touch there; x is as it was then. */
 bool sg_surfaces_meet(const sg_surface *const *surface, size_t n, double reach,

@@ -4,9 +4,15 @@
 %   picture(Name, Title, Caption, Words)
 %
 % The command is `sanggwan draw` with Words and `-o Name.svg`, or `sanggwan
-% unfold` if Words begin with that. The figures are those of H.-C. Chae, Drawing
-% of Penetrating Lines Using Personal Computer, KSME Journal 12(1), 1988; sizes
-% are chosen, for the paper does not give them. Others follow them.
+% unfold` if Words begin with that; of
+%
+%   sheets(Name, Title, Caption, Words, Numbers)
+%
+% it is `sanggwan problems` with Words and `-o Name`.
+%
+% The figures are those of H.-C. Chae, Drawing of Penetrating Lines Using
+% Personal Computer, KSME Journal 12(1), 1988; sizes are chosen, for the paper
+% does not give them. Others follow them.
 
 picture(fig08, 'Figure 8',
         'A cone and a straight line that goes through it.',
@@ -41,6 +47,25 @@ picture(fig14a, 'Figure 14 (a)',
 picture(fig14b, 'Figure 14 (b)',
         'The penetration lines on one of the cylinders.',
         ['facts/figures/fig14.pl', '--segment', '1']).
+
+% Figures 7 and 8 of K.-H. Park and C.-M. Kyung, Design and Display of Solids
+% Using CSG and Boundary Representation, 1989: a solid like theirs.
+
+picture(solid_outline, '1989, figure 7',
+        'A solid of boxes, cylinders, a cone and spheres, in outline.',
+        ['facts/shaded_block.pl', '--hidden', removed]).
+picture(solid_shaded, '1989, figure 8',
+        'The same scan line by scan line, straight from its tree.',
+        [render, 'facts/shaded_block.pl', '--size', '840x592']).
+picture(die_shaded, 'A die, shaded',
+        'Each leaf in a colour of its own: a sphere cuts the box, others the \c
+         pits.',
+        [render, 'facts/gallery/die.pl', '--colours', leaf,
+         '--size', '840x592']).
+picture(bracket_shaded, 'A bracket, shaded',
+        'By leaves, with cold and warm tints.',
+        [render, 'facts/bracket.pl', '--colours', leaf, '--shade', gooch,
+         '--size', '840x592']).
 
 % What rules can change: docs/rules.md.
 
@@ -238,3 +263,12 @@ picture(fitting_hopper, 'Hopper',
 picture(fitting_cyclone, 'Cyclone in plate',
         'Barrel, cone, dust pipe, inlet and outlet.',
         [unfold,'facts/fittings/cyclone.pl','--generators','12']).
+
+% Problem sheets: docs/problems.md.
+sheets(problems, 'Problem sheets',
+       'Question and answer of the fourteen problems of a first collection, \c
+        the first variant of each; the command makes four of each, patterns \c
+        and keys.',
+       ['facts/problems/collection.pl'],
+       [fig08,fig09,fig10,fig11,fig12,fig13,fig14,
+        dev09,dev10,dev11,dev12,dev13,dev14,dev15]).

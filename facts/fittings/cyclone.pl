@@ -18,6 +18,37 @@ param(a, 0.5*param(d)).         % height of the inlet
 param(b, 0.2*param(d)).         % width of the inlet
 param(inlet, param(d)).         % its length, from the axis
 
+param_about(d, [ min(1),
+                 text(en, 'outside diameter of the barrel'),
+                 text(ko, '몸통의 바깥지름') ]).
+param_about(t, [ min(0),
+                 text(en, 'thickness of the plate'),
+                 text(ko, '판의 두께') ]).
+param_about(barrel, [ min(0.1),
+                      text(en, 'height of the barrel'),
+                      text(ko, '몸통의 높이') ]).
+param_about(cone, [ min(0.1),
+                    text(en, 'height of the cone'),
+                    text(ko, '원뿔의 높이') ]).
+param_about(dust, [ min(0.1),
+                    text(en, 'diameter of the dust pipe'),
+                    text(ko, '먼지관의 지름') ]).
+param_about(outlet, [ min(0.1),
+                      text(en, 'diameter of the outlet pipe'),
+                      text(ko, '배출관의 지름') ]).
+param_about(depth, [ min(0.1),
+                     text(en, 'depth of the outlet pipe in the barrel'),
+                     text(ko, '몸통 안 배출관의 깊이') ]).
+param_about(a, [ min(0.1),
+                 text(en, 'height of the inlet'),
+                 text(ko, '흡입구의 높이') ]).
+param_about(b, [ min(0.1),
+                 text(en, 'width of the inlet'),
+                 text(ko, '흡입구의 너비') ]).
+param_about(inlet, [ min(0.1),
+                     text(en, 'length of the inlet'),
+                     text(ko, '흡입구의 길이') ]).
+
 segment(1, solid, named(barrel, cylinder(radius(param(d)/2),
                                          height(param(barrel)), facets(96)))).
 segment(2, solid, named(cone, at([mirror(z)],

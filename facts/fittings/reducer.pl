@@ -12,6 +12,22 @@ param(e, 0).                    % how far the top is moved to +x
 param(t, 4).                    % thickness of the plate
 param(seam, 0).                 % degrees: 0 is the side to +x
 
+param_about(d, [ min(1),
+                 text(en, 'outside diameter at the base'),
+                 text(ko, '아래 바깥지름') ]).
+param_about(d2, [ min(1),
+                  text(en, 'outside diameter at the top'),
+                  text(ko, '위 바깥지름') ]).
+param_about(h, [ min(1),
+                 text(en, 'height'),
+                 text(ko, '높이') ]).
+param_about(t, [ min(0),
+                 text(en, 'thickness of the plate'),
+                 text(ko, '판의 두께') ]).
+param_about(seam, [ min(-360), max(360),
+                    text(en, 'seam, degrees'),
+                    text(ko, '솔기, 도') ]).
+
 segment(1, solid,
         named(reducer, cone(radius(param(d)/2), top(param(d2)/2),
                             height(param(h)), shift(param(e), 0),

@@ -12,6 +12,22 @@ param(x, 0).                    % how far the pipe is moved to +x
 param(y, 0).                    % how far the pipe is moved to +y
 param(t, 2).                    % thickness of the plate
 
+param_about(a, [ min(1),
+                 text(en, 'the duct along x'),
+                 text(ko, '덕트의 x 방향 너비') ]).
+param_about(b, [ min(1),
+                 text(en, 'the duct along y'),
+                 text(ko, '덕트의 y 방향 너비') ]).
+param_about(d, [ min(1),
+                 text(en, 'diameter of the pipe'),
+                 text(ko, '관의 지름') ]).
+param_about(h, [ min(1),
+                 text(en, 'height'),
+                 text(ko, '높이') ]).
+param_about(t, [ min(0),
+                 text(en, 'thickness of the plate'),
+                 text(ko, '판의 두께') ]).
+
 segment(1, solid,
         named(square_to_round,
               transition(base(rectangle(param(a), param(b))),

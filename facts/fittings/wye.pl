@@ -12,6 +12,25 @@ param(legs, 250).               % length of each leg, from there
 param(t, 4).                    % thickness of the plate
 param(seam, 90).                % degrees: 0 and 180 where all three meet
 
+param_about(d, [ min(1),
+                 text(en, 'outside diameter'),
+                 text(ko, '바깥지름') ]).
+param_about(angle, [ min(1), max(179),
+                     text(en, 'angle between the legs, degrees'),
+                     text(ko, '두 가지 사이의 각도, 도') ]).
+param_about(stem, [ min(1),
+                    text(en, 'length of the stem'),
+                    text(ko, '줄기의 길이') ]).
+param_about(legs, [ min(1),
+                    text(en, 'length of each leg'),
+                    text(ko, '가지의 길이') ]).
+param_about(t, [ min(0),
+                 text(en, 'thickness of the plate'),
+                 text(ko, '판의 두께') ]).
+param_about(seam, [ min(-360), max(360),
+                    text(en, 'seam, degrees'),
+                    text(ko, '솔기, 도') ]).
+
 segment(1, solid,
         named(wye, wye(diameter(param(d)), angle(param(angle)),
                        stem(param(stem)), legs(param(legs)), facets(96)))).

@@ -133,7 +133,8 @@ file_text(Text) :-
 %
 %   @error generator_error(What): range(Source), its ends are no numbers;
 %   steps(Step); glob(Pattern), there is no such file; rows(File, Line, Why)
-%   with Why missing, no_column(Name, Known), or width(N, Wanted)
+%   with Why missing, no_table, not_utf8, no_column(Name, Known), or
+%   width(N, Wanted)
 
 generated([], _).
 generated([in(Pattern, Source)|Generators], Folder) :-
@@ -264,13 +265,34 @@ rows_after(File, In, Csv, Header, Row) :-
 
 next_row(File, In, Csv, Row) :-
     line_count(In, Line),
+    retractall(undecoded),
     (   at_end_of_stream(In)
     ->  Row = end_of_file
-    ;   catch(csv_read_row(In, Row0, Csv), error(_, _), fail),
+    ;   setup_call_cleanup(
+            asserta(decoding(In)),
+            catch(csv_read_row(In, Row0, Csv), error(_, _), fail),
+            retractall(decoding(_))),
         Row0 \== end_of_file
-    ->  Row = Row0
+    ->  (   undecoded
+        ->  generator_error(rows(File, Line, not_utf8))
+        ;   Row = Row0
+        )
     ;   generator_error(rows(File, Line, no_table))
     ).
+
+%   Prolog warns of octets that are no UTF-8, and reads something else.
+
+:- dynamic decoding/1, undecoded/0.
+:- multifile user:message_hook/3.
+
+user:message_hook(io_warning(In, _), warning, _) :-
+    sg_generator:wrong_octets(In).
+
+:- public wrong_octets/1.
+
+wrong_octets(In) :-
+    decoding(In),
+    assertz(undecoded).
 
 empty_row(row('')).
 

@@ -1,6 +1,9 @@
 :- module(sg_job_key,
           [ program_digest/1,           % -Digest
             job_inputs/3,               % +Job, +Folder, -Inputs
+            also_read/5,                % +Files, +Inputs, +Folder, +Start,
+                                        % -Read
+            read_as_before/1,           % +Read
             job_key/4                   % +Job, +Inputs, +Made, -Key
           ]).
 :- use_module(job_words, [input_option/2]).
@@ -12,6 +15,9 @@
 The key is the SHA-256 of the program, the verb, the options, the language, and
 of each file that the job reads its name and its bytes. So equal keys have equal
 results, and what is there under a key need not be made again.
+
+What goals and rule files of users read beside these shows only when they run.
+It stands with the result, which holds as long as these files are the same.
 */
 
 %!  program_digest(-Digest) is det.
@@ -77,6 +83,40 @@ stream_digest(In, Context, Bytes0, Bytes) :-
         stream_digest(In, Context1, Bytes1, Bytes)
     ).
 
+%!  also_read(+Files, +Inputs, +Folder, +Start, -Read) is semidet.
+%
+%   Read are dicts, `file` and `sha256`, of Files, texts, that a job with these
+%   Inputs read beside them. Fails if one was changed after the time Start.
+
+also_read(Files, Inputs, Folder, Start, Read) :-
+    findall(Path,
+            ( member(input(File, _), Inputs),
+              absolute_file_name(File, Path, [relative_to(Folder)]) ),
+            Own),
+    findall(File,
+            ( member(Text, Files),
+              atom_string(File, Text),
+              \+ memberchk(File, Own) ),
+            Others),
+    maplist(unchanged_since(Start), Others, Read).
+
+unchanged_since(Start, File, _{file:File, sha256:Digest}) :-
+    exists_file(File),
+    time_file(File, Time),
+    Time < Start,
+    known_digest(File, Digest).
+
+%!  read_as_before(+Read) is semidet.
+%
+%   The files of Read, dicts as of also_read/5, are as they were.
+
+read_as_before(Read) :-
+    forall(member(Dict, Read),
+           ( atom_string(File, Dict.file),
+             exists_file(File),
+             known_digest(File, Digest),
+             atom_string(Digest, Dict.sha256) )).
+
 %!  job_key(+Job, +Inputs, +Made, -Key:atom) is det.
 %
 %   Key is that of Job with its Inputs; Made is what else results depend on: the
@@ -88,19 +128,25 @@ job_key(job(_, _, _, Verb, _, Options, _, _), Inputs, Made, Key) :-
     hexadecimal(Bytes, Key).
 
 hexadecimal(Bytes, Text) :-
-    hexadecimal_codes(Bytes, Codes),
-    atom_codes(Text, Codes).
+    octet_names(Names),
+    maplist(octet_name(Names), Bytes, Parts),
+    atomic_list_concat(Parts, Text).
 
-hexadecimal_codes([], []).
-hexadecimal_codes([Byte|Bytes], [C1,C2|Codes]) :-
-    High is Byte >> 4,
-    Low is Byte /\ 15,
-    digit(High, C1),
-    digit(Low, C2),
-    hexadecimal_codes(Bytes, Codes).
+octet_name(Names, Byte, Name) :-
+    Place is Byte+1,
+    arg(Place, Names, Name).
 
-digit(N, C) :-
-    (   N < 10
-    ->  C is 0'0+N
-    ;   C is 0'a+N-10
+%   octet_names(Names): `00` to `ff`, made once.
+
+:- dynamic octet_names_/1.
+
+octet_names(Names) :-
+    (   octet_names_(Names0)
+    ->  Names = Names0
+    ;   findall(Name,
+                ( between(0, 255, Byte),
+                  format(atom(Name), '~|~`0t~16r~2+', [Byte]) ),
+                List),
+        Names =.. [names|List],
+        assertz(octet_names_(Names))
     ).

@@ -43,9 +43,9 @@ are Name-Value, Limits as well.
 Every error is model_error(manifest(What)) with its place; What is fact(Term),
 verb(Verb, Near, All), name(Name), files(Files), missing(File),
 option(Term), options(Term), usage(What), no_default(Name), output(Pattern),
-limit(Term), unbound(Name), bound_twice(Name), generator(Text), range(Source),
-steps(Step), glob(Pattern), rows(File, Line, Why), json(Text), no_key(Key) or
-key(Key, Keys).
+no_output(Verb), ending(Pattern, Formats), limit(Term), unbound(Name),
+bound_twice(Name), generator(Text), range(Source), steps(Step), glob(Pattern),
+rows(File, Line, Why), json(Text), no_key(Key) or key(Key, Keys).
 */
 
 :- meta_predicate with_manifest(+, +, -, 0).
@@ -474,11 +474,13 @@ job_checked(true, Verb, Files, Options, Specs, Manifest, Place) :-
     ->  true
     ;   forall(member(Option, Changed),
                ( option_checked(Option, Place, 4),
-                 option_file_checked(Verb, Option, Folder, Place) )),
+                 option_file_checked(Verb, Option, Folder, Place),
+                 ending_checked(Option, Specs, Place) )),
         words_parsed(Changed, Specs, Parse, Place, 4),
         retractall(checked_before(_, _)),
         assertz(checked_before(Verb, Options))
-    ).
+    ),
+    output_there(Verb, Options, Place).
 
 same_name(Name-_, Name-_).
 
@@ -513,6 +515,28 @@ file_checked(File, Folder, Place) :-
 option_file_checked(Verb, Name-File, Folder, Place) :-
     (   input_option(Verb, Name)
     ->  file_checked(File, Folder, Place)
+    ;   true
+    ).
+
+%   output_there(Verb, Options, Place): a verb that only writes has where to.
+
+output_there(Verb, Options, Place) :-
+    (   memberchk(Verb, [draw,convert]),
+        \+ memberchk(output-_, Options)
+    ->  entry_error(Place, 4, no_output(Verb))
+    ;   true
+    ).
+
+%   ending_checked(Option, Specs, Place): the verb with Specs writes files with
+%   such an ending, as --format has them.
+
+ending_checked(Name-Pattern, Specs, Place) :-
+    (   Name == output,
+        memberchk(option(format, _, one_of(Formats), _, _), Specs),
+        file_name_extension(_, Ending, Pattern),
+        downcase_atom(Ending, Format),
+        \+ memberchk(Format, Formats)
+    ->  entry_error(Place, 4, ending(Pattern, Formats))
     ;   true
     ).
 

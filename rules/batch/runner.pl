@@ -7,9 +7,11 @@
                 stored/3, spoiled/1, sizes_text/3, failure_written/3,
                 failure_stored/3, failure_removed/2, linked/5
               ]).
-:- use_module(job_key, [program_digest/1, job_inputs/3, job_key/4]).
+:- use_module(job_key,
+              [ program_digest/1, job_inputs/3, also_read/5, read_as_before/1,
+                job_key/4 ]).
 :- use_module(job_name, [stem_path/3, in_shard/3]).
-:- use_module(job_names, [jobs_checked/2]).
+:- use_module(job_names, [jobs_checked/3]).
 :- use_module(job_words, [option_words/3, output_option/1]).
 :- use_module(manifest, [with_manifest/4, manifest_folder/2, manifest_job/3]).
 :- use_module(worker,
@@ -46,9 +48,10 @@ worker with it, and is one line of the report.
 %     - keep_going(true): a failure does not end the batch
 %     - report(File): where the lines go, else to standard output
 %     - copy(true): results are copies, not links into the store
+%     - quiet(true): no terminal shows how far the check of the manifest is
 %     - version(Text): of the program
 %
-%   @error as with_manifest/4 and jobs_checked/2; usage_error(no_job(Name))
+%   @error as with_manifest/4 and jobs_checked/3; usage_error(no_job(Name))
 
 batch_run(File, Options, Tools, Status) :-
     with_manifest(File, Tools, Manifest,
@@ -64,7 +67,11 @@ manifest_run(Manifest, Options, Status) :-
     ).
 
 checked_run(Manifest, Options, Status) :-
-    jobs_checked(Manifest, Count),
+    (   option(quiet(true), Options)
+    ->  Show = false
+    ;   Show = true
+    ),
+    jobs_checked(Manifest, Show, Count),
     only_known(Manifest, Options),
     option(out(Out), Options),
     with_store(Out, Store,
@@ -136,9 +143,9 @@ is_interrupted :-
                 *******************************/
 
 %   worker(Worker, State): State is idle(Grace), or busy(Job, Key, Inputs,
-%   Folder, Start, Deadline). counts(Outcome, N): so many jobs.
+%   Folder, Start, Deadline).
 
-:- dynamic worker/2, counts/2, stopping/0, last_id/1.
+:- dynamic worker/2, stopping/0.
 
 stored_run(Manifest, Options, Store, Count, Status) :-
     setup_call_cleanup(
@@ -151,10 +158,11 @@ stored_run(Manifest, Options, Store, Count, Status) :-
 
 run_begun :-
     retractall(worker(_, _)),
-    retractall(counts(_, _)),
     retractall(stopping),
-    retractall(last_id(_)),
-    assertz(last_id(0)).
+    flag(sg_batch_id, _, 0),
+    forall(outcome(Outcome),
+           ( counter(Outcome, Counter),
+             flag(Counter, _, 0) )).
 
 workers_gone :-
     forall(retract(worker(Worker, _)), worker_killed(Worker)).
@@ -244,17 +252,15 @@ summary(Out, Seconds) :-
     print_message(informational, sanggwan(batch(summary(Pairs)))).
 
 count_of(Outcome, N) :-
-    (   counts(Outcome, N0)
-    ->  N = N0
-    ;   N = 0
-    ).
+    counter(Outcome, Counter),
+    flag(Counter, N, N).
 
 counted(Outcome) :-
-    (   retract(counts(Outcome, N0))
-    ->  N is N0+1
-    ;   N = 1
-    ),
-    assertz(counts(Outcome, N)).
+    counter(Outcome, Counter),
+    flag(Counter, N, N+1).
+
+counter(Outcome, Counter) :-
+    atom_concat(sg_batch_, Outcome, Counter).
 
 run_status(Status) :-
     (   is_interrupted
@@ -290,7 +296,8 @@ job_taken(Job, Run, Out) :-
     ->  true
     ;   option(resume(true), Options),
         Run = run(Store, _, _, _),
-        failure_stored(Store, Key, Text)
+        failure_stored(Store, Key, Text),
+        failure_holds(Text)
     ->  failed_again(Job, Key, Text, Out)
     ;   worker_found(Run, Out, Worker),
         \+ stops
@@ -351,22 +358,30 @@ cached_result(Place, Sizes, Status, Said) :-
         read_string(In, _, Text),
         close(In)),
     sub_string(Text, _, 2, 0, "}\n"),
-    result_head(Sizes, 0, '[]', Head),
+    result_head(Sizes, 0, '[]', '[]', Head),
     (   sub_string(Text, 0, _, _, Head)
     ->  Status = 0,
         Said = '[]'
     ;   atom_json_dict(Text, Dict, []),
         Status = Dict.status,
         json_text(Dict.said, Said),
-        result_head(Sizes, Status, Said, Head1),
-        sub_string(Text, 0, _, _, Head1)
+        json_text(Dict.read, Read),
+        result_head(Sizes, Status, Said, Read, Head1),
+        sub_string(Text, 0, _, _, Head1),
+        read_as_before(Dict.read)
     ).
 
-%   result_head(Sizes, Status, Said, Head): how job.json begins.
+%   result_head(Sizes, Status, Said, Read, Head): how job.json begins.
 
-result_head(Sizes, Status, Said, Head) :-
-    format(string(Head), '{"files":~w,"status":~w,"said":~w,',
-           [Sizes, Status, Said]).
+result_head(Sizes, Status, Said, Read, Head) :-
+    format(string(Head), '{"files":~w,"status":~w,"said":~w,"read":~w,',
+           [Sizes, Status, Said, Read]).
+
+%   failure_holds(Text): what it read is as it was.
+
+failure_holds(Text) :-
+    atom_json_dict(Text, Dict, []),
+    read_as_before(Dict.read).
 
 failed_again(Job, Key, Text, Out) :-
     atom_json_dict(Text, Dict, []),
@@ -393,7 +408,6 @@ files_linked(job(_, _, Stem, _, _, _, _, _), Files, Place, Run, Paths) :-
     ->  Way = copy
     ;   Way = link
     ),
-    folder_files(Place, Files),
     maplist(file_linked(Store, Way, Place, Stem), Files, Paths).
 
 file_linked(Store, Way, Place, Stem, File, Path) :-
@@ -450,9 +464,8 @@ workers_now(N) :-
 job_given(Job, Key, Inputs, Worker, Run, Out) :-
     Run = run(Store, _, made(_, _, Language), _),
     Job = job(_, _, _, Verb, Files, Options, Limits, _),
-    retract(last_id(Id0)),
+    flag(sg_batch_id, Id0, Id0+1),
     Id is Id0+1,
-    assertz(last_id(Id)),
     catch(( job_folder(Store, Id, Folder),
             folders_made(Options, Folder) ),
           error(Formal, Context), true),
@@ -562,10 +575,16 @@ answer_taken(Worker, Run, Out) :-
         ->  worker_ended(Worker, _)
         ;   assertz(worker(Worker, idle(0)))
         ),
-        catch(job_ended(Job, Key, Inputs, Folder, Head, Body, Run, Out),
-              error(Formal, Context),
-              ( folder_gone(Folder),
-                failed_by_error(Job, Key, error(Formal, Context), Run, Out) ))
+        catch(( job_ended(Job, Key, Inputs, Folder, Start, Head, Body, Run, Out)
+              ->  Fault = none
+              ;   Fault = sanggwan(no_end)
+              ),
+              error(Formal, Context), Fault = error(Formal, Context)),
+        (   Fault == none
+        ->  true
+        ;   folder_gone(Folder),
+            failed_by_error(Job, Key, Fault, Run, Out)
+        )
     ).
 
 %   worn_out(Head): the worker ends, or has more memory than it should keep.
@@ -585,10 +604,10 @@ most_kept(1_000_000).
                 *            RESULTS           *
                 *******************************/
 
-%   job_ended(Job, Key, Inputs, Folder, Head, Body, Run, Out): a worker has
-%   answered.
+%   job_ended(Job, Key, Inputs, Folder, Start, Head, Body, Run, Out): a worker
+%   has answered.
 
-job_ended(Job, Key, Inputs, Folder, Head, Body, Run, Out) :-
+job_ended(Job, Key, Inputs, Folder, Start, Head, Body, Run, Out) :-
     Run = run(Store, Base, _, _),
     (   get_dict(status, Head, Status)
     ->  Usage = usage(Head.seconds, Head.cpu, Head.rss_kb),
@@ -598,15 +617,27 @@ job_ended(Job, Key, Inputs, Folder, Head, Body, Run, Out) :-
         Messages = []
     ),
     without_folder(Folder, Messages, Said),
+    (   get_dict(read, Head, Files)
+    ->  true
+    ;   Files = []
+    ),
+    (   \+ job_inputs(Job, Base, Inputs)
+    ->  Unchanged = false
+    ;   also_read(Files, Inputs, Base, Start, Read0)
+    ->  json_text(Read0, Read)
+    ;   Unchanged = false
+    ),
     (   Status > 1
-    ->  failed_job(Job, Key, Folder,
+    ->  ( Unchanged == false -> Read = '[]' ; true ),
+        failed_job(Job, Key, Folder, Read,
                    result(failed, Status, Key, Usage, [], Said, Head.error),
                    Run, Out)
-    ;   \+ job_inputs(Job, Base, Inputs)
+    ;   Unchanged == false
     ->  ended_badly(Job, Key, Folder, failed, 3, changed, Usage, Run, Out)
     ;   text_kept(Job, Head, Body, Folder),
         folder_files(Folder, Made),
-        job_written(Job, Key, Inputs, Status, Said, Folder, Made, Run),
+        job_written(Job, Key, Inputs, result(Status, Said, Read), Folder, Made,
+                    Run),
         published(Store, Folder, Key, Place),
         failure_removed(Store, Key),
         files_linked(Job, Made, Place, Run, Paths),
@@ -665,20 +696,21 @@ octets_written(File, Encoding, Text) :-
         write(Out, Text),
         close(Out)).
 
-%   job_written(Job, Key, Inputs, Status, Said, Folder, Files, Run): what the
-%   result is made of; nothing of it is otherwise another time.
+%   job_written(Job, Key, Inputs, Result, Folder, Files, Run): what the result
+%   is made of; nothing of it is otherwise another time.
 
-job_written(job(_, _, _, Verb, Files, Options, _, _), Key, Inputs, Status, Said,
-            Folder, Made, run(_, _, made(Version, Digest, Language), _)) :-
+job_written(job(_, _, _, Verb, Files, Options, _, _), Key, Inputs,
+            result(Status, Said, Read), Folder, Made,
+            run(_, _, made(Version, Digest, Language), _)) :-
     option_words(Options, '.', Words0),
     maplist(without_dot, Words0, Words),
     append([Verb|Files], Words, Argv),
-    maplist(input_dict, Inputs, Read),
-    json_text(_{argv:Argv, inputs:Read, key:Key, language:Language,
+    maplist(input_dict, Inputs, Dicts),
+    json_text(_{argv:Argv, inputs:Dicts, key:Key, language:Language,
                 program:Digest, version:Version}, Rest0),
     sub_string(Rest0, 1, _, 0, Rest),
     sizes_text(Folder, Made, Sizes),
-    result_head(Sizes, Status, Said, Head),
+    result_head(Sizes, Status, Said, Read, Head),
     format(string(Text), '~w~w~n', [Head, Rest]),
     atom_concat(Folder, '/job.json', File),
     octets_written(File, utf8, Text).
@@ -691,18 +723,18 @@ without_dot(Word0, Word) :-
 
 input_dict(input(File, Digest), _{file:File, sha256:Digest}).
 
-%   failed_job(Job, Key, Folder, Result, Run, Out): Result with its Error as an
-%   object.
+%   failed_job(Job, Key, Folder, Read, Result, Run, Out): Result with its Error
+%   as an object.
 
-failed_job(Job, Key, Folder, Result0, Run, Out) :-
+failed_job(Job, Key, Folder, Read, Result0, Run, Out) :-
     Run = run(Store, _, _, _),
     Result0 = result(Outcome, Status, Key, Usage, Files, Said, Object),
     without_folder(Folder, Object, Error),
     Result = result(Outcome, Status, Key, Usage, Files, Said, Error),
     folder_gone(Folder),
     format(string(Text),
-           '{"outcome":"~w","status":~w,"said":~w,"error":~w}',
-           [Outcome, Status, Said, Error]),
+           '{"outcome":"~w","status":~w,"said":~w,"read":~w,"error":~w}',
+           [Outcome, Status, Said, Read, Error]),
     catch(failure_written(Store, Key, Text), error(_, _), true),
     line_said(Job, Result, Out),
     failure_said(Job, Object, Run).
@@ -714,7 +746,7 @@ folder_gone(Folder) :-
 
 ended_badly(Job, Key, Folder, Outcome, Status, What, Usage, Run, Out) :-
     message_object(error, sanggwan(batch(What)), Object),
-    failed_job(Job, Key, Folder,
+    failed_job(Job, Key, Folder, '[]',
                result(Outcome, Status, Key, Usage, [], '[]', Object), Run,
                Out).
 

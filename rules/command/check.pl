@@ -4,7 +4,8 @@
           ]).
 :- use_module('../model/integrity', [defect_weight/2, shell_defect/3]).
 :- use_module('../kernel', [census/1, self_meetings/2]).
-:- use_module('../model/formula_rows', [written_fact/2]).
+:- use_module('../model/formula_rows', [default_of/2, written_fact/2]).
+:- use_module('../model/parameter_about', [about_text/3, range_of/4]).
 :- use_module('../store', [segment/3, param/2]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [maplist/3]).
@@ -17,8 +18,9 @@ A report is a dict; report.pl prints it as text or as JSON:
     _{parameters: [Parameter, ...], segments: [Segment, ...], total: Total,
       faults: N, remarks: M}
 
-A Parameter has name, value, and formula: what it is made from, as text, or
-null.
+A Parameter has name, value, formula (what it is made from, as text), default
+(what its file has, as text, if it was set), minimum, maximum, step, and text:
+what it is, by language. What is not there is null.
 
 Segment has segment, name, kind, vertices, half_edges, edges, polygons,
 triangles, curve_edges, box ([[X1,Y1,Z1],[X2,Y2,Z2]]), area, volume (null unless
@@ -46,18 +48,42 @@ check_report(Report) :-
                faults:Faults, remarks:Remarks}.
 
 parameters(Parameters) :-
-    findall(_{name:Name, value:Value, formula:Formula},
-            ( param(Name, Value), parameter_formula(Name, Formula) ),
+    findall(Parameter,
+            ( param(Name, Value), parameter(Name, Value, Parameter) ),
             Parameters).
+
+parameter(Name, Value,
+          _{ name:Name, value:Value, formula:Formula, default:Default,
+             minimum:Minimum, maximum:Maximum, step:Step, text:Texts }) :-
+    parameter_formula(Name, Formula),
+    (   default_of(Name, Written)
+    ->  formula_text(Written, Default)
+    ;   Default = null
+    ),
+    range_of(Name, Least, Most, By),
+    maplist(or_null, [Least,Most,By], [Minimum,Maximum,Step]),
+    findall(Language-Text, about_text(Name, Language, Text), Pairs),
+    (   Pairs == []
+    ->  Texts = null
+    ;   dict_pairs(Texts, _, Pairs)
+    ).
+
+or_null(Value0, Value) :-
+    (   Value0 == none
+    ->  Value = null
+    ;   Value = Value0
+    ).
 
 parameter_formula(Name, Formula) :-
     param(Name, Value),
     written_fact(param(Name, Value), param(_, Written)),
     (   Written == Value
     ->  Formula = null
-    ;   format(string(Formula), '~W',
-               [Written, [quoted(true),numbervars(false)]])
+    ;   formula_text(Written, Formula)
     ).
+
+formula_text(Written, Text) :-
+    format(string(Text), '~W', [Written, [quoted(true),numbervars(false)]]).
 
 %!  report_faults(+Report, ?Faults) is semidet.
 %

@@ -25,12 +25,12 @@
 :- use_module('../spelling', [near_words/3]).
 :- use_module('../stage', [stages_reset/0, stage_seconds/2]).
 :- use_module('../status', [error_status/2]).
-:- use_module('../studio/session', [session/3]).
 :- use_module('../store', [new_world/1, in_world/2, facts_statistics/2]).
 :- use_module(usage, [verb/4, verb_options/2, print_usage/1, print_usage/2]).
 :- use_module(user:'../sanggwan').
 :- use_module(user:help, [help/0, help/1]).
-:- use_module(verbs, [verb_run/4]).
+:- use_module(verb_session, [serve_run/3]).
+:- use_module(verbs, [verb_run/4, item_explained_there/3]).
 :- use_module('../version', [version/1]).
 :- use_module(library(apply), [maplist/2]).
 :- use_module(library(http/json), [json_write_dict/3]).
@@ -120,6 +120,25 @@ sanggwan(Arguments, Status) :-
         ( erase(Running),
           nothing_told
         )).
+
+:- public explained_there/2.
+
+%   explained_there(Arguments, Status): as sanggwan/2 does `explain`, of the
+%   model in the current world.
+
+explained_there(Arguments, Status) :-
+    setup_call_cleanup(
+        asserta(running, Running),
+        ended(false, there(Arguments), Status),
+        ( erase(Running),
+          nothing_told
+        )).
+
+there(Arguments, Status) :-
+    assertz(told_once),
+    verb_options(explain, Specs),
+    parsed_arguments(Specs, Arguments, Items, Options),
+    item_explained_there(Items, Options, Status).
 
 %   ended(Strict, Work, Status): call(Work, Status), as of a command that has
 %   said nothing yet; what it raises is said.
@@ -257,7 +276,7 @@ verb_in_world(serve, Files, Options, Status) :-
     (   Files = [File|_]
     ->  usage_error(no_files_taken(serve, File))
     ;   option(stdio(true), Options)
-    ->  session(sg_cli:sanggwan, sg_verbs:draw, Status)
+    ->  serve_run(sg_cli:sanggwan, sg_cli:explained_there, Status)
     ;   usage_error(serve_without_stdio)
     ).
 verb_in_world(Verb, Files, Options, Status) :-

@@ -220,6 +220,29 @@ example(current_view/4, 'facts/two_cubes.pl', "current_view(T, P, R, Kind).",
         "T = 300.0, P = 60.0, R = 20.0, Kind = parallel").
 example(hidden_by/6, 'facts/two_cubes.pl',
         "picture, once(hidden_by(1, 1, S, T, _, _)).", "S = 1, T = 6").
+example(shading_scene/2, 'facts/two_cubes.pl',
+        "shading_scene(320-200, Scene).", "Scene = scene(_,_,_)").
+example(scene_leaf/2, 'facts/two_cubes.pl',
+        "shading_scene(320-200, _Scene), scene_leaf(_Scene, Leaf).",
+        "Leaf = leaf(1,1,1,_,_)").
+example(slice/3, 'facts/two_cubes.pl',
+        "shading_scene(320-200, _Scene), \c
+         slice(_Scene, 99.9, slice(R, S, F, Sense, _, _, _)).",
+        "R = 1, S = 1, F = 2, Sense = 1").
+example(met/4, 'facts/two_cubes.pl',
+        "shading_scene(320-200, _Scene), \c
+         met(_Scene, 160, 99.9, [group(_, Mets)|_]).",
+        "Mets = [met(1,_,1)]").
+example(seen_at/4, 'facts/two_cubes.pl',
+        "shading_scene(320-200, _Scene), seen_at(_Scene, 160, 99.9, Seen).",
+        "Seen = seen(1,1,_)").
+example(line_spans/3, 'facts/two_cubes.pl',
+        "shading_scene(320-200, _Scene), line_spans(_Scene, 99.9, [First|_]).",
+        "First = span(_,_,1,1,_)").
+example(seen_side/5, 'facts/two_cubes.pl',
+        "shading_scene(320-200, _Scene), \c
+         seen_side(_Scene, 160, 99.9, Depth, Normal).",
+        "Depth = _, Normal = vector(_,_,_)").
 example(hidden_by_polygon/6, 'facts/two_cubes.pl',
         "picture, hidden_by_polygon(1, 4, S, P, From, To).",
         "S = 1, P = 3, From = 0.0, To = 1.0").

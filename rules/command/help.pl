@@ -3,6 +3,7 @@
             help/1,                     % +What
             sanggwan_help/0,
             sanggwan_help/1,            % +What
+            callable_summary/3,         % -Name, -Arity, -Summary
             short_answers/0
           ]).
 :- use_module('../limits', [term_of_text/3]).
@@ -100,6 +101,15 @@ summary(Name, Arity, Summary) :-
     ->  Summary = Doc
     ;   Summary = ''
     ).
+
+%!  callable_summary(-Name, -Arity, -Summary) is nondet.
+%
+%   Name/Arity is a predicate that users may call, and Summary a line about it.
+
+callable_summary(Name, Arity, Summary) :-
+    called(Name, Arity, _),
+    \+ relation(Name, Arity, _),
+    summary(Name, Arity, Summary).
 
 %   called(?Name, ?Arity, -Module) is nondet: Module has it, users call it.
 

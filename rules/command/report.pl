@@ -35,10 +35,36 @@ print_report(text, Report) :-
 
 print_parameter(Language, Parameter) :-
     format(string(Name), '~q', [Parameter.name]),
-    (   Parameter.formula == null
-    ->  say(Language, parameter, [Name, Parameter.value])
-    ;   say(Language, formula, [Name, Parameter.value, Parameter.formula])
-    ).
+    findall(Part, parameter_part(Language, Parameter, Part), Parts),
+    atomic_list_concat(Parts, More),
+    say(Language, parameter, [Name, Parameter.value, More]).
+
+%   parameter_part(Language, Parameter, Part) is nondet: what more there is to
+%   say of it.
+
+parameter_part(Language, Parameter, Part) :-
+    part_values(Parameter, Name, Values),
+    \+ memberchk(null, Values),
+    text(Language, Name, Format),
+    format(atom(Part), Format, Values).
+parameter_part(Language, Parameter, Part) :-
+    Texts = Parameter.text,
+    is_dict(Texts),
+    (   Text = Texts.get(Language)
+    ->  true
+    ;   get_dict(_, Texts, Text)
+    ->  true
+    ),
+    atom_concat(': ', Text, Part).
+
+part_values(Parameter, formula, [Parameter.formula]).
+part_values(Parameter, default, [Parameter.default]).
+part_values(Parameter, range, [Parameter.minimum, Parameter.maximum]).
+part_values(Parameter, minimum, [Parameter.minimum]) :-
+    Parameter.maximum == null.
+part_values(Parameter, maximum, [Parameter.maximum]) :-
+    Parameter.minimum == null.
+part_values(Parameter, step, [Parameter.step]).
 
 print_segment(Language, S) :-
     word(Language, S.kind, Kind),
@@ -164,10 +190,20 @@ translated(open,    open,    '열림').
 translated(fault,   'FAULT', '잘못').
 translated(remark,  remark,  '참고').
 
-text(en, parameter, "parameter ~w = ~w").
-text(ko, parameter, "매개변수 ~w = ~w").
-text(en, formula,   "parameter ~w = ~w, from ~w").
-text(ko, formula,   "매개변수 ~w = ~w, 식 ~w").
+text(en, parameter, "parameter ~w = ~w~w").
+text(ko, parameter, "매개변수 ~w = ~w~w").
+text(en, formula,   ", from ~w").
+text(ko, formula,   ", 식 ~w").
+text(en, default,   ", which was set (default ~w)").
+text(ko, default,   ", 주어진 값 (기본값 ~w)").
+text(en, range,     ", ~w to ~w").
+text(ko, range,     ", ~w부터 ~w까지").
+text(en, minimum,   ", ~w at least").
+text(ko, minimum,   ", ~w 이상").
+text(en, maximum,   ", ~w at most").
+text(ko, maximum,   ", ~w 이하").
+text(en, step,      " in steps of ~w").
+text(ko, step,      ", 간격 ~w").
 text(en, no_faults, "no faults").
 text(ko, no_faults, "잘못이 없습니다").
 text(_,  faults,    "~w").

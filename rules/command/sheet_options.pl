@@ -19,7 +19,7 @@
 :- use_module(library(option), [option/2, option/3]).
 /** <module> What the options of `draw` say of the sheet.
 
-Every mistake is found before the model is read, but for what depends on it.
+Every mistake is found before the model is read, except what depends on it.
 */
 
 %!  sheet_wanted(+Options) is semidet.

@@ -14,6 +14,7 @@
 :- use_module('../language', [language/1]).
 :- use_module('../model/model', [load_model/2, save_model/1]).
 :- use_module('../model/parameter', [settings_met/2, settings_of/2]).
+:- use_module('../model/parameter_about', [settings_used/1]).
 :- use_module('../solid/operand', [operand_faults/2]).
 :- use_module('../csg/operand_name', [name_root/2]).
 :- use_module('../plain', [plain_json/2, plain_text/2]).
@@ -79,7 +80,8 @@ solid_verb_run(Verb, Files, Options, 0) :-
 all_set(Options) :-
     settings_of(Options, Settings),
     findall(Name, param(Name, _), Names),
-    settings_met(Settings, Names).
+    settings_met(Settings, Names),
+    settings_used(Settings).
 
 %   takes_one(Verb, Ss, Output): the format does not tell the parts Ss of split
 %   apart, so each gets a file.

@@ -48,7 +48,8 @@ needs(Name, true) :-
 needs(Name, trim) :-
     member(Name, ['set-in','other-thickness']).
 needs(Name, thickness) :-
-    member(Name, [ size,kfactor,'bend-radius','set-in','other-thickness' ]).
+    member(Name, [ size,kfactor,'bend-radius',relief,'set-in',
+                   'other-thickness' ]).
 needs(overlap, tile).
 needs('open-slits', tabs).
 

@@ -9,6 +9,8 @@
           ]).
 :- encoding(utf8).
 :- use_module('../picture/role', [usual_crease/1]).
+:- use_module(usage_render,
+              [render_option/1, render_option_ko/2, render_example/1]).
 :- use_module(usage_unfold,
               [ unfold_option/1, wish_option/1, unfold_option_ko/2,
                 unfold_example/1 ]).
@@ -39,6 +41,9 @@ verb(penetrate, 'MODEL... [-o FILE]',
 verb(draw, 'MODEL... -o FILE',
      'a drawing with its hidden lines',
      '은선을 처리한 그림').
+verb(render, 'MODEL... -o FILE',
+     'a shaded picture, straight from the CSG trees',
+     'CSG 트리에서 바로 그리는 음영 그림').
 verb(union, 'MODEL MODEL...',
      'the solid of all that is in any of the models',
      '모델들 가운데 어느 하나에라도 있는 것의 입체').
@@ -115,24 +120,24 @@ verb_option(draw, option(format, '',
 verb_option(Verb, option(view, '', value, 'VIEW',
     'front, back, left, right, top, bottom, isometric, dimetric, \c
      trimetric, or THETA,PHI[,RHO] in degrees')) :-
-    picture_verb(Verb).
+    looking_verb(Verb).
 verb_option(Verb, option(direction, '', value, 'X,Y,Z',
     'look in this direction')) :-
-    picture_verb(Verb).
+    looking_verb(Verb).
 verb_option(Verb, option(eye, '', value, 'X,Y,Z',
     'look from this point')) :-
-    picture_verb(Verb).
+    looking_verb(Verb).
 verb_option(Verb, option(target, '', value, 'X,Y,Z',
     'with --eye: towards this point, instead of the middle of the model')) :-
-    picture_verb(Verb).
+    looking_verb(Verb).
 verb_option(Verb, option(up, '', one_of([x, y, z]), 'AXIS',
     'which axis of the model points up (z, as is usual; y in most .obj \c
      files): the model is turned first, and all views, directions and \c
      sections are of the turned one, whose z points up')) :-
-    picture_verb(Verb).
+    looking_verb(Verb).
 verb_option(Verb, option(projection, '', one_of([parallel, central]), 'KIND',
     'parallel or central')) :-
-    picture_verb(Verb).
+    looking_verb(Verb).
 verb_option(draw, option(hidden, '', one_of([dashed, removed, shown]), 'HOW',
     'hidden lines dashed (as is usual), removed or shown')).
 verb_option(Verb, option(lines, '', one_of([feature, all, penetration]),
@@ -146,7 +151,7 @@ verb_option(Verb, option(crease, '', number(0), 'DEGREES', Help)) :-
     picture_verb(Verb).
 verb_option(Verb, option(segment, '', each, 'N',
     'only segment N; may be repeated')) :-
-    picture_verb(Verb).
+    looking_verb(Verb).
 verb_option(draw, option(scale, '', value, 'N:M',
     'true scale, such as 1:2 or 5:1; or fit, as large as there is room')).
 verb_option(draw, option(unit, '', one_of([mm, cm, m, inch]), 'UNIT',
@@ -214,6 +219,8 @@ verb_option(Verb, option(json, '', flag, '',
 
 verb_option(unfold, Option) :-
     unfold_option(Option).
+verb_option(render, Option) :-
+    render_option(Option).
 
 verb_option(query, option(format, '', one_of([table, csv, json, prolog]),
     'FORMAT', 'table (as is usual), csv, json or prolog')).
@@ -241,6 +248,8 @@ verb_option(batch, option(copy, '', flag, '',
     'results are copies, not links')).
 verb_option(batch, option(merge, '', flag, '',
     'reports become one: JSON, JUnit, or pages of pictures')).
+verb_option(batch, option(sheets, '', flag, '',
+    'MANIFEST is a file of problems: the same as the verb problems')).
 
 verb_option(explain, option(tolerance, '', number(0), 'T',
     'what is nearer than T (model units) touches; 0: nothing else does')).
@@ -276,6 +285,10 @@ each_verb(unfold).
 picture_verb(draw).
 picture_verb(explain).
 
+looking_verb(render).
+looking_verb(Verb) :-
+    picture_verb(Verb).
+
 solid_verb(union).
 solid_verb(intersection).
 solid_verb(difference).
@@ -291,8 +304,8 @@ common_option(option(from, '', one_of([pl, csg, stl, off, obj, ply]), 'FORMAT',
 common_option(option(rules, '', each, 'FILE',
     'rules that replace decisions; may be repeated')).
 common_option(option(set, '', each, 'NAME=VALUE',
-    'the value of a parameter, param(NAME, Default) of a model; may be \c
-     repeated')).
+    'the value of a parameter, param(NAME, Default) of a model, a number or a \c
+     formula of numbers; may be repeated')).
 common_option(option(limits, '', value, 'NAME=N,...',
     'how much a text may ask for: depth, blocks, digits, name, fact, file, \c
      text, facets, nodes')).
@@ -375,9 +388,11 @@ option_ko(list, '작업 이름만 쓰고 하지는 않는다').
 option_ko(report, '작업마다 JSON 한 줄을 표준 출력 대신 이 파일에 쓴다').
 option_ko(copy, '결과를 링크가 아니라 복사본으로 둔다').
 option_ko(merge, '보고 파일들을 하나로: JSON, JUnit, 그림을 모은 쪽').
+option_ko(sheets, '문제 파일로 문제지를 만든다. 동사 problems와 같다').
 option_ko(limit, '처음 N개의 답만').
 option_ko(from, '표준 입력(-)의 형식. 보통 pl').
-option_ko(set, '모델의 매개변수 param(NAME, 기본값)의 값. 여러 번 쓸 수 있다').
+option_ko(set, '모델의 매개변수 param(NAME, 기본값)의 값, 수 또는 수로 된 식. \c
+     여러 번 쓸 수 있다').
 option_ko(rules, '결정을 바꾸는 규칙 파일. 여러 번 쓸 수 있다').
 option_ko(limits, '글이 청할 수 있는 크기: depth, blocks, digits, name, fact, file, \c
 text, facets, nodes').
@@ -419,6 +434,8 @@ example(draw, 'sanggwan draw facts/pipe_tee.pl --sheet A3 --unit cm \c
 --section y -o tee.pdf').
 example(draw, 'sanggwan draw part.stl --sheet A4 \c
 --views front,top,isometric --angle first --scale 1:2 -o part.svg').
+example(render, Command) :-
+    render_example(Command).
 example(union, 'sanggwan union a.stl b.stl c.stl -o all.stl').
 example(union, 'sanggwan union facts/cube.pl facts/pipe_tee.pl').
 example(intersection, 'sanggwan intersection a.off b.off -o common.obj').
@@ -520,6 +537,9 @@ print_option(Language, Verb, option(Name, Short, _, Meta, Help)) :-
     ),
     (   Verb == unfold,
         unfold_option_ko(Name, HelpKo)
+    ->  true
+    ;   Verb == render,
+        render_option_ko(Name, HelpKo)
     ->  true
     ;   verb_option_ko(Verb, Name, HelpKo)
     ->  true

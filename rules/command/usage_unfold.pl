@@ -74,6 +74,9 @@ unfold_option(option(kfactor, '', number(0,1), 'K',
      from the inside of a bend, 0 to 1; default 0.44, with --true 0.5')).
 unfold_option(option('bend-radius', '', number(0), 'R',
     'with --thickness: inside each bend; default T')).
+unfold_option(option(relief, '', one_of([square, round, none]), 'HOW',
+    'with --thickness: what is cut out of a corner where two bends meet; \c
+     default square')).
 unfold_option(option('set-in', '', flag, '',
     'with --true, --trim and --thickness: a branch goes through the wall of \c
      the header; without it, it is set on')).
@@ -176,6 +179,9 @@ unfold_option_ko(kfactor,
 0에서 1까지. 보통 0.44, --true 는 0.5').
 unfold_option_ko('bend-radius',
     '--thickness 와 함께: 굽힘의 안쪽 반지름. 보통 두께와 같다').
+unfold_option_ko(relief,
+    '--thickness 와 함께: 두 굽힘이 만나는 모퉁이를 어떻게 따낼지: square(네모, \c
+보통), round(둥글게), none(그대로)').
 unfold_option_ko('set-in',
     '--true, --trim, --thickness 와 함께: 지관이 주관의 벽을 뚫고 들어간다. \c
 없으면 위에 얹힌다').

@@ -1,5 +1,6 @@
 :- module(sg_verbs,
           [ verb_run/4,                 % +Verb, +Files, +Options, -Status
+            item_explained_there/3,     % +Items, +Options, -Status
             draw/1,                     % +File
             draw/2,                     % +File, +Options
             convert/2                   % +Files, +File
@@ -16,6 +17,8 @@
               [explain/2, explanation/3, print_explanations/1]).
 :- use_module('../sheet/eye', [set_eye/3]).
 :- use_module('../picture/hidden_lines', [picture/1]).
+:- use_module('../picture/picture_cut',
+              [penetrated/1, pieces_cut/1, segments_cut/1]).
 :- use_module('../picture/role', [usual_crease/1]).
 :- use_module(lines_out, [write_lines/2, line_format/1]).
 :- use_module('../output', [when_written/1]).
@@ -25,6 +28,7 @@
 :- use_module('../model/parameter', [settings_met/2, settings_of/2]).
 :- use_module('../penetration/penetration', [penetrate/2]).
 :- use_module('../picture/sew', [borders_sewn/1]).
+:- use_module('../primitive/primitive_rows', [commas_told/2]).
 :- use_module('../problem/problem_sheet', [problem_sheets/3]).
 :- use_module('../studio/query', [query/2, read_goal/3]).
 :- use_module(repl, [repl/0]).
@@ -51,6 +55,7 @@
                 usage_error/1
               ]).
 :- use_module(verbs_batch, [batch_run_verb/3]).
+:- use_module(verbs_render, [render_run/2]).
 :- use_module(verbs_unfold,
               [ unfold_run/3, roots_apart/1, patterns_given/1,
                 pattern_wanted/3 ]).
@@ -156,6 +161,8 @@ verb_run(draw, Files, Options, 0) :-
     ),
     said_of_style(DrawingOptions),
     maplist(output_written(drawing_output(WriteOptions)), Outputs).
+verb_run(render, Files, Options, 0) :-
+    render_run(Files, Options).
 verb_run(query, Arguments, Options, Status) :-
     (   append(Files, [Text], Arguments)
     ->  true
@@ -167,6 +174,7 @@ verb_run(query, Arguments, Options, Status) :-
     ;   some_files(Files, 'MODEL')
     ),
     read_goal(Text, Goal, Bindings),
+    commas_told(Goal, none),
     query_format(Options, Format),
     load_model(Files, Options),
     option(limit(Limit), Options, infinite),
@@ -186,7 +194,7 @@ verb_run(explain, Arguments, Options, Status) :-
     ;   some_files(Files, 'MODEL')
     ),
     read_goal(Text, Item, _),
-    item_explained(Item, Files, Options, Status).
+    item_explained(Item, load_model(Files, Options), Options, Status).
 verb_run(Verb, Files, Options, Status) :-
     solid_verb(Verb),
     solid_verb_run(Verb, Files, Options, Status).
@@ -318,39 +326,6 @@ convert(Files, File) :-
     new_world(World),
     in_world(World, ( load_model(Files), save_model(File) )).
 
-several_segments :-
-    segment(A, _, _),
-    segment(B, _, _),
-    A \== B,
-    !.
-
-%   segments_cut(Options): patches are sewn (sew.pl), and the segments cut each
-%   other, if there are several, and themselves. pieces_cut(Options): those of
-%   a section, which needs no notice.
-
-segments_cut(Options) :-
-    borders_sewn(_),
-    (   several_segments
-    ->  penetrated([themselves(true),shown(true)|Options])
-    ;   pieces_cut(Options)
-    ).
-
-pieces_cut(Options) :-
-    penetrate(all, [themselves(true),shown(true)|Options]).
-
-%   penetrated(Options): the segments cut each other, or a notice says why not.
-
-penetrated(Options) :-
-    penetrate(all, Options),
-    (   \+ several_segments
-    ->  print_message(informational, sanggwan(one_segment))
-    ;   line(_, _, _, _, _, _, _, _, _)
-    ->  true
-    ;   origin(_, v(_), _)
-    ->  true
-    ;   print_message(informational, sanggwan(do_not_meet))
-    ).
-
 %   points_alone: a notice if curves go through, which leaves points, no lines.
 
 points_alone :-
@@ -370,20 +345,36 @@ points_alone :-
 model_output(File) :-
     save_model(File).
 
-%   item_explained(Item, Files, Options, Status): of a line of the picture, in
-%   the picture that draw would make.
+%!  item_explained_there(+Items, +Options, -Status) is det.
+%
+%   As the verb explain, of the model in the current world. Items, a list of one
+%   text, say what is explained.
 
-item_explained(Item, Files, Options, Status) :-
+item_explained_there(Items, Options, Status) :-
+    (   Items = [Text]
+    ->  read_goal(Text, Item, _),
+        item_explained(Item, true, Options, Status)
+    ;   usage_error(no_files('ITEM'))
+    ).
+
+%   item_explained(Item, Load, Options, Status): of a line of the picture, in
+%   the picture that draw would make. Load makes the model be there.
+
+:- meta_predicate item_explained(+, 0, +, -).
+
+item_explained(Item, Load, Options, Status) :-
     (   of_picture(Item)
     ->  picture_options(Options, PictureOptions),
         eye(Options, Eye),
-        load_model(Files, Options),
+        call(Load),
         picture_made(Options, Eye, PictureOptions, Lines),
         with_operand_lines(Lines,
                            explained(Options, Item, PictureOptions, Status))
-    ;   load_model(Files, Options),
+    ;   call(Load),
         (   of_pattern(Item)
         ->  pattern_asked(Item, Options, Wanted)
+        ;   of_model(Item)
+        ->  Wanted = []
         ;   Wanted = [],
             penetrate(all, Options)
         ),
@@ -411,6 +402,13 @@ of_pattern(Item) :-
     nonvar(Item),
     functor(Item, Name, _),
     memberchk(Name, [seam,fold,pattern]).
+
+%   of_model(Item): of what its file says, which needs no cut.
+
+of_model(Item) :-
+    nonvar(Item),
+    functor(Item, Name, 1),
+    memberchk(Name, [segment,param]).
 
 of_picture(Item) :-
     nonvar(Item),

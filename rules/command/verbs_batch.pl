@@ -4,6 +4,7 @@
 :- use_module(arguments, [parsed_arguments/4]).
 :- use_module('../batch/batch_merge', [reports_merged/2]).
 :- use_module('../batch/runner', [batch_run/4]).
+:- use_module('../problem/problem_sheet', [problem_sheets/3]).
 :- use_module('../version', [version/1]).
 :- use_module(usage, [job_options/2]).
 :- use_module(verb_output, [usage_error/1]).
@@ -19,9 +20,16 @@
 
 batch_run_verb(Files, Options, Status) :-
     option(output(Outs), Options, []),
-    (   option(merge(true), Options)
-    ->  no_option(Options, [jobs,shard,only,list,resume,'keep-going',report,
-                            copy]),
+    (   option(sheets(true), Options)
+    ->  no_option('--sheets', Options,
+                  [merge,shard,only,list,resume,'keep-going',report,copy]),
+        one_file(Files, File),
+        out_folder(Options, Outs, [out(Folder)]),
+        problem_sheets(File, Folder, Options),
+        Status = 0
+    ;   option(merge(true), Options)
+    ->  no_option('--merge', Options,
+                  [jobs,shard,only,list,resume,'keep-going',report,copy]),
         (   Files == []
         ->  usage_error(no_files('REPORT'))
         ;   Outs == []
@@ -32,7 +40,8 @@ batch_run_verb(Files, Options, Status) :-
     ;   one_file(Files, File),
         out_folder(Options, Outs, Own0),
         convlist(batch_option(Options), [jobs,shard,only,list,resume,
-                                         'keep-going',report,copy], Own1),
+                                         'keep-going',report,copy,quiet],
+                 Own1),
         append(Own0, Own1, Own),
         version(Version),
         findall(Word, given_word(Options, Word), Words),
@@ -50,12 +59,12 @@ one_file([File], File) :-
 one_file([_,File|_], _) :-
     usage_error(batch(one_manifest(File))).
 
-no_option(Options, Names) :-
+no_option(Given, Options, Names) :-
     (   member(Name, Names),
         Option =.. [Name, _],
         option(Option, Options)
     ->  atom_concat(--, Name, Text),
-        usage_error(both_options('--merge', Text))
+        usage_error(both_options(Given, Text))
     ;   true
     ).
 
@@ -94,6 +103,8 @@ batch_option(Options, report, report(File)) :-
     option(report(File), Options).
 batch_option(Options, copy, copy(true)) :-
     option(copy(true), Options).
+batch_option(Options, quiet, quiet(true)) :-
+    option(quiet(true), Options).
 
 %   given_word(Options, Pair): what every job gets.
 

@@ -1,5 +1,6 @@
 :- module(sg_verbs_unfold,
           [ unfold_run/3,               % +Files, +Options, -Status
+            world_patterns/3,           % +Options, -Ds, -DrawingOptions
             roots_apart/1,              % +Options
             patterns_given/1,           % +Options
             pattern_wanted/3            % +Item, +Options, -Wanted
@@ -82,6 +83,20 @@ patterns_reported(Files, Options, Flags, Outputs, Ds) :-
           error(model_error(unfold(S, Wish, What)), Location),
           in_file(Files, S, Wish, What, Location)),
     reported(Ds, Options, Outputs).
+
+%!  world_patterns(+Options:list, -Ds:list, -DrawingOptions:list) is det.
+%
+%   Ds are the patterns of the model in the current world, which has them then;
+%   DrawingOptions are those of pattern_drawing/3 among Options.
+
+world_patterns(Options, Ds, DrawingOptions) :-
+    drawing_options(Options, DrawingOptions),
+    paper_checked(DrawingOptions),
+    flag_wishes(Options, Flags),
+    options_together(Options),
+    empty_roots_warned,
+    roots_apart(Options),
+    asked_once(sg_verbs_unfold:patterns(Options, Flags, Ds)).
 
 %!  roots_apart(+Options:list) is det.
 %
@@ -252,6 +267,7 @@ develop_flag(thickness, thickness).
 develop_flag(size, size).
 develop_flag(kfactor, k_factor).
 develop_flag('bend-radius', bend_radius).
+develop_flag(relief, relief).
 develop_flag('set-in', set_in).
 develop_flag('other-thickness', other_thickness).
 

@@ -14,12 +14,12 @@
               ]).
 :- use_module('../kernel', [kept_leaves/2]).
 :- use_module('../primitive/primitive_rows',
-              [add_shape/5, primitive_rows/3]).
+              [add_primitive/2, primitive_rows/3, rows_left_out/0]).
 :- use_module(csg_record,
               [record/2, recorded/2, up_to_date/2, made_and_kept/2]).
 :- use_module(csg_rows, [drop_boundary/1]).
 :- use_module(operand_name, [fault_named/2, note_unnumbered/3]).
-:- use_module('../primitive/primitive', [is_primitive/1, primitive_shape/4]).
+:- use_module('../primitive/primitive', [is_primitive/1]).
 :- use_module('../store',
               [ v/5, p/3, t/6, segment/3, origin/3, assert_fact/1,
                 retractall_facts/1, facts_transaction/1, fresh_id/3
@@ -248,7 +248,10 @@ leaf_completed([_|_], N, Kind0, Term, Kind, Incomplete0, Incomplete) :-
     is_primitive(Term),
     !,
     From = primitive(Term),
-    (   rows_wanted(N, From)
+    (   rows_left_out
+    ->  Kind = Kind0,
+        Incomplete = Incomplete0
+    ;   rows_wanted(N, From)
     ->  drop_boundary(N),
         primitive_rows(Term, N, Kind),
         replaced_segment(N, Kind, Term),
@@ -256,7 +259,10 @@ leaf_completed([_|_], N, Kind0, Term, Kind, Incomplete0, Incomplete) :-
     ;   Kind = Kind0,
         lacking(N, Incomplete0, Incomplete)
     ),
-    record(N, leaf(From)).
+    (   rows_left_out
+    ->  true
+    ;   record(N, leaf(From))
+    ).
 leaf_completed(_, N, Kind, _, Kind, Incomplete0, Incomplete) :-
     lacking(N, Incomplete0, Incomplete).
 
@@ -321,8 +327,7 @@ operand_number(Operand, S) :-
     assert_fact(segment(S, solid, Operand)),
     numbered(S, solid, Operand, _).
 operand_number(Operand, S) :-
-    primitive_shape(Operand, Kind, Points, Chains),
-    add_shape(Kind, Operand, Points, Chains, S).
+    add_primitive(Operand, S).
 
 %   joined_kind(Nodes, Operation, Child, ChildKind-ChildCount, Kind0-Count0,
 %   Kind-Count): of the first of Nodes, with one more child (CB-2).

@@ -2,6 +2,7 @@
           [ aside_segments/1,           % -Ss
             roots_alone/0,
             operand_lines/1,            % -Lines
+            operand_lines_added/1,      % +Lines
             with_operand_lines/2        % +Lines, :Goal
           ]).
 :- use_module(csg, [root_segment/1, is_node/1]).
@@ -53,12 +54,14 @@ roots_alone :-
     facts_transaction(sg_csg_roots:left_alone(Aside)).
 
 %!  operand_lines(-Lines) is det.
+%!  operand_lines_added(+Lines) is det.
 %!  with_operand_lines(+Lines, :Goal) is semidet.
 %
 %   Lines are border(S, P, V1, V2, Q), where the boundaries of root nodes turn
-%   from one operand to another (operand_borders/2). While Goal runs, once, they
-%   are line/9 of these segments with themselves, as far as their edges are
-%   there: so they are drawn as penetration lines, however little they bend.
+%   from one operand to another (operand_borders/2). From when they are added,
+%   or while Goal runs, once, they are line/9 of these segments with
+%   themselves, as far as their edges are there: so they are drawn as
+%   penetration lines, however little they bend.
 
 operand_lines(Lines) :-
     root_nodes(Nodes),
@@ -69,6 +72,9 @@ operand_lines(Lines) :-
 
 root_nodes(Nodes) :-
     findall(S, ( root_segment(S), is_node(S) ), Nodes).
+
+operand_lines_added(Lines) :-
+    forall(member(Line, Lines), ignore(line_added(Line, _))).
 
 with_operand_lines(Lines, Goal) :-
     findall(L, ( member(Line, Lines), line_added(Line, L) ), Ls),

@@ -1,6 +1,8 @@
 :- module(sg_known_surface,
           [ known_surfaces/1,           % -Known
             segment_surfaces/3,         % +S, -Surfaces, -Runs
+            stands_for/2,               % +Turn, +Surface
+            plain_surface/2,            % +Surface, -Numbers
             flat_bend/1,                % -Degrees
             facets_of/2,                % +Ss, -Facets
             remember_facets/1,          % +Facets
@@ -182,8 +184,10 @@ part_number(curved(Part,Turn), Named, K) :-
     ->  K = 0
     ).
 
-%   stands_for(Turn, Surface): a facet of so many degrees stands for it; every
-%   facet of a Bezier patch does.
+%!  stands_for(+Turn, +Surface) is semidet.
+%
+%   True when a facet of so many degrees stands for Surface, as of
+%   smooth_surface/3; every facet of a Bezier patch does.
 
 stands_for(Turn, Surface) :-
     (   Surface = turned(Inner)
@@ -200,6 +204,11 @@ widest(ruled,    45.0).
 widest(sphere,   90.0).
 widest(torus,    90.0).
 widest(bezier,   inf).
+
+%!  plain_surface(+Surface, -Numbers) is det.
+%
+%   Numbers is surface(Kind, Frame, A, B), as of segment_surfaces/3, for Surface
+%   as of smooth_surface/3.
 
 plain_surface(turned(Inner), surface(turned,Frame,A,B)) :-
     plain_surface(Inner, surface(tapered,Frame,A,B)).
@@ -282,7 +291,7 @@ remembered_facets(Facets) :-
 
 %!  remember_only(+Facets:list) is det.
 %
-%   Forget what remember_facets/1 was told, but for Facets.
+%   Forget what remember_facets/1 was told, except for Facets.
 
 remember_only(Facets) :-
     retractall_facts(origin(_, surfaces, _)),

@@ -5,11 +5,13 @@
 :- use_module('../near', [is_rounding/2]).
 :- use_module(bend_corner,
               [ corner_place/5, edge_inward/4, list_to_first/2,
-                polygon_corners/4
+                model_segment/2, of_one_surface/3, polygon_corners/4,
+                polygon_of_edge/3
               ]).
+:- use_module(corner_relief, [corners_relieved/4, outline_crossings/2]).
 :- use_module('../csg/placed_surface', [facet_surface/3]).
 :- use_module('../store',
-              [ e/5, edge_polygon/3, from_v/4, joint/6, origin/3, p/3,
+              [ e/5, from_v/4, joint/6, origin/3, p/3,
                 segment/3, t/6, v/5, assert_fact/1, facts_transaction/1,
                 fresh_id/3, retract_fact/1, retractall_facts/1
               ]).
@@ -21,7 +23,7 @@
                 put_assoc/4
               ]).
 :- use_module(library(error), [domain_error/2, must_be/2]).
-:- use_module(library(lists), [append/3, max_list/2, member/2, subtract/3]).
+:- use_module(library(lists), [append/3, member/2, subtract/3]).
 :- use_module(library(option), [option/2, option/3]).
 :- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> Folded plates: what bends take off a pattern.
@@ -110,10 +112,14 @@ drawn_at(inside, Degrees, T, _, S) :-
 %       Inside each bend; default T.
 %     - k_factor(K)
 %       Default 0.44.
+%     - relief(Which)
+%       `square` (default), `round` or `none`: what is cut out of corners where
+%       two bends meet, see corner_relief/3.
 %
-%   Pieces keep their places; they may come nearer to each other by what bends
-%   add. Generators of a true development go with the edge or the polygon they
-%   lie on.
+%   Where two faces meet in a seam at an angle, both end where the inner sides
+%   of their plates meet. Pieces keep their places; they may come nearer to
+%   each other by what bends add. Generators of a true development go with the
+%   edge or the polygon they lie on.
 %
 %   @error geometry_error(true(bend(S, P1, P2, Degrees))): the plate of segment
 %   S would turn by 170 degrees or more
@@ -121,6 +127,9 @@ drawn_at(inside, Degrees, T, _, S) :-
 %   is a facet of a `sphere` or a `torus`
 %   @error geometry_error(true(bend_too_wide(S, P, Width))): of polygon P
 %   nothing is left
+%   @error geometry_error(true(no_relief(S, P, Wide))): as corners_relieved/4
+%   @error geometry_error(true(bent_over(S, P))): what is left of polygon P
+%   crosses itself
 
 pattern_bent(D, Options) :-
     plate(Options, T, _, _, _),
@@ -134,8 +143,8 @@ bent(D, Options0) :-
     findall(bend(E1, E2, P1, P2, Half),
             fold_half(D, Options, E1, E2, P1, P2, Half),
             Bends),
-    edge_offsets(Bends, Offsets),
-    told_corners(D, Offsets),
+    findall(E-Back, seam_back(D, Options, E, Back), Seams),
+    edge_offsets(Bends, Seams, Offsets),
     polygon_shifts(D, Bends, Shifts),
     findall(P, p(D, P, _), Ps),
     empty_assoc(Known),
@@ -143,7 +152,23 @@ bent(D, Options0) :-
           corners(Places, Changes)),
     generator_moves(D, Changes, Places, Shifts, Moves),
     changes_written(Changes, Places, D),
-    maplist(generator_moved(D), Moves).
+    maplist(generator_moved(D), Moves),
+    plate(Options, T, _, K, R),
+    option(relief(Relief), Options, square),
+    must_be(oneof([square,round,none]), Relief),
+    named_segment(D, S),
+    Layer is K*T,
+    corners_relieved(D, S, plate(R, Layer), Relief),
+    (   p(D, P, _),
+        \+ t(D, P, _, _, _, _)
+    ->  throw(error(geometry_error(true(bent_over(S, P))), _))
+    ;   true
+    ),
+    outline_crossings(D, Count),
+    (   Count =:= 0
+    ->  true
+    ;   print_message(warning, sanggwan(unfold(outline_crosses(S, Count))))
+    ).
 
 %   seen_from(D, Options0, Options): the other side of the plate is the outside
 %   of an open sheet that only has valley folds.
@@ -164,47 +189,13 @@ seen_from(D, Options0, Options) :-
 other_side(inside, outside).
 other_side(outside, inside).
 
-%   told_corners(D, Offsets): flanges on both sides of a seam are as wide as in
-%   the model. Where both are bent at the same corner they come nearer to each
-%   other than that, and lie on each other there.
-
-told_corners(D, Offsets) :-
-    findall(Half1-Half2,
-            ( joint(D, _, E1, E2, seam, _),
-              nearer(D, Offsets, E1, Half1),
-              nearer(D, Offsets, E2, Half2) ),
-            Corners),
-    (   Corners == []
-    ->  true
-    ;   length(Corners, N),
-        findall(Half, ( member(A-B, Corners), ( Half = A ; Half = B ) ),
-                Halves),
-        max_list(Halves, Most),
-        named_segment(D, S),
-        print_message(warning, sanggwan(unfold(flanges(S, N, Most))))
-    ).
-
-%   nearer(D, Offsets, E, Half): an edge of the same polygon that ends where E
-%   does is a bend, and comes nearer by Half.
-
-nearer(D, Offsets, E, Half) :-
-    e(D, E, A, B, _),
-    edge_of(D, E, P),
-    p(D, P, Es),
-    once(( member(F, Es),
-           F \== E,
-           get_assoc(F, Offsets, Half),
-           Half > 0,
-           e(D, F, V1, V2, _),
-           ( V1 = B ; V2 = A ) )).
-
 %   fold_half(D, Options, E1, E2, P1, P2, Half): of all folds; Half is 0.0 where
 %   the plate stays flat.
 
 fold_half(D, Options, E1, E2, P1, P2, Half) :-
     joint(D, _, E1, E2, fold, Degrees),
-    edge_of(D, E1, P1),
-    edge_of(D, E2, P2),
+    polygon_of_edge(D, E1, P1),
+    polygon_of_edge(D, E2, P2),
     (   abs(Degrees) < 0.01
     ->  Half = 0.0
     ;   abs(Degrees) >= 170.0
@@ -214,35 +205,36 @@ fold_half(D, Options, E1, E2, P1, P2, Half) :-
         Half is Deduction/2.0
     ).
 
-%   model_segment(D, S): what D is the pattern of.
-
-model_segment(D, S) :-
-    (   segment(D, pattern, Term),
-        memberchk(Term, [development(S0),true_development(S0, _)])
-    ->  S = S0
-    ;   S = D
-    ).
-
 %   named_segment(D, S): what a user calls it, in messages.
 
 named_segment(D, S) :-
     model_segment(D, T),
     part_named(T, S).
 
-edge_of(D, E, P) :-
-    once(edge_polygon(D, E, P)).
-
-edge_offsets(Bends, Offsets) :-
+edge_offsets(Bends, Seams, Offsets) :-
     findall(E-Half,
             ( member(bend(E1, E2, _, _, Half), Bends),
               Half =\= 0.0,
               ( E = E1 ; E = E2 ) ),
-            Pairs),
-    list_to_assoc(Pairs, Offsets).
+            Pairs0),
+    append(Pairs0, Seams, Pairs),
+    list_to_first(Pairs, Offsets).
 
-                /*******************************
-                *            SHIFTS            *
-                *******************************/
+%   seam_back(D, Options, E, Back): two plates that meet at an angle do so by
+%   the edges of their inner sides: so neither is in the other, and there is a
+%   groove for the weld. What is drawn outside of these ends by Back before
+%   the edge E. Plates that turn by 170 degrees or more lie on each other;
+%   between facets of one smooth surface there is no corner.
+
+seam_back(D, Options, E, Back) :-
+    plate(Options, T, Size, K, _),
+    joint(D, _, E1, E2, seam, Degrees),
+    abs(Degrees) < 170.0,
+    \+ of_one_surface(D, E1, E2),
+    drawn_at(Size, Degrees, T, K, S),
+    Back is S*tan(abs(Degrees)*pi/360.0),
+    Back > 0.0,
+    ( E = E1 ; E = E2 ).
 
 %   polygon_shifts(D, Bends, Shifts): an assoc from polygons to X-Y, by what
 %   they are moved: the smallest of a piece stays.

@@ -2,10 +2,14 @@
           [ polygon_corners/4,          % +D, +Offsets, +Es, -Corners
             corner_place/5,             % +D, +Offsets, +Corner, -X, -Y
             edge_inward/4,              % +D, +E, -NX, -NY
-            list_to_first/2             % +Pairs, -Table
+            list_to_first/2,            % +Pairs, -Table
+            model_segment/2,            % +D, -S
+            of_one_surface/3,           % +D, +E1, +E2
+            polygon_of_edge/3           % +D, +E, -P
           ]).
 :- use_module('../near', [is_straight/2]).
-:- use_module('../store', [e/5, joint/6, v/5]).
+:- use_module('../csg/placed_surface', [facet_surface/3]).
+:- use_module('../store', [e/5, edge_polygon/3, joint/6, segment/3, v/5]).
 :- use_module(library(apply), [foldl/4]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- use_module(library(lists), [append/3, member/2]).
@@ -161,3 +165,33 @@ edge_inward(D, E, NX, NY) :-
     Length is max(sqrt((X2-X1)**2 + (Y2-Y1)**2), 1.0e-300),
     NX is (Y1-Y2)/Length,
     NY is (X2-X1)/Length.
+
+%!  model_segment(+D, -S) is det.
+%
+%   D is the pattern of segment S.
+
+model_segment(D, S) :-
+    (   segment(D, pattern, Term),
+        memberchk(Term, [development(S0),true_development(S0, _)])
+    ->  S = S0
+    ;   S = D
+    ).
+
+%!  of_one_surface(+D, +E1, +E2) is semidet.
+%
+%   The polygons of edges E1 and E2 of pattern D are facets of one smooth
+%   surface.
+
+of_one_surface(D, E1, E2) :-
+    model_segment(D, S),
+    polygon_of_edge(D, E1, P1),
+    polygon_of_edge(D, E2, P2),
+    facet_surface(S, P1, Surface),
+    facet_surface(S, P2, Surface).
+
+%!  polygon_of_edge(+D, +E, -P) is det.
+%
+%   P is the polygon of edge E.
+
+polygon_of_edge(D, E, P) :-
+    once(edge_polygon(D, E, P)).

@@ -160,7 +160,7 @@ development_measures(D, Measures) :-
 %!  score(+Objective, +Measures, -Score) is det.
 %
 %   Of two developments that with the lesser Score, in the standard order, is
-%   better; Measures as of flattening_measures/2. Lengths that are equal but for
+%   better; Measures as of flattening_measures/2. Lengths that are equal up to
 %   rounding are equal: the faces are the measure of them, if they have area.
 %
 %   @error domain_error(objective, Objective)

@@ -13,10 +13,11 @@
             ink_lines/4                 % +How, +Ink, +Stroke, -Lines
           ]).
 :- use_module('../sheet/dash', [stroke_dashes/3]).
+:- use_module('../colour', [colour_rgb/2]).
 :- use_module('../decision', [default/1]).
 :- use_module('../sheet/lettering', [lettering/2]).
 :- use_module(style,
-              [ line_style/4, line_type/3, colour_rgb/2, layer_name/1,
+              [ line_style/4, line_type/3, layer_name/1,
                 paper_style/1
               ]).
 :- use_module(style_file, [style_rows/2, restyled/6, rows_paper/2]).

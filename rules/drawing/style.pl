@@ -2,8 +2,6 @@
           [ line_style/4,               % +Visibility, +Role, +Segment, -Style
             paper_style/1,              % -Colour
             line_type/3,                % ?Type, +Width, -Runs
-            colour_name/2,              % ?Name, ?RGB
-            colour_rgb/2,               % +Colour, -RGB
             layer_name/1,               % +Layer
             sheet_role/1                % ?Role
           ]).
@@ -17,7 +15,7 @@ A style is what a writer has to know of a line, whatever the format:
     style(Width, Colour, Dashes, Pen, Layer)
 
   - Width: millimetres
-  - Colour: rgb(R,G,B), bytes; one of the names of colour_name/2; or
+  - Colour: rgb(R,G,B), bytes; one of the names in colour.pl; or
     colour(Screen, Print), one for screens and one for paper
   - Dashes: `solid`, a line type of line_type/3, or lengths in millimetres of
     a dash, a gap, a dash, a gap, ...
@@ -151,35 +149,6 @@ type_runs(dotted,             [0.5,3]).
 type_runs(chain_dashed,       [24,3,6,3]).
 type_runs(dashed_dotted,      [12,3,0.5,3]).
 
-%!  colour_name(?Name, ?RGB) is nondet.
-%
-%   The colours that have names.
-
-colour_name(black,   rgb(0,0,0)).
-colour_name(white,   rgb(255,255,255)).
-colour_name(grey,    rgb(128,128,128)).
-colour_name(red,     rgb(170,0,0)).
-colour_name(green,   rgb(0,110,40)).
-colour_name(blue,    rgb(0,60,170)).
-colour_name(cyan,    rgb(0,130,150)).
-colour_name(magenta, rgb(150,0,120)).
-colour_name(yellow,  rgb(250,210,0)).
-colour_name(orange,  rgb(220,110,0)).
-colour_name(brown,   rgb(110,60,20)).
-
-%!  colour_rgb(+Colour, -RGB) is semidet.
-%
-%   True when Colour is a name or rgb(R,G,B), and RGB is it in bytes.
-
-colour_rgb(rgb(R,G,B), RGB) =>
-    byte(R),
-    byte(G),
-    byte(B),
-    RGB = rgb(R,G,B).
-colour_rgb(Name, RGB) =>
-    atom(Name),
-    colour_name(Name, RGB).
-
 %!  layer_name(+Layer) is semidet.
 %
 %   True when Layer is an atom that DXF R12 takes as the name of a layer.
@@ -198,8 +167,3 @@ layer_char(Char) :-
     ;   memberchk(Char, ['_','-','$'])
     ),
     !.
-
-byte(N) :-
-    integer(N),
-    N >= 0,
-    N =< 255.

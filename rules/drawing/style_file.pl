@@ -6,11 +6,12 @@
           ]).
 :- use_module('../model/model_text',
               [next_term/3, no_fact/2, place_error/2, place_error/3]).
+:- use_module('../colour', [colour_rgb/2]).
 :- use_module('../text_file', [with_text/4]).
 :- use_module('../picture/role', [role_rank/2]).
 :- use_module('../store', [segment/3]).
 :- use_module(style,
-              [ line_type/3, colour_rgb/2, layer_name/1, line_style/4,
+              [ line_type/3, layer_name/1, line_style/4,
                 sheet_role/1
               ]).
 :- use_module('../decision', [default/1]).

@@ -11,7 +11,6 @@
 :- use_module(library(lists), [list_to_set/2, member/2]).
 :- use_module(library(assoc), [get_assoc/3]).
 :- use_module(library(option), [option/2, option/3]).
-:- use_module(library(dcg/high_order), [sequence//2, sequence//3]).
 :- use_module(library(rbtrees),
               [rb_insert_new/4, rb_lookup/3, rb_new/1, rb_update/4]).
 /** <module> SVG: strokes as polylines that say what they are.
@@ -44,7 +43,7 @@ write_svg(Out, inked(Sheet,Paper,Views), Options) :-
     emit(Out, svg_head(How, inked(Sheet,Paper,Views), Options)),
     option(joints(Joints), Options, none),
     forall(member(View, Views), write_view(Out, How, Joints, View)),
-    emit(Out, "</svg>\n").
+    emit(Out, svg_end).
 
 %   A view alone needs no group of its own; of several each has one, and its
 %   name before all its ids.
@@ -77,9 +76,40 @@ view_tail(_) -->
 
 :- meta_predicate emit(+, //).
 
+%   emit(Out, Body): phrase/2 would translate Body each time.
+
 emit(Out, Body) :-
-    phrase(Body, Codes),
+    call(Body, Codes, []),
     format(Out, '~s', [Codes]).
+
+svg_end -->
+    "</svg>\n".
+
+%   each(Body, Items), spaced(Body, Items): call//1 with each of Items; with a
+%   space between them. sequence//3 would translate the space each time.
+
+:- meta_predicate each(3, +, ?, ?), spaced(3, +, ?, ?).
+
+each(_, []) -->
+    "".
+each(Body, [Item|Items]) -->
+    call(Body, Item),
+    each(Body, Items).
+
+spaced(_, []) -->
+    "".
+spaced(Body, [Item|Items]) -->
+    call(Body, Item),
+    spaced_rest(Items, Body).
+
+:- meta_predicate spaced_rest(+, 3, ?, ?).
+
+spaced_rest([], _) -->
+    "".
+spaced_rest([Item|Items], Body) -->
+    " ",
+    call(Body, Item),
+    spaced_rest(Items, Body).
 
 svg_head(How, inked(sheet(W,H,Scale),Paper,Views), Options) -->
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n",
@@ -113,7 +143,7 @@ style(How, Paper, Views) -->
     ".sanggwan .paper{fill:", colour(Paper), "}\n",
     ".sanggwan polyline,.sanggwan path{fill:none;stroke-linecap:round;",
     "stroke-linejoin:round}\n",
-    sequence(style_rule, Rules),
+    each(style_rule, Rules),
     text_style(How, Views),
     print_style(Rules).
 
@@ -194,7 +224,7 @@ print_style(Rules) -->
       Others \== []
     },
     !,
-    "@media print{", sequence(print_rule, Others), "}\n".
+    "@media print{", each(print_rule, Others), "}\n".
 print_style(_) -->
     "".
 
@@ -326,7 +356,7 @@ way(path, _, _, 'M') -->
     " d=\"".
 
 subpath(Points) -->
-    "M", sequence(point, " ", Points).
+    "M", spaced(point, Points).
 
 id([], _, _, _) -->
     !,
@@ -344,7 +374,7 @@ shown([], S) -->
     " data-segment=\"", number(S), "\"".
 shown(Edges, S) -->
     " data-segment=\"", number(S),
-    "\" data-edge=\"", sequence(number, " ", Edges), "\"".
+    "\" data-edge=\"", spaced(number, Edges), "\"".
 
 joints([], _, _) -->
     !,
@@ -353,7 +383,7 @@ joints(_, _, none) -->
     !,
     "".
 joints(Edges, S, Joints) -->
-    " data-joint=\"", sequence(joint_of(S, Joints), " ", Edges), "\"".
+    " data-joint=\"", spaced(joint_of(S, Joints), Edges), "\"".
 
 joint_of(S, Joints, E) -->
     { get_assoc(S-E, Joints, J) },
@@ -379,7 +409,7 @@ dashes(Ink, Stroke) -->
     },
     !,
     { stroke_runs(Stroke, Runs, Fitted, Offset) },
-    " style=\"stroke-dasharray:", sequence(thousandths, " ", Fitted),
+    " style=\"stroke-dasharray:", spaced(thousandths, Fitted),
     dash_offset(Offset), "\"".
 dashes(_, _) -->
     "".
@@ -403,7 +433,7 @@ text(geometry, text(Ink, Text)) -->
     },
     "<path class=\"visible text\" aria-label=\"", escaped(Codes),
     "\" stroke-width=\"", thousandths(Width),
-    "\" d=\"", sequence(subpath, Lines), "\"/>\n".
+    "\" d=\"", each(subpath, Lines), "\"/>\n".
 text(_, text(_, text(X,Y,Height,Anchor,Text))) -->
     { Size is Height*100//72,
       string_codes(Text, Codes) },

@@ -15,6 +15,9 @@
 :- use_module(explain_pair, [pair_because/3, segments_because/3,
                              line_pieces/2, decided_by/2,
                              leaf_corners/3]).
+:- use_module(explain_parameter,
+              [ parameter_because/2, segment_because/3, sizes_because/2,
+                place_because/3 ]).
 :- use_module(explain_piece, [piece_asked/2, piece_because/3]).
 :- use_module(explain_seam, [joint_explained/5, pattern_explained/4]).
 :- use_module('../message/explain_words', [statement_keys/2, in_order/4]).
@@ -25,7 +28,7 @@
 :- use_module('../csg/provenance', [vertex_from/4, vertex_on/4]).
 :- use_module('../store',
               [ v/5, e/5, leaf_v/5, leaf_e/5, p/3, segment/3, origin/3, line/9,
-                edge_polygon/3
+                edge_polygon/3, param/2
               ]).
 :- use_module(library(apply), [maplist/2, maplist/3, maplist/4]).
 :- use_module(library(error), [must_be/2]).
@@ -47,6 +50,8 @@ An *item* is one of
     seam(S, E), fold(S, E)   an edge in the pattern of segment S: why it is
                          one, and what another choice costs; seam(E), fold(E)
     pattern(S, K)        piece K of that pattern: why it is joined to no other
+    segment(S)           a segment: which of its sizes come from parameters
+    param(Name)          a parameter: its value, and what is made from it
     hidden(S, E)         a line of the picture: where it is hidden, by what
     hidden(Name)         the same: `s1e7` is what drawings call the line
     why_not(hidden(...)) where such a line is visible, and why
@@ -113,6 +118,11 @@ item_because(edge(S, E), _, Because) :-
 item_because(pair(A, B), _, Because) :-
     pair_asked(A, B),
     pair_explained(A, B, Because).
+item_because(segment(S), _, [because(Statement, Because)]) :-
+    segment_because(S, Statement, Because).
+item_because(param(Name), _, [because(parameter(Name, Value), Because)]) :-
+    param(Name, Value),
+    parameter_because(Name, Because).
 item_because(piece(S, Piece), _, Because) :-
     piece_asked(S, Piece),
     piece_because(S, Piece, Because).
@@ -199,7 +209,12 @@ line_because(L, [because(Statement, Because)]) :-
     ),
     line_pieces(L, Pieces),
     chain_because(L, Chain),
-    append([Ends, Pieces, Chain], Because).
+    sizes_because(S1, Sizes1),
+    (   S1 == S2
+    ->  Sizes2 = []
+    ;   sizes_because(S2, Sizes2)
+    ),
+    append([Ends, Pieces, Chain, Sizes1, Sizes2], Because).
 
 end_because(L, End,
             because(point(End, point(X,Y,Z), S1, V1, S2, V2), Because)) :-
@@ -398,7 +413,8 @@ vertex_because(S, V, Statement, Because) :-
     findall(because(vertex_of(S0,V0), []), vertex_from(S, V, S0, V0), From),
     findall(because(lies_on(S0,Feature), []), vertex_on(S, V, S0, Feature),
             On),
-    append([From, Made, On, Also, Lines], Because).
+    place_because(S, V, Sizes),
+    append([From, Made, On, Also, Lines, Sizes], Because).
 
 vertex_lines(S, V, Ls) :-
     findall(L, vertex_line(S, V, L), Ls0),
@@ -501,6 +517,8 @@ json_value(point(X,Y,Z), [X,Y,Z]) :-
 json_value(seat(S,V,Place), json([segment=S, vertex=V, place=Text])) :-
     !,
     json_value(Place, Text).
+json_value(none, @(null)) :-
+    !.
 json_value(Value, Value) :-
     ( float(Value) ; integer(Value) ; atom(Value) ; string(Value) ),
     !.

@@ -324,7 +324,7 @@ instead_because(true, D, S, J, Fold-E, Because) :-
     ;   Because = []
     ).
 
-%   shortest_first(Folds0, Folds): those that are equally long but for rounding
+%   shortest_first(Folds0, Folds): those that are equally long up to rounding
 %   stay in order.
 
 shortest_first(Folds0, Folds) :-

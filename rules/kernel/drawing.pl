@@ -151,6 +151,16 @@ Foreign predicates; see kernel.pl.
 %   Rank), in standard order, all that Parts have; Rank is their place in
 %   painting.
 
+%!  stroke_octets(+Looks:list(ranked_look), +Strokes:list(sheet_stroke),
+%!                -Octets:bytes) is det.
+%
+%   Octets are Strokes in words of 32 bits, the lowest octet of each first: of
+%   each stroke the place of its look among Looks, from 0; its segment; how it
+%   starts and four times how it ends (`joint` 0, `cut` 1, `ring` 2); how many
+%   edges and how many points there are; the edges; x and y of each point.
+%
+%   @error domain_error(look, Looks), representation_error(sheet_coordinate)
+
 /* - - - drawn_stroke_rows.c - - - */
 
 %!  drawn_box(-Box:paper_box) is semidet.

@@ -40,7 +40,7 @@ Foreign predicates; see kernel.pl.
 %
 %   What T1 and T2 have in common goes into Set: Count pieces of positive
 %   length. In a common plane only borders of faces count: real edges that are
-%   not inside one, no chords. Exact, but for what cut_flat_within/2 allows.
+%   not inside one, no chords. Exact, except what cut_flat_within/2 allows.
 
 %!  cut_without_coincident(+Set:cut_set) is det.
 %

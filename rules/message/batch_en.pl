@@ -50,6 +50,17 @@ manifest_en(output(Pattern)) -->
     [ '~w is no name for the files of a job'-[Pattern], nl,
       '  Write % once, in the last part, where the name of the job is to be: \c
        output(\'%.svg\'), output(\'plans/%.pdf\').' ].
+manifest_en(no_output(Verb)) -->
+    [ 'a job of ~w writes files, and this one says none'-[Verb], nl,
+      '  Give it output(\'%.ENDING\'), or all jobs by defaults([...]).' ].
+manifest_en(ending(Pattern, Formats)) -->
+    { atomic_list_concat(Formats, ' .', Text) },
+    [ '~w: the verb writes no such files'-[Pattern], nl,
+      '  The ending is one of .~w.'-[Text] ].
+manifest_en(folder_too(Name, Path)) -->
+    [ 'the job ~w would make the file ~w, and others a folder of that name'-
+      [Name, Path], nl,
+      '  Give the folder another name in output(\'FOLDER/%.ENDING\').' ].
 manifest_en(limit(Term)) -->
     [ '~p is no limit of a job'-[Term], nl,
       '  Seconds are above 0, megabytes of memory 50 or more.' ].
@@ -80,6 +91,9 @@ manifest_en(rows(File, Line, no_table)) -->
     [ '~w:~d: this is no row of a table'-[File, Line], nl,
       '  The first line has the names of the columns, with commas between \c
        them.' ].
+manifest_en(rows(File, Line, not_utf8)) -->
+    [ '~w:~d: there are bytes that are not UTF-8'-[File, Line], nl,
+      '  Save the table as UTF-8.' ].
 manifest_en(rows(File, Line, width(N, Wanted))) -->
     [ '~w:~d: the row has '-[File, Line] ],
     counted(N, value, values),
@@ -137,6 +151,8 @@ batch_en(no) -->
     [ 'the answer is no' ].
 batch_en(cut_line(File, Line)) -->
     [ '~w:~d: the line is cut off and not counted'-[File, Line] ].
+batch_en(looked_at(Count)) -->
+    [ '~D jobs looked at'-[Count] ].
 batch_en(timeout(Seconds)) -->
     [ 'not done in ~w seconds'-[Seconds], nl,
       '  Give it more with time_limit(Seconds) in the manifest.' ].

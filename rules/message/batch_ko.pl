@@ -51,6 +51,17 @@ manifest_ko(output(Pattern)) -->
     [ '작업의 파일 이름이 될 수 없습니다: ~w'-[Pattern], nl,
       '  작업 이름이 들어갈 자리에 %를, 마지막 부분에 한 번 쓰십시오: \c
        output(\'%.svg\'), output(\'plans/%.pdf\').' ].
+manifest_ko(no_output(Verb)) -->
+    [ '~w 작업은 파일을 쓰는데, 어떤 파일인지 쓰여 있지 않습니다'-[Verb], nl,
+      '  output(\'%.확장자\')를 쓰거나, defaults([...])로 모든 작업에 주십시오.' ].
+manifest_ko(ending(Pattern, Formats)) -->
+    { atomic_list_concat(Formats, ' .', Text) },
+    [ '~w: 이 동사가 쓰는 파일의 확장자가 아닙니다'-[Pattern], nl,
+      '  쓸 수 있는 확장자: .~w'-[Text] ].
+manifest_ko(folder_too(Name, Path)) -->
+    [ '작업 ~w의 파일 ~w와(과) 이름이 같은 폴더를 다른 작업이 만듭니다'-
+      [Name, Path], nl,
+      '  output(\'폴더/%.확장자\')에서 폴더의 이름을 바꾸십시오.' ].
 manifest_ko(limit(Term)) -->
     [ '작업의 한도가 아닙니다: ~p'-[Term], nl,
       '  초는 0보다 크고, 메모리는 50메가바이트 이상이어야 합니다.' ].
@@ -80,6 +91,9 @@ manifest_ko(rows(File, _, missing)) -->
 manifest_ko(rows(File, Line, no_table)) -->
     [ '~w:~d: 표의 행이 아닙니다'-[File, Line], nl,
       '  첫 줄에는 열의 이름이 쉼표로 나뉘어 있어야 합니다.' ].
+manifest_ko(rows(File, Line, not_utf8)) -->
+    [ '~w:~d: UTF-8이 아닌 바이트가 있습니다'-[File, Line], nl,
+      '  표를 UTF-8로 저장하십시오.' ].
 manifest_ko(rows(File, Line, width(N, Wanted))) -->
     [ '~w:~d: 이 행의 값은 ~d개, 첫 줄은 ~d개입니다'-[File, Line, N, Wanted],
       nl, '  쉼표가 든 값은 따옴표로 묶으십시오.' ].
@@ -135,6 +149,8 @@ batch_ko(no) -->
     [ '답이 없습니다' ].
 batch_ko(cut_line(File, Line)) -->
     [ '~w:~d: 끊긴 줄이라 세지 않았습니다'-[File, Line] ].
+batch_ko(looked_at(Count)) -->
+    [ '작업 ~D개를 살펴보았습니다'-[Count] ].
 batch_ko(timeout(Seconds)) -->
     [ '~w초 안에 끝나지 않았습니다'-[Seconds], nl,
       '  작업 목록의 time_limit(초)로 시간을 더 주십시오.' ].

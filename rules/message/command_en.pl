@@ -45,6 +45,9 @@ command_en(bad_value(Text, Value, above(Low))) -->
 command_en(bad_value(Text, Value, whole(Low, High))) -->
     [ 'option ~w: ~w is no whole number from ~w to ~w'-
       [Text, Value, Low, High] ].
+command_en(no_clear_dots(Format)) -->
+    [ 'a .~w has no clear dots'-[Format], nl,
+      '  Give --background a colour, or write a .png.' ].
 command_en(no_size(Text, Value)) -->
     [ 'option ~w: ~w is no size: width and height must be above 0'-
       [Text, Value] ].

@@ -46,6 +46,9 @@ command_ko(bad_value(Text, Value, above(Low))) -->
 command_ko(bad_value(Text, Value, whole(Low, High))) -->
     [ '~w: ~w 은(는) ~w 이상 ~w 이하의 정수가 아닙니다'-
       [Text, Value, Low, High] ].
+command_ko(no_clear_dots(Format)) -->
+    [ '.~w 에는 투명한 점이 없습니다'-[Format], nl,
+      '  --background 에 색을 주거나 .png 로 쓰십시오.' ].
 command_ko(no_size(Text, Value)) -->
     [ '~w: ~w 은(는) 크기가 아닙니다. 너비와 높이는 0보다 커야 합니다'-
       [Text, Value] ].

@@ -7,6 +7,7 @@
               [ other_origin/1, segment_word/2, polygon_word/3, in_order/4,
                 exact_text/3, point_text/2
               ]).
+:- use_module(explain_parameter_en, [parameter_statement_en//1]).
 :- use_module(library(apply), [maplist/3]).
 
 /** <module> Explanations in English; explain_ko.pl has them in Korean.
@@ -456,6 +457,8 @@ statement_en(seams_out(N)) -->
     [ '~d seams lead to other pieces; the longest:'-[N] ].
 statement_en(no_seam_out) -->
     [ 'no edge leads to another piece' ].
+statement_en(Statement) -->
+    parameter_statement_en(Statement).
 
 %!  hidden_en(+What)// is det.
 %

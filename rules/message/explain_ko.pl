@@ -8,6 +8,7 @@
               [ other_origin/1, segment_word/2, polygon_word/3, in_order/4,
                 exact_text/3, point_text/2
               ]).
+:- use_module(explain_parameter_ko, [parameter_statement_ko//1]).
 :- use_module(library(apply), [maplist/3]).
 
 /** <module> Explanations in Korean; explain_en.pl has them in English.
@@ -442,6 +443,8 @@ statement_ko(seams_out(N)) -->
     [ '솔기 ~d개가 다른 조각으로 이어진다; 가장 긴 것:'-[N] ].
 statement_ko(no_seam_out) -->
     [ '다른 조각으로 이어지는 모서리가 없다' ].
+statement_ko(Statement) -->
+    parameter_statement_ko(Statement).
 
 %!  hidden_ko(+What)// is det.
 %

@@ -133,6 +133,19 @@ statement_keys(pattern_piece, [segment, piece, polygons, pieces]).
 statement_keys(seams_out, [count]).
 statement_keys(no_seam_out, []).
 
+statement_keys(parameter, [name, value]).
+statement_keys(parameter_formula, [formula]).
+statement_keys(parameter_set, [default]).
+statement_keys(parameter_range, [minimum, maximum, step]).
+statement_keys(parameter_text, [en, ko]).
+statement_keys(parameter_unused, []).
+statement_keys(used_by_parameter, [name, formula]).
+statement_keys(used_by_row, [fact]).
+statement_keys(segment, [segment, kind]).
+statement_keys(no_size_from_parameter, []).
+statement_keys(vertex_place, [segment, vertex, place]).
+statement_keys(size, [value, formula]).
+
 %!  other_origin(+Origin) is semidet.
 %
 %   True when Origin, of a vertex, is none that this program makes: a model file

@@ -81,6 +81,9 @@ english(sanggwan(What)) -->
     fault_en//1,
     notice_en//1.
 
+notice_en(request(Do)) -->
+    session_en(does(Do)).
+
 %   wrong_en(What)//: what is wrong with a model, and what to do.
 
 wrong_en(What) -->
@@ -111,7 +114,11 @@ fault_en(trim(What)) -->
 fault_en(true(What)) -->
     true_en(What).
 fault_en(problem(What)) -->
-    problem_en(What).
+    (   { What = of(Number, Formal) }
+    ->  [ '~w: '-[Number] ],
+        english(error(Formal, _))
+    ;   problem_en(What)
+    ).
 fault_en(style(What)) -->
     style_en(What).
 fault_en(not_whole(Row, Missing)) -->
@@ -276,6 +283,15 @@ notice_en(sheet_tiny(N:M, How)) -->
     sheet_tiny_en(N, M, How).
 notice_en(nothing_drawn) -->
     [ 'there is nothing to draw' ].
+notice_en(look_in_vain(Name)) -->
+    [ 'the looks name ~p, and no segment of the model is called that'-[Name] ].
+notice_en(nothing_seen) -->
+    [ 'nothing is seen: the picture is its background alone', nl,
+      '  The model has no solid, or what it takes away is all of it.' ].
+notice_en(not_shaded(S, Kind)) -->
+    [ 'segment ~d is not in the picture: it is a ~w, and only solids are \c
+       shaded'-[S, Kind], nl,
+      '  draw shows surfaces and curves.' ].
 notice_en(style_in_vain(Segment)) -->
     [ 'the style has lines of segment ~p, but the model has no such segment'-
           [Segment] ].
@@ -288,6 +304,10 @@ notice_en(style_in_vain(Segment)) -->
 fault_en(eye_in_model(D)) -->
     [ 'the eye is in or behind the model: its nearest point is at ~4g'-[D],
       nl,
+      '  Go further away (--eye, or a larger RHO), or use the parallel \c
+       projection.' ].
+fault_en(leaf_behind_eye(N)) -->
+    [ 'leaf ~D of the trees is not in front of the eye'-[N], nl,
       '  Go further away (--eye, or a larger RHO), or use the parallel \c
        projection.' ].
 
@@ -453,7 +473,7 @@ notice_en(nothing_to_explain(Item)) -->
     [ 'there is nothing to explain in ~p'-[Item], nl,
       '  Ask for line(L), vertex(S, V), edge(S, E), \c
        pair(S1-P1, S2-P2), pair(S1, S2), piece(S, P) or piece(S, S0-P0), with \c
-       numbers of the model; \c
+       numbers of the model; segment(S), param(Name); \c
        lines are there after penetrate. hidden(S, E) and \c
        why_not(hidden(S, E)) are of the picture; seam(S, E), fold(S, E) and \c
        pattern(S, K) of the flat pattern of segment S.' ].

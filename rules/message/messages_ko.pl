@@ -74,6 +74,9 @@ korean(sanggwan(What)) -->
     fault_ko//1,
     notice_ko//1.
 
+notice_ko(request(Do)) -->
+    session_ko(does(Do)).
+
 %   wrong_ko(What)//: what is wrong with a model, and what to do.
 
 wrong_ko(What) -->
@@ -104,7 +107,11 @@ fault_ko(trim(What)) -->
 fault_ko(true(What)) -->
     true_ko(What).
 fault_ko(problem(What)) -->
-    problem_ko(What).
+    (   { What = of(Number, Formal) }
+    ->  [ '~w: '-[Number] ],
+        korean(error(Formal, _))
+    ;   problem_ko(What)
+    ).
 fault_ko(style(What)) -->
     style_ko(What).
 fault_ko(not_whole(Row, Missing)) -->
@@ -259,6 +266,15 @@ notice_ko(sheet_tiny(N:M, How)) -->
     sheet_tiny_ko(N, M, How).
 notice_ko(nothing_drawn) -->
     [ '그릴 것이 없습니다' ].
+notice_ko(look_in_vain(Name)) -->
+    [ '모양 사실에 ~p 이(가) 있지만 그런 이름의 세그먼트가 없습니다'-[Name] ].
+notice_ko(nothing_seen) -->
+    [ '보이는 것이 없습니다. 그림은 바탕뿐입니다', nl,
+      '  모델에 입체가 없거나 모두 빼 버렸습니다.' ].
+notice_ko(not_shaded(S, Kind)) -->
+    [ '세그먼트 ~d 은(는) 그림에 없습니다. 종류가 ~w 이며 음영은 입체만 \c
+       그립니다'-[S, Kind], nl,
+      '  draw 는 곡면과 곡선도 그립니다.' ].
 notice_ko(style_in_vain(Segment)) -->
     [ '모양 파일이 세그먼트 ~p 의 선을 말하지만, 모델에 그런 세그먼트가 \c
        없습니다'-[Segment] ].
@@ -270,6 +286,9 @@ notice_ko(style_in_vain(Segment)) -->
 
 fault_ko(eye_in_model(D)) -->
     [ '시점이 모델 안이나 뒤에 있습니다: 가장 가까운 점이 ~4g 입니다'-[D], nl,
+      '  더 멀리 가거나(--eye, 더 큰 RHO) 평행 투상을 쓰십시오.' ].
+fault_ko(leaf_behind_eye(N)) -->
+    [ '트리의 리프 ~D 번이 시점 앞에 있지 않습니다'-[N], nl,
       '  더 멀리 가거나(--eye, 더 큰 RHO) 평행 투상을 쓰십시오.' ].
 
 
@@ -428,8 +447,8 @@ notice_ko(nothing_to_explain(Item)) -->
     [ '~p: 설명할 것이 없습니다'-[Item], nl,
       '  line(L), vertex(S, V), edge(S, E), pair(S1-P1, S2-P2), \c
        pair(S1, S2), piece(S, P), piece(S, S0-P0) 를 모델의 번호로 \c
-       물어보십시오. 선은 penetrate 다음에 \c
-       있습니다. seam(S, E), fold(S, E), pattern(S, K) 는 세그먼트 S 의 \c
+       물어보십시오. segment(S), param(이름)도 됩니다. 선은 penetrate \c
+       다음에 있습니다. seam(S, E), fold(S, E), pattern(S, K) 는 세그먼트 S 의 \c
        전개도에 관한 것입니다.' ].
 %   허용 오차 안의 접촉을 맞추지 못한 까닭 (resolve.pl).
 

@@ -3,6 +3,8 @@
             limit_en//1                 % +Name
           ]).
 :- use_module('../csg/csg_term', [near_operands/2]).
+:- use_module(look_en,
+              [look_en//1, expected_look_en//1, expected_light_en//1]).
 :- use_module(message_parts,
               [ counted//3, meant_en//1, shown_count/2, shown_value/2,
                 syntax_words//1
@@ -82,7 +84,7 @@ model_en(unknown_relation(Name, Arity)) -->
       '  A model has v/5, e/5, p/3, plane/6, t/6, segment/3, \c
        leaf_v/5, leaf_e/5, leaf_p/3, leaf_t/6, origin/3, from_v/4, \c
        from_p/5, line/9, curve/2, view/3, projection/1, \c
-       title_block/2 and param/2.' ].
+       title_block/2, look/2, light/2 and param/2.' ].
 model_en(arity(Name, Arity, Wanted)) -->
     [ '~w has '-[Name] ],
     counted(Arity, argument, arguments),
@@ -136,6 +138,8 @@ model_en(title_block_only(Name)) -->
     [ 'a file for the title block has no ~w facts'-[Name], nl,
       '  Write title_block(Item, Text), such as \c
        title_block(name, "Bracket").' ].
+model_en(look(What)) -->
+    look_en(What).
 model_en(empty) -->
     [ 'the model is empty', nl,
       '  Give at least one segment with vertices and polygons.' ].
@@ -180,6 +184,10 @@ expected_en(within(Most)) -->
       '  Choose other units: nothing can be computed at this size.' ].
 expected_en(text) -->
     [ 'text, a number or an atom' ].
+expected_en(look(What)) -->
+    expected_look_en(What).
+expected_en(light(What)) -->
+    expected_light_en(What).
 expected_en(ground) -->
     [ 'an atom, a number or a compound of them', nl,
       '  Neither variables nor "text"; quote names like \'this one\'.' ].

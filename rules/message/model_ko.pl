@@ -4,6 +4,8 @@
             limit_ko//1                 % +Name
           ]).
 :- use_module('../csg/csg_term', [near_operands/2]).
+:- use_module(look_ko,
+              [look_ko//1, expected_look_ko//1, expected_light_ko//1]).
 :- use_module(message_parts,
               [meant_ko//1, shown_count/2, shown_value/2, syntax_words//1]).
 :- use_module('../primitive/primitive', [primitive_name/2]).
@@ -80,7 +82,7 @@ model_ko(unknown_relation(Name, Arity)) -->
       '  모델의 관계: v/5, e/5, p/3, plane/6, t/6, segment/3, \c
        leaf_v/5, leaf_e/5, leaf_p/3, leaf_t/6, origin/3, from_v/4, \c
        from_p/5, line/9, curve/2, view/3, projection/1, \c
-       title_block/2, param/2.' ].
+       title_block/2, look/2, light/2, param/2.' ].
 model_ko(arity(Name, Arity, Wanted)) -->
     [ '~w 의 인수가 ~d개입니다. ~d개여야 합니다'-[Name, Arity, Wanted], nl,
       '  ~w/~d 의 설명과 비교하십시오.'-[Name, Wanted] ].
@@ -132,6 +134,8 @@ model_ko(title_block_only(Name)) -->
     [ '표제란 파일에 ~w 사실은 쓸 수 없습니다'-[Name], nl,
       '  title_block(Item, Text) 만 쓰십시오. 보기: \c
        title_block(name, "받침대").' ].
+model_ko(look(What)) -->
+    look_ko(What).
 model_ko(empty) -->
     [ '모델이 비어 있습니다', nl,
       '  꼭지점과 다각형이 있는 세그먼트를 하나 이상 주십시오.' ].
@@ -173,6 +177,10 @@ expected_ko(within(Most)) -->
       '  다른 단위를 쓰십시오. 이 크기로는 계산할 수 없습니다.' ].
 expected_ko(text) -->
     [ '글, 수, 또는 아톰' ].
+expected_ko(look(What)) -->
+    expected_look_ko(What).
+expected_ko(light(What)) -->
+    expected_light_ko(What).
 expected_ko(ground) -->
     [ '아톰, 수, 또는 그것으로 된 복합항', nl,
       '  변수와 "문자열"은 안 됩니다. 이름은 \'이렇게\' 따옴표로 쓰십시오.' ].

@@ -36,10 +36,51 @@ parameter_en(set_twice(Name)) -->
 parameter_en(setting(Text, What)) -->
     [ '--set ~w: '-[Text] ],
     setting_en(What).
+parameter_en(unused(Name)) -->
+    [ '--set ~w: nothing in the model is made from the parameter ~w'-
+      [Name, Name], nl,
+      '  Write param(~w) where the number stands.'-[Name] ].
+parameter_en(range(Name, Value, Least, Most)) -->
+    [ 'the parameter ~w is ~w, out of its range: '-[Name, Value] ],
+    range_en(Least, Most).
+parameter_en(about(What)) -->
+    about_en(What).
 parameter_en(decimal_comma(Name, Point)) -->
     [ 'param(~w, ...) has two numbers; is a comma meant as the decimal \c
        point?'-[Name], nl,
       '  Write param(~w, ~w).'-[Name, Point] ].
+
+range_en(none, Most) -->
+    !,
+    [ '~w at most'-[Most] ].
+range_en(Least, none) -->
+    !,
+    [ '~w at least'-[Least] ].
+range_en(Least, Most) -->
+    [ '~w to ~w'-[Least, Most] ].
+
+about_en(no_parameter(Name, Near)) -->
+    [ 'param_about(~w, ...): the file has no parameter ~w'-[Name, Name] ],
+    meant_en(Near),
+    [ nl, '  Write param(~w, Default). in the same file.'-[Name] ].
+about_en(list(Items)) -->
+    { shown_value(Items, Shown) },
+    [ '~p is no list of what is said of a parameter'-[Shown], nl ],
+    about_en(items).
+about_en(item(Item)) -->
+    { shown_value(Item, Shown) },
+    [ '~p is nothing that can be said of a parameter'-[Shown], nl ],
+    about_en(items).
+about_en(item_twice(Item)) -->
+    [ '~p: that is said before'-[Item], nl,
+      '  Say it once.' ].
+about_en(order(Least, Most)) -->
+    [ 'from ~w to ~w there is nothing between'-[Least, Most], nl,
+      '  The least value is min(...), the largest max(...).' ].
+
+about_en(items) -->
+    [ '  Such as [min(20), max(200), step(0.5), text(en, \'diameter\')]; the \c
+       step is above 0, languages are en and ko.' ].
 
 formula_en(unknown(Name, Near), _) -->
     [ 'there is no parameter ~w'-[Name] ],
@@ -81,6 +122,12 @@ setting_en(comma(Point)) -->
 setting_en(unit(Unit)) -->
     [ 'a parameter is a number without a unit (~w)'-[Unit], nl,
       '  Lengths are in units of the model, angles in degrees.' ].
+setting_en(formula(unknown(Name, _), _)) -->
+    !,
+    [ 'param(~w) is no number; a parameter is set to a number'-[Name], nl,
+      '  Write numbers, such as 114.3 or 6.625*25.4.' ].
+setting_en(formula(What, Formula)) -->
+    formula_en(What, Formula).
 setting_en(number) -->
     [ 'the value is no number', nl,
-      '  Write digits, such as 114.3 or -2.5e-3.' ].
+      '  Write digits, such as 114.3, -2.5e-3 or 6.625*25.4.' ].

@@ -37,10 +37,50 @@ parameter_ko(set_twice(Name)) -->
 parameter_ko(setting(Text, What)) -->
     [ '--set ~w: '-[Text] ],
     setting_ko(What).
+parameter_ko(unused(Name)) -->
+    [ '--set ~w: 모델에 이 매개변수로 만든 것이 없습니다'-[Name], nl,
+      '  수가 있을 자리에 param(~w)를 쓰십시오.'-[Name] ].
+parameter_ko(range(Name, Value, Least, Most)) -->
+    [ '매개변수 ~w의 값 ~w이(가) 범위를 벗어났습니다: '-[Name, Value] ],
+    range_ko(Least, Most).
+parameter_ko(about(What)) -->
+    about_ko(What).
 parameter_ko(decimal_comma(Name, Point)) -->
     [ 'param(~w, ...)에 수가 둘 있습니다. 쉼표를 소수점으로 썼습니까?'-[Name],
       nl,
       '  param(~w, ~w). 로 쓰십시오.'-[Name, Point] ].
+
+range_ko(none, Most) -->
+    !,
+    [ '~w 이하'-[Most] ].
+range_ko(Least, none) -->
+    !,
+    [ '~w 이상'-[Least] ].
+range_ko(Least, Most) -->
+    [ '~w부터 ~w까지'-[Least, Most] ].
+
+about_ko(no_parameter(Name, Near)) -->
+    [ 'param_about(~w, ...): 파일에 그런 매개변수가 없습니다'-[Name] ],
+    meant_ko(Near),
+    [ nl, '  같은 파일에 param(~w, 기본값). 을 쓰십시오.'-[Name] ].
+about_ko(list(Items)) -->
+    { shown_value(Items, Shown) },
+    [ '매개변수에 대해 말하는 것의 목록이 아닙니다: ~p'-[Shown], nl ],
+    about_ko(items).
+about_ko(item(Item)) -->
+    { shown_value(Item, Shown) },
+    [ '매개변수에 대해 말할 수 없는 것입니다: ~p'-[Shown], nl ],
+    about_ko(items).
+about_ko(item_twice(Item)) -->
+    [ '앞에서 이미 말한 것입니다: ~p'-[Item], nl,
+      '  한 번만 쓰십시오.' ].
+about_ko(order(Least, Most)) -->
+    [ '~w부터 ~w까지는 아무 수도 없습니다'-[Least, Most], nl,
+      '  가장 작은 값은 min(...), 가장 큰 값은 max(...)입니다.' ].
+
+about_ko(items) -->
+    [ '  보기: [min(20), max(200), step(0.5), text(ko, \'지름\')]. 간격은 0보다 \c
+       크고, 언어는 en과 ko입니다.' ].
 
 formula_ko(unknown(Name, Near), _) -->
     [ '매개변수가 없습니다: ~w'-[Name] ],
@@ -81,6 +121,12 @@ setting_ko(comma(Point)) -->
 setting_ko(unit(Unit)) -->
     [ '매개변수는 단위(~w)가 없는 수입니다'-[Unit], nl,
       '  길이는 모델의 단위, 각은 도입니다.' ].
+setting_ko(formula(unknown(Name, _), _)) -->
+    !,
+    [ 'param(~w)는 수가 아닙니다. 매개변수의 값은 수입니다'-[Name], nl,
+      '  114.3이나 6.625*25.4처럼 수를 쓰십시오.' ].
+setting_ko(formula(What, Formula)) -->
+    formula_ko(What, Formula).
 setting_ko(number) -->
     [ '값이 수가 아닙니다', nl,
-      '  114.3이나 -2.5e-3처럼 숫자로 쓰십시오.' ].
+      '  114.3, -2.5e-3, 6.625*25.4처럼 숫자로 쓰십시오.' ].

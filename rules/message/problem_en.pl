@@ -19,10 +19,12 @@ problem_en(variable) -->
       '  Begin names with a small letter, or quote them.' ].
 problem_en(item(Item)) -->
     [ '~p is no item here'-[Item], nl,
-      '  A problem has given(Views), branch(S), generators(N), \c
-       ask(draw(penetration)), ask(count(loops)), ask(develop(S)),', nl,
-      '  text(Language, Text); a sheet angle(first), angle(third), \c
-       title_block(Item, Text).' ].
+      '  A problem has given(Views), blank(View), branch(S), generators(N), \c
+       planes(Axis), planes(Axis, N), edges(all),', nl,
+      '  ask(draw(penetration)), ask(count(loops)), \c
+       ask(develop(S)), ask(measure(What, Unit, Tolerance)), \c
+       part(S, Language, Text), text(Language, Text);', nl,
+      '  a sheet angle(first), angle(third), title_block(Item, Text).' ].
 problem_en(model(Model)) -->
     [ '~p is no name of a model file'-[Model], nl,
       '  Write it in quotes: it lies beside the file of problems.' ].
@@ -41,3 +43,43 @@ problem_en(no_problem(Name)) -->
 problem_en(no_sheet(Name)) -->
     [ 'problem ~p stands on no sheet'-[Name], nl,
       '  Name it in sheet(Paper, Names, Items).' ].
+problem_en(measure(Measure)) -->
+    [ '~p is no measure'-[Measure], nl,
+      '  Write shortest_generator(S), longest_generator(S), generator(S, I), \c
+       edge(S, V, W), angle(S, U, V, W), area(S),', nl,
+      '  perimeter(S), sector(S), volume(S) or coordinate(I, x): of segment \c
+       S, of its vertices, of point I.' ].
+problem_en(unit(Measure, Unit, Units)) -->
+    { atomic_list_concat(Units, ', ', Text) },
+    [ '~p is not measured in ~p'-[Measure, Unit], nl,
+      '  Units of it are: ~w.'-[Text] ].
+problem_en(tolerance(Measure, Tolerance)) -->
+    [ 'how far may an answer to ~p be off? ~p is no tolerance'-
+      [Measure, Tolerance], nl,
+      '  Write a number above 0, in the unit, such as 0.1.' ].
+problem_en(all_blank) -->
+    [ 'all views are blank, so nothing is given', nl,
+      '  Name another view in given(Views).' ].
+problem_en(no_view(Measure, Names)) -->
+    { atomic_list_concat(Names, ', ', Text) },
+    [ 'no view shows which point ~p is, without telling the answer'-[Measure],
+      nl,
+      '  Give one of these views, not blank: ~w.'-[Text] ].
+problem_en(no_segment(S)) -->
+    [ 'the model has no segment ~p'-[S], nl,
+      '  Segments are those of segment(S, Kind, Term) that are operands of \c
+       none.' ].
+problem_en(no_pattern(S)) -->
+    [ 'segment ~p is a curve: it has no pattern'-[S], nl,
+      '  Name a solid or a surface in ask(develop(S)).' ].
+problem_en(no_vertex(S, V)) -->
+    [ 'segment ~p has no vertex ~p'-[S, V], nl,
+      '  sanggwan query MODEL "v(~w, V, X, Y, Z)" lists its vertices.'-[S] ].
+problem_en(no_measure(Measure)) -->
+    [ '~p has no value in this model'-[Measure], nl,
+      '  Generators are of cylinders and cones and have a free end, sectors \c
+       of right circular cones, volumes of solids whose', nl,
+      '  surfaces are known, coordinates of points on the penetration line.' ].
+problem_en(too_fine(Measure, Tolerance)) -->
+    [ '~p is not known as exactly as ~p'-[Measure, Tolerance], nl,
+      '  Give a larger tolerance.' ].

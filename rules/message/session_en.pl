@@ -21,7 +21,7 @@ session_en(frame(head_too_long(H))) -->
     [ 'the head of a frame is said to have ~D octets, more than the \c
        frame'-[H] ].
 session_en(frame(not_utf8)) -->
-    [ 'the head of a frame is not UTF-8' ].
+    [ 'what a frame holds is not UTF-8: its head, or the text in its body' ].
 session_en(frame(not_json)) -->
     [ 'the head of a frame is not JSON' ].
 session_en(frame(not_an_object)) -->
@@ -35,6 +35,11 @@ session_en(unknown_do(Do, Near, All)) -->
     meant_en(Near),
     [ nl, '  It does: ~w.'-[Known] ].
 session_en(bad_key(Key, Wanted)) -->
+    { said_alone(Wanted) },
+    [ '"~w": '-[Key] ],
+    wanted_en(Wanted).
+session_en(bad_key(Key, Wanted)) -->
+    { \+ said_alone(Wanted) },
     [ 'the request needs a key "~w": '-[Key] ],
     wanted_en(Wanted).
 session_en(verb_refused(Verb)) -->
@@ -92,6 +97,71 @@ session_en(too_long(seconds, Most)) -->
 session_en(too_long(inferences, Most)) -->
     [ 'the goal took more than ~D inferences'-[Most], nl,
       '  Ask for less at once.' ].
+session_en(edit(no_edge(Text))) -->
+    [ '"~w" is no number and no name of an edge'-[Text], nl,
+      '  An edge is named like 7, base-side(3) or v(3)-v(8).' ].
+session_en(edit(no_wish(S, Edge))) -->
+    [ 'the text does not say whether edge ~p of segment ~p is cut'-[Edge, S] ].
+session_en(no_name(Name)) -->
+    [ 'the picture has nothing called ~w'-[Name], nl,
+      '  Names are those of its lines and parts, like s1e7; ask for them \c
+       again after a change.' ].
+session_en(owner_alone(rules)) -->
+    [ 'rules run code, so only the owner may try or keep them', nl,
+      '  The owner says "owner":true.' ].
+session_en(owner_alone(journal)) -->
+    [ 'the journal has rules, which run code, so only the owner may replay \c
+       it', nl,
+      '  The owner says "owner":true; "replay":false leaves its changes out.' ].
+session_en(nothing_tried) -->
+    [ 'no rules are tried', nl,
+      '  Try some first: "do":"rules", with their text as the body.' ].
+
+session_en(does(hello)) -->
+    [ 'says who this is and what it does' ].
+session_en(does(run)) -->
+    [ 'does a verb of the command line, in an empty world' ].
+session_en(does(stop)) -->
+    [ 'ends what is under way, and all that waits' ].
+session_en(does(help)) -->
+    [ 'says what a session does, or what a word means' ].
+session_en(does(complete)) -->
+    [ 'says what the beginning of a word may become' ].
+session_en(does(open)) -->
+    [ 'opens a model as the document' ].
+session_en(does(view)) -->
+    [ 'draws the document' ].
+session_en(does(ask)) -->
+    [ 'finds the answers of a goal' ].
+session_en(does(next)) -->
+    [ 'gives more answers of a question' ].
+session_en(does(explain)) -->
+    [ 'says why something of the document is as it is' ].
+session_en(does(export)) -->
+    [ 'does a verb of the document' ].
+session_en(does(select)) -->
+    [ 'says what names of the document are, and keeps them' ].
+session_en(does(unfold)) -->
+    [ 'lays the document flat, as strokes' ].
+session_en(does(fold)) -->
+    [ 'lays the document flat, as a FOLD file' ].
+session_en(does(edit)) -->
+    [ 'replaces a number of the model' ].
+session_en(does(cut)) -->
+    [ 'says whether an edge is cut or kept in patterns' ].
+session_en(does(text)) -->
+    [ 'gives the text of the model, or another text to it' ].
+session_en(does(undo)) -->
+    [ 'takes the last change back' ].
+session_en(does(redo)) -->
+    [ 'does what was taken back again' ].
+session_en(does(rules)) -->
+    [ 'lists decisions; tries, keeps or discards rules' ].
+session_en(does(save)) -->
+    [ 'writes the text of the model into its file' ].
+
+said_alone(no_view(_, _, _)).
+said_alone(no_segment(_, _)).
 
 wanted_en(verb) -->
     [ 'a verb and its arguments, like ["draw", "tee.pl", "-o", "tee.svg"], \c
@@ -124,13 +194,40 @@ wanted_en(export) -->
 wanted_en(port) -->
     [ 'the name of a port' ].
 wanted_en(format) -->
-    [ '"svg", "json", "pdf", "png" or "dxf"' ].
+    [ '"strokes", "svg", "json", "pdf", "png" or "dxf"' ].
 wanted_en(view) -->
     [ 'the name of a view, or [theta, phi] or [theta, phi, rho]' ].
 wanted_en(size) -->
     [ '[width, height] in millimetres' ].
 wanted_en(segments) -->
     [ 'a list of numbers of segments' ].
+wanted_en(no_view(Name, Near, All)) -->
+    { atomic_list_concat(All, ', ', Known) },
+    [ 'there is no view "~w"'-[Name] ],
+    meant_en(Near),
+    [ nl, '  There are ~w; or [theta, phi] in degrees.'-[Known] ].
+wanted_en(no_segment(S, [])) -->
+    [ 'there is no segment ~p: the picture has none'-[S] ].
+wanted_en(no_segment(S, [First|More])) -->
+    { atomic_list_concat([First|More], ', ', Known) },
+    [ 'the picture has no segment ~p, but ~w'-[S, Known] ].
+wanted_en(id) -->
+    [ 'a whole number or a text, which the reply carries' ].
+wanted_en(word) -->
+    [ 'a word, like "line/9"' ].
+wanted_en(text) -->
+    [ 'the beginning of a word, of 200 characters at most' ].
+wanted_en(names) -->
+    [ 'a list of names, like ["s1e7", "s2"], 1,000 at most' ].
+wanted_en(edge) -->
+    [ '"segment", a number; "edge", a number or a name like "base-side(3)"; \c
+       and perhaps "keep": true, false or null' ].
+wanted_en(segment) -->
+    [ 'the number of a segment' ].
+wanted_en(sheet(Sheets)) -->
+    [ 'the number of a sheet, from 1 to ~d'-[Sheets] ].
+wanted_en(boolean) -->
+    [ 'true or false' ].
 wanted_en(one_of(Words)) -->
     { atomic_list_concat(Words, ', ', All) },
     [ 'one of ~w'-[All] ].

@@ -21,7 +21,7 @@ session_ko(frame(short(N))) -->
 session_ko(frame(head_too_long(H))) -->
     [ '프레임의 머리가 ~D바이트라고 하나 프레임보다 깁니다'-[H] ].
 session_ko(frame(not_utf8)) -->
-    [ '프레임의 머리가 UTF-8이 아닙니다' ].
+    [ '프레임의 내용이 UTF-8이 아닙니다. 머리 또는 본문의 글' ].
 session_ko(frame(not_json)) -->
     [ '프레임의 머리가 JSON이 아닙니다' ].
 session_ko(frame(not_an_object)) -->
@@ -34,6 +34,11 @@ session_ko(unknown_do(Do, Near, All)) -->
     meant_ko(Near),
     [ nl, '  하는 것: ~w.'-[Known] ].
 session_ko(bad_key(Key, Wanted)) -->
+    { said_alone(Wanted) },
+    [ '"~w": '-[Key] ],
+    wanted_ko(Wanted).
+session_ko(bad_key(Key, Wanted)) -->
+    { \+ said_alone(Wanted) },
     [ '요청에는 "~w" 키가 있어야 합니다: '-[Key] ],
     wanted_ko(Wanted).
 session_ko(verb_refused(Verb)) -->
@@ -88,6 +93,70 @@ session_ko(too_long(seconds, Most)) -->
 session_ko(too_long(inferences, Most)) -->
     [ '목표가 추론 ~D번을 넘었습니다'-[Most], nl,
       '  한 번에 더 적게 물으십시오.' ].
+session_ko(edit(no_edge(Text))) -->
+    [ '"~w"은(는) 모서리의 번호도 이름도 아닙니다'-[Text], nl,
+      '  모서리의 이름은 7, base-side(3), v(3)-v(8)과 같습니다.' ].
+session_ko(edit(no_wish(S, Edge))) -->
+    [ '글에 세그먼트 ~p의 모서리 ~p을(를) 자르는지가 없습니다'-[S, Edge] ].
+session_ko(no_name(Name)) -->
+    [ '그림에 ~w(이)라는 것이 없습니다'-[Name], nl,
+      '  이름은 s1e7처럼 그림의 선과 부분의 이름입니다. 변경 뒤에는 다시 \c
+       물으십시오.' ].
+session_ko(owner_alone(rules)) -->
+    [ '규칙은 코드를 실행하므로 주인만 시험하거나 남길 수 있습니다', nl,
+      '  주인은 "owner":true라고 합니다.' ].
+session_ko(owner_alone(journal)) -->
+    [ '일지에 코드를 실행하는 규칙이 있어 주인만 다시 할 수 있습니다', nl,
+      '  주인은 "owner":true라고 합니다. "replay":false는 변경을 뺍니다.' ].
+session_ko(nothing_tried) -->
+    [ '시험하는 규칙이 없습니다', nl,
+      '  먼저 시험하십시오: 규칙의 글을 본문으로 하여 "do":"rules".' ].
+
+session_ko(does(hello)) -->
+    [ '상대가 누구이고 무엇을 하는지 말합니다' ].
+session_ko(does(run)) -->
+    [ '빈 세계에서 명령을 실행합니다' ].
+session_ko(does(stop)) -->
+    [ '하던 일과 기다리는 일을 끝냅니다' ].
+session_ko(does(help)) -->
+    [ '세션이 하는 일이나 낱말의 뜻을 말합니다' ].
+session_ko(does(complete)) -->
+    [ '낱말의 처음이 무엇이 될 수 있는지 말합니다' ].
+session_ko(does(open)) -->
+    [ '모델을 문서로 엽니다' ].
+session_ko(does(view)) -->
+    [ '문서를 그립니다' ].
+session_ko(does(ask)) -->
+    [ '목표의 답을 찾습니다' ].
+session_ko(does(next)) -->
+    [ '질문의 답을 더 줍니다' ].
+session_ko(does(explain)) -->
+    [ '문서의 어떤 것이 왜 그러한지 말합니다' ].
+session_ko(does(export)) -->
+    [ '문서로 명령을 실행합니다' ].
+session_ko(does(select)) -->
+    [ '문서에 있는 이름이 무엇인지 말하고 기억합니다' ].
+session_ko(does(unfold)) -->
+    [ '문서를 전개하여 획으로 줍니다' ].
+session_ko(does(fold)) -->
+    [ '문서를 전개하여 FOLD 파일로 줍니다' ].
+session_ko(does(edit)) -->
+    [ '모델의 수 하나를 바꿉니다' ].
+session_ko(does(cut)) -->
+    [ '전개도에서 모서리를 자를지 이을지 정합니다' ].
+session_ko(does(text)) -->
+    [ '모델의 글을 주거나 다른 글로 바꿉니다' ].
+session_ko(does(undo)) -->
+    [ '마지막 변경을 되돌립니다' ].
+session_ko(does(redo)) -->
+    [ '되돌린 것을 다시 합니다' ].
+session_ko(does(rules)) -->
+    [ '결정을 늘어놓습니다. 규칙을 시험하고 남기거나 버립니다' ].
+session_ko(does(save)) -->
+    [ '모델의 글을 파일에 씁니다' ].
+
+said_alone(no_view(_, _, _)).
+said_alone(no_segment(_, _)).
 
 wanted_ko(verb) -->
     [ '["draw", "tee.pl", "-o", "tee.svg"]처럼 명령과 그 인자. 문자 0은 없이' ].
@@ -119,13 +188,40 @@ wanted_ko(export) -->
 wanted_ko(port) -->
     [ '포트의 이름' ].
 wanted_ko(format) -->
-    [ '"svg", "json", "pdf", "png", "dxf" 가운데 하나' ].
+    [ '"strokes", "svg", "json", "pdf", "png", "dxf" 가운데 하나' ].
 wanted_ko(view) -->
     [ '시점의 이름, 또는 [theta, phi]나 [theta, phi, rho]' ].
 wanted_ko(size) -->
     [ '[너비, 높이] 밀리미터' ].
 wanted_ko(segments) -->
     [ '세그먼트 번호의 목록' ].
+wanted_ko(no_view(Name, Near, All)) -->
+    { atomic_list_concat(All, ', ', Known) },
+    [ '"~w"(이)라는 시점은 없습니다'-[Name] ],
+    meant_ko(Near),
+    [ nl, '  있는 것: ~w. 또는 [theta, phi] 도.'-[Known] ].
+wanted_ko(no_segment(S, [])) -->
+    [ '세그먼트 ~p은(는) 없습니다. 그림에 세그먼트가 없습니다'-[S] ].
+wanted_ko(no_segment(S, [First|More])) -->
+    { atomic_list_concat([First|More], ', ', Known) },
+    [ '그림에 세그먼트 ~p은(는) 없고 ~w이(가) 있습니다'-[S, Known] ].
+wanted_ko(id) -->
+    [ '답이 지닐 정수 또는 글' ].
+wanted_ko(word) -->
+    [ '낱말. "line/9"처럼' ].
+wanted_ko(text) -->
+    [ '낱말의 처음. 200자까지' ].
+wanted_ko(names) -->
+    [ '이름의 목록. ["s1e7", "s2"]처럼, 1,000개까지' ].
+wanted_ko(edge) -->
+    [ '"segment"는 번호, "edge"는 번호 또는 "base-side(3)" 같은 이름, \c
+       "keep"은 true, false 또는 null' ].
+wanted_ko(segment) -->
+    [ '세그먼트의 번호' ].
+wanted_ko(sheet(Sheets)) -->
+    [ '1부터 ~d까지의 시트 번호'-[Sheets] ].
+wanted_ko(boolean) -->
+    [ 'true 또는 false' ].
 wanted_ko(one_of(Words)) -->
     { atomic_list_concat(Words, ', ', All) },
     [ '다음의 하나: ~w'-[All] ].

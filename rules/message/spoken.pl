@@ -1,6 +1,7 @@
 :- module(sg_spoken,
           [ spoken_lines/4              % +Kind, +Term, +Lines, -Spoken
           ]).
+:- use_module('../about', [about/1]).
 :- use_module('../language', [language/1]).
 :- use_module(messages, [english//1]).
 :- use_module(messages_ko, []).
@@ -30,7 +31,18 @@ spoken_lines(Kind, Term, Lines0, Lines) :-
     ->  warning_lines(Whats, Lines1)
     ;   Lines1 = Lines0
     ),
-    plain_lines(Kind, Lines1, Lines).
+    about_lines(Kind, Lines1, Lines2),
+    plain_lines(Kind, Lines2, Lines).
+
+%   about_lines(Kind, Lines0, Lines): after what it is about (about.pl).
+
+about_lines(Kind, Lines0, Lines) :-
+    (   Lines0 = [_|_],
+        memberchk(Kind, [warning,informational]),
+        about(Name)
+    ->  Lines = ['~w: '-[Name]|Lines0]
+    ;   Lines = Lines0
+    ).
 
 prologs_own(Term, Formal, Context) :-
     nonvar(Term),

@@ -3,7 +3,8 @@
           [ style_ko//1                 % +What
           ]).
 :- use_module('../picture/role', [role_rank/2]).
-:- use_module('../drawing/style', [line_type/3, colour_name/2, sheet_role/1]).
+:- use_module('../colour', [colour_name/2]).
+:- use_module('../drawing/style', [line_type/3, sheet_role/1]).
 /** <module> What is wrong with a style file, in Korean.
 
 The heads are those of style_en.pl (tests/rules/drawing/style.plt).

@@ -48,10 +48,19 @@ true_en(bend(S, P1, P2, Degrees)) -->
        no bend has such an angle'-[S, P1, P2, Degrees], nl,
       '  Bends turn by less than 170 degrees.' ].
 true_en(bend_too_wide(S, P, Width)) -->
-    [ 'segment ~d: polygon ~d is narrower than what its bends take off, ~4f'-
+    [ 'segment ~d: polygon ~d is narrower than what its bends and seams take \c
+       off, ~4f'-
       [S, P, Width], nl,
       '  Take a smaller --bend-radius or --thickness, or leave faces out that \c
          are not needed: --remove base.' ].
+true_en(no_relief(S, P, Wide)) -->
+    [ 'segment ~d: polygon ~d has no room for the cut in its corner, ~4f \c
+       from where its bends meet'-[S, P, Wide], nl,
+      '  Give --relief none, or a smaller --bend-radius or --thickness.' ].
+true_en(bent_over(S, P)) -->
+    [ 'segment ~d: what bends and seams leave of polygon ~d crosses itself: \c
+       it cannot be cut'-[S, P], nl,
+      '  Take a smaller --thickness or --bend-radius, or cut other edges.' ].
 true_en(bent_facet(S, P, Kind, Width)) -->
     [ 'segment ~d: polygon ~d, a facet of a ~w, is narrower than what its \c
        bends take off, ~4f'-[S, P, Kind, Width], nl,

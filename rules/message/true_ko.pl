@@ -46,10 +46,18 @@ true_ko(bend(S, P1, P2, Degrees)) -->
     [ '세그먼트 ~d: 다각형 ~d와 ~d 사이가 ~2f도 접힙니다: 그런 굽힘은 없습니다'-
       [S, P1, P2, Degrees], nl, '  굽힘은 170도보다 작아야 합니다.' ].
 true_ko(bend_too_wide(S, P, Width)) -->
-    [ '세그먼트 ~d: 다각형 ~d가 굽힘으로 줄어드는 길이 ~4f보다 좁습니다'-
+    [ '세그먼트 ~d: 다각형 ~d가 굽힘과 솔기로 줄어드는 길이 ~4f보다 좁습니다'-
       [S, P, Width], nl,
       '  --bend-radius나 --thickness를 줄이거나, 필요 없는 면을 빼십시오: \c
          --remove base.' ].
+true_ko(no_relief(S, P, Wide)) -->
+    [ '세그먼트 ~d: 굽힘이 만나는 곳에서 ~4f까지 모퉁이를 따내기에는 다각형 ~d가 \c
+       너무 작습니다'-[S, Wide, P], nl,
+      '  --relief none 을 주거나, --bend-radius나 --thickness를 줄이십시오.' ].
+true_ko(bent_over(S, P)) -->
+    [ '세그먼트 ~d: 굽힘과 솔기로 줄어든 다각형 ~d가 스스로 엇갈려 자를 수 \c
+       없습니다'-[S, P], nl,
+      '  --thickness나 --bend-radius를 줄이거나 다른 모서리를 자르십시오.' ].
 true_ko(bent_facet(S, P, Kind, Width)) -->
     { kind_word(Kind, Word) },
     [ '세그먼트 ~d: ~w의 다각형 ~d가 굽힘으로 줄어드는 길이 ~4f보다 좁습니다'-

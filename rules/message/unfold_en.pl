@@ -206,11 +206,10 @@ unfold_en(no_table(File)) -->
       '  With --true cylinders, cones and transitions have them.' ].
 unfold_en(all_trimmed_away) -->
     [ 'nothing is left of any segment: all of them are trimmed away' ].
-unfold_en(flanges(S, N, Most)) -->
-    [ 'segment ~d: at ~D seam(s) both flanges are bent in one corner, where \c
-       they lie on each other in the pattern, by up to ~4g'-[S, N, Most], nl,
-      '  Cut the corner out (a corner relief), or shorten one of them in the \c
-       model.' ].
+unfold_en(outline_crosses(S, N)) -->
+    [ 'segment ~d: bent of this plate its faces lie on each other in the \c
+       pattern: sides that are cut cross ~D time(s)'-[S, N], nl,
+      '  Cut other edges, or take a smaller --thickness or --bend-radius.' ].
 unfold_en(alone(S)) -->
     [ 'segment ~d meets no other: nothing of it is trimmed'-[S] ].
 unfold_en(attached(S, Welded, Divided)) -->

@@ -156,10 +156,10 @@ unfold_ko(no_table(File)) -->
       '  --true 로 펼친 원기둥, 원뿔, 변이관에 있습니다.' ].
 unfold_ko(all_trimmed_away) -->
     [ '모든 세그먼트가 다 잘려 나가 남는 것이 없습니다' ].
-unfold_ko(flanges(S, N, Most)) -->
-    [ '세그먼트 ~d: 솔기 ~D곳에서 두 플랜지가 한 모퉁이에서 굽어, 전개도에서 ~4g \c
-       까지 서로 겹칩니다'-[S, N, Most], nl,
-      '  모퉁이를 잘라 내거나 모형에서 한쪽을 줄이십시오.' ].
+unfold_ko(outline_crosses(S, N)) -->
+    [ '세그먼트 ~d: 이 판으로 굽히면 전개도에서 면들이 겹칩니다: 절단선이 ~D번 \c
+       엇갈립니다'-[S, N], nl,
+      '  다른 모서리를 자르거나 --thickness나 --bend-radius를 줄이십시오.' ].
 unfold_ko(alone(S)) -->
     [ '세그먼트 ~d은(는) 다른 것과 만나지 않아 잘라 낼 것이 없습니다'-[S] ].
 unfold_ko(attached(S, Welded, Divided)) -->

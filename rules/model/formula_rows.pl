@@ -1,8 +1,12 @@
 :- module(sg_formula_rows,
           [ parameters_added/3,         % +Parameters, +File, -Renamed
+            default_kept/2,             % +Name, +Written
+            default_of/2,               % ?Name, -Written
             formula_kept/2,             % +Row, +Written
             written_fact/2,             % +Fact, -Written
             made_by_formula/1,          % +S
+            made_from/2,                % ?S, -Written
+            placed_from/3,              % ?S, ?V, -Place
             placed_by_formula/1         % +S
           ]).
 :- use_module(formula_term, [formed_term/3, formed_wish/3, operand_formulas/4]).
@@ -28,6 +32,7 @@ file has them:
     formula(v(S, V), v(S, V, X, Y, Z))
     formula(title_block(Item), title_block(Item, Formula))
     formula(Row, Fact)                      of any other Row
+    formula(set(Name), param(Name, Default))    of a parameter that was set
 
 A formula holds as long as its values are what is in the row, and as long as
 nothing was done to the segment: what was cut, or changed in another way, is no
@@ -72,6 +77,24 @@ parameter_written(Name, Written) :-
     ->  Written == Written0
     ;   \+ has_formula(Written)
     ).
+
+%!  default_kept(+Name, +Written) is det.
+%
+%   The world remembers that the parameter Name was set; Written, a number or a
+%   formula, is what its file has.
+
+default_kept(Name, Written) :-
+    (   default_of(Name, _)
+    ->  true
+    ;   assert_fact(formula(set(Name), param(Name, Written)))
+    ).
+
+%!  default_of(?Name, -Written) is nondet.
+%
+%   The parameter Name was set; its file has Written.
+
+default_of(Name, Written) :-
+    formula(set(Name), param(_, Written)).
 
 free_name(Name, All, New) :-
     between(2, inf, N),
@@ -188,6 +211,29 @@ made_by_formula(S) :-
     \+ is_node_term(Term),
     term_holds(Written, Term),
     as_made(S, Kind, Term).
+
+%!  made_from(?S, -Written) is nondet.
+%
+%   The term of segment S, whatever was done to it since, comes from the
+%   formulas in Written.
+
+made_from(S, Written) :-
+    formula(segment(S), segment(_, _, Written)),
+    segment(S, _, Term),
+    term_holds(Written, Term).
+
+%!  placed_from(?S, ?V, -Place) is nondet.
+%
+%   Vertex V of segment S is, or was before it was cut, at the formulas
+%   Place, (X,Y,Z).
+
+placed_from(S, V, (X,Y,Z)) :-
+    formula(v(S, V), v(_, _, X, Y, Z)),
+    (   leaf_v(S, V, X0, Y0, Z0)
+    ->  true
+    ;   v(S, V, X0, Y0, Z0)
+    ),
+    maplist(argument_holds, [X,Y,Z], [X0,Y0,Z0]).
 
 %!  placed_by_formula(+S) is semidet.
 %

@@ -10,14 +10,18 @@
 :- use_module(mesh, [read_mesh/3, write_mesh/3, mesh_ending/2]).
 :- use_module(model_file, [read_model/3]).
 :- use_module(model_writer, [write_model/1]).
-:- use_module(openscad, [read_csg/2]).
+:- use_module(openscad, [read_csg/2, term_colour/2]).
 :- use_module(parameter, [settings_of/2, settings_met/2]).
-:- use_module('../primitive/primitive_rows', [add_primitive/2]).
+:- use_module(parameter_about, [ranges_told/0, settings_used/1]).
+:- use_module('../primitive/primitive_rows', [add_primitive/2, without_rows/1]).
 :- use_module('../stage', [stage/2]).
-:- use_module('../store', [assert_fact/1, facts_transaction/1, fresh_id/3]).
+:- use_module('../store',
+              [ look/2, segment/3, assert_fact/1, facts_transaction/1,
+                fresh_id/3 ]).
 :- use_module('../polygon/triangulation', [complete_segments/0]).
 :- use_module(library(apply), [maplist/3]).
-:- use_module(library(lists), [append/2]).
+:- use_module(library(lists), [append/2, member/2]).
+:- use_module(library(ordsets), [ord_subtract/3]).
 :- use_module(library(error), [must_be/2]).
 :- use_module(library(option), [option/2, option/3]).
 /** <module> Models: load and save.
@@ -40,6 +44,8 @@ What rules call the things of a model is in vocabulary.pl.
 %     - triangles(false): do without planes and triangles
 %     - tolerance(T): see evaluate/2
 %     - evaluate(false): do without the boundaries of nodes (csg.pl)
+%     - rows(false): primitives are segments without vertices; then `evaluate`
+%       is to be false too
 %     - parameters(List): values for parameters of the models, Name=Value
 %     - set(Texts): the same, as after `--set`: NAME=VALUE
 %     - others_set(true): some of these may be of other models, not in Files
@@ -58,7 +64,7 @@ load_model(Files0, Options) :-
     ),
     settings_of(Options, Settings),
     facts_transaction(
-        ( stage(load, sg_model:files_loaded(Files, Settings, Options)),
+        ( stage(load, sg_model:files_read(Files, Settings, Options)),
           (   option(triangles(false), Options)
           ->  true
           ;   complete_segments
@@ -67,6 +73,12 @@ load_model(Files0, Options) :-
           ->  true
           ;   evaluate(all, Options)
           ) )).
+
+files_read(Files, Settings, Options) :-
+    (   option(rows(false), Options)
+    ->  without_rows(sg_model:files_loaded(Files, Settings, Options))
+    ;   files_loaded(Files, Settings, Options)
+    ).
 
 %   file_name(Text, File): names may be given as "text".
 
@@ -79,10 +91,12 @@ file_name(Text, File) :-
 
 files_loaded(Files, Settings, Options) :-
     maplist(file_loaded(Settings, Options), Files, Names0),
+    ranges_told,
     (   option(others_set(true), Options)
     ->  true
     ;   append(Names0, Names),
-        settings_met(Settings, Names)
+        settings_met(Settings, Names),
+        settings_used(Settings)
     ).
 
 file_loaded(Settings, Options, File, Names) :-
@@ -115,10 +129,22 @@ csg_added(File) :-
         assert_fact(segment(S, solid, named(Name, Term))),
         Made = [S],
         Goal = complete_tree(Made)
-    ;   Goal = add_primitive(named(Name, Term), _)
+    ;   Goal = add_primitive(named(Name, Term), S)
     ),
+    segments(Before),
     catch(Goal, error(model_error(What), _),
-          throw(error(model_error(What), location(File, 0, 0)))).
+          throw(error(model_error(What), location(File, 0, 0)))),
+    segments(Now),
+    ord_subtract(Now, Before, New),
+    forall(( member(N, [S|New]),
+             segment(N, _, Own),
+             term_colour(Own, Colour),
+             \+ look(N, colour(_)) ),
+           assert_fact(look(N, colour(Colour)))).
+
+segments(Ss) :-
+    findall(S, segment(S, _, _), Ss0),
+    sort(Ss0, Ss).
 
 %   no_model(File, Format, Why): Why a file with the ending Format is none.
 

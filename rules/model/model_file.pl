@@ -4,7 +4,7 @@
 :- use_module('../store',
               [ v/5, e/5, p/3, plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3,
                 leaf_t/6, segment/3, origin/3, line/9, piece/3, joint/6,
-                title_block/2,
+                title_block/2, param_about/2,
                 assert_fact/1, assert_after/1, retractall_facts/1,
                 facts_transaction/1, relation_column/5
               ]).
@@ -18,17 +18,22 @@
               [vertex_list_edges/2, polygon_fault/2]).
 :- use_module('../formula', [renamed_parameters/3]).
 :- use_module(parameter, [file_parameters/3, parameter_value/3]).
-:- use_module(formula_rows, [formula_kept/2, parameters_added/3]).
+:- use_module(parameter_about, [about_checked/4]).
+:- use_module(formula_rows,
+              [default_kept/2, formula_kept/2, parameters_added/3]).
+:- use_module(look_file, [looks_added/2]).
 :- use_module('../text_file', [with_text/4]).
 :- use_module('../progress', [progress_by/1]).
 :- use_module('../primitive/primitive',
-              [comma_argument/2, is_primitive/1, primitive_shape/4]).
-:- use_module('../primitive/primitive_rows', [commas_told/2, shape_rows/4]).
+              [ comma_argument/2, is_primitive/1, primitive_kind/2,
+                primitive_shape/4 ]).
+:- use_module('../primitive/primitive_rows',
+              [commas_told/2, rows_left_out/0, shape_rows/4]).
 :- use_module(shifted, [own_numbers/3, shifted/3]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
 :- use_module(library(assoc), [empty_assoc/1, get_assoc/3, put_assoc/4]).
-:- use_module(library(lists), [member/2]).
+:- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(pairs), [pairs_keys/2]).
 /** <module> Model files: the paper's facts read into the world.
 
@@ -51,10 +56,12 @@ A file holds facts of the relations (model_text.pl), in any order, and:
   - `view(Theta, Phi, Rho)` and `projection(Kind)`, once each, and
     `title_block(Item, Text)`, once for an item; they replace those of the
     world.
+  - `look(S, Property)`, `light(N, Property)`: see look_file.pl.
 
   - `param(Name, Default)`, once for a name. Where the schema wants a number, a
     fact may have a formula over parameters (formula.pl); formula/2 keeps it.
     A parameter whose name is taken in the world by another one gets a new name.
+  - `param_about(Name, Items)`, once for a parameter (parameter_about.pl).
 
 Reading adds to the world: the segments of a file come after those that are
 there, keeping their own numbers if there are none. It is all or nothing.
@@ -108,6 +115,9 @@ text_added(Text, Shift, Settings, Names) :-
     ->  throw(error(model_error(empty), location(Name, 0, 0)))
     ;   maplist(segment_completed(Later, Name), Ss),
         nodes_completed(Later),
+        later_of(Later, look/2, Looks),
+        later_of(Later, light/2, Lights),
+        looks_added(Looks, Lights),
         forall(member(formula(Row, Written), Formulas),
                row_written(Row, Written))
     ).
@@ -159,8 +169,8 @@ streamed(Text, Shift, Ss0, Ss, Later) :-
         streamed(Text, Shift, Ss1, Ss, Later1)
     ).
 
-%   segment_commas_told(Fact, Place): of what the file itself has, not of values
-%   of formulas.
+%   segment_commas_told(Fact, Place): of what the file itself has, not of
+%   values of formulas.
 
 segment_commas_told(Fact, Place) :-
     (   Fact = segment(_, _, Term),
@@ -170,8 +180,8 @@ segment_commas_told(Fact, Place) :-
     ;   true
     ).
 
-%   with_segment(Row, Ss0, Ss): rows of a segment mostly follow one another; one
-%   that comes back is there again.
+%   with_segment(Row, Ss0, Ss): rows of a segment mostly follow one another;
+%   one that comes back is there again.
 
 with_segment(Row, Ss0, Ss) :-
     (   segment_of(Row, S),
@@ -263,8 +273,30 @@ later_formed(Later0, File, Shift, Settings, Later, Names, Formulas) :-
     parameter_items(Later0, Items),
     file_parameters(Items, Settings, Parameters),
     findall(Name, member(parameter(Name, _, _), Parameters), Names),
+    about_items(Later0, Names),
     parameters_added(Parameters, File, Renamed),
+    forall(( member(given(Name, Written, _), Items),
+             memberchk(Name-_, Settings) ),
+           ( own_name(Renamed, Name, Own),
+             renamed_parameters(Renamed, Written, Default),
+             default_kept(Own, Default) )),
     waiting_formed(Later0, Shift, Parameters, Renamed, Later, Formulas).
+
+own_name(Renamed, Name, Own) :-
+    (   memberchk(Name-New, Renamed)
+    ->  Own = New
+    ;   Own = Name
+    ).
+
+%   about_items(Later, Names): nothing is wrong with what is said of parameters.
+
+about_items(Later, Names) :-
+    later_of(Later, param_about/2, Abouts),
+    forall(append(Before, [later(param_about(Name, Items), Place)|_], Abouts),
+           (   memberchk(later(param_about(Name, _), _), Before)
+           ->  place_error(Place, twice(param_about, [Name]))
+           ;   about_checked(Name, Names, Items, Place)
+           )).
 
 parameter_items([], []).
 parameter_items([later(Fact, Place)|Later], Items) :-
@@ -287,6 +319,10 @@ waiting_formed([Item|Later0], Shift, Parameters, Renamed, Later, Formulas) :-
         shifted(Shift, Term1, Written),
         Later = [later(Row, Place)|Later1],
         Formulas = [formula(Row, Written)|Formulas1]
+    ;   Fact = param_about(Name, Items)
+    ->  own_name(Renamed, Name, Own),
+        Later = [later(param_about(Own, Items), Place)|Later1],
+        Formulas = Formulas1
     ;   Later = [Item|Later1],
         Formulas = Formulas1
     ),
@@ -335,7 +371,8 @@ later_added(Later) :-
     later_rows(Later, unfolding/2),
     later_setting(Later, view/3),
     later_setting(Later, projection/1),
-    later_title(Later).
+    later_title(Later),
+    later_abouts(Later).
 
 later_of([], _, []).
 later_of([Item|Later], Name/Arity, Items) :-
@@ -363,6 +400,18 @@ later_setting(Later, Relation) :-
     ;   true
     ).
 
+%   later_abouts(Later): of a parameter that two files have the first one says
+%   what it is.
+
+later_abouts(Later) :-
+    later_of(Later, param_about/2, Items),
+    forall(member(later(Row, Place), Items),
+           ( Row = param_about(Name, _),
+             (   param_about(Name, _)
+             ->  true
+             ;   row_added(Row, Place)
+             ) )).
+
 %   later_title(Later): what the last file says of an item holds.
 
 later_title(Later) :-
@@ -387,7 +436,7 @@ later_segment(later(segment(S, Kind, Name), Place)) :-
     ;   is_node_term(Name)
     ->  true
     ;   is_primitive(Name)
-    ->  catch(primitive_shape(Name, Wanted, Points, Chains),
+    ->  catch(term_shape(Name, Wanted, Points, Chains),
               error(model_error(What), _), place_error(Place, 3, What)),
         (   Kind == Wanted
         ->  catch(shape_rows(Wanted, S, Points, Chains),
@@ -395,6 +444,17 @@ later_segment(later(segment(S, Kind, Name), Place)) :-
         ;   place_error(Place, 2, kind(Name, Kind, Wanted))
         )
     ;   place_error(Place, 3, no_vertices(S, Name))
+    ).
+
+%   term_shape(Term, Kind, Points, Chains): without points, if there are to be
+%   no rows.
+
+term_shape(Term, Kind, Points, Chains) :-
+    (   rows_left_out
+    ->  primitive_kind(Term, Kind),
+        Points = [],
+        Chains = []
+    ;   primitive_shape(Term, Kind, Points, Chains)
     ).
 
 %   later_form(Item, Form): whether the list of a polygon has vertices or
@@ -548,6 +608,10 @@ segment_completed(Later, File, S) :-
     (   has_edges(S)
     ->  true
     ;   is_node(S)
+    ->  true
+    ;   rows_left_out,
+        once(( segment(S, _, Term), is_primitive(Term) )),
+        \+ has_vertex(S, _)
     ->  true
     ;   member(later(curve(S, [_]), _), Later)
     ->  true

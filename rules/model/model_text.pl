@@ -6,6 +6,7 @@
             world_parameter/2,          % ?Name, -Value
             next_term/3,                % +Text, -Term, -Place
             next_term/5,                % +Text, +Syntax, -Term, -Names, -Place
+            checked_fact/3,             % +Term, +Place, -Fact
             no_fact/2,                  % +Term, -What
             place_error/2,              % +Place, +What
             place_error/3,              % +Place, +Argument, +What
@@ -18,6 +19,7 @@
 :- use_module('../store',
               [param/2, relation/3, relation_column/5, column_domain/3]).
 :- use_module(formula_term, [formed_term/3, formed_wish/3]).
+:- use_module(look_term, [is_look/1, is_light/1, look_expected/2]).
 :- use_module(library(apply), [maplist/2]).
 :- use_module(library(lists), [member/2]).
 /** <module> The text of a model file: facts, each checked against the schema.
@@ -42,7 +44,8 @@ and columns counted from 1. What is one of
     formula(What, Formula)  parameter(decimal_comma(Name, Point))
 
 with Expected one of id, ids, steps, chain, float, finite, within(Most),
-distance, number, atom, text, ground and one_of(Values); model_file.pl adds its
+distance, number, atom, text, ground, one_of(Values), look(What) and
+light(What); model_file.pl adds its
 own.
 */
 
@@ -265,7 +268,12 @@ nth_place(N, [_|Places], From) :-
                 *            SCHEMA            *
                 *******************************/
 
-%   checked_fact(Term, Place, Fact)
+%!  checked_fact(+Term, +Place, -Fact) is det.
+%
+%   Fact is Term, a fact of the schema, with floats where it wants floats; or
+%   waiting(Term), if there are formulas in it.
+%
+%   @error model_error(What), at Place
 
 checked_fact(Term, Place, Fact) :-
     compound(Term),
@@ -370,6 +378,8 @@ file_type(list, _, _, ids).
 file_type(atom, _, _, atom).
 file_type(term, title_block, _, text) :- !.
 file_type(term, param, _, number) :- !.
+file_type(term, look, _, look) :- !.
+file_type(term, light, _, light) :- !.
 file_type(term, _, _, ground).
 
 checked_arguments([], [], _, _, _, []).
@@ -452,6 +462,10 @@ typed(text, Text, Text) :-
     atomic(Text),
     plain_term(Text, 0),
     Text \== [].
+typed(look, Property, Property) :-
+    is_look(Property).
+typed(light, Property, Property) :-
+    is_light(Property).
 typed(ground, Term, Term) :-
     ground(Term),
     limit_value(depth, Depth),
@@ -523,6 +537,11 @@ expected(coordinate, Value, within(1.0e90)) :-
     !.
 expected(coordinate, _, float) :-
     !.
+expected(Type, Property, Expected) :-
+    memberchk(Type, [look,light]),
+    !,
+    Expected =.. [Type,What],
+    look_expected(Property, What).
 expected(Type, _, Type).
 
 float_type(coordinate).

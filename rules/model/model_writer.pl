@@ -9,7 +9,8 @@
               [ v/5, e/5, p/3, plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3,
                 leaf_t/6, segment/3, origin/3, from_v/4, from_p/5, line/9,
                 unfolding/2, piece/3, joint/6, view/3, projection/1,
-                title_block/2, param/2, formula/2
+                title_block/2, look/2, light/2, param/2, param_about/2,
+                formula/2
               ]).
 :- use_module(formula_rows,
               [made_by_formula/1, placed_by_formula/1, written_fact/2]).
@@ -20,10 +21,11 @@
 Segments in the order of their numbers; in each segment/3, v/5, e/5, p/3,
 plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3, leaf_t/6, origin/3, from_v/4,
 from_p/5, piece/3, joint/6, every relation in the order of its key, and
-unfolding/2; before them param/2, after them line/9, view/3, projection/1 and
-title_block/2. Floats have the fewest digits that read back to the same float.
-So equal worlds give equal bytes, a small change gives a small difference, and
-read_model/3 brings back the same relations.
+unfolding/2, look/2; before them param/2 and param_about/2, after them line/9,
+view/3, projection/1, title_block/2 and light/2. Floats have the fewest digits
+that read back to the same float. So equal worlds give equal bytes, a small
+change gives a small difference, and read_model/3 brings back the same
+relations.
 
 Where the edges of a segment are just what read_model/3 makes from vertex
 lists, as after reading vertex lists or a mesh, its polygons are written as
@@ -55,12 +57,14 @@ write_model(File) :-
 write_model_to(Stream) :-
     write_line(Stream, '% Sanggwan model. One fact a line, in order.'),
     write_rows(Stream, Name, param(Name, _)),
+    write_rows(Stream, About, param_about(About, _)),
     all_segments(Ss),
     forall(member(S, Ss), write_segment(Stream, S)),
     write_lines(Stream),
     write_rows(Stream, 1, view(_, _, _)),
     write_rows(Stream, 1, projection(_)),
-    write_rows(Stream, Item, title_block(Item, _)).
+    write_rows(Stream, Item, title_block(Item, _)),
+    write_rows(Stream, N-Property, light(N, Property)).
 
 all_segments(Ss) :-
     findall(S, segment(S, _, _), Ss0),
@@ -74,13 +78,15 @@ write_segment(Stream, S) :-
     !,
     nl(Stream),
     write_rows(Stream, 1, segment(S, _, _)),
-    write_rows(Stream, 1, unfolding(S, _)).
+    write_rows(Stream, 1, unfolding(S, _)),
+    write_rows(Stream, Look, look(S, Look)).
 write_segment(Stream, S) :-
     made_by_formula(S),
     !,
     nl(Stream),
     write_rows(Stream, 1, segment(S, _, _)),
-    write_rows(Stream, 1, unfolding(S, _)).
+    write_rows(Stream, 1, unfolding(S, _)),
+    write_rows(Stream, Look, look(S, Look)).
 write_segment(Stream, S) :-
     nl(Stream),
     write_rows(Stream, 1, segment(S, _, _)),
@@ -105,9 +111,10 @@ write_segment(Stream, S) :-
     write_rows(Stream, P4-S0-P0, from_p(S, P4, S0, P0, _)),
     write_rows(Stream, P5, piece(S, P5, _)),
     write_rows(Stream, J, joint(S, J, _, _, _, _)),
-    write_rows(Stream, 1, unfolding(S, _)).
+    write_rows(Stream, 1, unfolding(S, _)),
+    write_rows(Stream, Look, look(S, Look)).
 
-%   write_lines(Stream): but for those of nodes, whose polygons are not written.
+%   write_lines(Stream): except those of nodes, whose polygons are not written.
 
 write_lines(Stream) :-
     findall(S, ( segment(S, _, _), is_node(S) ), Nodes),
@@ -118,7 +125,7 @@ write_lines(Stream) :-
                \+ memberchk(S2, Nodes) ),
              write_fact(Stream, Line)).
 
-%   write_origins(Stream, S): but for what is remembered of this world alone
+%   write_origins(Stream, S): except what is remembered of this world alone
 %   (csg_record.pl).
 
 write_origins(Stream, S) :-

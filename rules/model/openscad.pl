@@ -1,5 +1,6 @@
 :- module(sg_openscad,
-          [ read_csg/2                  % +File, -Term
+          [ read_csg/2,                 % +File, -Term
+            term_colour/2               % +Term, -Colour
           ]).
 :- use_module(openscad_argument, [openscad_argument/4, openscad_error/2]).
 :- use_module(openscad_extrusion, [linear_extruded/3, rotate_extruded/3]).
@@ -22,9 +23,10 @@ OpenSCAD makes (openscad_leaf.pl). A node is one of
                         (region.pl); linear_extrude and rotate_extrude make
                         solids of it
 
-Colours and convexity are passed over. Of the modifiers `#` says nothing about
-the model, what has `*` or `%` is not part of it, and where a node has `!` it
-is all of the model.
+The outermost colour of a solid is its name, colour(rgb(R,G,B)), from which
+term_colour/2 has it; how clear it is, and convexity, are passed over. Of the
+modifiers `#` says nothing about the model, what has `*` or `%` is not part of
+it, and where a node has `!` it is all of the model.
 
 Errors are error(model_error(openscad(What)), location(File, Line, Column)),
 with What as in openscad_text.pl and openscad_argument.pl, or
@@ -107,7 +109,7 @@ meaning(Node, Meaning) :-
 
 inner_node(group, united).
 inner_node(union, united).
-inner_node(color, united).
+inner_node(color, coloured).
 inner_node(render, united).
 inner_node(difference, subtracted).
 inner_node(intersection, intersected).
@@ -127,8 +129,8 @@ other_node(Name) :-
                       projection, resize, glide, subdiv, cgaladv, fill,
                       roof, skin, textmetrics ]).
 
-%   operands(Node, Meanings): those of the children, all solid or all plane but
-%   for `nothing`.
+%   operands(Node, Meanings): those of the children, all solid or all plane,
+%   except those that are `nothing`.
 
 operands(node(_, Name, _, Children0, _), Meanings) :-
     exclude(is_no_part, Children0, Children),
@@ -156,6 +158,57 @@ joined([Meaning], Meaning) :-
     !.
 joined(Meanings, Meaning) :-
     operation(union, Meanings, Meaning).
+
+%   coloured(Node, Meaning): colours within a colour do not count.
+
+coloured(Node, Meaning) :-
+    united(Node, Meaning0),
+    (   Meaning0 = solid(Term0),
+        node_colour(Node, Colour)
+    ->  uncoloured(Term0, Term),
+        Meaning = solid(named(colour(Colour), Term))
+    ;   Meaning = Meaning0
+    ).
+
+%   node_colour(Node, Colour): fails of one that OpenSCAD does not know, which
+%   it writes as numbers below 0.
+
+node_colour(node(_, _, Arguments, _, _), rgb(R,G,B)) :-
+    memberchk(1-[R0,G0,B0|_], Arguments),
+    maplist(colour_byte, [R0,G0,B0], [R,G,B]).
+
+colour_byte(Part, Byte) :-
+    number(Part),
+    Part >= 0,
+    Byte is min(255, round(Part*255)).
+
+uncoloured(named(colour(_), Term0), Term) :-
+    !,
+    uncoloured(Term0, Term).
+uncoloured(at(Steps, Term0), at(Steps, Term)) :-
+    !,
+    uncoloured(Term0, Term).
+uncoloured(Term0, Term) :-
+    compound(Term0),
+    Term0 =.. [Operation,Operands0],
+    memberchk(Operation, [union,difference,intersection]),
+    !,
+    maplist(uncoloured, Operands0, Operands),
+    Term =.. [Operation,Operands].
+uncoloured(Term, Term).
+
+%!  term_colour(+Term, -Colour) is semidet.
+%
+%   Colour, rgb(R,G,B), is that of a solid of read_csg/2, an operand or its
+%   name for all.
+
+term_colour(named(Name, Term), Colour) :-
+    (   Name = colour(Colour0)
+    ->  Colour = Colour0
+    ;   term_colour(Term, Colour)
+    ).
+term_colour(at(_, Term), Colour) :-
+    term_colour(Term, Colour).
 
 subtracted(Node, Meaning) :-
     operands(Node, Meanings0),

@@ -6,7 +6,9 @@
           ]).
 :- use_module('../decimal', [decimal_number/2]).
 :- use_module('../formula',
-              [formula_parameter/2, formula_value/3, has_formula/1]).
+              [ formula_parameter/2, formula_value/3, has_formula/1,
+                is_formula/1 ]).
+:- use_module('../limits', [term_of_text/3]).
 :- use_module('../spelling', [near_words/3]).
 :- use_module(model_text, [model_float/2, place_error/2, place_error/3]).
 :- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
@@ -22,10 +24,12 @@ parameter of the file. A setting takes the place of a default.
 %!  settings_of(+Options, -Settings) is det.
 %
 %   Settings are the pairs Name-Value that Options ask for: set(Texts), as on
-%   the command line, each `NAME=VALUE`; parameters(List), each Name=Value.
+%   the command line, each `NAME=VALUE`, VALUE a number or a formula of numbers;
+%   parameters(List), each Name=Value.
 %
 %   @error usage_error(parameter(What)): setting(Text, Why), Why one of form,
-%   comma(Point), unit(Unit), number; set_twice(Name). type_error(float, Value)
+%   comma(Point), unit(Unit), number, formula(What, Formula); set_twice(Name).
+%   type_error(float, Value)
 
 settings_of(Options, Settings) :-
     option(set(Texts), Options, []),
@@ -49,14 +53,37 @@ text_setting(Text, Name-Value) :-
     (   decimal_number(Number, Value),
         model_float(Value, _)
     ->  true
-    ;   no_number(Number, What),
-        setting_error(Text, What)
+    ;   no_number(Number, What)
+    ->  setting_error(Text, What)
+    ;   number_formula(Number, Formula)
+    ->  catch(formula_value(Formula, no_parameter, Value),
+              error(model_error(What), _), setting_error(Text, What))
+    ;   setting_error(Text, number)
     ).
+
+no_parameter(_, _) :-
+    fail.
+
+%   number_formula(Text, Formula): Text is of numbers as people write them, and
+%   what stands between them.
+
+number_formula(Text, Formula) :-
+    string_codes(Text, Codes),
+    \+ ( append(_, [Digit,Next|_], Codes),
+         code_type(Digit, digit),
+         code_type(Next, csymf),
+         \+ memberchk(Next, `eE`) ),
+    \+ ( member(Code, Codes),
+         \+ code_type(Code, csym),
+         \+ memberchk(Code, ` ()+-*/^.,`) ),
+    catch(term_of_text(Text, Formula, []), error(_, _), fail),
+    ground(Formula),
+    is_formula(Formula).
 
 setting_error(Text, What) :-
     throw(error(usage_error(parameter(setting(Text, What))), _)).
 
-%   no_number(Text, What): why Text is no number.
+%   no_number(Text, What): why Text is no number, and no formula.
 
 no_number(Text, comma(Point)) :-
     split_string(Text, ",", " ", [Whole,Part]),
@@ -73,7 +100,6 @@ no_number(Text, unit(Unit)) :-
     decimal_number(Number, _),
     !,
     atom_string(Unit, UnitText).
-no_number(_, number).
 
 digits(Text) :-
     string_chars(Text, Chars),

@@ -14,10 +14,11 @@
                 title_block/2, param/2, formula/2, assert_fact/1,
                 retractall_facts/1, facts_transaction/1
               ]).
-:- use_module(formula_rows, [written_fact/2]).
+:- use_module(formula_rows, [default_kept/2, written_fact/2]).
 :- use_module(formula_term, [formed_term/3, formed_wish/3]).
 :- use_module(model_text, [model_float/2, world_parameter/2]).
 :- use_module(parameter, [file_parameters/3]).
+:- use_module(parameter_about, [ranges_told/0]).
 :- use_module(library(apply), [maplist/2, maplist/3, maplist/4]).
 :- use_module(library(error),
               [existence_error/2, must_be/2, type_error/2]).
@@ -56,6 +57,8 @@ parameter_set(Name, Value) :-
             ( param(Other, Old),
               written_fact(param(Other, Old), param(_, Written)) ),
             Items),
+    memberchk(given(Name, Default, _), Items),
+    default_kept(Name, Default),
     file_parameters(Items, [Name-Value], Parameters),
     retractall_facts(formula(param(Name), _)),
     maplist(parameter_row, Parameters),
@@ -65,7 +68,8 @@ parameter_set(Name, Value) :-
     (   WereCut == true
     ->  penetrate(all)
     ;   true
-    ).
+    ),
+    ranges_told.
 
 %   uncut(WereCut): the segments are as they were before any cut.
 
@@ -82,7 +86,7 @@ uncut(WereCut) :-
 
 valid_formula(Row, Written) :-
     formula(Name, _),
-    Name \= param(_),
+    \+ memberchk(Name, [param(_),set(_)]),
     named_row(Name, Row),
     call(Row),
     written_fact(Row, Written),

@@ -151,7 +151,7 @@ said_of(File, Kind, What) :-
 %   Write segments of the current world to one mesh file, S-Name in Pairs: each
 %   solid is rounded, checked and, if need be, united with itself alone, as
 %   write_solid/3 does it; what two of them have in common stays. Surfaces are
-%   rounded, curves left out. Options but for name(_) as there.
+%   rounded, curves left out. Options except for name(_) as there.
 %
 %   @error as write_solid/3
 

@@ -16,13 +16,14 @@
 :- use_module(pattern_piece, [pattern_pieces/3]).
 :- use_module(pattern_text, [written/5]).
 :- use_module(pattern_table,
-              [pattern_tables/4, table_line/2, table_loops/2, table_name/2]).
+              [pattern_tables/4, table_lines/2, table_loops/2, table_name/2]).
 :- use_module(pattern_tile, [tiled/4]).
 :- use_module(pattern_parted, [parted_segments/2]).
-:- use_module(pattern_want, [wanted_text/4]).
+:- use_module(pattern_want, [wanted_texts/4]).
 :- use_module('../sheet/sheet_paper', [unit_millimetres/2]).
 :- use_module(library(apply),
-              [foldl/4, foldl/6, include/3, maplist/3, maplist/4, maplist/5]).
+              [ foldl/4, foldl/6, include/3, maplist/3, maplist/4, maplist/5,
+                partition/4 ]).
 :- use_module(library(assoc), 
               [empty_assoc/1, get_assoc/3, list_to_assoc/2]).
 :- use_module(library(error), [domain_error/2]).
@@ -234,10 +235,13 @@ named_loops(piece(Name,_,_), Outline, Name-Loops) :-
 laid(Piece, Outline, _-Place, laid(Piece,Outline,Place)).
 
 laid_sheets(Laid, Sheets) :-
-    findall(I-L, ( member(L, Laid), L = laid(_,_,place(I,_,_,_)) ), Pairs0),
+    maplist(sheet_number, Laid, Pairs0),
     keysort(Pairs0, Pairs),
     group_pairs_by_key(Pairs, Groups),
-    findall(Sheet, member(_-Sheet, Groups), Sheets).
+    pairs_values(Groups, Sheets).
+
+sheet_number(Laid, I-Laid) :-
+    Laid = laid(_, _, place(I,_,_,_)).
 
 
                 /*******************************
@@ -272,25 +276,15 @@ sheet_drawing(Layout, Options, Count, I-Laid, Drawing, Skipped) :-
     Sheet = sheet(Width, Height, _, _, _, _),
     option(fold_threshold(Threshold), Options, 0.5),
     How = how(Threshold, Butt),
-    findall(Placed1,
-            ( member(laid(Piece,Outline,Place), Laid),
-              Piece = piece(_, _, _),
-              placed_piece(Sheet, Tabs, How, laid(Piece,Outline,Place),
-                           Placed1)
-            ),
-            Placed),
-    findall(View,
-            ( member(laid(Table,_,Place), Laid),
-              Table = table(_, _, _, _),
-              table_view(Table, move(Sheet,Place), Height, View)
-            ),
-            Tables),
+    partition(is_laid_piece, Laid, LaidPieces, LaidTables),
+    maplist(placed_piece(Sheet, Tabs, How), LaidPieces, Placed),
+    maplist(table_view(Sheet), LaidTables, Tables),
     findall([A,B], ( member(placed(_,_,Loops,_,_), Placed),
                      member(Loop, Loops), member(edge(_,A,B), Loop) ), Cuts),
     findall([A,B], ( member(placed(_,_,_,Lines,_), Placed),
                      member(line(_,_,A,B), Lines) ), Folds),
-    findall(Want, ( member(P, Placed),
-                    wanted_text(P, Options, Numbers, Want) ), Wanted),
+    maplist(wanted_texts(Options, Numbers), Placed, Wanteds),
+    append(Wanteds, Wanted),
     written(Cuts, Folds, Wanted, Letters, Skipped),
     letters_by_piece(Letters, ByPiece),
     maplist(piece_view(Height, ByPiece), Placed, Views),
@@ -299,6 +293,8 @@ sheet_drawing(Layout, Options, Count, I-Laid, Drawing, Skipped) :-
     W is round(Width*1000),
     H is round(Height*1000),
     Drawing = drawing(sheet(W,H,Factor), All).
+
+is_laid_piece(laid(piece(_,_,_),_,_)).
 
 %   placed(Name, Faces, Loops, Lines, Sides): a piece in millimetres of its
 %   sheet, y up. Loops are lists of edge(E,A,B), Lines line(Role,E,A,B); Sides
@@ -447,15 +443,17 @@ view_name(name(D,K,Part), View) :-
     ;   format(atom(View), 'p~d-~d-~d', [D,K,Part])
     ).
 
-table_view(Table, Move, Height, view(Name,Strokes,[])) :-
+table_view(Sheet, laid(Table,_,Place), view(Name,Strokes,[])) :-
     Table = table(D, _, _, _),
+    Sheet = sheet(_, Height, _, _, _, _),
     table_name(Table, Name),
-    findall(stroke(visible,table,D,[],Points,joint,joint),
-            ( table_line(Table, Points0),
-              maplist(moved(Move), Points0, Points1),
-              maplist(on_paper(Height), Points1, Points)
-            ),
-            Strokes).
+    table_lines(Table, Lines),
+    maplist(table_stroke(move(Sheet,Place), Height, D), Lines, Strokes).
+
+table_stroke(Move, Height, D, Points0,
+             stroke(visible,table,D,[],Points,joint,joint)) :-
+    maplist(moved(Move), Points0, Points1),
+    maplist(on_paper(Height), Points1, Points).
 
 letters_by_piece(Letters, ByPiece) :-
     findall(Name-(Role-Lines), member(letters(Role,Name,Lines), Letters),

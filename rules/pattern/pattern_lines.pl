@@ -4,11 +4,14 @@
             piece_line/4,               % +Piece, +Tabs, +How, -Line
             outline_strokes/3           % +Loops, +D, -Strokes
           ]).
-:- use_module(pattern_outline, [cut_loops/2]).
-:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(pattern_outline,
+              [cut_loops/2, loops_ranked/2, walked_sides/2]).
+:- use_module(library(apply),
+              [exclude/3, foldl/4, maplist/3, partition/4]).
 :- use_module(library(assoc), [get_assoc/3]).
 :- use_module(library(lists), [append/2, append/3, last/2, member/2]).
-:- use_module(library(rbtrees), [rb_insert_new/4, rb_new/1]).
+:- use_module(library(rbtrees),
+              [rb_insert/4, rb_insert_new/4, rb_lookup/3, rb_new/1]).
 /** <module> What is drawn of a piece: its outline with tabs, folds, marks.
 
 An outline is a list of loops, those of holes first; a loop is a list of
@@ -132,60 +135,101 @@ tick(XA-YA, XB-YB, T, Deep0, X-Y, X2-Y2) :-
 %!  outline_strokes(+Loops, +D, -Strokes) is det.
 %
 %   Strokes (stroke.pl) cut along Loops, lists of edge(E,A,B) on the sheet. No
-%   line is cut twice: where a slit closes without a gap its second side is left
-%   out, and the loop is open there.
+%   line is cut twice: where the two sides of a slit lie on each other, it is a
+%   stroke of its own, open, before all others; what is left of its loops are
+%   rings, those round holes before the others. Each other loop is one ring.
 
-outline_strokes(Loops, D, Strokes) :-
+outline_strokes(Loops0, D, Strokes) :-
+    maplist(exclude(without_length), Loops0, Loops1),
+    exclude(==([]), Loops1, Loops),
+    edges_there(Loops, There),
+    partition(has_slit(There), Loops, Slit, Whole),
+    (   Slit == []
+    ->  Rings = Loops,
+        Slits = []
+    ;   append(Slit, Edges),
+        slit_chains(Edges, There, Slits),
+        exclude(edge_in_slit(There), Edges, Sides),
+        edge_rings(Sides, Rings0),
+        append(Rings0, Whole, Rings1),
+        rings_ranked(Rings1, Rings)
+    ),
+    append(Slits, Rings, Chains),
+    foldl(chain_stroke(D), Chains, Strokes, []).
+
+without_length(edge(_,A,A)).
+
+%   edges_there(Loops, There): the keys of There are A-B, each edge of Loops.
+
+edges_there(Loops, There) :-
+    rb_new(There0),
+    foldl(foldl(edge_there), Loops, There0, There).
+
+edge_there(edge(_,A,B), There0, There) :-
+    rb_insert(There0, A-B, true, There).
+
+edge_in_slit(There, edge(_,A,B)) :-
+    rb_lookup(B-A, true, There).
+
+has_slit(There, Loop) :-
+    once(( member(Edge, Loop), edge_in_slit(There, Edge) )).
+
+%   slit_chains(Edges, There, Chains): those of Edges that lie on another one,
+%   each once, end to end as far as they follow each other.
+
+slit_chains(Edges, There, Chains) :-
     rb_new(Seen),
-    foldl(loop_strokes(D), Loops, Seen-Strokes, _-[]).
+    foldl(slit_edge(There), Edges, Seen-Marked, _-[]),
+    marked_chains(Marked, Chains).
 
-loop_strokes(D, Loop, Seen0-Strokes0, Seen-Strokes) :-
-    new_edges(Loop, Seen0, Seen, Marked),
-    loop_chains(Marked, Chains),
-    foldl(chain_stroke(D), Chains, Strokes0, Strokes).
-
-%   new_edges(Edges, Seen0, Seen, Marked): Edges that were drawn before become
-%   `gap`; those without length vanish.
-
-new_edges([], Seen, Seen, []).
-new_edges([edge(_,P,P)|Edges], Seen0, Seen, Marked) :-
-    !,
-    new_edges(Edges, Seen0, Seen, Marked).
-new_edges([Edge|Edges], Seen0, Seen, [Mark|Marked]) :-
+slit_edge(There, Edge, Seen0-Marked0, Seen-Marked) :-
     Edge = edge(_, A, B),
-    msort([A,B], Key),
-    (   rb_insert_new(Seen0, Key, true, Seen1)
-    ->  Mark = Edge
-    ;   Seen1 = Seen0,
-        Mark = gap
-    ),
-    new_edges(Edges, Seen1, Seen, Marked).
-
-%   Without gaps a ring; else what is between gaps, also across the start.
-
-loop_chains(Marked, Chains) :-
-    (   append(Before, [gap|After], Marked)
-    ->  append(After, Before, Turned),
-        gap_chains(Turned, Chains)
-    ;   Marked == []
-    ->  Chains = []
-    ;   Chains = [Marked]
+    (   edge_in_slit(There, Edge),
+        \+ rb_lookup(B-A, true, Seen0),
+        rb_insert_new(Seen0, A-B, true, Seen)
+    ->  Marked0 = [Edge|Marked]
+    ;   Seen = Seen0,
+        Marked0 = [gap|Marked]
     ).
 
-gap_chains(Marked, Chains) :-
-    (   append(Chain, [gap|Rest], Marked)
-    ->  true
-    ;   Chain = Marked,
-        Rest = []
-    ),
-    (   Chain == []
-    ->  Chains = Chains1
-    ;   Chains = [Chain|Chains1]
-    ),
-    (   Rest == []
-    ->  Chains1 = []
-    ;   gap_chains(Rest, Chains1)
-    ).
+marked_chains([], []).
+marked_chains([gap|Marked], Chains) :-
+    !,
+    marked_chains(Marked, Chains).
+marked_chains([Edge|Marked], [[Edge|Chain]|Chains]) :-
+    chain_goes_on(Marked, Edge, Chain, Rest),
+    marked_chains(Rest, Chains).
+
+chain_goes_on([Edge|Marked], edge(_,_,A), [Edge|Chain], Rest) :-
+    Edge = edge(_, A, _),
+    !,
+    chain_goes_on(Marked, Edge, Chain, Rest).
+chain_goes_on(Rest, _, [], Rest).
+
+%   edge_rings(Edges, Rings): as many begin as end at each point; on the sheet y
+%   is down, so they are walked with y turned round.
+
+edge_rings(Edges, Rings) :-
+    maplist(edge_side, Edges, Sides),
+    walked_sides(Sides, Loops),
+    maplist(maplist(side_edge), Loops, Rings).
+
+edge_side(edge(E,A,B), side(E,none,A-A1,B-B1,border)) :-
+    upright(A, A1),
+    upright(B, B1).
+
+upright(X-Y0, X-Y) :-
+    Y is -Y0.
+
+side_edge(side(E,_,A-_,B-_,_), edge(E,A,B)).
+
+%   rings_ranked(Rings0, Rings): those round holes first, then the larger ones
+%   last.
+
+rings_ranked(Rings0, Rings) :-
+    maplist(maplist(edge_side), Rings0, Loops0),
+    loops_ranked(Loops0, Loops),
+    maplist(maplist(side_edge), Loops, Rings).
 
 chain_stroke(D, Edges, [stroke(visible,cut,D,Es,[A|Points],End,End)|Strokes],
              Strokes) :-

@@ -1,5 +1,7 @@
 :- module(sg_pattern_outline,
           [ cut_loops/2,                % +Sides, -Loops
+            loops_ranked/2,             % +Loops0, -Loops
+            walked_sides/2,             % +Sides, -Loops
             loop_area/2                 % +Points, -Area
           ]).
 :- use_module('../near', [less_part/2]).
@@ -36,18 +38,40 @@ cut_loops(Sides, Loops) :-
             ),
             Pairs1),
     fold_steps(Sides, Steps),
-    append(Pairs1, Steps, Pairs0),
-    keysort(Pairs0, Pairs),
-    group_pairs_by_key(Pairs, Groups),
-    list_to_assoc(Groups, Leaving),
-    walked_loops(Leaving, Loops1),
+    append(Pairs1, Steps, Pairs),
+    walked_pairs(Pairs, Loops1),
     (   Steps == []
     ->  Loops0 = Loops1
     ;   exclude(steps_alone(Steps), Loops1, Loops0)
     ),
+    loops_ranked(Loops0, Loops).
+
+%!  loops_ranked(+Loops0, -Loops) is det.
+%
+%   Loops are Loops0, lists of sides: those round holes first, then the larger
+%   ones last.
+
+loops_ranked(Loops0, Loops) :-
     maplist(loop_rank, Loops0, Ranked0),
     keysort(Ranked0, Ranked),
     pairs_values(Ranked, Loops).
+
+%!  walked_sides(+Sides, -Loops) is det.
+%
+%   Loops are Sides, each loop in the order of the way round. As many sides
+%   begin as end at each corner.
+
+walked_sides(Sides, Loops) :-
+    findall(W-Side,
+            ( member(Side, Sides), Side = side(_, _, W-_, _, _) ),
+            Pairs),
+    walked_pairs(Pairs, Loops).
+
+walked_pairs(Pairs0, Loops) :-
+    keysort(Pairs0, Pairs),
+    group_pairs_by_key(Pairs, Groups),
+    list_to_assoc(Groups, Leaving),
+    walked_loops(Leaving, Loops).
 
 %   fold_steps(Sides, Steps): W-Side for each end of a fold that its two sides
 %   have in two places.

@@ -69,7 +69,7 @@ apart(XA-YA, XB-YB) :-
     max(abs(XB-XA), abs(YB-YA)) > Least.
 
 %   carried(Segment, I, Key, Span) is nondet: Segment, the I-th, lies on a line
-%   with Key; lines that are the same but for rounding share a Key, since in one
+%   with Key; lines that are the same up to rounding share a Key, since in one
 %   of two lattices that are half a step apart both are well inside of a square.
 %   Span is span(From,To,I,Segment): where along the line it is.
 

@@ -2,11 +2,12 @@
           [ pattern_tables/4,           % +Ds, +Options, +Paper, -Tables
             table_name/2,               % +Table, -Name
             table_loops/2,              % +Table, -Loops
-            table_line/2                % +Table, -Points
+            table_lines/2               % +Table, -Lines
           ]).
 :- use_module('../sheet/lettering', [lettering/2]).
 :- use_module('../unrolling/true_table',
               [row_height/2, true_length_marks/4, true_length_rows/2]).
+:- use_module(library(apply), [convlist/3, maplist/3]).
 :- use_module(library(lists), [append/2, member/2]).
 :- use_module(library(option), [option/3]).
 /** <module> Tables of true lengths on the sheets of a pattern.
@@ -45,9 +46,7 @@ pattern_tables(Ds, Options, Paper, Tables) :-
                   Rows > 0
                 ),
                 Trues),
-        findall(Parts,
-                ( member(D-Rows, Trues), table_parts(D, Rows, Paper, Parts) ),
-                Partss),
+        convlist(table_parts(Paper), Trues, Partss),
         append(Partss, Tables),
         told_left_out(Trues, Partss)
     ;   Tables = []
@@ -62,9 +61,9 @@ told_left_out(All, Shown) :-
     ;   true
     ).
 
-%   table_parts(D, Rows, Paper, Parts) is semidet.
+%   table_parts(Paper, D-Rows, Parts) is semidet.
 
-table_parts(D, Rows, Paper, Parts) :-
+table_parts(Paper, D-Rows, Parts) :-
     letters(H),
     true_length_marks(D, [height(H)], Marks, W-High),
     (   Paper = roll(_)
@@ -134,21 +133,22 @@ table_loops(table(_,_,_,W0-H0), [[0.0-0.0,W-0.0,W-H,0.0-H]]) :-
     W is float(W0),
     H is float(H0).
 
-%!  table_line(+Table, -Points) is nondet.
+%!  table_lines(+Table, -Lines) is det.
 %
-%   Points, X-Y, are a line of its frame or of its letters, which are drawn: it
-%   may lie on its side.
+%   Lines, each of points X-Y, are those of its frame and of its letters, which
+%   are drawn: it may lie on its side.
 
-table_line(table(_,_,Marks,_), Points) :-
-    member(Mark, Marks),
-    mark_points(Mark, Points).
+table_lines(table(_,_,Marks,_), Lines) :-
+    maplist(mark_lines, Marks, Liness),
+    append(Liness, Lines).
 
-mark_points(line(_,Points), Points).
-mark_points(text(X,Y,High0,Text0), Points) :-
+mark_lines(line(_,Points), [Points]).
+mark_lines(text(X,Y,High0,Text0), Lines) :-
     format(string(Text), '~w', [Text0]),
     High is round(High0*1000),
-    lettering(text(0,0,High,middle,Text), Lines),
-    member(Line, Lines),
-    findall(XB-YB,
-            ( member(A-B, Line), XB is X + A/1000, YB is Y - B/1000 ),
-            Points).
+    lettering(text(0,0,High,middle,Text), Lines0),
+    maplist(maplist(letter_point(X, Y)), Lines0, Lines).
+
+letter_point(X, Y, A-B, XB-YB) :-
+    XB is X + A/1000,
+    YB is Y - B/1000.

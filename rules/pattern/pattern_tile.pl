@@ -20,9 +20,9 @@ cropped.
 %!  tiled(+Options, +Drawing, +Says, -Pages) is det.
 %
 %   Pages are drawings of page(P) of Options, A4 if not given, that show
-%   Drawing, each but for margin(M), 10 mm, and with an overlap(O), 10 mm; pages
-%   on which nothing is drawn are left out. Says are strings beside each check
-%   bar.
+%   Drawing, each without its margin(M), 10 mm, and with an overlap(O), 10 mm;
+%   pages on which nothing is drawn are left out. Says are strings beside each
+%   check bar.
 
 tiled(Options, drawing(sheet(W,H,Scale),Views), Says, Pages) :-
     page_sheet(Options, Page),

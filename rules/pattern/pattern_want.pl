@@ -1,29 +1,36 @@
 :- encoding(utf8).
 :- module(sg_pattern_want,
-          [ wanted_text/4               % +Placed, +Options, +Numbers, -Want
+          [ wanted_texts/4              % +Options, +Numbers, +Placed, -Wanted
           ]).
 :- use_module('../near', [is_straight/2, below_zero/2]).
 :- use_module(pattern_number, [reads_turned/1]).
 :- use_module(pattern_text, [first_of/3]).
 :- use_module('../development/polygon_name', [polygon_name/3]).
 :- use_module('../store', [segment/3]).
+:- use_module(library(apply), [maplist/3]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
-:- use_module(library(lists), [member/2]).
+:- use_module(library(lists), [append/2, member/2]).
 :- use_module(library(option), [option/3]).
 :- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> What is to be written on a piece of a pattern.
 */
 
-%!  wanted_text(+Placed, +Options, +Numbers, -Want) is nondet.
+%!  wanted_texts(+Options, +Numbers, +Placed, -Wanted) is det.
 %
-%   Want, as of written/5 (pattern_text.pl), is a text of the piece Placed
+%   Wanted, as of written/5 (pattern_text.pl), are the texts of the piece Placed
 %   (pattern_drawing.pl): numbers of seams first, then of generators, names of
 %   faces, and angles, as Options say; Numbers are those of seam_numbers/2.
 
-wanted_text(placed(Name,_,_,Lines,Sides), Options, Numbers,
-            want(number,Name,Text,[4.0,3.2,2.5,2.0,1.6],
-                 first_of([beside(Places),beside(Tabs),
-                           over_folds(beside(Places))]))) :-
+wanted_texts(Options, Numbers, Placed, Wanted) :-
+    findall(Want, seam_text(Placed, Options, Numbers, Want), Seams),
+    generator_texts(Placed, Generators),
+    findall(Want, face_or_angle_text(Placed, Options, Want), Others),
+    append([Seams,Generators,Others], Wanted).
+
+seam_text(placed(Name,_,_,Lines,Sides), Options, Numbers,
+          want(number,Name,Text,[4.0,3.2,2.5,2.0,1.6],
+               first_of([beside(Places),beside(Tabs),
+                         over_folds(beside(Places))]))) :-
     option(numbers(true), Options, true),
     get_assoc(Name, Numbers, Wanted),
     findall((J-Which)-place(E,A,B),
@@ -39,24 +46,36 @@ wanted_text(placed(Name,_,_,Lines,Sides), Options, Numbers,
     findall(A-B, member(place(_,A,B), Sided), Places),
     findall(Tab, ( member(Place, Sided), tab_at(Place, Folds, Tab) ), Tabs),
     number_text(N, Text).
-wanted_text(placed(Name,Faces,_,_,Sides), _, _,
-            want(generator_number,Name,Text,[2.5,2.0,1.6],
-                 end_of(A,B,Shapes))) :-
-    memberchk(side(_,_,_,_,generator(_)), Sides),
-    findall(Shape,
-            ( member(face(_,Own), Faces), member(Shape, Own) ),
-            Shapes),
-    member(side(_,_,_-A,_-B,generator(N)), Sides),
+%   generator_texts(Placed, Wanted): all of a piece have the same Shapes, which
+%   are not copied for each.
+
+generator_texts(placed(Name,Faces,_,_,Sides), Wanted) :-
+    findall(generator(N,A,B),
+            member(side(_,_,_-A,_-B,generator(N)), Sides),
+            Generators),
+    (   Generators == []
+    ->  Wanted = []
+    ;   findall(Shape,
+                ( member(face(_,Own), Faces), member(Shape, Own) ),
+                Shapes),
+        maplist(generator_text(Name, Shapes), Generators, Wanted)
+    ).
+
+generator_text(Name, Shapes, generator(N,A,B),
+               want(generator_number,Name,Text,[2.5,2.0,1.6],
+                    end_of(A,B,Shapes))) :-
     number_text(N, Text).
-wanted_text(placed(Name,Faces,_,_,_), Options, _,
-            want(face_name,Name,Text,[6.0,4.5,3.2,2.5,2.0],within(Shapes))) :-
+
+face_or_angle_text(placed(Name,Faces,_,_,_), Options,
+                   want(face_name,Name,Text,[6.0,4.5,3.2,2.5,2.0],
+                        within(Shapes))) :-
     option(names(What), Options, false),
     What \== false,
     Name = name(D, _, _),
     member(face(P,Shapes), Faces),
     face_text(What, D, P, Text).
-wanted_text(placed(Name,_,_,_,Sides), Options, _,
-            want(angle,Name,Text,[2.5,2.0,1.6],along(A,B))) :-
+face_or_angle_text(placed(Name,_,_,_,Sides), Options,
+                   want(angle,Name,Text,[2.5,2.0,1.6],along(A,B))) :-
     option(angles(true), Options, false),
     option(fold_threshold(Threshold), Options, 0.5),
     member(side(_,_,_-A,_-B,fold(_,Angle,1)), Sides),

@@ -32,7 +32,7 @@ line at one, then the others from their smallest line, in its direction.
 %
 %   Chains is a list of chain(S1, S2, Kind, Lines), by S1 and S2, then in the
 %   order above; Kind is `open`, `closed` or `point`. Through the fused kernel,
-%   in linear time but for sorting.
+%   in linear time except for sorting.
 
 chains(Chains) :-
     line_chains(Chains).

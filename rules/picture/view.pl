@@ -40,7 +40,7 @@ too, as large as the model is at its nearest point.
 
 The view is a matrix, rounded to 30 bits after the point; where a point is seen
 by it is exact, rounded once. So what lies behind one another is seen in one
-place but for that rounding, and is made one: points of the picture that are
+place up to that rounding, and is made one: points of the picture that are
 nearer than 1e-7 of its longer side. A turned box that is seen squarely is
 square.
 

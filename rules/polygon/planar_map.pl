@@ -3,9 +3,11 @@
             map_border/3,               % +Map, :Inside, -Cycles
             map_point/3                 % +Map, +V, -Point
           ]).
+:- use_module(box_tree,
+              [box_tree/2, points_box/2, tree_fold/5, tree_pairs/2]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
-:- use_module(library(lists), [append/3, last/2, member/2, nth1/3]).
+:- use_module(library(lists), [append/3, last/2, member/2, nth0/3]).
 :- use_module(library(pairs), [group_pairs_by_key/2]).
 :- use_module(library(sort), [predsort/3]).
 /** <module> The planar map of figures: what the plane is divided into.
@@ -53,22 +55,22 @@ array(Name, List, Array) :-
                 *             CUTS             *
                 *******************************/
 
-%   figure_edges(Figures, Edges): edge(Low, High, A, B, Bit), sorted by Low,
-%   the least X; A and B are points of rationals.
+%   figure_edges(Figures, Edges): edge(Box, A, B, Figure), Box of floats; A and
+%   B are points of rationals.
 
 figure_edges(Figures, Edges) :-
-    findall(edge(Low, High, A, B, Bit),
-            ( nth1(N, Figures, Loops),
-              Bit is 1<<(N-1),
+    findall(edge(b(Left, Low, Right, High), A, B, N),
+            ( nth0(N, Figures, Loops),
               member(Loop, Loops),
               loop_step(Loop, X1-Y1, X2-Y2),
               rational_point(X1, Y1, A),
               rational_point(X2, Y2, B),
               A \== B,
-              Low is min(X1, X2),
-              High is max(X1, X2) ),
-            Edges0),
-    sort(1, @=<, Edges0, Edges).
+              Left is float(min(X1, X2)),
+              Low is float(min(Y1, Y2)),
+              Right is float(max(X1, X2)),
+              High is float(max(Y1, Y2)) ),
+            Edges).
 
 rational_point(X0, Y0, p(X, Y)) :-
     X is rational(X0),
@@ -82,33 +84,24 @@ loop_step(Loop, P, Q) :-
 
 cut_edges(Edges, Cuts) :-
     numbered(Edges, 1, Numbered),
-    phrase(cuts_ahead(Numbered), Cuts).
+    box_tree(Numbered, Tree),
+    tree_pairs(Tree, Pairs),
+    phrase(meetings(Pairs), Cuts).
 
 numbered([], _, []).
-numbered([Edge|Edges], N, [N-Edge|Numbered]) :-
+numbered([Edge|Edges], N, [Box-e(N, Edge)|Numbered]) :-
+    arg(1, Edge, Box),
     N1 is N+1,
     numbered(Edges, N1, Numbered).
 
-cuts_ahead([]) -->
+meetings([]) -->
     [].
-cuts_ahead([Edge|Edges]) -->
-    cuts_with(Edges, Edge),
-    cuts_ahead(Edges).
+meetings([Edge1-Edge2|Pairs]) -->
+    meeting(Edge1, Edge2),
+    meetings(Pairs).
 
-cuts_with([M-Edge2|Edges], N-Edge1) -->
-    { arg(1, Edge2, Low),
-      arg(2, Edge1, High),
-      Low =< High
-    },
-    !,
-    meeting(N-Edge1, M-Edge2),
-    cuts_with(Edges, N-Edge1).
-cuts_with(_, _) -->
-    [].
-
-meeting(N-edge(_, _, A, B, _), M-edge(_, _, C, D, _)) -->
-    { heights_meet(A, B, C, D),
-      side(A, B, C, S1),
+meeting(e(N, edge(_, A, B, _)), e(M, edge(_, C, D, _))) -->
+    { side(A, B, C, S1),
       side(A, B, D, S2),
       S1*S2 =< 0,
       side(C, D, A, S3),
@@ -126,10 +119,6 @@ meeting(N-edge(_, _, A, B, _), M-edge(_, _, C, D, _)) -->
     ).
 meeting(_, _) -->
     [].
-
-heights_meet(p(_, Y1), p(_, Y2), p(_, Y3), p(_, Y4)) :-
-    max(Y1, Y2) >= min(Y3, Y4),
-    max(Y3, Y4) >= min(Y1, Y2).
 
 %   side(A, B, C, Sign): 1 when C is left of the line from A to B.
 
@@ -171,7 +160,7 @@ crossing(p(X1, Y1), p(X2, Y2), p(X3, Y3), p(X4, Y4), p(X, Y)) :-
                 *            PIECES            *
                 *******************************/
 
-%   pieces(Edges, Cuts, Pieces): (P-Q)-Bits, P @< Q, each once; what a figure
+%   pieces(Edges, Cuts, Pieces): (P-Q)-Figures, P @< Q, each once; what a figure
 %   has twice it has not at all.
 
 pieces(Edges, Cuts, Pieces) :-
@@ -184,7 +173,7 @@ pieces(Edges, Cuts, Pieces) :-
 
 edge_pieces([], _, _) -->
     [].
-edge_pieces([edge(_, _, A, B, Bit)|Edges], N, Groups0) -->
+edge_pieces([edge(_, A, B, Figure)|Edges], N, Groups0) -->
     { (   Groups0 = [N-Points0|Groups]
       ->  sort([A, B|Points0], Points)
       ;   Groups = Groups0,
@@ -192,30 +181,37 @@ edge_pieces([edge(_, _, A, B, Bit)|Edges], N, Groups0) -->
       ),
       N1 is N+1
     },
-    steps(Points, Bit),
+    steps(Points, Figure),
     edge_pieces(Edges, N1, Groups).
 
-steps([P, Q|Points], Bit) -->
+steps([P, Q|Points], Figure) -->
     !,
-    [(P-Q)-Bit],
-    steps([Q|Points], Bit).
+    [(P-Q)-Figure],
+    steps([Q|Points], Figure).
 steps(_, _) -->
     [].
 
 odd_pieces([]) -->
     [].
-odd_pieces([Piece-Bits0|Groups]) -->
-    { foldl(toggled, Bits0, 0, Bits) },
-    (   { Bits =:= 0 }
+odd_pieces([Piece-Figures0|Groups]) -->
+    { msort(Figures0, Figures1),
+      odd_ones(Figures1, Figures)
+    },
+    (   { Figures == [] }
     ->  []
-    ;   [Piece-Bits]
+    ;   [Piece-Figures]
     ),
     odd_pieces(Groups).
 
-toggled(Bits, Before, After) :-
-    After is Before xor Bits.
+odd_ones([N, N|Figures], Odd) :-
+    !,
+    odd_ones(Figures, Odd).
+odd_ones([N|Figures], [N|Odd]) :-
+    !,
+    odd_ones(Figures, Odd).
+odd_ones([], []).
 
-%   point_numbers(Pieces0, Points, Pieces): Pieces are piece(U, V, Bits).
+%   point_numbers(Pieces0, Points, Pieces): Pieces are piece(U, V, Figures).
 
 point_numbers(Pieces0, Array, Pieces) :-
     findall(P, ( member((A-B)-_, Pieces0), member(P, [A, B]) ), Points0),
@@ -225,7 +221,7 @@ point_numbers(Pieces0, Array, Pieces) :-
     list_to_assoc(Pairs, Numbers),
     maplist(piece_numbered(Numbers), Pieces0, Pieces).
 
-piece_numbered(Numbers, (P-Q)-Bits, piece(U, V, Bits)) :-
+piece_numbered(Numbers, (P-Q)-Figures, piece(U, V, Figures)) :-
     get_assoc(P, Numbers, U),
     get_assoc(Q, Numbers, V).
 
@@ -297,41 +293,102 @@ linked([H|Hs], Before, Clockwise) :-
                 *******************************/
 
 %   sides(Points, Pieces, Ends, Clockwise, Outgoing, Sides): figures change
-%   across a piece by its bits. The least point of each connected part asks what
-%   is below it: nothing of its own part is.
+%   across a piece by its own. The least point of each connected part asks what
+%   is above the next piece below it: that is of a part with a lesser point,
+%   which knows.
 
 sides(Points, Pieces, Ends, Clockwise, Outgoing, Sides) :-
     compound_name_arity(Ends, _, Count),
     compound_name_arity(Sides, sides, Count),
-    findall(Bits, member(piece(_, _, Bits), Pieces), List),
-    array(bits, List, Bits),
-    Map = m(Bits, Clockwise, Sides),
-    parts(Outgoing, Points, Pieces, Map).
+    findall(Figures, member(piece(_, _, Figures), Pieces), List),
+    array(figures, List, Figures),
+    Map = m(Figures, Clockwise, Sides),
+    parts(Outgoing, below(Points, Pieces, _), Map).
 
-parts([], _, _, _).
-parts([V-Hs|Outgoing], Points, Pieces, Map) :-
+%   below(Points, Pieces, Tree): Tree is a variable until somebody asks.
+
+parts([], _, _).
+parts([V-Hs|Outgoing], Below, Map) :-
     arg(3, Map, Sides),
     last(Hs, H),
     arg(H, Sides, Side),
     (   nonvar(Side)
     ->  true
-    ;   arg(V, Points, Point),
-        foldl(counted_below(Points, Point), Pieces, 0, Below),
-        flooded([H-Below], Map)
+    ;   next_below(V, Below, Next),
+        (   Next = next(K, _, _, _)
+        ->  Upper is 2*K-1,
+            arg(Upper, Sides, Side0)
+        ;   Side0 = 0
+        ),
+        flooded([H-Side0], Map)
     ),
-    parts(Outgoing, Points, Pieces, Map).
+    parts(Outgoing, Below, Map).
 
-counted_below(Points, Point, piece(U, V, Bits), Below0, Below) :-
+%   next_below(V, Below, Next): Next is what not_next/3 says, of piece K next
+%   below point V, or none. V is on no piece that it does not end.
+
+next_below(1, _, none) :-
+    !.
+next_below(V, below(Points, Pieces, Tree), Next) :-
+    (   var(Tree)
+    ->  piece_boxes(Pieces, 1, Points, Items),
+        box_tree(Items, Tree)
+    ;   true
+    ),
+    arg(V, Points, Point),
+    points_box([Point], Box),
+    tree_fold(Tree, not_next(Box), nearer(Point), none, Next).
+
+%   piece_boxes(Pieces, K, Points, Items): of those that are not vertical.
+
+piece_boxes([], _, _, []).
+piece_boxes([piece(U, V, _)|Pieces], K, Points, Items) :-
     arg(U, Points, A),
     arg(V, Points, B),
-    A = p(X1, _),
-    B = p(X2, _),
-    Point = p(X, _),
+    (   arg(1, A, X1),
+        arg(1, B, X2),
+        X1 < X2
+    ->  points_box([A,B], Box),
+        Items = [Box-k(K, A, B)|Items1]
+    ;   Items = Items1
+    ),
+    K1 is K+1,
+    piece_boxes(Pieces, K1, Points, Items1).
+
+%   not_next(Point, Box, Next): what is in Box has no place below Point, a box,
+%   or is below Next, next(K, Low, Height, Slope): piece K with its height
+%   there, which is above Low, a float.
+
+not_next(b(X1, _, X2, Y2), b(X3, Y3, X4, Y4), Next) :-
+    (   X1 > X4
+    ->  true
+    ;   X3 > X2
+    ->  true
+    ;   Y3 > Y2
+    ->  true
+    ;   Next = next(_, Low, _, _),
+        Y4 < Low
+    ).
+
+%   nearer(Point, Piece, Next0, Next): just right of Point, if not there.
+
+nearer(p(X, Y), k(K, p(X1, Y1), p(X2, Y2)), Next0, Next) :-
     (   X1 =< X,
         X < X2,
-        side(A, B, Point, 1)
-    ->  Below is Below0 xor Bits
-    ;   Below = Below0
+        Slope is (Y2-Y1) rdiv (X2-X1),
+        Height is Y1 + (X-X1)*Slope,
+        Height < Y,
+        is_higher(Next0, Height, Slope)
+    ->  Low is nexttoward(float(Height), -1.797e308),
+        Next = next(K, Low, Height, Slope)
+    ;   Next = Next0
+    ).
+
+is_higher(none, _, _).
+is_higher(next(_, _, Height0, Slope0), Height, Slope) :-
+    (   Height =:= Height0
+    ->  Slope > Slope0
+    ;   Height > Height0
     ).
 
 flooded([], _).
@@ -348,18 +405,22 @@ flooded([H-Side|Queue0], Map) :-
 %   of H get Side, their twins are queued.
 
 round_face(H, Side, Map, Queue0, Queue) :-
-    Map = m(Bits, Clockwise, Sides),
+    Map = m(Figures, Clockwise, Sides),
     arg(H, Sides, Known),
     (   nonvar(Known)
     ->  Queue = Queue0
     ;   Known = Side,
         twin(H, Twin),
         K is (H+1)//2,
-        arg(K, Bits, Change),
-        Other is Side xor Change,
+        arg(K, Figures, Change),
+        foldl(toggled, Change, Side, Other),
         arg(Twin, Clockwise, Next),
         round_face(Next, Side, Map, [Twin-Other|Queue0], Queue)
     ).
+
+
+toggled(N, Bits0, Bits) :-
+    Bits is Bits0 xor (1<<N).
 
 
                 /*******************************

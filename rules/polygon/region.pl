@@ -2,13 +2,19 @@
           [ region_islands/2,           % +Region, -Islands
             region_moved/3              % +Matrix, +Region0, -Region
           ]).
+:- use_module(box_tree,
+              [box_tree/2, boxes_meet/2, points_box/2, tree_fold/5]).
 :- use_module(planar_map, [planar_map/2, map_border/3, map_point/3]).
 :- use_module(library(apply),
-              [ convlist/3, exclude/3, foldl/4, maplist/2, maplist/3,
-                partition/4
+              [ convlist/3, exclude/3, foldl/4, foldl/5, foldl/6, maplist/2,
+                maplist/3, partition/4
               ]).
+:- use_module(library(assoc),
+              [empty_assoc/1, get_assoc/3, ord_list_to_assoc/2, put_assoc/4]).
 :- use_module(library(lists),
-              [append/2, append/3, last/2, max_list/2, member/2, reverse/2]).
+              [ append/2, append/3, last/2, max_list/2, member/2, nth1/3,
+                reverse/2
+              ]).
 /** <module> Regions of the plane: Boolean operations on polygons.
 
 A region is
@@ -54,8 +60,7 @@ region_islands(Region, Islands) :-
     splinter_width(Loops0, Width),
     exclude(is_splinter(Width), Loops0, Loops),
     partition(counter_clockwise, Loops, Outlines, Holes),
-    convlist(hole_place(Outlines), Holes, Places),
-    maplist(island(Places), Outlines, Islands).
+    islands(Outlines, Holes, Islands).
 
 counter_clockwise(loop(Points, _, _)) :-
     area2(Points, Area),
@@ -184,27 +189,48 @@ holds(minus(One, Other), Bits) :-
 %   two.
 
 simple_cycles(Cycle, Cycles) :-
-    simple(Cycle, [], Cycles).
-
-%   simple(Vs, Path, Cycles): Path is the way so far, the last point first.
-
-simple([], Path, [Cycle]) :-
-    reverse(Path, Cycle).
-simple([V|Vs], Path0, Cycles) :-
-    (   append(Before, [V|Path], Path0)
-    ->  reverse([V|Before], Cycle),
-        Cycles = [Cycle|Cycles1],
-        simple(Vs, [V|Path], Cycles1)
-    ;   simple(Vs, [V|Path0], Cycles)
+    shared_points([Cycle], Shared),
+    (   empty_assoc(Shared)
+    ->  Cycles = [Cycle]
+    ;   simple(Cycle, Shared, [], Cycles)
     ).
+
+%   simple(Vs, Times, Path, Cycles): Path is the way so far, the last point
+%   first. Times has how often points that come again are on it.
+
+simple([], _, Path, [Cycle]) :-
+    reverse(Path, Cycle).
+simple([V|Vs], Times0, Path0, Cycles) :-
+    (   get_assoc(V, Times0, 1)
+    ->  once(append(Before, [V|Path], Path0)),
+        foldl(off_path, Before, Times0, Times),
+        reverse([V|Before], Cycle),
+        Cycles = [Cycle|Cycles1],
+        simple(Vs, Times, [V|Path], Cycles1)
+    ;   on_path(V, 1, Times0, Times),
+        simple(Vs, Times, [V|Path0], Cycles)
+    ).
+
+off_path(V, Times0, Times) :-
+    on_path(V, 0, Times0, Times).
+
+on_path(V, N, Times0, Times) :-
+    (   get_assoc(V, Times0, _)
+    ->  put_assoc(V, Times0, N, Times)
+    ;   Times = Times0
+    ).
+
+%   shared_points(Cycles, Shared): the points that are there more than once, as
+%   keys; of value 0.
 
 shared_points(Cycles, Shared) :-
     append(Cycles, Vs0),
     msort(Vs0, Vs),
-    repeated(Vs, Shared0),
-    sort(Shared0, Shared).
+    repeated(Vs, Repeated0),
+    sort(Repeated0, Repeated),
+    ord_list_to_assoc(Repeated, Shared).
 
-repeated([V, V|Vs], [V|Repeated]) :-
+repeated([V, V|Vs], [V-0|Repeated]) :-
     !,
     repeated([V|Vs], Repeated).
 repeated([_|Vs], Repeated) :-
@@ -214,7 +240,7 @@ repeated([], []).
 
 cycle_loop(Map, Shared, Vs, loop(Points, Touching, Middle)) :-
     (   member(V, Vs),
-        memberchk(V, Shared)
+        get_assoc(V, Shared, _)
     ->  Touching = true
     ;   Touching = false
     ),
@@ -258,24 +284,82 @@ trapezoid(P, p(X0, Y0)-Area0, P-Area) :-
                 *            ISLANDS           *
                 *******************************/
 
-%   hole_place(Outlines, Hole, Outline-Hole): the least outline round it; none
-%   if that was a splinter.
+%   islands(Outlines, Holes, Islands): each hole belongs to the least outline
+%   round it; to none, if that was a splinter.
 
-hole_place(Outlines, Hole, Outline-Hole) :-
+islands(Outlines, Holes, Islands) :-
+    (   Holes == []
+    ->  Items = []
+    ;   findall(Box-outline(N, Area, Sides),
+                ( nth1(N, Outlines, loop(Points, _, _)),
+                  area2(Points, Area),
+                  points_box(Points, Box),
+                  side_tree(Points, Sides) ),
+                Items)
+    ),
+    box_tree(Items, Tree),
+    convlist(hole_place(Tree), Holes, Places0),
+    keysort(Places0, Places),
+    islands(Outlines, 1, Places, Islands).
+
+islands([], _, _, []).
+islands([loop(Points, _, _)|Outlines], N, Places0, [Island|Islands]) :-
+    places_of(Places0, N, Holes, Places),
+    island(Points, Holes, Island),
+    N1 is N+1,
+    islands(Outlines, N1, Places, Islands).
+
+places_of([N-Hole|Places0], N, [Hole|Holes], Places) :-
+    !,
+    places_of(Places0, N, Holes, Places).
+places_of(Places, _, [], Places).
+
+hole_place(Tree, Hole, N-Hole) :-
     Hole = loop(_, _, Middle),
-    findall(Area-Points,
-            ( member(loop(Points, _, _), Outlines),
-              goes_round(Points, Middle),
-              area2(Points, Area) ),
-            Found0),
-    keysort(Found0, [_-Outline|_]).
+    points_box([Middle], Box),
+    tree_fold(Tree, is_beside(Box), least_round(Middle), none,
+              outline(N, _, _)).
 
-goes_round(Points, Point) :-
+is_beside(Box, Box2, _) :-
+    \+ boxes_meet(Box, Box2).
+
+least_round(Point, Outline, Least0, Least) :-
+    Outline = outline(_, Area, Sides),
+    (   (   Least0 = outline(_, Area0, _)
+        ->  Area < Area0
+        ;   true
+        ),
+        goes_round(Sides, Point)
+    ->  Least = Outline
+    ;   Least = Least0
+    ).
+
+%   side_tree(Points, Tree): of A-B, the sides of a loop.
+
+side_tree(Points, Tree) :-
     last(Points, Last),
-    foldl(ray_crossed(Point), Points, Last-0, _-Count),
+    foldl(side_item, Points, Items, Last, _),
+    box_tree(Items, Tree).
+
+side_item(B, Box-(A-B), A, B) :-
+    points_box([A, B], Box).
+
+%   goes_round(Sides, Point): a ray to the right leaves what they go round.
+
+goes_round(Sides, Point) :-
+    points_box([Point], Box),
+    tree_fold(Sides, is_off_ray(Box), ray_crossed(Point), 0, Count),
     Count mod 2 =:= 1.
 
-ray_crossed(P, B, A-Count0, B-Count) :-
+is_off_ray(b(X, Y1, _, Y2), b(_, Y3, X4, Y4), _) :-
+    (   X4 < X
+    ->  true
+    ;   Y4 < Y1
+    ->  true
+    ;   Y3 > Y2
+    ).
+
+ray_crossed(P, A-B, Count0, Count) :-
     P = p(_, Y),
     A = p(_, Y1),
     B = p(_, Y2),
@@ -288,9 +372,9 @@ ray_crossed(P, B, A-Count0, B-Count) :-
     ;   Count = Count0
     ).
 
-island(Places, loop(Points, _, _), island(Outline, Holes, Bays)) :-
+island(Points, Places, island(Outline, Holes, Bays)) :-
     maplist(rounded_point, Points, Outline),
-    findall(Hole, member(Points-loop(Hole, false, _), Places), Holes0),
-    findall(Hole, member(Points-loop(Hole, true, _), Places), Bays0),
+    findall(Hole, member(loop(Hole, false, _), Places), Holes0),
+    findall(Hole, member(loop(Hole, true, _), Places), Bays0),
     maplist(maplist(rounded_point), Holes0, Holes),
     maplist(maplist(rounded_point), Bays0, Bays).

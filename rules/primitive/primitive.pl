@@ -4,6 +4,7 @@
             primitive_name/2,           % +Term, -Name
             is_primitive/1,             % @Term
             comma_argument/2,           % +Term, -Argument
+            primitive_kind/2,           % +Term, -Kind
             primitive_shape/4,          % +Term, -Kind, -Points, -Chains
             primitive_faces/3,          % +Term, -Whats, -Surfaces
             primitive_parts/3           % +Term, -Parts, -Surfaces
@@ -336,6 +337,18 @@ comma_argument(Term, Argument) :-
     ;   member(Inner, Arguments),
         comma_argument(Inner, Argument)
     ).
+
+%!  primitive_kind(+Term, -Kind) is det.
+%
+%   Kind is that of the primitive Term, whose arguments are right, as of
+%   primitive_shape/4, of which nothing is made.
+%
+%   @error as primitive_shape/4, but of what placing it does to its points
+
+primitive_kind(Term, Kind) :-
+    placed(Term, Primitive, Motions),
+    shaped(Primitive, Kind, _, Motions, _),
+    primitive_parts(Term, _, _).
 
 %!  primitive_shape(+Term, -Kind, -Points, -Chains) is det.
 %

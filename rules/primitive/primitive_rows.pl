@@ -1,5 +1,7 @@
 :- module(sg_primitive_rows,
           [ add_primitive/2,            % +Term, -S
+            without_rows/1,             % :Goal
+            rows_left_out/0,
             commas_told/2,              % +Term, +Location
             add_shape/5,                % +Kind, +Term, +Points, +Chains, -S
             primitive_rows/3,           % +Term, +S, -Kind
@@ -7,7 +9,8 @@
           ]).
 :- use_module('../polygon/polygon_list',
               [polygon_fault/2, vertex_list_edges/2]).
-:- use_module(primitive, [comma_argument/2, primitive_shape/4]).
+:- use_module(primitive,
+              [comma_argument/2, primitive_kind/2, primitive_shape/4]).
 :- use_module('../store', [assert_fact/1, facts_transaction/1, fresh_id/3]).
 :- use_module(library(apply), [foldl/4]).
 /** <module> Primitives as rows of the world.
@@ -24,15 +27,40 @@ polygons of a segment, each numbered from 1 in the order of the shape.
 %   @error model_error(primitive(What, Term))
 
 add_primitive(Term, S) :-
+    rows_left_out,
+    !,
+    primitive_kind(Term, Kind),
+    fresh_id(segment, 0, S),
+    assert_fact(segment(S, Kind, Term)).
+add_primitive(Term, S) :-
     primitive_shape(Term, Kind, Points, Chains),
     add_shape(Kind, Term, Points, Chains, S).
+
+%!  without_rows(:Goal) is semidet.
+%
+%   While Goal runs, once, primitives are segments alone, without vertices:
+%   their terms say all that is asked of them (rules/shading).
+
+:- meta_predicate without_rows(0).
+
+without_rows(Goal) :-
+    b_setval(sg_without_rows, true),
+    once(Goal),
+    b_setval(sg_without_rows, false).
+
+%!  rows_left_out is semidet.
+%
+%   True within without_rows/1.
+
+rows_left_out :-
+    nb_current(sg_without_rows, true).
 
 %!  commas_told(+Term, +Location) is det.
 %
 %   A warning for each number of the primitive or tree Term in which a comma may
 %   stand for the decimal point, comma_argument/2. Location is where Term is:
-%   location(File, Line, Column). It is for what people write in files: programs
-%   compute whole numbers too.
+%   location(File, Line, Column), or `none`. It is for what people write, in
+%   files and goals: programs compute whole numbers too.
 
 commas_told(Term, Location) :-
     forall(comma_argument(Term, Argument),
@@ -56,7 +84,7 @@ new_segment(Kind, Term, Points, Chains, S) :-
 %!  primitive_rows(+Term, +S, -Kind) is det.
 %
 %   Add the rows of the primitive Term, which is of this Kind, to segment S,
-%   that has none; but for segment/3.
+%   that has none; segment/3 is left to the caller.
 %
 %   @error model_error(primitive(What, Term))
 

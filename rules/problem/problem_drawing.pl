@@ -1,19 +1,22 @@
 :- module(sg_problem_drawing,
-          [ question_drawing/2,         % +Request, -Drawing
-            answer_drawing/4            % +Request, +Generators, +Points,
-                                        % -Drawing
+          [ question_drawing/3,         % +Request, +Letters, -Drawing
+            answer_drawing/6            % +Request, +Generators, +Planes,
+                                        % +Points, +Letters, -Drawing
           ]).
 :- use_module('../csg/csg_rows', [drop_boundary/1]).
-:- use_module('../near', [is_on_surface/2]).
+:- use_module('../csg/placed_surface', [placed_surface/3]).
+:- use_module('../near', [is_on_surface/2, is_rounding/2]).
 :- use_module('../penetration/penetration', [penetrate/2]).
 :- use_module('../sheet/sheet_plan', [seen_drawing/3]).
 :- use_module('../sheet/sheet_view', [view_axes/4, view_seen/5]).
 :- use_module('../store',
               [segment/3, unfolding/2, facts_snapshot/1, retractall_facts/1]).
-:- use_module('../vector', [dot_product/3]).
-:- use_module(library(apply), [maplist/3]).
-:- use_module(library(lists), [append/2, append/3, member/2]).
-:- use_module(library(option), [option/2]).
+:- use_module('../vector', [dot_product/3, vector_sum/3]).
+:- use_module(library(aggregate), [aggregate_all/3]).
+:- use_module(library(apply), [exclude/3, maplist/3]).
+:- use_module(library(lists),
+              [append/2, append/3, last/2, list_to_set/2, member/2]).
+:- use_module(library(option), [option/2, option/3]).
 /** <module> What a pupil gets, and what the teacher has.
 
 The question shows each body as if it were alone: where another one hides it, or
@@ -22,57 +25,88 @@ the bodies as they are, with what was to be constructed: the points, numbered,
 the generators they lie on and the lines from view to view, all of them light.
 */
 
-%!  question_drawing(+Request, -Drawing) is det.
+%!  question_drawing(+Request, +Letters, -Drawing) is det.
 %
 %   Drawing shows the segments of the world, which have not been cut. Request as
-%   in sheet_plan.pl, and mark(Texts): a list of X-Y-Height-Text on the sheet,
-%   in millimetres, y down.
+%   for seen_drawing/3, with language(_); Letters is a list of letter(Text, P,
+%   Names): point P, p(X,Y,Z), is so marked in the views Names, or in `all`.
 
-question_drawing(Request, Drawing) :-
+question_drawing(Request, Letters, Drawing) :-
     option(views(Views), Request),
+    option(picture(Picture), Request),
     findall(S, segment(S, _, _), Ss0),
     sort(Ss0, Ss),
-    maplist(seen_apart(Ss), Views, Seens),
-    seen_drawing([construction([])|Request], Seens, Drawing).
+    maplist(seen_apart(Ss, Picture), Views, Seens),
+    findall(Text-P-Names, member(letter(Text,P,Names), Letters), Marks),
+    dots(Views, Marks, Dots),
+    option(blank(Blank), Request, []),
+    centre_lines(Picture, Views, Blank, Axes),
+    seen_drawing([construction(Dots),axes(Axes)|Request], Seens, Drawing).
 
-seen_apart(Ss, View, seen(View,Parts,[])) :-
+seen_apart(Ss, Picture, View, seen(View,Parts,[])) :-
     findall(Own,
             ( member(S, Ss),
-              facts_snapshot(sg_problem_drawing:seen_alone(S, Ss, View, Own)) ),
+              facts_snapshot(sg_problem_drawing:seen_alone(S, Ss, Picture,
+                                                           View, Own)) ),
             Lists),
     append(Lists, Parts).
 
-seen_alone(S, Ss, View, Parts) :-
+seen_alone(S, Ss, Picture, View, Parts) :-
     forall(( member(Other, Ss), Other \== S ), dropped(Other)),
-    view_seen(View, [], true, [], seen(_,Parts,_)).
+    view_seen(View, [], true, Picture, seen(_,Parts,_)).
 
 dropped(S) :-
     retractall_facts(unfolding(S, _)),
     drop_boundary(S),
     retractall_facts(segment(S, _, _)).
 
-%!  answer_drawing(+Request, +Generators, +Points, -Drawing) is det.
+%!  answer_drawing(+Request, +Generators, +Planes, +Points, +Letters,
+%!                 -Drawing) is det.
 %
 %   Drawing shows them with the lines in which they meet, and construction lines
-%   of problem_point.pl.
+%   of problem_point.pl and problem_plane.pl.
 
-answer_drawing(Request, Generators, Points, Drawing) :-
+answer_drawing(Request, Generators, Planes, Points, Letters, Drawing) :-
     option(views(Views), Request),
+    option(picture(Picture), Request),
     facts_snapshot(( penetrate(all, []),
-                     maplist(seen_whole, Views, Seens) )),
-    findall(Item, construction(Views, Generators, Points, Item), Items),
-    seen_drawing([construction(Items)|Request], Seens, Drawing).
+                     maplist(seen_whole(Picture), Views, Seens) )),
+    findall(Item,
+            ( construction(Views, Generators, Points, Item)
+            ; plane_line(Views, Planes, Item)
+            ),
+            Items0),
+    findall(Text-P-all,
+            ( member(letter(Text,P,_), Letters)
+            ; member(point(Text,_,_,P), Points)
+            ),
+            Marks),
+    dots(Views, Marks, Dots),
+    centre_lines(Picture, Views, [], Axes),
+    exclude(along_axis(Axes), Items0, Items1),
+    append(Items1, Dots, Items),
+    seen_drawing([construction(Items),axes(Axes)|Request], Seens, Drawing).
 
-seen_whole(View, Seen) :-
-    view_seen(View, [], true, [], Seen).
+%   along_axis(Axes, Item): a light line is not seen on a centre line, and would
+%   fill its gaps.
 
-%   construction(Views, Generators, Points, Item) is nondet: see seen_drawing/3.
+along_axis(Axes, line(Name, [P,Q])) :-
+    member(axis(Name, A, B), Axes),
+    (   lies_on(P-Q, A-B)
+    ;   lies_on(A-B, P-Q)
+    ),
+    !.
 
-construction(Views, Generators, Points, line(Name, [P,Q])) :-
+seen_whole(Picture, View, Seen) :-
+    view_seen(View, [], true, Picture, Seen).
+
+%   construction(Views, Generators, Points, Item) is nondet: generators, and
+%   lines from view to view; see seen_drawing/3.
+
+construction(Views, Generators, _, line(Name, [P,Q])) :-
     member(View, Views),
     square(View, Name),
-    member(generator(_, T, From, To), Generators),
-    once(member(point(_, _, T, _), Points)),
+    member(generator(_, _, From, To), Generators),
     projected(View, From, P),
     projected(View, To, Q).
 construction(Views, _, Points, between(Name1, P, Name2, Q)) :-
@@ -84,19 +118,44 @@ construction(Views, _, Points, between(Name1, P, Name2, Q)) :-
     member(point(_, _, _, Place), Points),
     projected(View1, Place, P),
     projected(View2, Place, Q).
-construction(Views, _, Points, dot(Name, P, Text)) :-
+%   plane_line(Views, Planes, Item) is nondet: a plane is seen as a line, or
+%   what it cuts is seen as it is.
+
+plane_line(Views, Planes, line(Name, Points)) :-
     member(View, Views),
     square(View, Name),
-    member(point(_, _, _, Place), Points),
-    projected(View, Place, P),
-    findall(I,
-            ( member(point(I, _, _, Other), Points),
-              projected(View, Other, Q),
-              in_one_place(P, Q) ),
-            Is),
-    Is = [_|_],
-    first_there(Points, View, P, Place),
-    atomic_list_concat(Is, ',', Text).
+    member(plane(Axis, _, Sections), Planes),
+    unit_vector(Axis, Normal),
+    projected(View, Normal, Seen),
+    (   in_one_place(Seen, 0.0-0.0)
+    ->  member(Section, Sections),
+        maplist(projected(View), Section, Points)
+    ;   Seen = U0-V0,
+        U is abs(V0),
+        V is abs(U0),
+        findall(At-P,
+                ( member(Section, Sections),
+                  member(Place, Section),
+                  projected(View, Place, P),
+                  P = X-Y,
+                  At is X*U + Y*V ),
+                Ends0),
+        keysort(Ends0, Ends),
+        Ends = [_-(XA-YA)|_],
+        last(Ends, _-(XB-YB)),
+        plane_beyond(By),
+        XP is XA-By*U, YP is YA-By*V,
+        XQ is XB+By*U, YQ is YB+By*V,
+        Points = [XP-YP,XQ-YQ]
+    ).
+
+%   plane_beyond(By): so far beyond what it cuts a plane is drawn.
+
+plane_beyond(5.0).
+
+unit_vector(x, p(1.0,0.0,0.0)).
+unit_vector(y, p(0.0,1.0,0.0)).
+unit_vector(z, p(0.0,0.0,1.0)).
 
 square(view(Name, _, _, side), Name).
 
@@ -108,12 +167,115 @@ projected(View, Place, X-Y) :-
 in_one_place(X1-Y1, X2-Y2) :-
     is_on_surface(abs(X1-X2) + abs(Y1-Y2), 1.0+abs(X1)+abs(Y1)).
 
-%   first_there(Points, View, P, Place): of those seen in one place, one is
-%   drawn.
+%   dots(Views, Marks, Dots): Marks are Text-P-Names; of those that are seen in
+%   one place of a view, one dot has all texts.
 
-first_there(Points, View, P, Place) :-
-    member(point(_, _, _, First), Points),
-    projected(View, First, Q),
-    in_one_place(P, Q),
-    !,
-    First == Place.
+dots(Views, Marks, Dots) :-
+    findall(dot(Name, Q, Text),
+            ( member(View, Views),
+              square(View, Name),
+              findall(Own-Q0,
+                      ( member(Own-P-Names, Marks),
+                        marked_in(Name, Names),
+                        projected(View, P, Q0) ),
+                      Seen),
+              one_place(Seen, Q, Texts),
+              atomic_list_concat(Texts, ',', Text) ),
+            Dots).
+
+marked_in(Name, Names) :-
+    (   Names == all
+    ->  true
+    ;   memberchk(Name, Names)
+    ).
+
+one_place(Seen, Q, Texts) :-
+    append(Before, [_-Q|_], Seen),
+    \+ ( member(_-Other, Before), in_one_place(Other, Q) ),
+    findall(Text, ( member(Text-Other, Seen), in_one_place(Other, Q) ),
+            Texts0),
+    list_to_set(Texts0, Texts).
+
+%   centre_lines(Picture, Views, Blank, Items): those of axes, and crosses in
+%   circles that are seen as circles; none that lies on another one, none in the
+%   views Blank, and none if facets are drawn as a polyhedron.
+
+centre_lines(Picture, Views, Blank, Items) :-
+    findall(axis(Name, P, Q),
+            ( \+ memberchk(lines(all), Picture),
+              member(View, Views),
+              square(View, Name),
+              \+ memberchk(Name, Blank),
+              findall(P0-Q0, centre_line(View, P0, Q0), Lines0),
+              sort(Lines0, Lines),
+              member(P-Q, Lines),
+              \+ ( member(Other, Lines),
+                   Other \== P-Q,
+                   lies_on(P-Q, Other),
+                   \+ ( lies_on(Other, P-Q), Other @> P-Q ) ) ),
+            Items).
+
+centre_line(View, P, Q) :-
+    segment(S, _, _),
+    placed_surface(S, _, Surface),
+    Surface =.. [Kind,point(X,Y,Z),U0,V0,W0|_],
+    maplist(as_vector, [U0,V0,W0], [U,V,W]),
+    C = p(X,Y,Z),
+    round_line(Kind, View, C, U, V, W, P, Q).
+
+round_line(sphere, View, C, U, V, W, P, Q) :-
+    cross(View, C, [U,V,W], P, Q).
+round_line(Kind, View, C, _, _, W, P, Q) :-
+    memberchk(Kind, [cylinder,cone]),
+    vector_sum(C, W, D),
+    projected(View, C, P),
+    projected(View, D, Q),
+    \+ in_one_place(P, Q).
+round_line(Kind, View, C, U, V, _, P, Q) :-
+    memberchk(Kind, [cylinder,cone]),
+    is_across(View, U),
+    is_across(View, V),
+    cross(View, C, [U,V], P, Q).
+
+%   cross(View, C, Radii, P, Q): across what has these conjugate radii.
+
+cross(View, C, Radii, P, Q) :-
+    projected(View, C, X-Y),
+    maplist(projected(View), Radii, Seen),
+    aggregate_all(sum(A*A), member(A-_, Seen), AA),
+    aggregate_all(sum(B*B), member(_-B, Seen), BB),
+    (   X1 is X-sqrt(AA),
+        X2 is X+sqrt(AA),
+        P = X1-Y,
+        Q = X2-Y
+    ;   Y1 is Y-sqrt(BB),
+        Y2 is Y+sqrt(BB),
+        P = X-Y1,
+        Q = X-Y2
+    ).
+
+as_vector(vector(X,Y,Z), p(X,Y,Z)).
+
+is_across(View, U) :-
+    view_axes(View, _, _, [C1,C2,C3]),
+    dot_product(p(C1,C2,C3), U, Dot),
+    dot_product(U, U, Square),
+    is_rounding(Dot, sqrt(Square)).
+
+%   lies_on(P-Q, A-B): both ends lie on the line from A to B.
+
+lies_on(P-Q, Line) :-
+    on_line(P, Line),
+    on_line(Q, Line).
+
+on_line(X-Y, (X1-Y1)-(X2-Y2)) :-
+    DX is X2-X1,
+    DY is Y2-Y1,
+    Length is sqrt(DX*DX + DY*DY),
+    Length > 0.0,
+    Size is 1.0 + abs(X) + abs(Y),
+    is_on_surface(((X-X1)*DY - (Y-Y1)*DX)/Length, Size),
+    Along is ((X-X1)*DX + (Y-Y1)*DY)/Length,
+    ( Along >= 0.0 ; is_on_surface(Along, Size) ),
+    ( Along =< Length ; is_on_surface(Along-Length, Size) ),
+    !.

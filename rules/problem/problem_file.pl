@@ -3,8 +3,8 @@
           ]).
 :- use_module('../model/model_text', [next_term/3, place_error/2]).
 :- use_module('../sheet/sheet_paper', [paper/3]).
-:- use_module('../sheet/sheet_view', [view_named/2]).
 :- use_module('../text_file', [with_text/4]).
+:- use_module(problem_item, [item_fault/3, items_fault/2]).
 :- use_module(library(apply), [maplist/2]).
 :- use_module(library(lists), [append/3, member/2]).
 /** <module> Files of problems for a class.
@@ -18,26 +18,35 @@ A file of problems is data, as a model file. It has
 with the Items of a problem
 
     given([front, top, ...])    the views
+    blank(View)                 one of which the question has the frame alone
     branch(S)                   whose generators are drawn; without it the last
                                 segment
     generators(N)               how many: 12
+    planes(Axis)                auxiliary planes through the points, square to
+                                x, y or z; planes(straight): that cut in
+                                generators
+    planes(Axis, N)             N of them, whose points are to be found
+    edges(all)                  those of facets too, of what is a polyhedron
     ask(draw(penetration))      what is asked: the lines, how many loops there
     ask(count(loops))           are, the pattern of segment S
     ask(develop(S))
-    text(Language, Text)        the question
+    ask(measure(What, Unit, Tolerance))    see problem_measure.pl
+    part(S, Language, Text)     what segment S is called
+    text(Language, Text)        the question, instead of our words
 
 and those of a sheet angle(first), or angle(third), and title_block(Item, Text).
 */
 
 %!  problems_read(+File, -Problems:list) is det.
 %
-%   Problems are problem(Name, Model, Items, Variants, Sheet) in the order of
-%   File: Variants is a list of lists Parameter=Value, one of each variant;
-%   Sheet is sheet(Paper, Items).
+%   Problems are problem(Name, Model, Items, Variants, Sheet, Place) in the
+%   order of File: Variants is a list of lists Parameter=Value, one of each
+%   variant; Sheet is sheet(Paper, Items); Place is for place_error/2.
 %
 %   @error model_error(problem(What)): fact(Name, Arity), item(Item), model(M),
 %   paper(Paper), values(Values), twice(Name), no_problem(Name), no_sheet(Name),
-%   variable; and those of model_text.pl
+%   variable, measure(M), unit(M, Unit, Units), tolerance(M, T), all_blank,
+%   no_view(M, Names); and those of model_text.pl
 
 problems_read(File, Problems) :-
     with_text(facts, File, Text, rows_read(Text, Rows)),
@@ -52,7 +61,7 @@ problems_read(File, Problems) :-
            ->  true
            ;   place_error(Place, problem(no_problem(Name)))
            )),
-    findall(problem(Name, Model, Items, Variants, Sheet),
+    findall(problem(Name, Model, Items, Variants, Sheet, Place),
             ( member(problem(Name,Model,Items)-Place, Rows),
               variants(Name, Rows, Variants),
               sheet_of(Name, Rows, Place, Sheet) ),
@@ -100,7 +109,7 @@ checked_row(problem(Name, Model, Items), Place) :-
     ->  true
     ;   place_error(Place, problem(model(Model)))
     ),
-    items_checked(Items, problem_item, Place).
+    items_checked(Items, problem, Place).
 checked_row(variant(_, Parameter, Values), Place) :-
     !,
     (   atom(Parameter),
@@ -121,37 +130,19 @@ checked_row(sheet(Paper, Names, Items), Place) :-
     ->  true
     ;   place_error(Place, problem(no_problem(Names)))
     ),
-    items_checked(Items, sheet_item, Place).
+    items_checked(Items, sheet, Place).
 checked_row(Row, Place) :-
     functor(Row, Name, Arity),
     place_error(Place, problem(fact(Name, Arity))).
 
 items_checked(Items, Kind, Place) :-
     (   is_list(Items)
-    ->  forall(( member(Item, Items), \+ call(Kind, Item) ),
-               place_error(Place, problem(item(Item))))
+    ->  forall(( member(Item, Items), item_fault(Kind, Item, What) ),
+               place_error(Place, problem(What)))
     ;   place_error(Place, problem(item(Items)))
+    ),
+    (   Kind == problem,
+        items_fault(Items, What1)
+    ->  place_error(Place, problem(What1))
+    ;   true
     ).
-
-problem_item(given(Views)) :-
-    is_list(Views),
-    Views = [_|_],
-    forall(member(View, Views), view_named(View, _)).
-problem_item(branch(S)) :-
-    integer(S).
-problem_item(generators(N)) :-
-    integer(N),
-    between(2, 360, N).
-problem_item(ask(draw(penetration))).
-problem_item(ask(count(loops))).
-problem_item(ask(develop(S))) :-
-    integer(S).
-problem_item(text(Language, Text)) :-
-    memberchk(Language, [en,ko]),
-    atom(Text).
-
-sheet_item(angle(Angle)) :-
-    memberchk(Angle, [first,third]).
-sheet_item(title_block(Item, Text)) :-
-    atom(Item),
-    atom(Text).

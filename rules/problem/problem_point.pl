@@ -1,23 +1,28 @@
 :- module(sg_problem_point,
           [ numbered_points/3,          % +Branch, +N, -Points
-            branch_generators/3         % +Branch, +N, -Generators
+            branch_generators/3,        % +Branch, +N, -Generators
+            generator/4,                % +Surface, +T, -From, -To
+            round_side/2                % +S, -Surface
           ]).
 :- use_module('../csg/placed_surface', [placed_surface/3]).
 :- use_module('../kernel', [surface_place/4, surfaces_meet/4]).
 :- use_module('../near', [before_angle/2, is_on_surface/2, is_rounding/2]).
-:- use_module('../penetration/chain', [chains/1]).
 :- use_module('../primitive/primitive_face', [surface_point/4]).
-:- use_module('../store', [line/9, origin/3, segment/3, v/5]).
+:- use_module('../store', [e/5, edge_polygon/3, origin/3, segment/3, v/5]).
 :- use_module('../unrolling/true_surface',
               [generator_plane/3, polygon_surface/3]).
-:- use_module('../vector', [angle_between/3, difference/3, dot_product/3]).
-:- use_module(library(apply), [foldl/4]).
+:- use_module('../vector',
+              [ angle_between/3, cross_product/3, difference/3, dot_product/3,
+                unit/2
+              ]).
+:- use_module(problem_loop, [step_ends/5, whole_chains/1]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(lists), [append/3, last/2, member/2, nth1/3, reverse/2]).
 /** <module> The points of a penetration line that a pupil is to find.
 
 Of a round branch: where its generators, in equal steps, meet the others. The
 points are those of the true surfaces, not of their facets. Where the branch has
-no generators: the corners of the line.
+no generators: the corners of the line; of a curve, where it goes through.
 */
 
 %!  branch_generators(+Branch, +N, -Generators:list) is det.
@@ -26,19 +31,28 @@ no generators: the corners of the line.
 %   with their ends p(X,Y,Z); none if segment Branch is not a cylinder or cone.
 
 branch_generators(Branch, N, Generators) :-
-    (   branch_surface(Branch, Surface)
+    (   round_side(Branch, Surface)
     ->  findall(generator(I, T, From, To),
                 ( between(1, N, I),
                   T is (I-1)*360.0/N,
-                  surface_point(Surface, T, 0.0, point(X1,Y1,Z1)),
-                  surface_point(Surface, T, 1.0, point(X2,Y2,Z2)),
-                  From = p(X1,Y1,Z1),
-                  To = p(X2,Y2,Z2) ),
+                  generator(Surface, T, From, To) ),
                 Generators)
     ;   Generators = []
     ).
 
-branch_surface(Branch, Surface) :-
+%!  generator(+Surface, +T, -From, -To) is det.
+%
+%   That of Surface at T degrees runs From its base To its top, p(X,Y,Z).
+
+generator(Surface, T, p(X1,Y1,Z1), p(X2,Y2,Z2)) :-
+    surface_point(Surface, T, 0.0, point(X1,Y1,Z1)),
+    surface_point(Surface, T, 1.0, point(X2,Y2,Z2)).
+
+%!  round_side(+S, -Surface) is semidet.
+%
+%   Surface is that of segment S, a cylinder or a cone.
+
+round_side(Branch, Surface) :-
     placed_surface(Branch, side, Surface),
     functor(Surface, Kind, _),
     memberchk(Kind, [cylinder,cone]),
@@ -58,11 +72,11 @@ numbered_points(Branch, _, Points) :-
             ( origin(Branch, v(V), _), v(Branch, V, _, _, _) ),
             Vs0),
     sort(Vs0, Vs),
-    findall(point(I, 0, none, p(X,Y,Z)),
-            ( nth1(I, Vs, V), v(Branch, V, X, Y, Z) ),
+    findall(point(I, 0, none, P),
+            ( nth1(I, Vs, V), once(pierced(Branch, V, P)) ),
             Points).
 numbered_points(Branch, N, Points) :-
-    chains(Chains),
+    whole_chains(Chains),
     findall(place(T, P, Loop),
             ( nth1(Loop, Chains, chain(S1, S2, Kind, Steps)),
               ( S1 == Branch ; S2 == Branch ),
@@ -72,8 +86,61 @@ numbered_points(Branch, N, Points) :-
     each_once(Found0, Found),
     findall(point(I, Loop, T, P), nth1(I, Found, place(T, P, Loop)), Points).
 
+%   pierced(Curve, V, P): vertex V, which a cut made, lies on a facet; P is
+%   where the straight piece of Curve that V is on goes through the true
+%   surface.
+
+pierced(Curve, V, P) :-
+    v(Curve, V, X, Y, Z),
+    origin(Curve, v(V), Origin),
+    pierced_polygon(Origin, Curve, S, Polygon),
+    polygon_surface(S, Polygon, Surface),
+    ( e(Curve, _, V, W, _) ; e(Curve, _, W, V, _) ),
+    v(Curve, W, X1, Y1, Z1),
+    difference(p(X1,Y1,Z1), p(X,Y,Z), Along),
+    dot_product(Along, Along, Square),
+    Square > 0.0,
+    across(Along, Across),
+    cross_product(Along, Across, Third),
+    maplist(plane_at(p(X,Y,Z)), [Across,Third], Planes),
+    Reach is sqrt(Square),
+    surfaces_meet([Surface|Planes], Reach, point(X,Y,Z), point(X2,Y2,Z2)),
+    P = p(X2,Y2,Z2).
+pierced(Curve, V, p(X,Y,Z)) :-
+    v(Curve, V, X, Y, Z).
+
+%   pierced_polygon(Origin, Curve, S, P): corners of its triangle tell which.
+
+pierced_polygon(Origin, Curve, S, P) :-
+    Origin =.. [_|Places],
+    member(S-Corners, Places),
+    S \== Curve,
+    Corners = (A,B,C),
+    corner_polygon(S, A, P),
+    once(corner_polygon(S, B, P)),
+    once(corner_polygon(S, C, P)).
+
+corner_polygon(S, V, P) :-
+    e(S, E, V, _, _),
+    edge_polygon(S, E, P).
+
+across(p(X,Y,Z), Across) :-
+    (   abs(X) =< min(abs(Y), abs(Z))
+    ->  Axis = p(1.0,0.0,0.0)
+    ;   abs(Y) =< abs(Z)
+    ->  Axis = p(0.0,1.0,0.0)
+    ;   Axis = p(0.0,0.0,1.0)
+    ),
+    cross_product(p(X,Y,Z), Axis, Across).
+
+plane_at(P, Normal0, plane(A,B,C,D)) :-
+    unit(Normal0, Normal),
+    Normal = p(A,B,C),
+    dot_product(Normal, P, Dot),
+    D is -Dot.
+
 chain_places(Branch, N, _, Steps, Places) :-
-    branch_surface(Branch, Surface),
+    round_side(Branch, Surface),
     !,
     findall(Place,
             ( member(Step, Steps),
@@ -105,28 +172,6 @@ turns(P, Q, R) :-
     ;   angle_between(U, V, Angle),
         Angle > 0.02
     ).
-
-%   step_ends(Branch, Step, P, Q, Other): from P to Q along the line, in Other,
-%   a polygon S-P of the other segment.
-
-step_ends(Branch, Step, P, Q, Other) :-
-    L is abs(Step),
-    line(L, S1, P1, A1, B1, S2, P2, A2, B2),
-    (   S1 == Branch
-    ->  ends(S1, A1, B1, From, To),
-        Other = S2-P2
-    ;   ends(S2, A2, B2, From, To),
-        Other = S1-P1
-    ),
-    (   Step > 0
-    ->  P-Q = From-To
-    ;   P-Q = To-From
-    ).
-
-ends(S, A, B, p(X1,Y1,Z1), p(X2,Y2,Z2)) :-
-    v(S, A, X1, Y1, Z1),
-    v(S, B, X2, Y2, Z2),
-    !.
 
 %   step_places(Branch, Surface, N, Step, Places): where the true line goes over
 %   generators between the ends of this piece.

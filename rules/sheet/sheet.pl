@@ -1,6 +1,7 @@
 :- module(sg_sheet,
           [ sheet_drawing/3,            % +Default, +Options, -Drawing
-            sheet_strokes/4,            % +Default, +Options, -Sheet, -Strokes
+            sheet_strokes/5,            % +Default, +Options, -Sheet, -Place,
+                                        % -Strokes
             scaled_drawing/3,           % +Factor, +Drawing, -Scaled
             picture_parts/1,            % -Parts
             placed_part/3               % +Place, +Part0, -Part
@@ -68,7 +69,7 @@ sheet_drawing(Default, Options, Drawing) :-
     (   option(drawing(Drawing0), Options)
     ->  Drawing = Drawing0
     ;   Drawing = drawing(Sheet, [view('', Strokes, [])]),
-        sheet_strokes(Default, Options, Sheet, Strokes)
+        sheet_strokes(Default, Options, Sheet, _, Strokes)
     ).
 
 %!  scaled_drawing(+Factor, +Drawing, -Scaled) is det.
@@ -100,13 +101,14 @@ scaled_point(Factor, X0-Y0, X-Y) :-
 scaled(Factor, X0, X) :-
     X is round(X0*Factor).
 
-%!  sheet_strokes(+Default, +Options, -Sheet, -Strokes) is det.
+%!  sheet_strokes(+Default, +Options, -Sheet, -Place, -Strokes) is det.
 %
 %   The Sheet and the Strokes of what drawn/7 holds, as sheet_drawing/3 lays
-%   them out. The kernels drawn_box/1 and drawn_strokes/5 do for edges what the
-%   rule does for all parts, which as terms would need much room.
+%   them out; Place as of placed_part/3. The kernels drawn_box/1 and
+%   drawn_strokes/5 do for edges what the rule does for all parts, which as
+%   terms would need much room.
 
-sheet_strokes(Default, Options, Sheet, Strokes) :-
+sheet_strokes(Default, Options, Sheet, Place, Strokes) :-
     hidden_option(Options, Hidden),
     findall(Part, contour_part(Part), Contours),
     whole_box(Contours, Box),

@@ -13,7 +13,7 @@
     Cell    at(Column,Row), integers, right and down; or free
     Box     box(X1,Y1,X2,Y2) round its lines in the picture, y up
     Pads    pads(Left,Above,Right,Below), mm, for what is written round it
-    Room    room(Rectangle, Taken): the free part of the sheet, but for Taken
+    Room    room(Rectangle, Taken): the free part of the sheet, without Taken
     place(Name, X, Y, Left, Top)    the point X,Y of the picture comes to
                                     Left,Top on the sheet
 

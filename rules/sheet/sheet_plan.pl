@@ -5,6 +5,10 @@
 :- use_module(eye, [eye_view/3]).
 :- use_module('../picture/section', [model_box/1, section_plane/3]).
 :- use_module(sheet, [placed_part/3]).
+:- use_module(sheet_construction,
+              [ axes_view/4, construction_view/7, item_place/5,
+                view_interrupted/3
+              ]).
 :- use_module(sheet_frame, [frame/5, bare_room/3]).
 :- use_module(sheet_layout, [layout/4]).
 :- use_module(sheet_marks,
@@ -16,7 +20,6 @@
 :- use_module(sheet_view,
               [ section_view/5, view_seen/5, view_cell/4, seen_box/2 ]).
 :- use_module(lettering, [lettering_width/3]).
-:- use_module(point_text, [point_texts/4]).
 :- use_module('../store', [facts_snapshot/1]).
 :- use_module(stroke, [strokes/2]).
 :- use_module(library(apply),
@@ -25,7 +28,7 @@
               [ append/2, append/3, max_list/2, member/2, memberchk/2,
                 min_list/2, nth1/3
               ]).
-:- use_module(library(option), [option/2]).
+:- use_module(library(option), [option/2, option/3]).
 :- use_module(library(pairs), [pairs_values/2]).
 :- use_module(library(yall), [(>>)/3, (>>)/4]).
 /** <module> A sheet of several views, from the model to a drawing.
@@ -85,6 +88,10 @@ views_drawing(Request, Lines, Module:cuts(First,Again), Drawing) :-
 %     dot(Name, P, Text), a small circle with Text where there is room near it.
 %     - question(Texts)
 %     Lines of text in the lower left corner.
+%     - axes(Items)
+%     Centre lines: axis(Name, P, Q), drawn a little beyond P and Q.
+%     - blank(Names)
+%     Views of which there is a frame, and nothing in it.
 %
 %   @error as views_drawing/4
 
@@ -190,12 +197,17 @@ sheet_laid(Request, Sections, Boxed, Drawing) :-
                       millimetres(PerUnit, Region0, Region) ),
             AllRegions),
     hatching(AllRegions, Hatching),
-    maplist(view_drawn(PerUnit, Hatching, Marking, Places), Celled, Views),
+    option(blank(Blank), Request, []),
+    maplist(view_drawn(PerUnit, Hatching, Marking, Places, Blank), Celled,
+            Views),
     frame_view(FrameMarks, Frame),
     question_view(Request, Room, Question),
+    axes_view(Request, PerUnit, Places, Axes0),
     append([Views,Frame,Question], Drawn),
-    construction_view(Request, PerUnit, Places, Drawn, Construction),
-    append([Construction,Views,Frame,Question], AllViews),
+    construction_view(Request, PerUnit, Places, Axes0, Drawn, Construction,
+                      Numbers),
+    maplist(view_interrupted(Numbers), Axes0, Axes),
+    append([Construction,Axes,Views,Frame,Question], AllViews),
     W is round(Width*1000),
     H is round(Height*1000),
     Drawing = drawing(sheet(W,H,PerUnit), AllViews).
@@ -232,7 +244,7 @@ question_room(Request, Height, room(Rectangle,Taken),
     Right is 27+Widest,
     Lowest is Height-10,
     foldl(bottom_above(Right), Taken, Lowest, Bottom),
-    Top is Bottom - 6*N - 4.
+    Top is Bottom - 6*N - 8.
 question_room(_, _, Room, Room).
 
 %   bottom_above(Right, Taken, Bottom0, Bottom): up to Right nothing of the
@@ -485,7 +497,23 @@ scale_text(factor(Factor), Text) :-
                 *           DRAWING            *
                 *******************************/
 
-view_drawn(PerUnit, Hatching, Marking, Places, Celled,
+view_drawn(PerUnit, _, _, Places, Blank, cell(seen(View,_,_),Box,_),
+           view(Name,[Stroke],[])) :-
+    View = view(Name, _, _, _),
+    memberchk(Name, Blank),
+    !,
+    Box = box(X1,Y1,X2,Y2),
+    item_place(Name, X1-Y1, PerUnit, Places, Left0-Bottom0),
+    item_place(Name, X2-Y2, PerUnit, Places, Right0-Top0),
+    blank_margin(Margin),
+    Left is Left0-Margin,
+    Top is Top0-Margin,
+    Right is Right0+Margin,
+    Bottom is Bottom0+Margin,
+    Stroke = stroke(visible,field,0,[],
+                    [Left-Top,Right-Top,Right-Bottom,Left-Bottom,Left-Top],
+                    ring,ring).
+view_drawn(PerUnit, Hatching, Marking, Places, _, Celled,
            view(Name,Strokes,Texts)) :-
     Celled = cell(seen(view(Name,_,_,_),Parts,Regions), _, _),
     memberchk(place(Name,X,Y,Left,Top), Places),
@@ -552,98 +580,7 @@ mark_text(Place, text(X,Y,High0,Anchor,Text0), text(A,B,High,Anchor,Text)) :-
     High is round(High0*1000),
     text_to_string(Text0, Text).
 
-%   construction_view(Request, PerUnit, Places, Drawn, Views): Drawn are the
-%   other views of the sheet.
-
-construction_view(Request, PerUnit, Places, Drawn, Views) :-
-    (   option(construction(Items), Request),
-        Items = [_|_]
-    ->  findall(Stroke,
-                ( member(Item, Items),
-                  item_stroke(Item, PerUnit, Places, Stroke) ),
-                Strokes0),
-        findall(point(Name,Point,String),
-                ( member(dot(Name,P,Word), Items),
-                  item_place(Name, P, PerUnit, Places, Point),
-                  atom_string(Word, String) ),
-                Points),
-        drawn_shapes(Drawn, Shapes),
-        stroke_shapes(Strokes0, Lights),
-        point_texts(Shapes, Lights, Points, Placed),
-        findall(Text, member(placed(Text,_), Placed), Texts),
-        findall(Stroke,
-                ( member(placed(_,Line), Placed),
-                  Line = [_,_],
-                  light_stroke(Line, joint, Stroke) ),
-                Strokes1),
-        append(Strokes0, Strokes1, Strokes),
-        Views = [view(construction,Strokes,Texts)]
-    ;   Views = []
-    ).
-
-%   drawn_shapes(Views, Shapes): for point_texts/4.
-
-drawn_shapes(Views, Shapes) :-
-    findall(Shape,
-            ( member(view(_,Strokes,Texts), Views),
-              (   stroke_shapes(Strokes, Shapes0),
-                  member(Shape, Shapes0)
-              ;   member(Text, Texts),
-                  text_shape(Text, Shape)
-              ) ),
-            Shapes).
-
-stroke_shapes(Strokes, Shapes) :-
-    findall([A,B],
-            ( member(stroke(_,_,_,_,Points,_,_), Strokes),
-              append(_, [A,B|_], Points),
-              A \== B ),
-            Shapes).
-
-text_shape(text(X,Y,Height,Anchor,String),
-           [Left-Top,Right-Top,Right-Y,Left-Y]) :-
-    lettering_width(String, Height, Width),
-    Width > 0,
-    (   Anchor == start
-    ->  Left = X
-    ;   Anchor == middle
-    ->  Left is X - Width/2
-    ;   Left is X-Width
-    ),
-    Right is Left+Width,
-    Top is Y-Height.
-
-item_stroke(line(Name,Points0), PerUnit, Places, Stroke) :-
-    findall(Point,
-            ( member(P, Points0),
-              item_place(Name, P, PerUnit, Places, Point) ),
-            Points),
-    light_stroke(Points, joint, Stroke).
-item_stroke(between(Name1,P0,Name2,Q0), PerUnit, Places, Stroke) :-
-    item_place(Name1, P0, PerUnit, Places, P),
-    item_place(Name2, Q0, PerUnit, Places, Q),
-    light_stroke([P,Q], joint, Stroke).
-item_stroke(dot(Name,P0,_), PerUnit, Places, Stroke) :-
-    item_place(Name, P0, PerUnit, Places, X-Y),
-    findall(X1-Y1,
-            ( between(0, 8, I),
-              Angle is I*pi/4,
-              X1 is X + round(500*cos(Angle)),
-              Y1 is Y + round(500*sin(Angle)) ),
-            Points),
-    light_stroke(Points, ring, Stroke).
-
-item_place(Name, P, PerUnit, Places, Point) :-
-    memberchk(place(Name,X,Y,Left,Top), Places),
-    Scale is PerUnit*1000,
-    Left1 is Left*1000,
-    Top1 is Top*1000,
-    placed_point(place(Scale,X,Y,Left1,Top1), P, Point).
-
-light_stroke(Points, End,
-             stroke(visible,construction,0,[],Points,End,End)) :-
-    Points = [First|_],
-    \+ forall(member(Point, Points), Point == First).
+blank_margin(4000).
 
 %   question_view(Request, Room, Views): where question_room/4 has made room.
 

@@ -92,7 +92,7 @@ along(P, T, Way, Q) :-
     vector_sum(P, Step, Q).
 
 %   corner(Plane, Middle, U, V, S-T, Corner): brought into Plane along the axis
-%   that is nearest to its normal, exactly but for the rounding of that
+%   that is nearest to its normal, exactly except for the rounding of that
 %   coordinate.
 
 corner(plane(A,B,C,D), Middle, U, V, S-T, Corner) :-

@@ -1,6 +1,7 @@
 :- module(sg_job,
           [ captured/2,                 % :Goal, -Octets
             error_object/3,             % +Status, +Objects, -Error
+            printed_octets/3,           % +Type, :Goal, -Octets
             verb_job/5,                 % :Run, +Head, +Body, -Reply, -Out
             with_input/2,               % +Text, :Goal
             worlds_collected/0
@@ -8,7 +9,8 @@
 :- use_module('../limits', [with_usual_limits/1]).
 :- use_module('../message/message_object', [message_object/3, objects_heard/2]).
 :- use_module('../output', [files_recorded/2]).
-:- use_module(process_state, [with_process_kept/3]).
+:- use_module(files_read, [files_read/2]).
+:- use_module(process_state, [runs_users_code/1, with_process_kept/3]).
 :- use_module(library(apply), [maplist/2, maplist/3]).
 :- use_module(library(lists), [append/3, last/2, member/2]).
 :- use_module(library(memfile),
@@ -26,13 +28,14 @@ language that the request names; when it is over the process is as before.
 
 :- meta_predicate
     captured(0, -),
+    printed_octets(+, 1, -),
     verb_job(2, +, +, -, -),
     with_input(+, 0).
 
 %!  verb_job(:Run, +Head:dict, +Body, -Reply:dict, -Out) is det.
 %
 %   Do what Head.argv says: call(Run, Arguments, Status). Body is the standard
-%   input. Reply has the keys that docs/protocol.md lists for `run`, but for id
+%   input. Reply has the keys that docs/protocol.md lists for `run`, except id
 %   and rev; Out is the text of octets of standard output, then of standard
 %   error.
 %
@@ -51,8 +54,8 @@ verb_job(Run, Head, Body, Reply, Out) :-
         setup_call_cleanup(
             new_memory_file(ErrorFile),
             ( job_ran(job(Run, Arguments, Folder, Language, Limits, Body),
-                      OutFile, ErrorFile, result(Status0, Files, Objects0),
-                      Kept),
+                      OutFile, ErrorFile,
+                      result(Status0, Files, Objects0, Read), Kept),
               printed(OutFile, ErrorFile, Status0, Objects0, Printed)
             ),
             free_memory_file(ErrorFile)),
@@ -71,9 +74,13 @@ verb_job(Run, Head, Body, Reply, Out) :-
     Reply0 = _{ status:Status, files:Files, messages:Objects, error:Error,
                 seconds:Seconds, cpu:Cpu, rss_kb:Rss,
                 stdout:OutLength, stderr:ErrorLength },
+    (   Read == []
+    ->  Reply1 = Reply0
+    ;   Reply1 = Reply0.put(read, Read)
+    ),
     (   Kept == true
-    ->  Reply = Reply0
-    ;   Reply = Reply0.put(last, true)
+    ->  Reply = Reply1
+    ;   Reply = Reply1.put(last, true)
     ).
 
 
@@ -169,9 +176,20 @@ job_ran(Job, OutFile, ErrorFile, Result, Kept) :-
                             sg_job:heard(Job, Result)))))),
         Kept).
 
-heard(job(Run, Arguments, _, _, _, _), result(Status, Files, Objects)) :-
-    files_recorded(objects_heard(call(Run, Arguments, Status), Objects),
+heard(job(Run, Arguments, _, _, _, _),
+      result(Status, Files, Objects, Read)) :-
+    files_recorded(objects_heard(verb_done(Arguments, Run, Status, Read),
+                                 Objects),
                    Files).
+
+:- meta_predicate verb_done(+, 2, -, -).
+
+verb_done(Arguments, Run, Status, Read) :-
+    (   runs_users_code(Arguments)
+    ->  files_read(call(Run, Arguments, Status), Read)
+    ;   call(Run, Arguments, Status),
+        Read = []
+    ).
 
 :- meta_predicate
     in_folder(+, 0),
@@ -245,6 +263,28 @@ captured(Goal, Octets) :-
         ( memory_file_to_string(OutFile, Octets, octet),
           free_memory_file(OutFile)
         )).
+
+%!  printed_octets(+Type, :Goal, -Octets) is semidet.
+%
+%   Octets are what call(Goal, Out) writes. Type is `text`, in UTF-8, or
+%   `binary`.
+
+printed_octets(Type, Goal, Octets) :-
+    setup_call_cleanup(
+        new_memory_file(File),
+        ( setup_call_cleanup(
+              open_memory_file(File, write, Out, [encoding(octet)]),
+              ( (   Type == text
+                ->  set_stream(Out, encoding(utf8)),
+                    set_stream(Out, newline(posix))
+                ;   true
+                ),
+                once(call(Goal, Out))
+              ),
+              close(Out)),
+          memory_file_to_string(File, Octets, octet)
+        ),
+        free_memory_file(File)).
 
 %!  with_input(+Text, :Goal) is semidet.
 %

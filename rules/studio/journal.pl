@@ -9,7 +9,6 @@
 :- use_module(library(apply), [exclude/3]).
 :- use_module(library(filesex), [make_directory_path/1]).
 :- use_module(library(lists), [append/3, member/2]).
-:- use_module(library(readutil), [read_line_to_string/2]).
 /** <module> The journal of a document: what was changed since its file was
 saved.
 
@@ -67,7 +66,8 @@ journal_closed(Journal) :-
 %   journal.
 %
 %   A line says that the text is about to be saved; who is killed then leaves
-%   the file either as it was before or as it is saved.
+%   the file either as it was before or as it is saved. It has the rules that
+%   the text follows, for the file has none.
 
 journal_steps(Path, Digest, Steps) :-
     exists_file(Path),
@@ -82,7 +82,11 @@ journal_steps(Path, Digest, Steps) :-
     (   append(_, [Saved|Behind], Steps0),
         get_dict(digest, Saved, Digest),
         \+ ( member(Later, Behind), get_dict(digest, Later, Digest) )
-    ->  exclude(is_save, Behind, Steps)
+    ->  exclude(is_save, Behind, Steps1),
+        (   get_dict(rules, Saved, Rules)
+        ->  Steps = [_{do:"rules", rules:Rules}|Steps1]
+        ;   Steps = Steps1
+        )
     ;   First == Digest
     ->  exclude(is_save, Steps0, Steps)
     ;   Steps0 == []
@@ -100,13 +104,11 @@ steps(In, Steps) :-
     ;   Steps = []
     ).
 
-%   step(In, Step): fails at the end, and at what is no complete line.
+%   step(In, Step): fails at the end, and at what is no complete line: one that
+%   lacks its newline alone was told to nobody either.
 
 step(In, Step) :-
-    \+ at_end_of_stream(In),
-    read_line_to_string(In, Line),
-    string(Line),
-    \+ Line == "",
+    read_string(In, "\n", "", 0'\n, Line),
     catch(setup_call_cleanup(
               open_string(Line, Text),
               json_read_dict(Text, Step),

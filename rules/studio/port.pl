@@ -1,21 +1,33 @@
 :- module(sg_port,
           [ view_port/2,                % +Head, -Port
-            viewed/4                    % :Draw, +Head, -Reply, -Octets
+            viewed/4,                   % +World, +Head, -Reply, -Octets
+            with_picture/3,             % +World, +Head, :Goal
+            strokes_body/4              % +Strokes, -Looks, -Count, -Octets
           ]).
+:- use_module('../drawing/drawing',
+              [drawing_format/2, write_drawing_stream/3]).
+:- use_module('../kernel', [stroke_octets/3]).
 :- use_module('../message/message_object', [objects_heard/2]).
-:- use_module('../output', [copied_to/3]).
-:- use_module('../store', [facts_snapshot/1]).
-:- use_module(job, [captured/2]).
-:- use_module(library(apply), [exclude/3]).
-:- use_module(library(lists), [member/2]).
+:- use_module('../picture/hidden_lines', [picture/1]).
+:- use_module('../picture/view',
+              [ named_view/3, set_projection/1, set_view/1, set_view/3,
+                with_up/2 ]).
+:- use_module('../sheet/sheet', [sheet_strokes/5]).
+:- use_module('../spelling', [near_words/3]).
+:- use_module('../store', [drawn/7, segment/3]).
+:- use_module(job, [printed_octets/3]).
+:- use_module(world_state, [in_state/3, state_messages/3]).
+:- use_module(library(apply), [maplist/2, maplist/3, partition/4]).
+:- use_module(library(lists), [append/3, list_to_set/2, member/2]).
 /** <module> A port of a session: one picture of the document, as a body.
 */
 
-:- meta_predicate viewed(2, +, -, -).
+:- meta_predicate with_picture(+, +, 0).
 
 %!  view_port(+Head:dict, -Port:string) is det.
 %
-%   Port is that of the request `view`; the newest view of a port is done alone.
+%   Port is that of the request `view`; the newest view of a port is done
+%   alone.
 
 view_port(Head, Port) :-
     (   get_dict(port, Head, Port0)
@@ -29,61 +41,150 @@ view_port(Head, Port) :-
 request_error(What) :-
     throw(error(request_error(What), _)).
 
-%!  viewed(:Draw, +Head:dict, -Reply:dict, -Octets) is det.
+%!  viewed(+World, +Head:dict, -Reply:dict, -Octets) is det.
 %
-%   Octets are the picture of the current world that Head asks for; the world is
-%   as before.
+%   Octets are the picture of World that Head asks for.
 %
-%   @error request_error(bad_key(Key, Wanted)), errors of Draw
+%   @error request_error(bad_key(Key, Wanted)), geometry_error(What)
 
-viewed(Draw, Head, Reply, Octets) :-
+viewed(World, Head, Reply, Octets) :-
     view_format(Head, Format),
+    view_port(Head, Port),
     findall(Option, view_option(Head, Option), Options),
     get_time(T0),
-    captured(objects_heard(
-                 facts_snapshot(
-                     copied_to(-, Format, sg_port:drawn(Draw, Options))),
-                 Objects0),
-             Octets),
+    objects_heard(in_state(World, shown,
+                           sg_port:pictured(Options, Format, More, Octets)),
+                  Own),
     get_time(T1),
-    exclude(of_writing, Objects0, Objects),
+    state_messages(World, shown, Cutting),
+    append(Cutting, Own, Objects),
     Ms is (T1-T0)*1000,
-    view_port(Head, Port),
     atom_string(Format, Kind),
-    Reply = _{port:Port, kind:Kind, messages:Objects, ms:Ms}.
+    Reply = More.put(_{port:Port, kind:Kind, messages:Objects, ms:Ms}).
 
-:- public drawn/3.
+%!  with_picture(+World, +Head:dict, :Goal) is semidet.
+%
+%   Call Goal once, the current world being World with the picture that Head
+%   asks for.
+%
+%   @error request_error(bad_key(Key, Wanted)), geometry_error(What)
 
-drawn(Draw, Options, File) :-
-    call(Draw, File, Options).
+with_picture(World, Head, Goal) :-
+    findall(Option, view_option(Head, Option), Options),
+    in_state(World, shown, sg_port:looked_at(Options, Goal)).
 
-of_writing(Object) :-
-    Object.code == "wrote".
+:- public pictured/4.
+
+pictured(Options, Format, More, Octets) :-
+    looked_at(Options, sg_port:formatted(Format, Options, More, Octets)).
+
+:- meta_predicate looked_at(+, 0).
+
+looked_at(Options, Goal) :-
+    partition(of_eye, Options, Eye, Others),
+    maplist(eye_set, Eye),
+    segments_there(Others),
+    (   member(up(Axis), Others),
+        Axis \== z
+    ->  with_up(Axis, sg_port:picture_made(Others, Goal))
+    ;   picture_made(Others, Goal)
+    ).
+
+of_eye(view(_)).
+of_eye(view(_, _, _)).
+of_eye(projection(_)).
+
+eye_set(view(Name)) :-
+    set_view(Name).
+eye_set(view(Theta, Phi, Rho)) :-
+    set_view(Theta, Phi, Rho).
+eye_set(projection(Kind)) :-
+    set_projection(Kind).
+
+segments_there(Options) :-
+    (   member(segments(Ss), Options),
+        member(S, Ss),
+        \+ segment(S, _, _)
+    ->  findall(Known, segment(Known, _, _), All),
+        request_error(bad_key(segments, no_segment(S, All)))
+    ;   true
+    ).
+
+:- meta_predicate picture_made(+, 0).
+
+picture_made(Options, Goal) :-
+    picture(Options),
+    (   drawn(_, _, _, _, _, _, _)
+    ->  true
+    ;   print_message(informational, sanggwan(nothing_drawn))
+    ),
+    once(Goal).
+
+:- public formatted/4.
+
+formatted(strokes, Options, More, Octets) :-
+    !,
+    sheet_strokes(210-148, Options, sheet(Width,Height,_), Place, Strokes),
+    Place = place(Scale,X,Y,Left,Top),
+    strokes_body(Strokes, Looks, Count, Octets),
+    More = _{ sheet:[Width,Height], place:[Scale,X,Y,Left,Top],
+              looks:Looks, strokes:Count }.
+formatted(Format, Options, _{}, Octets) :-
+    drawing_format(Format, Type),
+    printed_octets(Type, sg_port:drawing_out(Format, Options), Octets).
+
+:- public drawing_out/3.
+
+drawing_out(Format, Options, Out) :-
+    write_drawing_stream(Format, Out, Options).
+
+%!  strokes_body(+Strokes, -Looks, -Count, -Octets) is det.
+%
+%   Octets are Strokes (stroke.pl) as stroke_octets/3 has them; Looks are their
+%   [Visibility, Role], Count is how many there are.
+
+strokes_body(Strokes, Looks, Count, Octets) :-
+    length(Strokes, Count),
+    findall(Look, ( member(Stroke, Strokes), stroke_look(Stroke, Look) ),
+            Looks0),
+    list_to_set(Looks0, Ranked),
+    stroke_octets(Ranked, Strokes, Octets),
+    maplist(look_json, Ranked, Looks).
+
+stroke_look(stroke(Visibility,Role,_,_,_,_,_), look(Visibility,Role,0)).
+
+look_json(look(Visibility,Role,_), [Visibility,Role]).
 
 view_format(Head, Format) :-
     (   get_dict(format, Head, Text)
-    ->  (   memberchk(Text, ["svg","json","pdf","png","dxf"])
+    ->  (   memberchk(Text, ["strokes","svg","json","pdf","png","dxf"])
         ->  atom_string(Format, Text)
         ;   request_error(bad_key(format, format))
         )
     ;   Format = svg
     ).
 
-%   view_option(Head, Option): of draw/2.
+%   view_option(Head, Option): of the view, of picture/1 and write_drawing/2.
 
 view_option(Head, Option) :-
     get_dict(view, Head, View),
     (   string(View)
     ->  atom_string(Name, View),
-        Option = view(Name)
+        (   named_view(Name, _, _)
+        ->  Option = view(Name)
+        ;   findall(Known, named_view(Known, _, _), All),
+            near_words(Name, All, Near),
+            request_error(bad_key(view, no_view(Name, Near, All)))
+        )
     ;   View = [Theta,Phi],
         number(Theta),
         number(Phi)
-    ->  Option = view(Theta, Phi)
+    ->  Option = view(Theta, Phi, 0)
     ;   View = [Theta,Phi,Rho],
         number(Theta),
         number(Phi),
-        number(Rho)
+        number(Rho),
+        Rho >= 0
     ->  Option = view(Theta, Phi, Rho)
     ;   request_error(bad_key(view, view))
     ).
@@ -105,12 +206,23 @@ view_option(Head, crease(Degrees)) :-
     ->  true
     ;   request_error(bad_key(crease, positive))
     ).
-view_option(Head, size(Size)) :-
-    get_dict(size, Head, Size0),
-    (   Size0 = [W,H],
+view_option(Head, Option) :-
+    member(Key, [scale,margin]),
+    get_dict(Key, Head, Number),
+    (   number(Number),
+        Number > 0,
+        Number < 1.0e9
+    ->  Option =.. [Key,Number]
+    ;   request_error(bad_key(Key, positive))
+    ).
+view_option(Head, size(W-H)) :-
+    get_dict(size, Head, Size),
+    (   Size = [W,H],
         number(W),
-        number(H)
-    ->  Size = W-H
+        number(H),
+        min(W, H) >= 0.001,
+        max(W, H) =< 100 000
+    ->  true
     ;   request_error(bad_key(size, size))
     ).
 view_option(Head, segments(Segments)) :-

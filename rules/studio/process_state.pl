@@ -1,5 +1,6 @@
 :- module(sg_process_state,
-          [ with_process_kept/3         % +Arguments, :Goal, -Kept
+          [ with_process_kept/3,        % +Arguments, :Goal, -Kept
+            runs_users_code/1           % +Arguments
           ]).
 :- use_module(library(gensym), [reset_gensym/0]).
 :- use_module(library(lists), [member/2]).
@@ -30,6 +31,10 @@ with_process_kept(Arguments, Goal, Kept) :-
     ;   once(Goal),
         Kept = true
     ).
+
+%!  runs_users_code(+Arguments) is semidet.
+%
+%   The verb with these Arguments runs a goal or a rule file of users.
 
 runs_users_code(Arguments) :-
     member(Argument, Arguments),
@@ -140,6 +145,7 @@ cache(sg_cli:told/1).
 cache(sg_cli:told_once/0).
 cache(sg_process_state:_).
 cache(sg_session:_).
+cache(sg_files_read:_).
 
 %   put_back(State): as far as it can be. What is then still another is found
 %   by comparing.

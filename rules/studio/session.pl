@@ -1,24 +1,33 @@
 :- module(sg_session,
-          [ session/3                   % :Run, :Draw, -Status
+          [ session/4                   % :Run, :Patterns, :Help, -Status
           ]).
+:- use_module('../decision', [decision/4]).
 :- use_module('../kernel', [reader_gone/1, stdio_apart/2]).
 :- use_module('../message/message_object', [message_object/3, objects_heard/2]).
-:- use_module('../penetration/penetration', [penetrate/2]).
-:- use_module('../picture/sew', [borders_sewn/1]).
+:- use_module('../output', [copied_to/3]).
+:- use_module('../pattern/fold_file', [write_fold/3]).
+:- use_module('../pattern/pattern_drawing', [pattern_drawing/3]).
+:- use_module('../progress', [with_progress_told/3]).
 :- use_module('../spelling', [near_words/3]).
-:- use_module('../store', [facts_snapshot/1, in_world/2]).
+:- use_module('../store', [in_world/2, segment/3]).
+:- use_module('../version', [version/1]).
 :- use_module(ask, [asked/3, asks_forgotten/0, next_answers/2]).
+:- use_module(line_change, [changed_lines/4]).
+:- use_module(complete, [completed/4]).
 :- use_module(document,
               [ document_changed/5, document_file/1, document_input/2,
-                document_opened/3,
-                document_revision/1, document_saved/2, document_text/2,
-                document_world/1
+                document_opened/3, document_revision/1, document_rules/2,
+                document_saved/2, document_text/1, document_tried/4,
+                document_world/1, trial_ended/1
               ]).
-:- use_module(job, [captured/2, verb_job/5]).
-:- use_module(port, [view_port/2, viewed/4]).
-:- use_module(protocol, [frame_read/4, frame_write/3, text_octets/2]).
+:- use_module(job, [captured/2, verb_job/5, worlds_collected/0]).
+:- use_module(port, [strokes_body/4, view_port/2, viewed/4]).
+:- use_module(protocol, [frame_read/4, frame_write/3, octets_text/2,
+                         text_octets/2]).
+:- use_module(select, [selected/3, selection_forgotten/0]).
+:- use_module(world_state, [in_state/3, made_once/4]).
 :- use_module(library(apply), [maplist/3]).
-:- use_module(library(lists), [append/3]).
+:- use_module(library(lists), [append/2, append/3, member/2, nth1/3]).
 /** <module> A session: frames in, frames out (docs/protocol.md).
 
 `sanggwan serve --stdio` is one process for one who asks: a studio, an editor, a
@@ -28,25 +37,30 @@ frames. There is no network in it.
 
 A second thread reads, so that `stop` is heard while the work goes on.
 
-All that does not change the document happens inside of one open snapshot of its
-world, in which it is cut once; a change ends the snapshot, and the next one is
-of the new revision.
+All that does not change the document is asked of its world in a snapshot, in
+the state that the request needs (world_state.pl), which is made once a
+revision.
 */
 
-:- meta_predicate session(2, 2, -).
+:- meta_predicate session(2, 3, :, -).
 
 % The sequence number of the request that is being done, and of the last `stop`
 % that came: what came before that is not done any more. newest(Port, Sequence):
 % of the last `view` that came for Port.
 :- dynamic under_way/1, stopped_before/1, newest/2.
 
-%!  session(:Run, :Draw, -Status) is det.
+%!  session(:Run, :Patterns, +Help, -Status) is det.
 %
 %   Serve standard input and output until the input ends; Status is the exit
 %   status. call(Run, Arguments, S) does a verb, as a command line would;
-%   call(Draw, File, Options) draws the current world.
+%   call(Patterns, Words, Ds, Options) makes the patterns of the current world,
+%   Ds, as `unfold` with the options Words would, and Options are those of
+%   pattern_drawing/3. Help is help(What, Names, Explain): call(What, Word)
+%   prints what Word is, call(Names, Kind, Word, Doc) is true of each Word that
+%   a user may call, and call(Explain, Arguments, S) explains, as the verb
+%   would, an item of the current world.
 
-session(Run, Draw, Status) :-
+session(Run, Patterns, _:Help, Status) :-
     retractall(under_way(_)),
     retractall(stopped_before(_)),
     retractall(newest(_, _)),
@@ -54,46 +68,27 @@ session(Run, Draw, Status) :-
     message_queue_create(Queue, [max_size(256)]),
     thread_self(Worker),
     thread_create(reading(In, Out, Worker, Queue, 1), _, [detached(true)]),
-    served(session(Run, Draw, Out, Queue), Status).
+    served(session(Run, Patterns, Help, Out), Queue, Status).
 
 session_run(session(Run, _, _, _), Run).
-session_draw(session(_, Draw, _, _), Draw).
-session_out(session(_, _, Out, _), Out).
+session_patterns(session(_, Patterns, _, _), Patterns).
+session_help(session(_, _, Help, _), Help).
+session_out(session(_, _, _, Out), Out).
 
-%   served(Session, Status): a snapshot for each revision.
+%   served(Session, Queue, Status): until the input ends, or nobody reads the
+%   replies.
 
-served(Session, Status) :-
-    document_world(World),
-    in_world(World, facts_snapshot(asked_in_snapshot(Session, Left))),
-    (   Left = status(Status0)
-    ->  Status = Status0
-    ;   Left = change(Request),
-        answered(Session, Request, Reply, Octets),
-        session_out(Session, Out),
-        (   sent(Out, Reply, Octets)
-        ->  served(Session, Status)
-        ;   Status = 141
-        )
-    ).
-
-%   asked_in_snapshot(Session, Left): answers until Left: status(Status), or
-%   change(Request) of the document.
-
-asked_in_snapshot(Session, Left) :-
-    Session = session(_, _, Out, Queue),
-    nb_setval(sg_session_derived, false),
+served(Session, Queue, Status) :-
+    session_out(Session, Out),
     repeat,
     thread_get_message(Queue, Message),
     (   Message == end
-    ->  Left = status(0)
-    ;   Message = request(_, Head, Body),
-        changes(Head, Body)
-    ->  Left = change(Message)
+    ->  Status = 0
     ;   answered(Session, Message, Reply, Octets),
         (   sent(Out, Reply, Octets)
         ->  get_dict(last, Reply, true),
-            Left = status(0)
-        ;   Left = status(141)
+            Status = 0
+        ;   Status = 141
         )
     ),
     !.
@@ -194,11 +189,51 @@ worked(Session, request(Sequence, Head, Body), Reply, Octets) :-
         asserta(under_way(Sequence)),
         ( (   is_stopped(Sequence)
           ->  throw(sanggwan_interrupt(int))
-          ;   done(Session, Sequence, Head, Body, Reply, Octets)
+          ;   with_progress_wanted(Session, Sequence, Head,
+                  done(Session, Sequence, Head, Body, Reply, Octets))
           ),
           not_stopped_now
         ),
         not_stopped_now).
+
+:- meta_predicate with_progress_wanted(+, +, +, 0).
+
+with_progress_wanted(Session, Sequence, Head, Goal) :-
+    (   is_dict(Head),
+        get_dict(progress, Head, true)
+    ->  session_out(Session, Out),
+        request_id(Head, Id),
+        with_progress_told(0.2, sg_session:progress_sent(Out, Sequence, Id),
+                           Goal)
+    ;   once(Goal)
+    ).
+
+:- public progress_sent/6.
+
+%   progress_sent(Out, Sequence, Id, Stage, Part, Seconds): a frame, while the
+%   request is under way.
+
+progress_sent(Out, Sequence, Id, Stage, Part, Seconds) :-
+    (   under_way(Sequence)
+    ->  (   Part = Done/Total
+        ->  true
+        ;   Done = null,
+            Total = null
+        ),
+        document_revision(Revision),
+        sent_or_not(Out, _{ id:Id, rev:Revision,
+                            progress:_{ stage:Stage, done:Done, total:Total,
+                                        seconds:Seconds } })
+    ;   true
+    ).
+
+%   Who reads no more is noticed at the reply.
+
+sent_or_not(Out, Head) :-
+    (   sent(Out, Head, "")
+    ->  true
+    ;   true
+    ).
 
 not_stopped_now :-
     retractall(under_way(_)).
@@ -241,19 +276,31 @@ done(_, _, Head, _, _, _) :-
     !,
     throw(Head).
 done(Session, Sequence, Head, Body, Reply, Octets) :-
+    right_id(Head),
     (   get_dict(do, Head, Do),
         string(Do)
     ->  atom_string(Request, Do),
-        (   offered(Request)
+        (   request(Request, Needs, Handler)
         ->  right_revision(Head),
-            reply(Request, request(Sequence, Head, Body), Session, Reply0,
-                  Octets),
+            there(Needs),
+            captured(call(Handler, request(Sequence, Head, Body), Session,
+                          Reply0, Octets),
+                     _),
             Reply = Reply0.put(do, Do)
-        ;   findall(Known, offered(Known), All),
+        ;   findall(Known, request(Known, _, _), All),
             near_words(Request, All, Near),
             request_error(unknown_do(Request, Near, All))
         )
     ;   request_error(bad_key(do, request))
+    ).
+
+right_id(Head) :-
+    (   get_dict(id, Head, Id),
+        Id \== null,
+        \+ integer(Id),
+        \+ string(Id)
+    ->  request_error(bad_key(id, id))
+    ;   true
     ).
 
 request_error(What) :-
@@ -271,80 +318,162 @@ right_revision(Head) :-
     ;   true
     ).
 
-%   offered(Request): what a session does, in the order of docs/protocol.md.
-
-offered(Request) :-
-    clause(reply(Request, _, _, _, _), _).
-
-%   changes(Head, Body): the document, so no snapshot of it may be open.
-
-changes(Head, Body) :-
-    is_dict(Head),
-    get_dict(do, Head, Do),
-    (   memberchk(Do, ["open","edit","undo","redo"])
-    ->  true
-    ;   Do == "text",
-        Body \== ""
+there(nothing).
+there(document) :-
+    (   document_revision(0)
+    ->  request_error(no_document)
+    ;   true
     ).
 
-%   reply(Request, request(Sequence, Head, Body), Session, Reply, Octets)
+%   request(Do, Needs, Handler): what a session does, in the order of
+%   docs/protocol.md; Needs is `nothing` or `document`. call(Handler,
+%   request(Sequence, Head, Body), Session, Reply, Octets) does it.
 
-reply(hello, _, _, Reply, "") :-
-    findall(Request, offered(Request), Offered),
+request(hello,    nothing,  greeted).
+request(run,      nothing,  run).
+request(stop,     nothing,  stopped).
+request(help,     nothing,  helped).
+request(complete, nothing,  words_completed).
+request(open,     nothing,  opened).
+request(view,     document, seen).
+request(ask,      document, answers).
+request(next,     nothing,  more_answers).
+request(explain,  document, explained).
+request(export,   document, exported).
+request(select,   document, pointed_at).
+request(unfold,   document, unfolded).
+request(fold,     document, folded).
+request(edit,     document, changed(edit)).
+request(cut,      document, changed(cut)).
+request(text,     document, text).
+request(undo,     document, changed(undo)).
+request(redo,     document, changed(redo)).
+request(rules,    document, rules).
+request(save,     document, saved).
+
+greeted(_, _, Reply, "") :-
+    findall(Request, request(Request, _, _), Offered),
     current_prolog_flag(pid, Pid),
-    Reply = _{protocol:1, program:"sanggwan", pid:Pid, offered:Offered}.
-reply(run, request(_, Head, Body), Session, Reply, Octets) :-
+    version(Version),
+    Reply = _{ protocol:1, program:"sanggwan", version:Version, pid:Pid,
+               offered:Offered }.
+
+run(request(_, Head, Body), Session, Reply, Octets) :-
     session_run(Session, Run),
     verb_job(Run, Head, Body, Reply, Octets).
-reply(stop, _, _, _{}, "").
-reply(open, request(_, Head, _), _, Reply, "") :-
-    captured(document_opened(Head, Reply, Commit), _),
-    committed(Commit),
-    asks_forgotten.
-reply(edit, Request, _, Reply, "") :-
-    changed(edit, Request, Reply).
-reply(undo, Request, _, Reply, "") :-
-    changed(undo, Request, Reply).
-reply(redo, Request, _, Reply, "") :-
-    changed(redo, Request, Reply).
-reply(text, Request, _, Reply, Octets) :-
-    Request = request(_, _, Body),
-    (   Body == ""
-    ->  document_text(Text, Reply),
-        text_octets(Text, Octets)
-    ;   changed(text, Request, Reply),
+
+stopped(_, _, _{}, "").
+
+%   helped: the list of requests, or what one word is.
+
+helped(request(_, Head, _), Session, Reply, Octets) :-
+    (   get_dict(of, Head, Word)
+    ->  (   string(Word)
+        ->  true
+        ;   request_error(bad_key(of, word))
+        ),
+        session_help(Session, help(What, _, _)),
+        captured(objects_heard(call(What, Word), Objects), Octets),
+        Reply = _{messages:Objects}
+    ;   findall(_{do:Do, needs:Needs, words:Words},
+                ( request(Do, Needs, _), request_words(Do, Words) ),
+                Requests),
+        Reply = _{requests:Requests},
         Octets = ""
     ).
-reply(save, request(_, Head, _), _, Reply, "") :-
-    committed(document_saved(Head, Reply)).
-reply(view, request(Sequence, Head, _), Session, Reply, Octets) :-
-    a_document,
+
+request_words(Do, Words) :-
+    message_object(informational, sanggwan(request(Do)), Object),
+    Words = Object.words.
+
+words_completed(request(_, Head, _), Session, Reply, "") :-
+    (   document_revision(0)
+    ->  World = none
+    ;   document_world(World)
+    ),
+    session_help(Session, help(_, Names, _)),
+    completed(World, sg_session:callable_word(Names), Head, Reply).
+
+:- public callable_word/4.
+
+callable_word(_, "request", Name, Doc) :-
+    request(Do, _, _),
+    atom_string(Do, Name),
+    request_words(Do, Words),
+    Doc = Words.en.
+callable_word(Names, Kind, Name, Doc) :-
+    call(Names, Kind, Name, Doc).
+
+opened(request(_, Head, _), _, Reply, "") :-
+    document_opened(Head, Reply, Commit),
+    committed(Commit),
+    selection_forgotten,
+    moved_on.
+
+%   moved_on: the document is another one now.
+
+moved_on :-
+    asks_forgotten,
+    worlds_collected.
+
+seen(request(Sequence, Head, _), _, Reply, Octets) :-
     view_port(Head, Port),
     (   newest(Port, Newest),
         Newest > Sequence
     ->  Reply = _{replaced:true},
         Octets = ""
-    ;   session_draw(Session, Draw),
-        derived,
-        viewed(Draw, Head, Reply, Octets)
+    ;   document_world(World),
+        viewed(World, Head, Reply, Octets)
     ).
-reply(ask, request(_, Head, _), _, Reply, Octets) :-
-    a_document,
-    derived,
+
+answers(request(_, Head, _), _, Reply, Octets) :-
     request_id(Head, Id),
-    captured(objects_heard(asked(Head, Id, Reply0), Objects), Octets),
+    document_world(World),
+    captured(objects_heard(in_state(World, cut, asked(Head, Id, Reply0)),
+                           Objects),
+             Octets),
     Reply = Reply0.put(messages, Objects).
-reply(next, request(_, Head, _), _, Reply, "") :-
+
+more_answers(request(_, Head, _), _, Reply, "") :-
     next_answers(Head, Reply).
-reply(explain, request(_, Head, _), Session, Reply, Octets) :-
+
+%   explained: in the world of the document, if no option is about loading it.
+
+explained(request(_, Head, _), Session, Reply, Octets) :-
     (   get_dict(item, Head, Item),
         string(Item)
     ->  true
     ;   request_error(bad_key(item, item))
     ),
     options(Head, Options),
-    of_the_document(Session, [explain], [Item|Options], Head, Reply, Octets).
-reply(export, request(_, Head, _), Session, Reply, Octets) :-
+    (   maplist(of_looking, Options)
+    ->  session_help(Session, help(_, _, Explain)),
+        document_world(World),
+        verb_job(sg_session:explained_there(World, Explain),
+                 Head.put(argv, [Item|Options]), "", Reply, Octets)
+    ;   of_the_document(Session, [explain], [Item|Options], Head, Reply,
+                        Octets)
+    ).
+
+:- public explained_there/4.
+
+explained_there(World, Explain, Arguments, Status) :-
+    in_state(World, loaded, call(Explain, Arguments, Status)).
+
+%   of_looking(Word): a word of an option that says how the model is seen, or
+%   how the answer is written.
+
+of_looking(Word) :-
+    string(Word),
+    (   string_concat("-", _, Word),
+        \+ number_string(_, Word)
+    ->  split_string(Word, "=", "", [Name|_]),
+        memberchk(Name, [ "--view","--eye","--target","--projection","--lines",
+                          "--crease","--up","--json","--no-json" ])
+    ;   true
+    ).
+
+exported(request(_, Head, _), Session, Reply, Octets) :-
     (   get_dict(argv, Head, [Verb|Options]),
         string(Verb)
     ->  true
@@ -352,16 +481,151 @@ reply(export, request(_, Head, _), Session, Reply, Octets) :-
     ),
     of_the_document(Session, [Verb], Options, Head, Reply, Octets).
 
-changed(Request, request(_, Head, Body), Reply) :-
-    captured(document_changed(Request, Head, Body, Reply, Commit), _),
-    committed(Commit),
-    asks_forgotten.
+pointed_at(request(_, Head, _), _, Reply, "") :-
+    document_world(World),
+    selected(World, Head, Reply).
 
-a_document :-
-    (   document_revision(0)
-    ->  request_error(no_document)
-    ;   true
+%   unfolded: the patterns as strokes, one sheet of them.
+
+unfolded(request(_, Head, _), Session, Reply, Octets) :-
+    sheet_wanted(Head, Sheet),
+    patterns(Session, Head, unfold(Sheet),
+             sg_session:pattern_sheet(Sheet, Reply0, Octets0),
+             Reply0-Octets0, Reply1-Octets, Objects),
+    Reply = Reply1.put(messages, Objects).
+
+sheet_wanted(Head, Sheet) :-
+    (   get_dict(sheet, Head, Sheet)
+    ->  (   integer(Sheet),
+            Sheet > 0
+        ->  true
+        ;   request_error(bad_key(sheet, sheet(1)))
+        )
+    ;   Sheet = 1
     ).
+
+:- public pattern_sheet/5, fold_octets/3.
+
+pattern_sheet(Sheet, Reply, Octets, Ds, Options) :-
+    pattern_drawing(Ds, Options, Drawings),
+    length(Drawings, Sheets),
+    (   nth1(Sheet, Drawings, drawing(sheet(Width,Height,_), Views))
+    ->  true
+    ;   request_error(bad_key(sheet, sheet(Sheets)))
+    ),
+    findall(Stroke, ( member(view(_, Strokes, _), Views),
+                      member(Stroke, Strokes) ),
+            All),
+    findall([X,Y,High,Anchor,Said],
+            ( member(view(_, _, Texts), Views),
+              member(text(X,Y,High,Anchor,Said), Texts) ),
+            Written),
+    strokes_body(All, Looks, Count, Octets),
+    findall(_{pattern:D, of:T}, ( member(D, Ds), pattern_title(D, T) ),
+            Patterns),
+    Reply = _{ kind:"strokes", sheets:Sheets, sheet:[Width,Height],
+               looks:Looks, strokes:Count, texts:Written,
+               patterns:Patterns }.
+
+pattern_title(D, Title) :-
+    segment(D, _, Term),
+    format(string(Title), "~W", [Term, [quoted(true), max_depth(12)]]).
+
+%   folded: what can be folded, as FOLD.
+
+folded(request(_, Head, _), Session, _{kind:"fold", messages:Objects},
+       Octets) :-
+    patterns(Session, Head, fold, sg_session:fold_octets(Octets0), Octets0,
+             Octets, Objects).
+
+fold_octets(Octets, Ds, Options) :-
+    captured(copied_to(-, fold, sg_session:fold_written(Ds, Options)), Octets).
+
+:- public fold_written/3.
+
+fold_written(Ds, Options, File) :-
+    write_fold(File, Ds, Options).
+
+%   patterns(Session, Head, What, Goal, Made, Value, Objects): Value is what
+%   Made becomes by call(Goal, Ds, Options), of the patterns that Head asks
+%   for; Objects are the messages. It is done once a revision.
+
+:- meta_predicate patterns(+, +, +, 2, ?, -, -).
+
+patterns(Session, Head, What, Goal, Made, Value, Objects) :-
+    options(Head, Words0),
+    (   get_dict(segment, Head, S)
+    ->  (   integer(S),
+            S > 0
+        ->  number_string(S, Only),
+            append(["--only",Only], Words0, Words)
+        ;   request_error(bad_key(segment, segment))
+        )
+    ;   Words = Words0
+    ),
+    session_patterns(Session, Patterns),
+    document_world(World),
+    made_once(World, made(What, Words),
+              objects_heard(in_state(World, loaded,
+                                     ( call(Patterns, Words, Ds, Options),
+                                       call(Goal, Ds, Options) )),
+                            Objects0),
+              Made-Objects0),
+    made_once(World, made(What, Words), true, Value-Objects).
+
+changed(Request, request(_, Head, Body), _, Reply, "") :-
+    document_changed(Request, Head, Body, Reply, Commit),
+    committed(Commit),
+    moved_on.
+
+text(Request, Session, Reply, Octets) :-
+    Request = request(_, _, Body),
+    (   Body == ""
+    ->  document_text(Text),
+        text_octets(Text, Octets),
+        Reply = _{}
+    ;   changed(text, Request, Session, Reply, Octets)
+    ).
+
+saved(request(_, Head, _), _, Reply, "") :-
+    committed(document_saved(Head, Reply)).
+
+%   rules: the list of decisions; or rules are tried, kept, or discarded.
+
+rules(Request, Session, Reply, Octets) :-
+    Request = request(_, Head, Body),
+    (   get_dict(keep, Head, Keep)
+    ->  (   Keep == true
+        ->  changed(rules, Request, Session, Reply, Octets)
+        ;   Keep == false
+        ->  trial_ended(Commit),
+            committed(Commit),
+            moved_on,
+            rules_told(Reply, Octets)
+        ;   request_error(bad_key(keep, boolean))
+        )
+    ;   ( Body \== "" ; get_dict(try, Head, true) )
+    ->  octets_text(Body, Rules),
+        objects_heard(( document_tried(Head, Rules, Before-After, Commit),
+                        changed_lines(Before, After, Head, Reply0) ),
+                      Objects),
+        committed(Commit),
+        moved_on,
+        Reply = Reply0.put(_{tried:true, messages:Objects}),
+        Octets = ""
+    ;   rules_told(Reply, Octets)
+    ).
+
+rules_told(_{decisions:Decisions, tried:Tried}, Octets) :-
+    document_rules(Rules, Tried),
+    document_world(World),
+    in_world(World,
+             findall(_{decision:Name, doc:Doc, by:By},
+                     ( decision(PI, Doc, _, By0),
+                       format(string(Name), "~w", [PI]),
+                       atom_string(By0, By) ),
+                     Decisions)),
+    text_octets(Rules, Octets).
 
 options(Head, Options) :-
     (   get_dict(options, Head, Options0)
@@ -373,33 +637,34 @@ options(Head, Options) :-
     ).
 
 %   of_the_document(Session, Before, After, Head, Reply, Octets): a verb of the
-%   command line, with the document as its model.
+%   command line, with the document as its model, by its rules.
 
 of_the_document(Session, Before, After, Head, Reply, Octets) :-
-    (   document_input(File, Text)
-    ->  true
-    ;   request_error(no_document)
-    ),
-    atom_string(File, Name),
-    append(Before, [Name|After], Words0),
-    maplist(word_text, Words0, Words),
-    session_run(Session, Run),
-    text_octets(Text, Body),
-    verb_job(Run, Head.put(argv, Words), Body, Reply, Octets).
+    document_input(File, Text),
+    document_rules(Rules, _),
+    setup_call_cleanup(
+        rules_file(Rules, RulesFile, Options),
+        ( append([Before,Options,[File|After]], Words0),
+          maplist(word_text, Words0, Words),
+          session_run(Session, Run),
+          text_octets(Text, Body),
+          verb_job(Run, Head.put(argv, Words), Body, Reply, Octets)
+        ),
+        rules_file_gone(RulesFile)).
+
+rules_file("", none, []) :-
+    !.
+rules_file(Rules, File, ['--rules',File]) :-
+    tmp_file_stream(File, Out, [encoding(utf8), extension(pl)]),
+    call_cleanup(format(Out, "~s", [Rules]), close(Out)).
+
+rules_file_gone(none) :-
+    !.
+rules_file_gone(File) :-
+    catch(delete_file(File), error(_, _), true).
 
 word_text(Word, Text) :-
     (   atom(Word)
     ->  atom_string(Word, Text)
     ;   Text = Word
-    ).
-
-%   derived: patches are sewn and segments cut, once a revision, in the snapshot
-%   that is open.
-
-derived :-
-    (   nb_getval(sg_session_derived, true)
-    ->  true
-    ;   captured(( borders_sewn(_),
-                   penetrate(all, [themselves(true)]) ), _),
-        nb_setval(sg_session_derived, true)
     ).

@@ -1,9 +1,12 @@
 :- module(sg_text_edit,
           [ number_place/5,             % +Text, +Which, -From, -To, -Number
-            number_replaced/5           % +Text, +From, +To, +Number, -New
+            text_replaced/5,            % +Text, +From, +To, +With, -New
+            wish_place/6                % +Text, +Wish, -From, -To, -With,
+                                        % -Fact
           ]).
+:- use_module('../limits', [term_of_text/3]).
 :- use_module(library(lists), [nth1/3]).
-/** <module> A number of a model, and where it stands in the text of the model.
+/** <module> Numbers and wishes of a model, and where they stand in its text.
 
 The text of a model file is the truth: who changes a size changes the number
 there, and comments and layout stay.
@@ -77,19 +80,106 @@ at_path([I|Path], Term, Position, Found, Where) :-
     !,
     at_path(Path, Inner, InnerPosition, Found, Where).
 
-%!  number_replaced(+Text, +From, +To, +Number, -New:string) is det.
+%!  text_replaced(+Text, +From, +To, +With, -New:string) is det.
 %
-%   New is Text with Number in the place of the characters behind From up to To.
+%   New is Text with With, a number or a text, in the place of the characters
+%   behind From up to To.
 
-number_replaced(Text, From, To, Number, New) :-
+text_replaced(Text, From, To, With, New) :-
     sub_string(Text, 0, From, _, Before),
     sub_string(Text, To, _, 0, After),
-    format(string(Digits), "~w", [Number]),
-    (   Number < 0,
+    format(string(Written), "~w", [With]),
+    (   number(With),
+        With < 0,
         sub_string(Before, _, 1, 0, Last),
         string_code(1, Last, Code),
         code_type(Code, prolog_symbol)
     ->  Space = " "
     ;   Space = ""
     ),
-    atomics_to_string([Before,Space,Digits,After], New).
+    atomics_to_string([Before,Space,Written,After], New).
+
+%!  wish_place(+Text, +Wish, -From:integer, -To:integer, -With, -Fact) is det.
+%
+%   With in the place of the characters of Text behind From up to To makes Text
+%   say what Wish is: wish(S, Name, Edge), Name `cut`, `keep`, or `none`. Edge
+%   is a number, or the text of a name (polygon_name.pl). Fact is the text of
+%   the fact that is there then, "" if there is none.
+%
+%   @error request_error(edit(Why)): no_edge(Text), no_wish(S, Edge)
+
+wish_place(Text, wish(S, Name, Edge0), From, To, With, Fact) :-
+    edge_term(Edge0, Edge),
+    (   Name == none
+    ->  Fact = ""
+    ;   Wished =.. [Name,Edge],
+        format(string(Fact), "~W",
+               [ unfolding(S, Wished),
+                 [quoted(true), spacing(next_argument), numbervars(false)] ])
+    ),
+    (   setup_call_cleanup(
+            open_string(Text, In),
+            wish_read(In, S, Edge, Start, End, Behind),
+            close(In))
+    ->  From = Start,
+        (   Name == none
+        ->  behind_stop(Text, Behind, To)
+        ;   To = End
+        ),
+        With = Fact
+    ;   Name == none
+    ->  edit_error(no_wish(S, Edge))
+    ;   string_length(Text, From),
+        To = From,
+        (   ( From =:= 0 ; sub_string(Text, _, 1, 0, "\n") )
+        ->  Before = ""
+        ;   Before = "\n"
+        ),
+        atomics_to_string([Before,Fact,".\n"], With)
+    ).
+
+edge_term(Edge, Edge) :-
+    integer(Edge),
+    !.
+edge_term(Text, Edge) :-
+    (   catch(term_of_text(Text, Edge0,
+                           [ module(sg_model_syntax), cycles(false),
+                             dotlists(false) ]),
+              error(_, _), fail),
+        ground(Edge0)
+    ->  Edge = Edge0
+    ;   edit_error(no_edge(Text))
+    ).
+
+%   wish_read(In, S, Edge, From, To, Behind) is semidet: the fact that says
+%   whether Edge of S is cut, and where its full stop has been read.
+
+wish_read(In, S, Edge, From, To, Behind) :-
+    read_term(In, Term, [ module(sg_model_syntax), cycles(false),
+                          dotlists(false), var_prefix(false),
+                          subterm_positions(Position) ]),
+    Term \== end_of_file,
+    (   nonvar(Term),
+        Term = unfolding(S0, Wish),
+        S0 == S,
+        ( Wish == cut(Edge) ; Wish == keep(Edge) )
+    ->  arg(1, Position, From),
+        arg(2, Position, To),
+        character_count(In, Behind)
+    ;   wish_read(In, S, Edge, From, To, Behind)
+    ).
+
+%   behind_stop(Text, Behind, To): the line ends with the fact, if nothing else
+%   follows on it.
+
+behind_stop(Text, Behind0, To) :-
+    Last is Behind0-1,
+    sub_string(Text, Last, 1, _, Char),
+    (   Char == "."
+    ->  Behind = Behind0
+    ;   Behind = Last
+    ),
+    (   sub_string(Text, Behind, 1, _, "\n")
+    ->  To is Behind+1
+    ;   To = Behind
+    ).

@@ -63,7 +63,7 @@ against each other.
 %     - tolerance(T)
 %     What is nearer than T is in one place. Default: model_tolerance/1.
 %
-%     - thickness(T), size(Which), bend_radius(R), k_factor(K)
+%     - thickness(T), size(Which), bend_radius(R), k_factor(K), relief(Which)
 %     Of the plate that is folded: see pattern_bent/2.
 %
 %   The facts may say these too (unfold_how.pl), of S. Others go to develop/3,

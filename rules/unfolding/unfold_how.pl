@@ -15,7 +15,7 @@ Wish is one of
 
     true_lengths             what is round is unrolled (option true(true))
     trim(Side), set_in(Bool), other_thickness(T)
-    thickness(T), size(Which), k_factor(K), bend_radius(R)
+    thickness(T), size(Which), k_factor(K), bend_radius(R), relief(Which)
     seam(Degrees), generators(N), half(Bool)
 
 with the meaning of the options of true_patterns/4 and unfold/3. An option that
@@ -31,6 +31,8 @@ how_row(size, oneof([inside,middle,outside]), thickness,
         'size(inside), size(middle) or size(outside)').
 how_row(k_factor, part, thickness, 'k_factor(K), K from 0 to 1').
 how_row(bend_radius, size, thickness, 'bend_radius(R), R from 0').
+how_row(relief, oneof([square,round,none]), thickness,
+        'relief(square), relief(round) or relief(none)').
 how_row(set_in, oneof([true,false]), trim, 'set_in(true)').
 how_row(other_thickness, size, trim, 'other_thickness(T), T from 0').
 how_row(seam, number, true_lengths, 'seam(Degrees)').

@@ -25,6 +25,7 @@
                 shifted_facet/3
               ]).
 :- use_module(true_spike, [spikes_cut/3]).
+:- use_module(true_sweep, [facets_swept/6]).
 :- use_module(true_tip, [tips_moved/4]).
 :- use_module(library(apply), [foldl/4, foldl/5, foldl/6, maplist/3]).
 :- use_module(library(error), [must_be/2]).
@@ -145,12 +146,15 @@ unrolled(S, Part, Options,
     ;   Bends = smooth
     ),
     facets_sense(Facets0, Shape0, Sense),
-    tips_moved(Facets0, Facets3, Shape0, Shape3),
-    rims_kept(Facets3, Facets4, Shape3, Shape2),
-    spikes_cut(Facets4, Shape2, Facets5),
-    plate_layer(Options, Layer),
-    apex_opened(Facets5, Layer, Facets6, Shape2, Shape4),
-    facets_as_drawn(S, Facets6, Shape4, Facets2),
+    (   facets_swept(S, Part, Sense, Shape0, Facets2, Shape4)
+    ->  true
+    ;   tips_moved(Facets0, Facets3, Shape0, Shape3),
+        rims_kept(Facets3, Facets4, Shape3, Shape2),
+        spikes_cut(Facets4, Shape2, Facets5),
+        plate_layer(Options, Layer),
+        apex_opened(Facets5, Layer, Facets6, Shape2, Shape4),
+        facets_as_drawn(S, Facets6, Shape4, Facets2)
+    ),
     seam(Facets2, Shape4, Sense, Options, Seam, Around),
     opened(Facets2, S-Part, Seam, Sense, Facets1, Shape4, Shape1),
     half_of(Facets1, S-Part, Seam, Around, Sense, Options, Facets,
@@ -214,7 +218,7 @@ turn_place(T, Place) :-
     Place is round(T*1.0e6) mod 360000000.
 
 %   shortest_generator(Facets, Starts, Shape, Sense, Seam): of those that no
-%   hole interrupts, if there are such; of equally short ones, but for rounding,
+%   hole interrupts, if there are such; of equally short ones up to rounding,
 %   the first.
 
 shortest_generator(Facets, Starts, Shape, Sense, Seam) :-
@@ -350,7 +354,7 @@ generator_number(I0, N, Around, I) :-
     ;   I is I0+1
     ).
 
-%   apart(Ts0, Ts): in order, each once but for rounding.
+%   apart(Ts0, Ts): in order, each once up to rounding.
 
 apart(Ts0, Ts) :-
     sort(Ts0, Ts1),

@@ -11,6 +11,7 @@
 :- use_module('../kernel', [surface_place/4, surfaces_meet/4]).
 :- use_module('../primitive/primitive_face', [surface_point/4]).
 :- use_module(true_part_loop, [facet_parted/3]).
+:- use_module(true_pipe, [pipe_crossing/5]).
 :- use_module(true_shape, [edge_curve/4, key_place/4]).
 :- use_module(true_surface, [generator_plane/3]).
 :- use_module(library(apply), [maplist/3]).
@@ -120,6 +121,9 @@ crossing_node(Shape, Curve, K1, K2, T, node(T, H, Point, Surfaces)) :-
         generator_plane(Surface, T, Plane),
         surfaces_meet([Surface,Other,Plane], Reach, Point0, Point)
     ->  surface_place(Surface, Point, _, H)
+    ;   Curve = meets(Other),
+        pipe_crossing(Surface, Other, T, H0, H)
+    ->  surface_point(Surface, T, H, Point)
     ;   Point = Point0,
         H = H0
     ).

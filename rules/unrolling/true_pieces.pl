@@ -147,7 +147,7 @@ piece_facets(piece(_, _, _, _, Facets, _, _), Facets).
 
 %!  on_border(+Borders, +G) is semidet.
 %
-%   G is one of the directions Borders, all but for rounding.
+%   G is one of the directions Borders, up to rounding.
 
 on_border(Borders, G) :-
     member(Border, Borders),

@@ -531,8 +531,11 @@ met_by_both(shape(Surface, Reach, Nodes), k(A,_), k(B,_), Met) :-
     findall(Off-Other,
             ( member(Other, Surfaces1),
               memberchk(Other, Surfaces2),
-              surfaces_meet([Surface,Other], Reach, Middle, Point),
-              distance(Middle, Point, Off) ),
+              (   surfaces_meet([Surface,Other], Reach, Middle, Point)
+              ->  distance(Middle, Point, Off)
+              ;   A = swept(_, _),      % true_sweep.pl: that is known
+                  Off = Reach
+              ) ),
             Mets),
     keysort(Mets, [_-Met|_]).
 

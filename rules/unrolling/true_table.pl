@@ -7,7 +7,7 @@
             true_length_marks/4,        % +D, +Options, -Marks, -Size
             row_height/2                % +Height, -Row
           ]).
-:- use_module('../language', [language/1]).
+:- use_module('../language', [result_language/1]).
 :- use_module('../sheet/lettering', [lettering_width/3]).
 :- use_module('../output', [writing/3]).
 :- use_module('../store', [e/5, origin/3, segment/3, v/5]).
@@ -115,7 +115,7 @@ distance(X1-Y1, X2-Y2, D) :-
 %!  true_length_columns(+D, +Unit, -Columns) is det.
 %
 %   Columns is the list of the names of the columns of the table, with units, in
-%   the language of people (language/1); Unit is that of the model.
+%   the language of results (result_language/1); Unit is that of the model.
 
 true_length_columns(D, Unit, Columns) :-
     pattern_kind(D, Kind),
@@ -123,7 +123,7 @@ true_length_columns(D, Unit, Columns) :-
     append([[number-none,parameter-degrees], Places,
             [length-unit,step_from-unit,step_to-unit,diagonal-unit]],
            Names),
-    language(Language),
+    result_language(Language),
     maplist(column_name(Language, Unit), Names, Columns).
 
 %   pattern_kind(D, Kind): of which surface D is.

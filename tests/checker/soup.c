@@ -103,7 +103,7 @@ distance(const double *p, const double *a, const double *c)
 }
 
 /* How near the other corners come to the edge that cutting off corner i leaves:
- * one that goes through a corner but for rounding would fold the polygon. */
+ * one that goes through a corner up to rounding would fold the polygon. */
 static double
 clearance(const soup *s, const int *loop, int n, int i)
 {

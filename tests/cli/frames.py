@@ -8,7 +8,7 @@ import struct
 import subprocess
 import sys
 
-DIFFERS = ("seconds", "cpu", "rss_kb", "pid", "ms")
+DIFFERS = ("seconds", "cpu", "rss_kb", "pid", "ms", "version")
 
 
 def octets_of(line):

@@ -75,4 +75,4 @@ write('large.csg', 'cube(size=[1,1,1],center=true);*group() {\n'
                 '[0, 0, 0, 1]]) {\n\tcube(size = [1, 2, 3], center = false);'
                 '\n}\n' % (i, i / 7) for i in range(15000)) + '}\n')
 write('nodes.flat.pl', 'segment(1,solid,union(['
-      + ','.join(['box(size(1,1,1))'] * 150000) + '])).\n')
+      + ','.join(['box(size(1,1,1))'] * 105000) + '])).\n')

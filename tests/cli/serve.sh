@@ -1,5 +1,6 @@
 #!/bin/bash
 # serve.sh -- sessions: serve.py asks one all there is, and what goes wrong;
+# serve_studio.py asks what a studio would;
 # serve_document.py has its document, killed SERVE_KILLS times; serve_same.py has
 # verbs in random order, for SERVE_SECONDS more. serve_fuzz.py
 # sends SERVE_FRAMES random frames. SERVE_SEED is of all.
@@ -29,9 +30,10 @@ asked() {
   passed=$((passed + ${more:-0})) failed=$((failed + ${less:-1}))
 }
 
-mkdir "$work/one" "$work/document" "$work/same" "$work/fuzz"
+mkdir "$work/one" "$work/document" "$work/studio" "$work/same" "$work/fuzz"
 asked serve.py "$work/one"
 asked serve_document.py "$work/document"
+asked serve_studio.py "$work/studio"
 asked serve_same.py "$work/same" "${SERVE_SECONDS:-0}" "${SERVE_SEED:-1}"
 asked serve_fuzz.py "$work/fuzz" "${SERVE_FRAMES:-1500}" "${SERVE_SEED:-1}"
 finish

@@ -26,20 +26,25 @@ with open(MODEL, "wb") as f:
     f.write(TEXT)
 
 DO = ("hello", "run", "stop", "open", "edit", "undo", "redo", "text", "view",
-      "ask", "next", "explain", "export", "fly", "", None, 7)
+      "ask", "next", "explain", "export", "help", "complete", "select",
+      "unfold", "fold", "cut", "rules", "save", "fly", "", None, 7)
 KEYS = ("argv", "cwd", "lang", "memory_mb", "cpu_s", "file", "journal",
         "replay", "view", "format", "port", "size", "segments", "goal",
-        "owner", "of", "item", "options", "set", "at", "id", "do", "progress")
+        "owner", "of", "item", "options", "set", "at", "id", "do", "progress",
+        "names", "text", "segment", "edge", "keep", "sheet", "try", "scale",
+        "projection", "up")
 VALUES = (None, True, False, 0, 1, -1, 1.5, 1e300, 2 ** 70, "", "x", "en",
           "ko", "\0", "\u202e\uffff", "상관", [], [1], ["check"],
           ["check", "facts/cube.pl"], ["draw", "facts/cube.pl"], {}, {"a": 1},
           [[[[]]]], MODEL, "facts/cube.pl", "/", "line(1)", "v(1,V,X,Y,Z)",
           "X = f(X)", "a :- b", "'", "isometric", [30, 60], "svg",
           {"segment": 1, "path": [1, 1], "value": 2},
-          {"segment": 1, "path": [3, 1], "value": -1})
+          {"segment": 1, "path": [3, 1], "value": -1}, ["s1e7", "l1", "s2"],
+          "strokes", "base-side(3)", "line/9", "central")
 USUAL = {"argv": ["check", "facts/cube.pl"], "file": MODEL, "goal": "v(1,V,X,Y,Z)",
          "item": "line(1)", "of": 1, "view": "isometric",
-         "set": {"segment": 1, "path": [1, 1], "value": 2}}
+         "set": {"segment": 1, "path": [1, 1], "value": 2},
+         "names": ["s1e7"], "text": "li", "segment": 1, "edge": 3}
 
 
 def request():
@@ -91,6 +96,8 @@ while sent < frames:
     feeder.start()
     for i, frame in enumerate(some):
         head, _ = session.reply()
+        while head and "progress" in head:
+            head, _ = session.reply()
         sent += 1
         if head is None:
             check("a reply to %r" % frame[:300], False,

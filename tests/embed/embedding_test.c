@@ -438,6 +438,10 @@ test_threads(void)
   sanggwan_close(shared);
 }
 
+/* A word that was left on a stack of Prolog may name a closed world, which its
+ * collector then keeps: a few at most, however many there were. */
+enum { CLOSED = 100, STALE = 8 };
+
 static void
 test_closing(void)
 {
@@ -449,7 +453,7 @@ test_closing(void)
   CHECK("worlds that there are",
         sanggwan_next(q) == SANGGWAN_DONE && sanggwan_int(q, 0, &before));
   sanggwan_query_close(q);
-  for (int i = 0; i < 10; i++) {
+  for (int i = 0; i < CLOSED; i++) {
     sanggwan_world *other = sanggwan_open();
     sanggwan_query *left;
     sanggwan_load(other, "facts/cube.pl");
@@ -458,9 +462,9 @@ test_closing(void)
     sanggwan_close(other);
   }
   q = sanggwan_ask(world, count);
-  CHECK("a closed world is gone at once, its questions too",
+  CHECK("closed worlds are gone at once, their questions too",
         sanggwan_next(q) == SANGGWAN_DONE && sanggwan_int(q, 0, &after) &&
-            after <= before);
+            after <= before + STALE);
   sanggwan_close(world);
 }
 

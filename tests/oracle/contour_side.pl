@@ -192,7 +192,7 @@ part_way(p(X0,Y0,Z0), p(U,V,W), Part, p(X,Y,Z)) :-
     Y is Y0 + Part*V,
     Z is Z0 + Part*W.
 
-%   In the picture, but for its scale.
+%   In the picture, except for its scale.
 
 eye_place(Eye, Point, X-Y) :-
     Eye = eye(_, _, _, Right, Up),

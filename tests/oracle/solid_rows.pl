@@ -32,7 +32,7 @@ solid_counts(Solid, Vertices, Faces, Triangles) :-
 %   Appends v/5, e/5, p/3, plane/6, t/6, from_v/4, from_p/5 and origin/3 of
 %   segment S, which must have none. Vertices that no triangle has are left out,
 %   the others numbered in their order. A polygon for each face: its edges are
-%   the half-edges of its triangles but for those that have an opposite one in
+%   the half-edges of its triangles except those that have an opposite one in
 %   it, one for one. Its plane is missing if it has no area.
 
 solid_written_by_rule(Solid, S) :-

@@ -15,7 +15,7 @@
 
 %!  sheet_strokes_by_rule(+Default, +Options, -Sheet, -Strokes) is det.
 %
-%   What sheet_strokes/4 answers.
+%   What sheet_strokes/5 answers, but the place.
 
 sheet_strokes_by_rule(Default, Options, Sheet, Strokes) :-
     sg_sheet:hidden_option(Options, Hidden),

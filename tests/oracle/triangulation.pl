@@ -33,7 +33,7 @@ itself, or a hole is outside or turned the wrong way).
 Edges are taken oldest first, and added edges are the youngest. So the polygon
 is worn off evenly all round, and no long fans arise.
 
-Where a vertex was meant to lie on a line between two others, and does but for
+Where a vertex was meant to lie on a line between two others, and does except
 rounding, a triangle may be thinner than rounding and look either way. Then
 chords are turned (work_thicken/4).
 

@@ -92,7 +92,7 @@ by_edge(const void *a, const void *b)
 }
 
 /* True if the n parts of an edge are a way from its start to its end: each
- * point is left as often as it is reached, but for these two. */
+ * point is left as often as it is reached, except for these two. */
 static bool
 is_whole(const edge *e, const stretch *part, size_t n)
 {

@@ -1,6 +1,6 @@
 /* pattern.h -- a solid and its flat pattern, as text, for the checker.
  *
- * A pattern in the file is these lines, ids positive, in this order but for
+ * A pattern in the file is these lines, ids positive, in this order except for
  * lines of one kind; `end` ends it:
  *
  *     v V X Y Z           a vertex of the solid

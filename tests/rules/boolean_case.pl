@@ -102,7 +102,7 @@ files_measured(Segments, Ending, Measures) :-
 
 %!  same_file(+S1, +S2, +Ending) is semidet.
 %
-%   True when the files of S1 and S2 are equal, byte for byte, but for the name.
+%   True when the files of S1 and S2 are equal, byte for byte, except the name.
 
 same_file(S1, S2, Ending) :-
     setup_call_cleanup(

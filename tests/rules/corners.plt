@@ -35,8 +35,8 @@ corner(layer('A'), layer('')).
 corner(layer('a$'), layer('a~')).
 corner(layer('z'), layer('\x80\')).
 corner(layer('0'), layer('\xe9\')).
-corner(sg_style:byte(255), sg_style:byte(256)).
-corner(sg_style:byte(0), sg_style:byte(-1)).
+corner(sg_colour:byte(255), sg_colour:byte(256)).
+corner(sg_colour:byte(0), sg_colour:byte(-1)).
 corner(ink(100, 1), ink(100.0001, 1)).
 corner(ink(5.0e-324, 1), ink(0, 1)).
 corner(ink(1, 1), ink(1, 0)).

@@ -190,7 +190,7 @@ check_rounding(void)
         sg_seam_parts_most(pair, 2, &cancel, &parts, &stopped) && parts == 1);
 }
 
-/* Three triples of bends that are equal but for rounding: whichever is asked
+/* Three triples of bends that are equal up to rounding: whichever is asked
  * first, all of them are in one. */
 static void
 check_nearly_equal(void)

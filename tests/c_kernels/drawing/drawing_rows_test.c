@@ -105,6 +105,7 @@ chains(void)
   const sg_sheet_part_list parts = {part, 3, 0};
   sg_look_name_list names = {0};
   sg_sheet_stroke_list strokes = {0};
+  sg_bytes octets = {0};
 
   CHECK("looks", sg_door_stroke_looks(
                      &call, &(sg_looking_part_list){looking, 4, 0}, &names));
@@ -115,6 +116,18 @@ chains(void)
   CHECK("no look", !sg_door_stroke_chains(
                        &call, &parts, &(sg_ranked_look_list){0}, &strokes) &&
                        is_domain("look", 1));
+  CHECK("octets", sg_door_stroke_octets(&call, &look, &strokes, &octets));
+  CHECK("words of two strokes of one edge",
+        octets.n == sizeof(int32_t) * 2 * (5 + 1 + 4));
+  CHECK("edges, points", octets.at[12] == 1 && octets.at[16] == 2);
+  CHECK("octets of no look",
+        !sg_door_stroke_octets(&call, &(sg_ranked_look_list){0}, &strokes,
+                               &octets) &&
+            is_domain("look", 1));
+  strokes.at[0].points.at[0].x = INT64_C(1) << 31;
+  CHECK("no word holds it",
+        !sg_door_stroke_octets(&call, &look, &strokes, &octets));
+  call.refusal.how = SG_REFUSED_NOTHING;
   part[0].a.x = INT64_C(1) << 53;
   CHECK("far away", !sg_door_stroke_chains(&call, &parts, &look, &strokes) &&
                         is_domain("sheet_coordinate", 0));

@@ -35,7 +35,7 @@ read_triangle(const void *data, size_t place, sg_fan_triangle *out)
   *out = triangle[tree->item[place]];
 }
 
-/* Whether two go through each other, but for triangles of one polygon. */
+/* Whether two go through each other, except for triangles of one polygon. */
 static bool
 goes_through(void *data, const sg_bvh_hit *hit)
 {

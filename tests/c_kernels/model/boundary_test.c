@@ -478,7 +478,7 @@ wall(const cells *c, const int at[3], int axis, bool above)
 static void
 test_one_body_touches_itself(void)
 {
-  /* Layers of 2 x 2 cells, full but for two in the middle. */
+  /* Layers of 2 x 2 cells, full except for two in the middle. */
   cells c = {0};
 
   clear_model();
@@ -520,6 +520,88 @@ test_crossing(void)
         make(0, false, true, false) && mesh.open == 0 && mesh.crossing > 0);
 }
 
+/* ---- faces that are no simple loop
+ * ------------------------------------------------------------------------ */
+
+/* A loop of four that belongs to the polygon begun. */
+static void
+loop_of_four(int32_t a, int32_t b, int32_t c, int32_t d)
+{
+  model.polygons--;
+  POLYGON(a, b, c, d);
+}
+
+/* A square tube: its top and bottom are faces of two loops. */
+static void
+test_face_with_hole(void)
+{
+  int32_t o[8], h[8];
+
+  clear_model();
+  for (int i = 0; i < 8; i++) {
+    o[i] = point(i & 1 ? 4 : 0, i & 2 ? 4 : 0, i & 4 ? 2 : 0);
+    h[i] = point(i & 1 ? 3 : 1, i & 2 ? 3 : 1, i & 4 ? 2 : 0);
+  }
+  POLYGON(o[0], o[2], o[3], o[1]);
+  loop_of_four(h[0], h[1], h[3], h[2]);
+  POLYGON(o[4], o[5], o[7], o[6]);
+  loop_of_four(h[4], h[6], h[7], h[5]);
+  POLYGON(o[0], o[1], o[5], o[4]);
+  POLYGON(o[2], o[6], o[7], o[3]);
+  POLYGON(o[0], o[4], o[6], o[2]);
+  POLYGON(o[1], o[3], o[7], o[5]);
+  POLYGON(h[0], h[4], h[5], h[1]);
+  POLYGON(h[2], h[3], h[7], h[6]);
+  POLYGON(h[0], h[2], h[6], h[4]);
+  POLYGON(h[1], h[5], h[7], h[3]);
+  CHECK("made", make(0, false, false, false));
+  CHECK("a hole stays one", is_clean() && volume() == 24);
+}
+
+/* Two columns that have an edge in common: their tops are one face, whose loop
+ * passes a vertex twice. */
+static void
+test_face_with_pinch(void)
+{
+  int32_t v[2][3][3];
+
+  clear_model();
+  for (int z = 0; z < 2; z++) {
+    for (int y = 0; y < 3; y++) {
+      for (int x = 0; x < 3; x++) {
+        bool used = (x < 2 && y < 2) || (x > 0 && y > 0);
+        v[z][y][x] = used ? point(x, y, z) : -1;
+      }
+    }
+  }
+  POLYGON(v[0][0][0], v[0][1][0], v[0][1][1], v[0][2][1], v[0][2][2],
+          v[0][1][2], v[0][1][1], v[0][0][1]);
+  POLYGON(v[1][0][0], v[1][0][1], v[1][1][1], v[1][1][2], v[1][2][2],
+          v[1][2][1], v[1][1][1], v[1][1][0]);
+  for (int k = 0; k < 2; k++) {
+    POLYGON(v[0][k][k], v[0][k][k + 1], v[1][k][k + 1], v[1][k][k]);
+    POLYGON(v[0][k + 1][k + 1], v[0][k + 1][k], v[1][k + 1][k],
+            v[1][k + 1][k + 1]);
+    POLYGON(v[0][k + 1][k], v[0][k][k], v[1][k][k], v[1][k + 1][k]);
+    POLYGON(v[0][k][k + 1], v[0][k + 1][k + 1], v[1][k + 1][k + 1],
+            v[1][k][k + 1]);
+  }
+  CHECK("made", make(0, false, false, false));
+  CHECK("a pinched face is whole", mesh.open == 0 && is_closed(false) &&
+                                       !is_degenerate() && volume() == 2);
+  for (size_t f = 0; f < mesh.mesh.face.count; f++) {
+    const int32_t *c = mesh.mesh.face.corner;
+    uint32_t from = mesh.mesh.face.start[f], to = mesh.mesh.face.start[f + 1];
+    bool once = true;
+    for (uint32_t i = from; i < to; i++) {
+      for (uint32_t k = i + 1; k < to; k++) {
+        once &= c[i] != c[k];
+      }
+    }
+    CHECK("a written face passes a vertex once", once);
+  }
+}
+
 int
 main(void)
 {
@@ -531,6 +613,8 @@ main(void)
   test_touching();
   test_one_body_touches_itself();
   test_crossing();
+  test_face_with_hole();
+  test_face_with_pinch();
   sg_boundary_mesh_clear(&mesh);
   return check_report();
 }

@@ -114,7 +114,7 @@ writes(sg_world *world, sg_cut_handle *set)
   sg_version_drop(version);
 }
 
-/* What touches but for rounding: a cube on a cube. */
+/* What touches up to rounding: a cube on a cube. */
 static void
 touches(sg_world *world)
 {

@@ -239,7 +239,7 @@ flat_polygons(void)
   model_polygon(m, 4, (int32_t[]){1, 2, 3, 5});
   model_polygon(m, 4, (int32_t[]){1, 2, 1, 2});
   seen = model_scene_model(m, NULL);
-  CHECK("flat but for rounding", seen->flat[0]);
+  CHECK("flat up to rounding", seen->flat[0]);
   CHECK("not flat", !seen->flat[1]);
   CHECK("without area", !seen->flat[2]);
   sg_scene_model_close(seen);

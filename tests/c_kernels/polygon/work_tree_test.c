@@ -45,14 +45,14 @@ finds_all(int n, int most)
     }
   }
   memcpy(all, box, sizeof all);
-  if (!sg_work_tree_open(&tree, number, box, (size_t)n)) {
+  if (!sg_work_tree_open(&tree, number, box, (size_t)n, false)) {
     abort();
   }
   for (int turn = 0; turn < 20; turn++) {
     asked a = {.at = {rand() % most, rand() % most}};
 
-    good = good && sg_work_tree_go(&(sg_work_tree_walk){&tree, has_not, note,
-                                                        &a, -1}) == -1;
+    good = good && sg_work_tree_go(&(sg_work_tree_walk){&tree, has_not, NULL,
+                                                        note, &a, -1}) == -1;
     for (int i = 0; i < n; i++) {
       good = good && a.found[i] == !has_not(&a, &all[i]);
     }

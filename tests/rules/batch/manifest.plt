@@ -22,7 +22,7 @@ jobs(Text, Ending, Jobs) :-
 with_jobs(File, Name, Options) :-
     sg_manifest_tools(Tools),
     with_manifest(File, Tools, Manifest,
-                  ( jobs_checked(Manifest, _),
+                  ( jobs_checked(Manifest, false, _),
                     findall(N-O, manifest_job(Manifest, false,
                                               job(_, N, _, _, _, O, _, _)),
                             All) )),

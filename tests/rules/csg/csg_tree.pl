@@ -59,7 +59,7 @@ volume(S, Volume) :-
 
 %!  near(+X, +Y) is semidet.
 %
-%   The same but for rounding.
+%   The same up to rounding.
 
 near(X, Y) :-
     abs(X-Y) < 1.0e-12*max(1.0, abs(Y)).

@@ -11,7 +11,7 @@ For the test of the checker, which wants right patterns to spoil.
 
 %!  laid_flat(+Points, +Faces, +Folds, -Lines) is det.
 %
-%   Lines are those of tests/pattern_checker/pattern.h, as terms, but for
+%   Lines are those of tests/pattern_checker/pattern.h, as terms, except for
 %   `reported` and `end`. Points are p(X,Y,Z), a face lists its corners,
 %   counter-clockwise from outside. Folds are Parent-Child, faces by number;
 %   the first parent is laid first, at the origin. root(P,X,Y) among them

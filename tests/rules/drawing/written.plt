@@ -6,6 +6,7 @@
 :- use_module(library(random)).
 :- use_module(rules(drawing/drawing)).
 :- use_module(rules(drawing/dxf_colour)).
+:- use_module(rules(colour)).
 :- use_module(rules(drawing/style)).
 :- use_module(rules(drawing/ink)).
 :- use_module(rules(sheet/lettering)).

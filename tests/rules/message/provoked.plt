@@ -32,8 +32,12 @@ file('unseen.obj', "o a\u202Eb\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n\c
 file('curve.pl', "v(1,1,0,0,0). v(1,2,1,0,0). v(1,3,1,1,0).
 e(1,1,1,2,1). e(1,2,2,3,1). segment(1, curve, wire).
 segment(2, solid, box(size(1,1,1))).\n").
+file('ranges.pl', "param(a, 2). param(idle, 1).
+param_about(a, [min(1), max(9)]).
+segment(1, solid, box(size(param(a), 1, 1))).\n").
 file('latin.pl', "segment(1, solid, named('a\u00FFb', box(size(1,1,1)))).\n").
 file('style.pl', "line(any, any, glas, [width(1)]).\n").
+file('looks.pl', "look(glas, colour(red)).\n").
 file('nowhere.pl', "line(any, any, any, [none]).\n").
 file('degenerate.off', "OFF\n4 5 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n\c
 3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 1 1 2\n").
@@ -89,6 +93,7 @@ file('saw.pl', "segment(1, solid, cone(radius(40), height(200), facets(40))).
 \n").
 file('double.off', "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n\c
 3 0 1 2\n3 0 1 3\n3 0 1 4\n").
+file('ring.pl', "segment(1, solid, torus(radius(28), tube(9), facets(12))).\n").
 file('house.pl', "segment(1, solid, named(case, box(size(200,300,40)))).\n").
 file('pipes.pl', "segment(1, solid,
         cylinder(radius(2), height(8), facets(24))).
@@ -105,10 +110,20 @@ command(not_flat(_,1,_,_), [check, @('bent.pl')]).
 command(polygon_edge(_,_,_,_), [check, @('bow.pl')]).
 command(parameter(renamed(_,_,_)), [check, @('wide.pl'), @('narrow.pl')]).
 command(comma(_,_), [check, @('comma.pl')]).
+command(comma(_,none), [query, @('cube.pl'), 
+                         'X = cylinder(radius(57,15), height(2))']).
+command(parameter(unused(_)), [check, @('ranges.pl'), '--set', 'idle=3']).
+command(parameter(range(_,_,_,_)), [check, @('ranges.pl'), '--set', 'a=30']).
 command(wrote(_), [draw, @('cube.pl'), '-o', @('a.svg')]).
 command(pen_travel(_,_,_), [draw, @('cube.pl'), '-o', @('a.hpgl')]).
 command(nothing_drawn, [draw, @('wire.pl'), '--lines', penetration,
                         '--sheet', 'A4', '-o', @('a.svg')]).
+command(nothing_seen, [render, @('empty.pl'), '--size', '9x9',
+                       '-o', @('a.png')]).
+command(not_shaded(_,_), [render, @('curve.pl'), '--size', '9x9',
+                          '-o', @('a.png')]).
+command(look_in_vain(_), [render, @('cube.pl'), '--look', @('looks.pl'),
+                          '--size', '9x9', '-o', @('a.png')]).
 command(style_in_vain(_), [draw, @('cube.pl'), '--style', @('style.pl'),
                            '-o', @('a.svg')]).
 command(empty_result(_,_), [eval, @('empty.pl')]).
@@ -154,8 +169,9 @@ command(pattern(no_room(number,_)), [unfold, @('cube.pl'), '-o',
 command(pattern(without_tab(_,_,_,_,_)),
         [unfold, @('saw.pl'), '--tabs', '5', '--no-open-slits',
          '-o', @('a.svg')]).
-command(unfold(flanges(_,_,_)), [unfold, @('box.pl'), '--thickness', '1',
-                                 '-o', @('a.svg')]).
+command(unfold(outline_crosses(_,_)),
+        [unfold, @('ring.pl'), '--thickness', '3', '--size', outside,
+         '-o', @('a.svg')]).
 command(unfold(root_gone(_,_)), [unfold, @('plug.pl'), '--trim', outside,
                                  '--only', 2, '--root', base]).
 command(unfold(all_trimmed_away), [unfold, @('far.pl'), '--trim', inside]).
@@ -191,6 +207,7 @@ elsewhere(no_answer, test('tests/rules/studio/query.plt')).
 elsewhere(because(_), test('tests/rules/explanation/explain.plt')).
 elsewhere(each_failed(_, _, _), test('tests/transcripts/each.txt')).
 elsewhere(batch(_), test('tests/transcripts/batch.txt')).
+elsewhere(request(_), test('tests/transcripts/sessions.txt')).
 elsewhere(operand(repaired(no_area,_),_), test('tests/rules/solid/repair.plt')).
 elsewhere(written(_,rounds(_)), test('tests/rules/model/solid_file.plt')).
 elsewhere(written(_,rounds(1)), test('tests/rules/model/solid_file.plt')).

@@ -24,6 +24,7 @@ unsaid(written_en, unwritten_en(crossing(_))).
 unsaid(written_en, unwritten_en(penetrates(_,meeting(_,_,_,_)))).
 unsaid(written_en, unwritten_en(touches(_,meeting(_,_,_,_)))).
 unsaid(written_en, instead_en(other_file)).
+unsaid(true_en, true_en(bent_over(_,_))).
 
 % It has a number of the machine: tests/cli/serve.sh.
 unsaid(session_en, wanted_en(least(_))).

@@ -7,6 +7,8 @@
 :- use_module(rules(message/messages)).
 :- use_module(rules(message/messages_ko)).
 :- use_module(rules(primitive/primitive_rows)).
+:- use_module(rules(model/measures), []).
+:- use_module(rules(model/model), [load_model/1]).
 :- use_module(rules(model/openscad)).
 :- use_module(rules(model/openscad_text)).
 :- use_module(rules(store)).
@@ -95,6 +97,16 @@ means("cube(size = [1, 2, 3], center = true);",
       at([translate(0,0,-1.5)], box(size(1,2,3)))).
 means("cube(size = 2);", at([translate(1.0,1.0,0)], box(size(2,2,2)))).
 means("color([1, 0, 0, 1]) { render(convexity = 2) { cube(); } }",
+      named(colour(rgb(255,0,0)),
+            at([translate(0.5,0.5,0)], box(size(1,1,1))))).
+means("color([0, 0.5, 1, 0.5]) { group() { color([1, 0, 0, 1]) { cube(); }
+       multmatrix([[1,0,0,2],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) {
+       color([1, 1, 0, 1]) { cube(); } } } }",
+      named(colour(rgb(0,128,255)),
+            union([at([translate(0.5,0.5,0)], box(size(1,1,1))),
+                   at([translate(2,0,0)],
+                      at([translate(0.5,0.5,0)], box(size(1,1,1))))]))).
+means("color([-1, -1, -1, 1]) { cube(); }",
       at([translate(0.5,0.5,0)], box(size(1,1,1)))).
 means("cylinder($fn = 6, h = 2, r1 = 1, r2 = 1, center = true);",
       at([translate(0,0,-1.0)],
@@ -327,5 +339,30 @@ test(in_words, forall(( faulty(Text, _, _, _), member(L, [en, ko]) ))) :-
              catch(read_csg(File, _), Error, true)),
     message_text(L, Error, Message),
     once(sub_string(Message, _, _, _, "\n  ")).
+
+
+%   What is seen has the colour of OpenSCAD: the outermost.
+looks(Text, Looks) :-
+    with_csg(Text, File,
+             ( new_world(World),
+               in_world(World,
+                        ( load_model(File),
+                          findall(Volume-Property,
+                                  ( look(S, Property),
+                                    sg_measures:volume(S, Volume) ),
+                                  Looks0) ))
+             )),
+    msort(Looks0, Looks).
+
+test(colour_of_all, Looks == [1.0-colour(rgb(255,0,0))]) :-
+    looks("color([1,0,0,1]) { cube(); }", Looks).
+test(colours_of_parts, Looks == [ 1.0-colour(rgb(0,0,255)),
+                                  8.0-colour(rgb(255,0,0)) ]) :-
+    looks("union() { color([1,0,0,1]) { cube(size = 2); }
+             multmatrix([[1,0,0,5],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) {
+             color([0,0,1,1]) { cube(); } } cube(size = 0.5); }", Looks).
+test(outermost_colour, Looks == [7.0-colour(rgb(255,0,0))]) :-
+    looks("color([1,0,0,1]) { difference() { cube(size = 2);
+             color([0,0,1,1]) { cube(); } } }", Looks).
 
 :- end_tests(openscad).

@@ -1,10 +1,10 @@
+:- encoding(utf8).
 /* Parameters and formulas in model files: what is read, set, kept and written.
    The values of formulas are compared by tests/cli/formula_fuzz.sh. */
-% covers: formula, formula_rows, formula_term
+% covers: formula, formula_rows, formula_term, parameter_about
 :- module(test_parameter, []).
 :- use_module(library(aggregate)).
 :- use_module(library(lists)).
-% covers: formula_rows, formula_term
 :- use_module(library(plunit)).
 :- use_module(library(readutil)).
 :- use_module(rules(csg/csg), [is_helper/1]).
@@ -161,6 +161,17 @@ test(set_breaks_a_circle, Term == box(size(1, 2, 5))) :-
           [parameters([b=4])], Term).
 test(set_with_spaces, Term == box(size(1, 2, 5))) :-
     boxed("param(a, 1).", "1, 2, param(a)", [set([' a = 5 '])], Term).
+test(set_formula, forall(member(Text-Value,
+                                [ '6.5*25.4'-165.1, '-(2+4)/4'-(-1.5),
+                                  ' 2**3 '-8, 'sqrt(4)+.5'-none,
+                                  'max(2,3)*sin(30)'-1.5 ]))) :-
+    atom_concat('a=', Text, Setting),
+    (   Value == none
+    ->  catch(boxed("param(a, 1).", "1, 2, 3", [set([Setting])], _),
+              error(usage_error(parameter(setting(_, number))), _), true)
+    ;   with_model("param(a, 1). v(1,1,param(a),0,0). curve(1,[1]).",
+                   [set([Setting])], param(a, Value))
+    ).
 test(quoted_name, Term == box(size(1, 2, 5))) :-
     boxed("param('a b', 1).", "1, 2, param('a b')", [set(['a b=5'])], Term).
 test(whole_numbers_count, N == 32) :-
@@ -236,6 +247,36 @@ fault_of("", [set(['=3'])], parameter(setting('=3', form)), none).
 fault_of("", [set(['a='])], parameter(setting('a=', number)), none).
 fault_of("", [set(['a=1,2,3'])], parameter(setting('a=1,2,3', number)), none).
 fault_of("", [set(['a=0x10'])], parameter(setting('a=0x10', _)), none).
+fault_of("", [set(['a=0\'a'])], parameter(setting(_, _)), none).
+fault_of("", [set(['a=2*0x10'])], parameter(setting(_, number)), none).
+fault_of("", [set(['a=2*1r3'])], parameter(setting(_, number)), none).
+fault_of("", [set(['a=1_000*2'])], parameter(setting(_, number)), none).
+fault_of("", [set(['a=(1+2'])], parameter(setting(_, number)), none).
+fault_of("", [set(['a=2*shell(1)'])],
+         parameter(setting(_, formula(no_function(shell, 1, _), _))), none).
+fault_of("", [set(['a=1/(2-2)'])],
+         parameter(setting(_, formula(division_by_zero, _))), none).
+fault_of("param(b, 2).", [set(['a=param(b)'])],
+         parameter(setting(_, formula(unknown(b, _), _))), none).
+fault_of("param(a, 1). param_about(a, 3).", [], parameter(about(list(3))),
+         1:29).
+fault_of("param_about(wal, []). param(wall, 1).", [],
+         parameter(about(no_parameter(wal, [wall]))), 1:13).
+fault_of("param(a, 1). param_about(a, [min(1), min(2)]).", [],
+         parameter(about(item_twice(min(2)))), 1:29).
+fault_of("param(a, 1).
+param_about(a, [text(en, x), text(ko, y), text(en, z)]).", [],
+         parameter(about(item_twice(text(en, z)))), 2:16).
+fault_of("param(a, 1). param_about(a, [max(1), min(1)]).", [],
+         parameter(about(order(1, 1))), 1:29).
+fault_of("param(a, 1). param_about(a, [step(0)]).", [],
+         parameter(about(item(step(0)))), 1:29).
+fault_of("param(a, 1). param_about(a, [min(param(a))]).", [],
+         parameter(about(item(min(param(a))))), 1:29).
+fault_of("param(a, 1). param_about(a, [text(de, x)]).", [],
+         parameter(about(item(text(de, x)))), 1:29).
+fault_of("param(a, 1). param_about(a, []). param_about(a, []).", [],
+         twice(param_about, [a]), 1:34).
 fault_of("", [set(['a=1','a=1'])], parameter(set_twice(a)), none).
 
 test(place, forall(fault_of(Text, Options, What, Place))) :-
@@ -294,6 +335,30 @@ test(moved_is_kept, X == 9.0) :-
                                      assert_fact(v(1, 1, 9.0, 0.0, 0.0)) )),
                  saved(Saved) )),
     with_model(Saved, [], v(1, 1, X, _, _)).
+
+%   What is said of parameters is kept, under their names here.
+test(about_is_kept, Abouts == [a-[min(1),text(ko, '길이')], a_2-[max(9)]]) :-
+    two("param(a, 2). param_about(a, [min(1), text(ko, '길이')]).
+         segment(1, solid, box(size(param(a), 2, 2))).",
+        "param_about(a, [max(9)]). param(a, 7).
+         segment(1, solid, box(size(2*param(a), 2, 2))).", [], saved(Saved)),
+    with_model(Saved, [], findall(N-A, param_about(N, A), Abouts)).
+test(default_is_known, Defaults == [a-2,b-(param(a)*2)]) :-
+    with_model("param(a, 2). param(b, param(a)*2).
+                segment(1, solid, box(size(param(b), param(a), 2))).",
+               [parameters([b=5])],
+               ( set_parameter(a, 3), set_parameter(a, 4),
+                 findall(N-D, formula(set(N), param(N, D)), Defaults0) )),
+    msort(Defaults0, Defaults).
+test(default_of_renamed, Defaults == [a_2-(param(b_2)+1)]) :-
+    with_file("param(a, 2). param(b, 1).
+               segment(1, solid, box(size(param(a), param(b), 2))).", File1,
+        with_file("param(b, 3). param(a, param(b)+1).
+                   segment(1, solid, box(size(param(b), param(a), 2))).", File2,
+            in_new_world(( load_model(File1),
+                           load_model(File2, [parameters([a=8])]),
+                           findall(N-D, formula(set(N), param(N, D)),
+                                   Defaults) )))).
 
 test(same_is_one, Ps == [a-2]) :-
     Text = "param(a, 2). segment(1, solid, box(size(param(a), 2, 2))).",
@@ -386,3 +451,50 @@ test(no_number, error(type_error(float, "2"))) :-
                [], set_parameter(a, "2")).
 
 :- end_tests(set_parameter).
+
+
+%   warned(Text, Options, Warnings): of parameters, while Text is loaded;
+%   warned(Text, Options, Goal, Warnings): and Goal is called.
+
+:- dynamic heard/1.
+:- multifile user:message_hook/3.
+user:message_hook(sanggwan(parameter(What)), warning, _) :-
+    assertz(test_parameter:heard(What)).
+
+warned(Text, Options, Warnings) :-
+    warned(Text, Options, true, Warnings).
+
+warned(Text, Options, Goal, Warnings) :-
+    retractall(heard(_)),
+    with_model(Text, Options, Goal),
+    findall(What, heard(What), Warnings).
+
+:- begin_tests(parameter_warnings).
+
+idle("param(a, 2). param(b, param(a)*2). param(c, param(b)+1). param(n, 1).
+      segment(1, solid, box(size(param(c), 2, 2))). title_block(number,
+      param(n)). ").
+
+test(unused, Warnings == [unused(d)]) :-
+    idle(Text),
+    string_concat(Text, "param(d, param(a)).", Idle),
+    warned(Idle, [parameters([a=3,n=2,d=4])], Warnings).
+test(replaced, Warnings == [unused(a),unused(b)]) :-
+    idle(Text),             % c is no longer made from them
+    warned(Text, [parameters([a=3,b=7,c=4])], Warnings).
+test(range, Warnings == [range(a, 11, 1, 10)]) :-
+    idle(Text0),
+    string_concat("param_about(a, [min(1), max(10)]). ", Text0, Text),
+    warned(Text, [parameters([a=10])], []),
+    warned(Text, [parameters([a=1])], []),
+    warned(Text, [parameters([a=11])], Warnings).
+test(range_of_formula, Warnings == [range(c, 5, none, 4.5)]) :-
+    idle(Text0),
+    string_concat("param_about(c, [max(4.5)]). ", Text0, Text),
+    warned(Text, [], Warnings).
+test(set_later, Warnings == [range(a, 0, 1, none)]) :-
+    idle(Text0),
+    string_concat("param_about(a, [min(1)]). ", Text0, Text),
+    warned(Text, [], set_parameter(a, 0), Warnings).
+
+:- end_tests(parameter_warnings).

@@ -1,7 +1,9 @@
 :- encoding(utf8).
 /* Problem sheets: nothing of the answer is in the question, and the key is what
    closed forms say.
-   covers: problem_drawing, problem_file, problem_point, problem_sheet */
+   covers: problem_drawing, problem_file, problem_item, problem_key
+   covers: problem_loop, problem_pattern, problem_point, problem_sheet
+   covers: problem_text, sheet_construction, about */
 :- use_module(library(plunit)).
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
@@ -9,9 +11,12 @@
 :- use_module(library(http/json)).
 :- use_module(library(lists)).
 :- use_module(library(readutil)).
+:- use_module(rules(about)).
 :- use_module(rules(message/problem_en)).
+:- use_module(rules(message/spoken)).
 :- use_module(rules(message/problem_ko)).
 :- use_module(rules(problem/problem_sheet)).
+:- use_module(rules(sheet/lettering)).
 
 :- begin_tests(problem_sheet).
 
@@ -95,11 +100,117 @@ test(nothing_leaks, [forall(leaks(Name, Variants, Views)), Found == []]) :-
     length(Places, Count),
     Count > 8,
     findall(Word,
-            ( ( member(Word, ["penetration","construction"])
+            ( ( member(Word, ["visible penetration","hidden penetration",
+                              "construction"])
               ; member(Word, Places)
               ),
               sub_string(Asked, _, _, _, Word) ),
             Found).
+
+%   A blank view has no line of what is to be drawn there; what is asked for is
+%   written in the answer and in the key alone, and of a point that is asked for
+%   one view tells where it is.
+test(blank_view_is_blank, [true(Found == [])]) :-
+    with_sheets(fig12, [given([front,top]),blank(right),ask(draw(penetration))],
+                [r-[14]], [], Folder,
+                ( text(Folder, 'fig12-1-question.svg', Asked),
+                  text(Folder, 'fig12-1-answer.svg', Answered) )),
+    view_text(Answered, right, Right),
+    places(Right, "", Places),
+    length(Places, Count),
+    Count > 20,
+    findall(Place,
+            ( member(Place, Places), sub_string(Asked, _, _, _, Place) ),
+            Found),
+    view_text(Asked, right, Blank),
+    places(Blank, "", Corners),
+    length(Corners, 4).
+
+%   Auxiliary planes are in the answer alone.
+test(planes_in_answer, [forall(member(Planes, [planes(z),planes(straight),
+                                               planes(z,5)])),
+                        true(Asked-More == false-true)]) :-
+    Items = [given([front,top,right]), ask(draw(penetration))],
+    with_sheets(fig12, [Planes|Items], [r-[14]], [], Folder,
+                ( text(Folder, 'fig12-1-question.svg', Text1),
+                  text(Folder, 'fig12-1-answer.svg', Text2),
+                  key(Folder, 'fig12-1', Key) )),
+    has(Text1, "construction", Asked),
+    has(Text2, "construction", More),
+    length(Key.planes, Count),
+    ( Planes = planes(_,N) -> Count =:= N
+    ; Planes == planes(z) -> Count =:= 7
+    ; Count =:= 0
+    ).
+
+asked_value(fig12, shortest_generator(2), mm, 0.01, r-[14]).
+asked_value(fig12, area(1), mm2, 1, r-[14]).
+asked_value(fig12, coordinate(3, x), mm, 0.01, r-[14]).
+asked_value(fig14, generator(2, 3), mm, 0.01, e-[10]).
+asked_value(fig10, edge(1, 1, 5), mm, 0.01, a-[40]).
+
+test(no_value_leaks, [forall(asked_value(Name, Measure, Unit, Tolerance, By)),
+                      true(Asked-Answered == false-true)]) :-
+    with_sheets(Name,
+                [ given([front,top,right]), ask(draw(penetration)),
+                  ask(measure(Measure, Unit, Tolerance)) ],
+                [By], [], Folder,
+                ( atomic_list_concat([Name,'-1-question.svg'], Question),
+                  atomic_list_concat([Name,'-1-answer.svg'], Answer),
+                  atom_concat(Name, '-1', Number),
+                  text(Folder, Question, Text1),
+                  text(Folder, Answer, Text2),
+                  key(Folder, Number, Key) )),
+    Key.measures = [One],
+    (   Tolerance < 1
+    ->  format(string(Shown), '~2f ', [One.value])
+    ;   format(string(Shown), '~0f ', [One.value])
+    ),
+    has(Text1, Shown, Asked),
+    has(Text2, Shown, Answered).
+
+has(Text, Word, Has) :-
+    (   sub_string(Text, _, _, _, Word)
+    ->  Has = true
+    ;   Has = false
+    ).
+
+%   The letter of a point that is asked for stands in one view of the question.
+test(one_view_tells, [true(Count1-Count2 == 1-3)]) :-
+    with_sheets(fig12,
+                [ given([front,top,right]), ask(draw(penetration)),
+                  ask(measure(coordinate(3, x), mm, 0.1)) ],
+                [r-[14]], [], Folder,
+                ( text(Folder, 'fig12-1-question.svg', Text1),
+                  text(Folder, 'fig12-1-answer.svg', Text2) )),
+    lettered(Text1, Count1),
+    lettered(Text2, Count2).
+
+%   lettered(Text, Count): how often an A stands beside a point; the grid of the
+%   sheet has two more.
+
+lettered(Text, Count) :-
+    split_string(Text, "\n", "", Lines),
+    aggregate_all(count,
+                  ( member(Line, Lines),
+                    ( sub_string(Line, _, _, 0, ">A</text>")
+                    ; sub_string(Line, _, _, 0, ",A</text>")
+                    ; sub_string(Line, _, _, _, ">A,")
+                    ) ),
+                  All),
+    Count is All-2.
+
+view_text(Text, View, Own) :-
+    format(string(Group), "<g id=\"~w\" class=\"view\">", [View]),
+    sub_string(Text, Start, _, _, Group),
+    Begin is Start+20,
+    sub_string(Text, Begin, _, 0, Rest),
+    (   sub_string(Rest, End, _, _, "class=\"view\"")
+    ->  true
+    ;   string_length(Rest, End)
+    ),
+    sub_string(Rest, 0, End, _, Own),
+    !.
 
 %   The points are on both true surfaces, however they are divided.
 test(points_of_two_cylinders, Count =:= 24) :-
@@ -125,12 +236,35 @@ test(points_of_cone, Count =:= 24) :-
              abs(Point.x**2 + Point.y**2 - R*R) < 1.0e-3,
              abs(Point.y**2 + (Point.z-32)**2 - 18**2) < 1.0e-3 )).
 
-%   Two equal cylinders meet in four arcs between two points that count once.
+%   Two equal cylinders meet in two ellipses that cross in two points, which
+%   count once; each lies in one plane.
 test(points_once, Count =:= 22) :-
-    with_sheets(fig13, [given([front])], [r-[30]], [], Folder,
+    with_sheets(fig13, [given([front]),ask(count(loops))], [r-[30]], [], Folder,
                 key(Folder, 'fig13-1', Key)),
-    Key.open_lines =:= 4,
-    length(Key.points, Count).
+    Key.loops =:= 2,
+    Key.open_lines =:= 0,
+    Points = Key.points,
+    length(Points, Count),
+    forall(member(Loop-Sign, [1-1,2-(-1)]),
+           ( member(First, Points), First.loop =:= Loop, abs(First.x) > 1,
+             Turn is Sign*sign(First.x*First.z),
+             ( Loop =:= 1 ; Turn =\= 0 ),
+             !,
+             forall(( member(Point, Points), Point.loop =:= Loop ),
+                    abs(abs(Point.x) - abs(Point.z)) < 1.0e-5) )).
+
+%   A straight line goes through the cone itself, not through its facets.
+test(pierced, Count =:= 2) :-
+    with_sheets(fig08, [given([front,top]),branch(2)], [h-[80]], [], Folder,
+                key(Folder, 'fig08-1', Key)),
+    Points = Key.points,
+    length(Points, Count),
+    forall(member(Point, Points),
+           ( R is 40*(1 - Point.z/80),
+             abs(sqrt(Point.x**2 + Point.y**2) - R) < 1.0e-5,
+             T is (Point.x+56)/112,
+             abs(Point.y - (-20+32*T)) < 1.0e-5,
+             abs(Point.z - (14+24*T)) < 1.0e-5 )).
 
 %   The corners of the lines of two pyramids lie on edges.
 test(corners, Count =:= 8) :-
@@ -171,12 +305,94 @@ test(variants, Lines == ["number,problem,variant,parameters",
                 text(Folder, 'list.csv', Text)),
     split_string(Text, "\n", "", Lines).
 
+%   What a notice is about it says first.
+test(about, [true(Said == ["one: two: wrote x"])]) :-
+    said_about(one, said_about(two, true)),
+    said_about(one,
+               ( about(one),
+                 spoken_lines(informational, sanggwan(wrote(x)),
+                              ['two: wrote x'], Lines) )),
+    print_lines(Lines, Text),
+    \+ about(_),
+    split_string(Text, "", "\n ", Said).
+
+print_lines(Lines, Text) :-
+    with_output_to(string(Text),
+                   print_message_lines(current_output, '', Lines)).
+
 test(same_bytes, Text1 == Text2) :-
     Items = [given([front,top,right]),ask(draw(penetration))],
     with_sheets(fig12, Items, [r-[14]], [], Folder1,
                 text(Folder1, 'fig12-1-answer.svg', Text1)),
     with_sheets(fig12, Items, [r-[14]], [], Folder2,
                 text(Folder2, 'fig12-1-answer.svg', Text2)).
+
+%   The gallery has the sheets of the first collection as they are made: its
+%   problem fig12 again.
+test(gallery, [forall(member(Kind, [question,answer])), true(Made == Kept)]) :-
+    collection_problem(fig12, Items, Variants),
+    format(atom(Local), 'fig12-1-~w.svg', [Kind]),
+    with_sheets(fig12, Items, Variants, [], Folder,
+                text(Folder, Local, Made)),
+    absolute_file_name(sanggwan('docs/gallery/problems'), Gallery),
+    text(Gallery, Local, Kept).
+
+collection_problem(Name, Items, [Parameter-[Value]]) :-
+    absolute_file_name(sanggwan('facts/problems/collection.pl'), File),
+    read_file_to_terms(File, Facts, [encoding(utf8)]),
+    memberchk(problem(Name, _, Items), Facts),
+    memberchk(variant(Name, Parameter, [Value|_]), Facts).
+
+%   No number stands on another one in any answer of the gallery, and question
+%   and answer have their views in the same places.
+gallery_answer(Question, Answer) :-
+    absolute_file_name(sanggwan('docs/gallery/problems'), Gallery),
+    directory_files(Gallery, Locals0),
+    msort(Locals0, Locals),
+    member(Local, Locals),
+    atom_concat(Number, '-1-answer.svg', Local),
+    atom_concat(Number, '-1-question.svg', Asked),
+    text(Gallery, Asked, Question),
+    text(Gallery, Local, Answer).
+
+test(numbers_apart, true(Overlaps-Count == []-14)) :-
+    findall(Answer, gallery_answer(_, Answer), Answers),
+    length(Answers, Count),
+    aggregate_all(count,
+                  ( member(Answer, Answers), number_box(Answer, _) ),
+                  Numbers),
+    Numbers > 300,
+    findall(One-Two,
+            ( member(Answer, Answers),
+              findall(Box, number_box(Answer, Box), Boxes),
+              append(_, [One|Rest], Boxes),
+              member(Two, Rest),
+              overlap(One, Two) ),
+            Overlaps).
+
+%   number_box(Text, Box): of a number beside a point, 2 mm high.
+
+number_box(Text, box(X1,Y1,X2,Y2)) :-
+    split_string(Text, "\n", "", Lines),
+    member(Line, Lines),
+    sub_string(Line, _, _, _, "font-size=\"2.777\""),
+    split_string(Line, "\"", "", ["<text x=",XText,_,YText|_]),
+    number_string(X, XText),
+    number_string(Y, YText),
+    split_string(Line, "<>", "", [_,_,String|_]),
+    lettering_width(String, 2.0, Width),
+    X1 is X-Width/2,
+    X2 is X+Width/2,
+    Y1 is Y-2.0,
+    Y2 = Y.
+
+overlap(box(A1,B1,A2,B2), box(C1,D1,C2,D2)) :-
+    A1 < C2, C1 < A2, B1 < D2, D1 < B2.
+
+test(same_places, [forall(gallery_answer(Question, Answer)),
+                   true(High1 =:= High2)]) :-
+    highest(Question, "front", High1),
+    highest(Answer, "front", High2).
 
 test(in_korean) :-
     Items = [ given([front]), text(en, 'Where?'), text(ko, '어디인가?') ],
@@ -185,6 +401,18 @@ test(in_korean) :-
     sub_string(Text, _, _, _, "어디인가?"),
     \+ sub_string(Text, _, _, _, "Where?"),
     !.
+
+%   So is the table of a pattern, whatever the language of people is.
+test(table_in_korean, true(Same == false)) :-
+    Items = [given([front]), ask(develop(1))],
+    with_sheets(dev10, Items, [], [language(ko)], Folder1,
+                text(Folder1, 'dev10-1-development-1.svg', Text1)),
+    with_sheets(dev10, Items, [], [language(en)], Folder2,
+                text(Folder2, 'dev10-1-development-1.svg', Text2)),
+    (   Text1 == Text2
+    ->  Same = true
+    ;   Same = false
+    ).
 
 %   The view from above stands above the front view, or below it.
 test(angles) :-
@@ -229,6 +457,21 @@ wrong([problem(a, 'b.pl', [])], no_sheet(a)).
 wrong([problem(a, 'b.pl', []),sheet('B7', [a], [])], paper('B7')).
 wrong([problem(a, 'b.pl', []),variant(a, r, x)], values(x)).
 wrong([problem(_, 'b.pl', [])], variable).
+wrong([problem(a, 'b.pl', [ask(measure(weight(1), mm, 1))])],
+      measure(weight(1))).
+wrong([problem(a, 'b.pl', [ask(measure(area(x), mm2, 1))])], measure(area(x))).
+wrong([problem(a, 'b.pl', [ask(measure(area(1), mm, 1))])],
+      unit(area(1), mm, [mm2,cm2,m2])).
+wrong([problem(a, 'b.pl', [ask(measure(area(1), mm2, 0))])],
+      tolerance(area(1), 0)).
+wrong([problem(a, 'b.pl', [given([top]),blank(top)])], all_blank).
+wrong([problem(a, 'b.pl', [given([front,top]),
+                           ask(measure(coordinate(1,x), mm, 1))])],
+      no_view(coordinate(1,x), [right,left])).
+wrong([problem(a, 'b.pl', [planes(w)])], item(planes(w))).
+wrong([problem(a, 'b.pl', [planes(straight, 3)])], item(planes(straight,3))).
+wrong([problem(a, 'b.pl', [given([front]),blank(inside)])],
+      item(blank(inside))).
 
 test(wrong, [forall(wrong(Facts, What)),
              error(model_error(problem(What)), location(_, _, 1))]) :-
@@ -241,6 +484,32 @@ test(wrong, [forall(wrong(Facts, What)),
                        close(Out)),
     call_cleanup(problem_sheets(File, Folder, []),
                  delete_directory_and_contents(Folder)).
+
+%   What the model does not have is told with the number of the sheet, at the
+%   place of the problem.
+
+unfit(fig12, ask(measure(area(7), mm2, 1)), no_segment(7)).
+unfit(fig12, ask(develop(7)), no_segment(7)).
+unfit(fig08, ask(develop(2)), no_pattern(2)).
+unfit(fig08, ask(measure(area(2), mm2, 1)), no_measure(area(2))).
+unfit(fig12, part(7, en, 'pipe'), no_segment(7)).
+unfit(fig10, ask(measure(edge(1, 1, 99), mm, 1)), no_vertex(1, 99)).
+unfit(fig10, ask(measure(sector(1), deg, 1)), no_measure(sector(1))).
+unfit(fig10, ask(measure(generator(1, 1), mm, 1)),
+      no_measure(generator(1, 1))).
+unfit(fig12, ask(measure(coordinate(99, x), mm, 1)),
+      no_measure(coordinate(99, x))).
+unfit(fig12, ask(measure(area(1), mm2, 1.0e-6)), too_fine(area(1), 1.0e-6)).
+
+test(unfit, [forall(unfit(Name, Item, What)),
+             error(model_error(problem(of(Number, model_error(problem(What))))),
+                   location(_, 1, 1))]) :-
+    atom_concat(Name, '-1', Number),
+    with_sheets(Name, [given([front,top,right]),Item], [], [], _, true).
+
+test(unfit_told, [forall(unfit(_, _, What))]) :-
+    phrase(problem_en(What), [_,_|_]),
+    phrase(problem_ko(What), [_,_|_]).
 
 %   Each is told in both languages.
 test(told, [forall(wrong(_, What))]) :-

@@ -158,12 +158,12 @@ test(kernel_is_rule, [ forall(( between(1, 60, Seed),
                        Sheet1-Strokes1 == Sheet2-Strokes2 ]) :-
     new_world(World),
     in_world(World, ( scene(Seed),
-                      sheet_strokes(210-148, Options, Sheet1, Strokes1),
+                      sheet_strokes(210-148, Options, Sheet1, _, Strokes1),
                       sheet_strokes_by_rule(210-148, Options, Sheet2,
                                             Strokes2) )).
 test(kernel_of_nothing, Strokes == []) :-
     new_world(World),
-    in_world(World, sheet_strokes(210-148, [], _, Strokes)).
+    in_world(World, sheet_strokes(210-148, [], _, _, Strokes)).
 
 test(all_and_nothing_else, [forall(between(1, 40, Seed))]) :-
     in_new_world(( scene(Seed), scene_strokes(Parts, Strokes) )),

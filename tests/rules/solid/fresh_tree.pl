@@ -42,7 +42,7 @@ fresh(World) :-
 
 %!  boundary(+S, -Boundary) is det.
 %
-%   What a segment has, but for ids: vertices as their places, polygons by
+%   What a segment has, except for ids: vertices as their places, polygons by
 %   these.
 
 boundary(S, boundary(Vertices, Polygons)) :-

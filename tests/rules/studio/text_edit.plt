@@ -52,11 +52,11 @@ test(no_places, [forall(member(Which-Why,
                  throws(error(request_error(edit(Why)), _))]) :-
     place(Which, _).
 test(replaced, New == "f(12.5, b)") :-
-    number_replaced("f(1, b)", 2, 3, 12.5, New).
+    text_replaced("f(1, b)", 2, 3, 12.5, New).
 test(sign_behind_a_symbol, New == "f(2- -3)") :-
-    number_replaced("f(2-1)", 4, 5, -3, New).
+    text_replaced("f(2-1)", 4, 5, -3, New).
 test(sign, New == "f(-3)") :-
-    number_replaced("f(1)", 2, 3, -3, New).
+    text_replaced("f(1)", 2, 3, -3, New).
 
 % Whatever is put there is read again at the same place, and the rest of the
 % text is as it was.
@@ -73,12 +73,41 @@ test(random, [forall(between(1, 200, Seed)), true(Got =:= Value)]) :-
     ;   Value is N/7.0
     ),
     number_place(Text, Which, From, To, _),
-    number_replaced(Text, From, To, Value, New),
+    text_replaced(Text, From, To, Value, New),
     number_place(New, Which, From1, To1, Got),
     sub_string(Text, To, _, 0, After),
     sub_string(New, To1, _, 0, After),
     sub_string(New, 0, From, _, Before),
     sub_string(Text, 0, From, _, Before),
     From1 >= From.
+
+
+% wished(Text, Wish, New): what wish_place/6 makes of Text.
+wished(Text, Wish, New, Fact) :-
+    wish_place(Text, Wish, From, To, With, Fact),
+    text_replaced(Text, From, To, With, New).
+
+test(wishes, [forall(member(Text-Wish-Wanted,
+                 [ ""-wish(1, cut, 7)-"unfolding(1, cut(7)).\n",
+                   "a."-wish(1, keep, "base-side(3)")-
+                       "a.\nunfolding(1, keep(base-side(3))).\n",
+                   "a.\n"-wish(2, cut, "v(3)-v(8)")-
+                       "a.\nunfolding(2, cut(v(3)-v(8))).\n",
+                   "unfolding(1,keep(7)). % so\nb."-wish(1, cut, 7)-
+                       "unfolding(1, cut(7)). % so\nb.",
+                   "unfolding(1, cut(7)).\nb."-wish(1, none, 7)-"b.",
+                   "a. unfolding(1,cut(top/'x y'-2)) . b.\n"-
+                       wish(1, none, "top/'x y'-2")-"a.  b.\n",
+                   "unfolding(1, cut(8))."-wish(1, none, 8)-"",
+                   "unfolding(1, cut(8)).\n"-wish(1, cut, 7)-
+                       "unfolding(1, cut(8)).\nunfolding(1, cut(7)).\n"
+                 ])),
+              true(New == Wanted)]) :-
+    wished(Text, Wish, New, _).
+test(no_wish, throws(error(request_error(edit(no_wish(1, 7))), _))) :-
+    wished("unfolding(2, cut(7)).", wish(1, none, 7), _, _).
+test(no_edge, [forall(member(Edge, ["X", "(", "f(X)"])),
+               throws(error(request_error(edit(no_edge(Edge))), _))]) :-
+    wished("", wish(1, cut, Edge), _, _).
 
 :- end_tests(text_edit).

@@ -10,6 +10,7 @@
 :- use_module(rules(development/seam_measure)).
 :- use_module(rules(model/model)).
 :- use_module(rules(model/model_file)).
+:- use_module(rules(model/parameter_about)).
 :- use_module(rules(primitive/primitive)).
 :- use_module(rules(polygon/triangulation)).
 :- use_module(rules(solid/csg_evaluate)).
@@ -19,6 +20,9 @@
 :- use_module(rules(unfolding/unfold_true)).
 :- use_module(rules(unrolling/true_plate)).
 :- use_module(rules(unrolling/true_table)).
+
+:- multifile user:message_hook/3.
+:- dynamic user:message_hook/3.
 
 :- begin_tests(fittings).
 
@@ -589,5 +593,71 @@ test(nothing_left, error(geometry_error(trim(nothing_left(2, outside))))) :-
              true_rows(2, [removed([base,top])],
                        [ thickness(5), size(outside), trim(outside),
                          by([1]) ], _)).
+
+%   What no fitting can have is refused, or told with its range. What has none
+%   may be to either side.
+test(bad_values, [forall(member(Name, [elbow,tee,wye,offset,reducer,
+                                       square_to_round,hopper,cyclone])),
+                  nondet]) :-
+    format(atom(Local), 'facts/fittings/~w.pl', [Name]),
+    absolute_file_name(sanggwan(Local), File),
+    new_world(World),
+    in_world(World, ( load_model(File, []),
+                      findall(P, param(P, _), Ps) )),
+    Ps = [_,_|_],
+    forall(( member(P, Ps), member(Value, [0,-3,-500,2.5]) ),
+           value_right(Name, File, P, Value)).
+
+free(tee, offset).
+free(reducer, e).
+free(square_to_round, x).
+free(square_to_round, y).
+free(hopper, x).
+
+value_right(Name, File, P, Value) :-
+    new_world(World),
+    catch(in_world(World,
+                   ( told_warnings(load_model(File, [parameters([P=Value])]),
+                                   Told),
+                     range_of(P, Least, Most, Step) )),
+          Error, true),
+    (   nonvar(Error)
+    ->  Error = error(model_error(_), _)
+    ;   free(Name, P)
+    ->  Told == []
+    ;   number(Least),
+        ( atom(Step) ; number(Step) ),
+        (   ( Value < Least ; number(Most), Value > Most )
+        ->  Told = [parameter(range(P, Value, Least, Most))]
+        ;   Told == []
+        )
+    ),
+    !.
+value_right(Name, _, P, Value) :-
+    print_message(error, format("~q", [Name-P-Value])),
+    fail.
+
+:- meta_predicate told_warnings(0, -).
+
+told_warnings(Goal, Told) :-
+    nb_setval(told, []),
+    setup_call_cleanup(
+        asserta((user:message_hook(sanggwan(What), warning, _) :-
+                     nb_getval(told, Told0),
+                     nb_setval(told, [What|Told0])), Ref),
+        Goal,
+        erase(Ref)),
+    nb_getval(told, Told).
+
+%   And who orders by these words finds them in both languages.
+test(words, [forall(member(Name, [elbow,tee,wye,offset,reducer,
+                                  square_to_round,hopper,cyclone]))]) :-
+    format(atom(Local), 'facts/fittings/~w.pl', [Name]),
+    absolute_file_name(sanggwan(Local), File),
+    new_world(World),
+    in_world(World, ( load_model(File, []),
+                      forall(( param(P, _), \+ free(Name, P) ),
+                             ( about_text(P, en, _),
+                               about_text(P, ko, _) )) )).
 
 :- end_tests(fittings).

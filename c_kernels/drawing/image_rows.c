@@ -1,0 +1,247 @@
+/* image_rows.c -- scenes in dots, and dots in files. */
+#include "doors/image.h"
+
+#include "image_png.h"
+#include "raster_rows.h"
+#include "shading/srgb.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The arguments that are refused. */
+enum { LINES = 2, LOOKS = 3, LEAVES = 4, IMAGE = 1 };
+
+/* ---- looks ---- */
+
+static bool
+read_ways(sg_call *call, const sg_tone_way_list *ways, sg_tones *out)
+{
+  if (ways->n > SG_TONE_WAYS) {
+    return sg_call_domain(call, "shading_ways", LOOKS);
+  }
+  out->ways = (unsigned)ways->n;
+  for (size_t i = 0; i < ways->n; i++) {
+    out->way[i] = ways->at[i];
+  }
+  return true;
+}
+
+static bool
+read_table(sg_call *call, const sg_number_list *axes,
+           const sg_number_list *tones, sg_tones *out)
+{
+  float *table = sg_call_alloc(call, tones->n * sizeof *table);
+
+  if (axes->n != 9 || tones->n != (size_t)SG_TONE_SIDE * SG_TONE_SIDE) {
+    return sg_call_domain(call, "shading_table", LOOKS);
+  }
+  memcpy(out->axis, axes->at, sizeof out->axis);
+  for (size_t i = 0; table && i < tones->n; i++) {
+    table[i] = (float)tones->at[i];
+  }
+  out->table = table;
+  return table != NULL;
+}
+
+static bool
+read_ramp(sg_call *call, const sg_ramp_light_list *list, sg_ramp *out)
+{
+  if (list->n != SG_RAMP + 1) {
+    return sg_call_domain(call, "shading_ramp", LOOKS);
+  }
+  for (size_t i = 0; i < list->n; i++) {
+    const int32_t part[3] = {list->at[i].red, list->at[i].green,
+                             list->at[i].blue};
+    for (int c = 0; c < 3; c++) {
+      if (part[c] < 0 || part[c] > SG_LIGHT_MOST) {
+        return sg_call_domain_of(call, "light", part[c]);
+      }
+      out->light[i][c] = (uint16_t)part[c];
+    }
+  }
+  memcpy(out->light[SG_RAMP + 1], out->light[SG_RAMP], sizeof out->light[0]);
+  return true;
+}
+
+static bool
+read_look(sg_call *call, const sg_shading_look *fact, sg_face_look *out)
+{
+  const sg_shading_tones *tones = &fact->tones;
+
+  memset(&out->tones, 0, sizeof out->tones);
+  if (tones->is == SG_SHADING_TONES_TABLE) {
+    return read_table(call, &tones->table.axes, &tones->table.tones,
+                      &out->tones) &&
+           read_ramp(call, &fact->ramp, &out->ramp);
+  }
+  out->tones.constant = tones->sum.constant;
+  return read_ways(call, &tones->sum.ways, &out->tones) &&
+         read_ramp(call, &fact->ramp, &out->ramp);
+}
+
+/* Leaf after leaf, the first one is leaf 1. */
+static bool
+read_leaves(sg_call *call, const sg_list_count_list *leaves, size_t looks,
+            sg_looks *out)
+{
+  size_t n = 0;
+
+  for (size_t i = 0; i < leaves->n; i++) {
+    n += leaves->at[i].n;
+  }
+  uint32_t *first = sg_call_alloc(call, (leaves->n + 2) * sizeof *first);
+  uint32_t *of = sg_call_alloc(call, (n + 1) * sizeof *of);
+  uint32_t at = 0;
+
+  if (!first || !of) {
+    return false;
+  }
+  first[0] = 0;
+  for (size_t i = 0; i < leaves->n; i++) {
+    first[i + 1] = at;
+    for (size_t j = 0; j < leaves->at[i].n; j++) {
+      if (leaves->at[i].at[j] >= looks) {
+        return sg_call_domain(call, "shading_look", LEAVES);
+      }
+      of[at++] = (uint32_t)leaves->at[i].at[j];
+    }
+  }
+  first[leaves->n + 1] = at;
+  out->first = first;
+  out->of = of;
+  return true;
+}
+
+static bool
+read_looks(sg_call *call, const sg_shading_look_list *list,
+           const sg_list_count_list *leaves, sg_looks *out)
+{
+  sg_face_look *look = sg_call_alloc(call, (list->n + 1) * sizeof *look);
+
+  for (size_t i = 0; look && i < list->n; i++) {
+    if (!read_look(call, &list->at[i], &look[i])) {
+      return false;
+    }
+  }
+  out->look = look;
+  return look && read_leaves(call, leaves, list->n, out);
+}
+
+/* ---- pictures ---- */
+
+static bool
+read_background(sg_call *call, const sg_image_background *fact, sg_shaded *in)
+{
+  sg_colour colour = {0, 0, 0};
+
+  in->clear = fact->is == SG_IMAGE_BACKGROUND_NONE;
+  if (!in->clear && !sg_rgb_colour(call, &fact->rgb, colour)) {
+    return false;
+  }
+  for (int c = 0; c < 3; c++) {
+    in->background[c] = sg_srgb_light(colour[c]);
+  }
+  return true;
+}
+
+static bool
+ended(sg_call *call, sg_shading_end end)
+{
+  return end == SG_SHADING_GOOD ||
+         (end == SG_SHADING_NO_MEMORY ? sg_call_no_memory(call)
+                                      : sg_call_ended(call));
+}
+
+bool
+sg_door_image_shade(sg_call *call, sg_shading *scene, size_t lines,
+                    const sg_shading_look_list *looks,
+                    const sg_list_count_list *leaves,
+                    const sg_image_background *background, sg_image **out)
+{
+  const sg_shading_frame *frame = sg_shading_frame_of(scene);
+  sg_shaded in = {.scene = scene, .lines = (unsigned)lines};
+  sg_pool *pool = sg_call_pool(call);
+
+  if (lines == 0 || lines > SG_COVER_LINES || (lines & (lines - 1)) != 0) {
+    return sg_call_domain(call, "shading_lines", LINES);
+  }
+  return pool && sg_raster_size(call, frame->width, frame->height) &&
+         read_background(call, background, &in) &&
+         read_looks(call, looks, leaves, &in.looks) &&
+         ended(call, sg_shade(&in, pool, &call->cancel, out));
+}
+
+bool
+sg_door_image_normals(sg_call *call, sg_vector_list *out)
+{
+  for (unsigned i = 0; i < SG_TONE_SIDE; i++) {
+    for (unsigned j = 0; j < SG_TONE_SIDE; j++) {
+      sg_xyz normal;
+
+      sg_tone_normal(i, j, normal.at);
+      if (!sg_vector_list_add(call, out, normal)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+bool
+sg_door_image_extent(sg_call *call, sg_shading *scene, sg_shading_extent *out)
+{
+  sg_pool *pool = sg_call_pool(call);
+
+  return pool &&
+         ended(call, sg_shading_extent_of(scene, pool, &call->cancel, out)) &&
+         out->x1 < out->x2;
+}
+
+bool
+sg_door_srgb_light(sg_call *call, size_t byte, size_t *light)
+{
+  if (byte > UINT8_MAX) {
+    return sg_call_domain(call, "byte", 1);
+  }
+  *light = sg_srgb_light((uint8_t)byte);
+  return true;
+}
+
+/* ---- files ---- */
+
+bool
+sg_door_image_png(sg_call *call, sg_image *image, size_t per_metre,
+                  const sg_output *stream)
+{
+  sg_pool *pool = sg_call_pool(call);
+  uint8_t *bytes;
+  size_t n;
+
+  if (!pool || sg_image_png(image, (uint32_t)per_metre, pool, &call->cancel,
+                            &bytes, &n) != SG_PNG_OK) {
+    return pool && sg_call_ended(call);
+  }
+  bool good = stream->write(stream->data, (const char *)bytes, n);
+
+  free(bytes);
+  return good;
+}
+
+bool
+sg_door_image_ppm(sg_call *call, sg_image *image, const sg_output *stream)
+{
+  size_t row = (size_t)image->width * image->bytes;
+  char head[64];
+  int n = snprintf(head, sizeof head, "P6\n%d %d\n255\n", (int)image->width,
+                   (int)image->height);
+  if (image->bytes != 3) {
+    return sg_call_domain(call, "image_without_alpha", IMAGE);
+  }
+  bool good = stream->write(stream->data, head, (size_t)n);
+  for (int32_t y = 0; good && y < image->height; y++) {
+    good = stream->write(stream->data,
+                         (const char *)image->dot + (size_t)y * row, row);
+  }
+  return good;
+}

@@ -1,0 +1,59 @@
+/* cover.h -- a row of dots: how far each is covered, and by which light.
+ *
+ * Layer: kernel. A dot is crossed by `lines` scan lines. Each span counts as
+ * wide as it is, in 1/256 dot, so a dot has whole sums, and no rounding but
+ * that of the light. Flat faces have one light; of others it is that of the
+ * normal in the middle of a dot, once for all its lines.
+ */
+#ifndef SG_COVER_H
+#define SG_COVER_H
+
+#include "shading_scene.h"
+#include "tone.h"
+
+#define SG_COVER_LINES 16 /* most lines of a dot */
+
+typedef struct sg_face_look {
+  sg_tones tones;
+  sg_ramp ramp;
+} sg_face_look;
+
+/* The looks of faces: that of face F of leaf L is the entry first[L] + F, if it
+ * is before first[L + 1], else entry first[L]. Leaves as of sg_span. */
+typedef struct sg_looks {
+  const sg_face_look *look;
+  const uint32_t *first; /* [leaves + 2] */
+  const uint32_t *of;    /* [first[leaves + 1]]: numbers of looks */
+} sg_looks;
+
+/* What a picture is made from; all borrowed. */
+typedef struct sg_shaded {
+  const sg_shading *scene;
+  unsigned lines; /* 1, 2, 4, 8 or 16 */
+  sg_looks looks;
+  uint16_t background[3]; /* light */
+  bool clear;             /* no background: dots have an alpha */
+} sg_shaded;
+
+/* Sums of a row of dots. */
+typedef struct sg_dot_row {
+  int32_t width;
+  uint32_t (*sum)[4]; /* [width]: light * 1/256 dots, and 1/256 dots */
+  uint64_t *seen;     /* [width]: which face `light` is of; 0: none */
+  uint32_t (*light)[3];
+} sg_dot_row;
+
+/* False: no memory. Owner: sg_cover_close(). */
+bool sg_cover_open(sg_dot_row *out, int32_t width);
+void sg_cover_close(sg_dot_row *cover);
+
+/* The sums of the row y of dots. `spans` is room. False: no memory. */
+bool sg_cover_row(sg_dot_row *cover, const sg_shaded *in, sg_shading_work *work,
+                  sg_spans *spans, int32_t y);
+
+/* The bytes of these dots, 3 a dot, or 4 if it is `clear`: red, green, blue,
+ * alpha. `byte` as of sg_srgb_bytes(). */
+void sg_cover_bytes(const sg_dot_row *cover, const sg_shaded *in,
+                    const uint8_t *byte, uint8_t *out);
+
+#endif

@@ -1,0 +1,23 @@
+/* extent.h -- where in its frame something of a scene is seen.
+ *
+ * Layer: kernel.
+ */
+#ifndef SG_EXTENT_H
+#define SG_EXTENT_H
+
+#include "shading_scene.h"
+#include "thread_pool.h"
+
+/* Dots; x1 and x2 to 1/256. */
+typedef struct sg_shading_extent {
+  double x1, y1, x2, y2;
+} sg_shading_extent;
+
+/* Round what is seen on the lines in the middle of dots; y1 and y2 are where it
+ * ends above the first and below the last of these, to 1/256 dot. Nothing is
+ * seen: x1 > x2. */
+sg_shading_end sg_shading_extent_of(const sg_shading *scene, sg_pool *pool,
+                                    const sg_cancel *cancel,
+                                    sg_shading_extent *out);
+
+#endif

@@ -1,0 +1,168 @@
+/* flush.c -- surfaces that lie in one another become one. Then slices of them
+ * have the same depth to the last bit, and are always one group. */
+#include "number/vector.h"
+#include "rows/sort.h"
+#include "shading_private.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Dots: what rounding leaves between equal surfaces. */
+#define ROUNDED 1e-8
+
+/* Of a key that only near surfaces have nearly alike. */
+#define SPREAD_X 0.37
+#define SPREAD_Y 0.59
+
+typedef struct merging {
+  sg_shading *scene;
+  double tolerance, reach; /* dots; from the middle to the farthest */
+  uint32_t *to;            /* [surfaces]: the one that stays */
+  sg_measured *key;
+  size_t n;
+} merging;
+
+/* The quadric from another point, in its own scale. */
+static void
+move_quadric(const sg_shading_surface *s, const double at[3], double q[10])
+{
+  const double *a = s->q;
+  double p[3];
+
+  sg_minus(at, s->at, p);
+  memcpy(q, a, 10 * sizeof *q);
+  q[6] += 2 * a[0] * p[0] + a[3] * p[1] + a[4] * p[2];
+  q[7] += 2 * a[1] * p[1] + a[3] * p[0] + a[5] * p[2];
+  q[8] += 2 * a[2] * p[2] + a[4] * p[0] + a[5] * p[1];
+  q[9] += (a[0] * p[0] + a[3] * p[1] + a[4] * p[2] + a[6]) * p[0] +
+          (a[1] * p[1] + a[5] * p[2] + a[7]) * p[1] +
+          (a[2] * p[2] + a[8]) * p[2];
+}
+
+static double
+key_of(const merging *m, const sg_shading_surface *s)
+{
+  double q[10];
+
+  if (!s->quadric) {
+    return s->q[3] + m->reach * (SPREAD_X * s->q[0] + SPREAD_Y * s->q[1]);
+  }
+  move_quadric(s, m->scene->middle, q);
+  return q[9];
+}
+
+static bool
+same_plane(const merging *m, const double p[4], const double q[4])
+{
+  double turn = sg_distance(p, q);
+
+  return turn * m->reach + fabs(p[3] - q[3]) <= m->tolerance;
+}
+
+/* Near both centres; `reach` there is a few radii. */
+static bool
+same_quadric(const merging *m, const sg_shading_surface *a,
+             const sg_shading_surface *b)
+{
+  double q[10], squares = 0.0, linear = 0.0;
+  double size = sg_distance(a->at, b->at), radius = sqrt(fabs(b->q[9]));
+  double far = 4.0 * fmax(size, radius);
+
+  move_quadric(a, b->at, q);
+  for (int k = 0; k < 6; k++) {
+    squares += fabs(q[k] - b->q[k]);
+  }
+  for (int k = 6; k < 9; k++) {
+    linear += fabs(q[k] - b->q[k]);
+  }
+  return (squares * far + linear) * far + fabs(q[9] - b->q[9]) <=
+         m->tolerance * radius;
+}
+
+static bool
+same_surface(const merging *m, uint32_t i, uint32_t j)
+{
+  const sg_shading_surface *a = &m->scene->surface.item[i];
+  const sg_shading_surface *b = &m->scene->surface.item[j];
+
+  return a->quadric
+             ? same_quadric(m, a, b)
+             : (a->known > 0) == (b->known > 0) && same_plane(m, a->q, b->q);
+}
+
+/* Those of a kind, in order of their keys: each goes to the first before it
+ * that is the same. */
+static sg_shading_end
+merge_kind(merging *m, bool quadric, const sg_cancel *cancel)
+{
+  const sg_shading *s = m->scene;
+
+  m->n = 0;
+  for (uint32_t i = 0; i < s->surface.n; i++) {
+    if (s->surface.item[i].quadric == quadric) {
+      m->key[m->n++] = (sg_measured){key_of(m, &s->surface.item[i]), i};
+    }
+  }
+  sg_sort_end end = sg_sort_measured(m->key, m->n, cancel);
+  if (end != SG_SORTED) {
+    return end == SG_SORT_STOPPED ? SG_SHADING_STOPPED : SG_SHADING_NO_MEMORY;
+  }
+  for (size_t i = 0; i < m->n; i++) {
+    double value = m->key[i].value;
+    double width = quadric ? 1e-9 * (1.0 + fabs(value)) : 2.0 * m->tolerance;
+
+    if (sg_cancel_every(cancel, i)) {
+      return SG_SHADING_STOPPED;
+    }
+    for (size_t k = i; k > 0 && value - m->key[k - 1].value <= width; k--) {
+      uint32_t other = m->key[k - 1].of;
+      if (m->to[other] == other && same_surface(m, m->key[i].of, other)) {
+        m->to[m->key[i].of] = other;
+        break;
+      }
+    }
+  }
+  return SG_SHADING_GOOD;
+}
+
+static void
+use_merged(sg_shading *s, const uint32_t *to)
+{
+  for (size_t i = 0; i < s->polygon.n; i++) {
+    s->polygon.item[i].surface = to[s->polygon.item[i].surface];
+  }
+  for (size_t i = 0; i < s->body.n; i++) {
+    sg_shading_body *b = &s->body.item[i];
+
+    b->surface = to[b->surface];
+    for (uint32_t k = 0; k < b->bounds; k++) {
+      b->bound[k].surface = to[b->bound[k].surface];
+    }
+  }
+}
+
+sg_shading_end
+sg_shading_merge(sg_shading *s, const sg_cancel *cancel)
+{
+  size_t n = s->surface.n;
+  merging m = {.scene = s,
+               .tolerance = fmax(s->frame.tolerance, ROUNDED),
+               .reach = s->frame.width + s->frame.height,
+               .to = malloc((n + 1) * sizeof *m.to),
+               .key = malloc((n + 1) * sizeof *m.key)};
+  sg_shading_end end = m.to && m.key ? SG_SHADING_GOOD : SG_SHADING_NO_MEMORY;
+
+  for (uint32_t i = 0; m.to && i < n; i++) {
+    m.to[i] = i;
+  }
+  for (int kind = 0; kind < 2 && end == SG_SHADING_GOOD; kind++) {
+    end = merge_kind(&m, kind == 1, cancel);
+  }
+  if (end == SG_SHADING_GOOD) {
+    use_merged(s, m.to);
+  }
+  free(m.to);
+  free(m.key);
+  return end;
+}

@@ -1,0 +1,99 @@
+/* shading_point.c -- depth and normal at a point of a span. */
+#include "number/vector.h"
+#include "shading_private.h"
+
+#include <math.h>
+#include <string.h>
+
+static double
+quadric_depth(const sg_shading_surface *s, int sense, double x, double y)
+{
+  const double *q = s->q;
+  double a = q[2], b = (q[4] * x + q[5] * y + q[8]) / 2;
+  double c = (q[0] * x + q[3] * y + q[6]) * x + (q[1] * y + q[7]) * y + q[9];
+  double square = b * b - a * c;
+  double root = square > 0 ? sqrt(square) : 0.0;
+
+  /* the side that is nearer, or the other one; without cancelling */
+  bool same = (sense > 0) == (a > 0);
+  double big = same ? -b - root : -b + root;
+  double other = same ? -b + root : -b - root;
+
+  return fabs(other) > fabs(big) ? c / other : a != 0 ? big / a : 0.0;
+}
+
+/* The gradient in the picture, with its value at the origin of the axes, of a
+ * quadric at a point of it from `at`. */
+static void
+tangent_plane(const sg_shading_surface *s, const double p[3], double out[4])
+{
+  const double *q = s->q;
+
+  out[0] = 2 * q[0] * p[0] + q[3] * p[1] + q[4] * p[2] + q[6];
+  out[1] = 2 * q[1] * p[1] + q[3] * p[0] + q[5] * p[2] + q[7];
+  out[2] = 2 * q[2] * p[2] + q[4] * p[0] + q[5] * p[1] + q[8];
+  out[3] = -(sg_dot(out, p) + sg_dot(out, s->at));
+}
+
+/* The normal of the surface that a facet stands for, where it has one. */
+static void
+known_normal(const sg_shading *scene, const sg_shading_surface *s,
+             const double seen[4], double normal[3])
+{
+  double p[4], out[3];
+
+  for (int i = 0; i < 4; i++) {
+    const double *b = scene->back[i];
+    p[i] = b[0] * seen[0] + b[1] * seen[1] + b[2] * seen[2] + b[3] * seen[3];
+  }
+  for (int k = 0; k < 3; k++) {
+    p[k] /= p[3];
+  }
+  if (sg_known_surface_normal(&scene->known.item[s->known - 1], p, s->normal,
+                              out)) {
+    memcpy(normal, out, sizeof out);
+  }
+}
+
+void
+sg_shading_point(const sg_shading *scene, const sg_span *span, double x,
+                 double y, double *depth, double normal[3])
+{
+  const sg_shading_surface *s = &scene->surface.item[span->surface];
+  double p[3] = {x - s->at[0], y - s->at[1], 0}, plane[4];
+
+  if (!s->quadric) {
+    *depth = s->at[2] -
+             (fabs(s->q[2]) < SG_EDGE_ON
+                  ? 0.0
+                  : (s->q[0] * p[0] + s->q[1] * p[1] + s->q[3]) / s->q[2]);
+    memcpy(normal, s->normal, 3 * sizeof *normal);
+    if (s->known > 0) {
+      known_normal(scene, s, (double[4]){x, y, *depth, 1.0}, normal);
+    }
+    return;
+  }
+  p[2] = quadric_depth(s, span->sense, p[0], p[1]);
+  *depth = s->at[2] + p[2];
+  tangent_plane(s, p, plane);
+  double way = plane[2] > 0 ? -1.0 : 1.0;
+
+  for (int k = 0; k < 3; k++) {
+    normal[k] = 0.0;
+    for (int j = 0; j < 4; j++) {
+      normal[k] += way * plane[j] * scene->frame.matrix[j][k];
+    }
+  }
+  double length = sg_any_length(normal);
+  for (int k = 0; k < 3; k++) {
+    normal[k] = length > 0 ? normal[k] / length : 0.0;
+  }
+}
+
+bool
+sg_shading_is_flat(const sg_shading *scene, const sg_span *span)
+{
+  const sg_shading_surface *s = &scene->surface.item[span->surface];
+
+  return !s->quadric && s->known == 0;
+}

@@ -1,0 +1,166 @@
+/* shading_private.h -- inside a shaded scene: shading_scene.h.
+ *
+ * Layer: kernel, private.
+ */
+#ifndef SG_SHADING_PRIVATE_H
+#define SG_SHADING_PRIVATE_H
+
+#include "engine/list.h"
+#include "shading_scene.h"
+
+/* Rows of dots that are worked on together. */
+#define SG_BAND 16
+
+/* Places of corners are whole multiples of it: what is computed twice of one
+ * corner, and lies on a scan line, is on the same side of it. */
+#define SG_SNAP 1048576.0
+
+/* A plane whose normal has less along the line of sight is seen edge-on. */
+#define SG_EDGE_ON 1e-6
+
+/* A plane n.(p - at) + d = 0, n a unit vector; or a quadric
+ * q0 xx + q1 yy + q2 zz + q3 xy + q4 xz + q5 yz + q6 x + q7 y + q8 z + q9 = 0
+ * round `at`; both in the picture. */
+typedef struct sg_shading_surface {
+  bool quadric;
+  double at[3];
+  double q[10];     /* of a plane: n and d */
+  double normal[3]; /* of a plane: in the model, to the eye */
+  uint32_t known;   /* of a plane: it stands for this one of scene->known, from
+                       1; 0: for none */
+} sg_shading_surface;
+
+typedef struct sg_shading_edge {
+  double x1, y1, x2, y2, z1, z2; /* y1 <= y2 */
+} sg_shading_edge;
+
+/* A polygon of a leaf. */
+typedef struct sg_shading_polygon {
+  uint32_t leaf, surface;
+  int32_t face;
+  int8_t sense; /* of its front: 1 entered, -1 left, 0 edge-on */
+  uint32_t edge, edges;
+  double y1, y2;
+} sg_shading_polygon;
+
+/* A plane that bounds a piece: what is inside has sense * plane >= 0. */
+typedef struct sg_shading_bound {
+  uint32_t surface;
+  int32_t face; /* 0: none */
+  double sense;
+} sg_shading_bound;
+
+typedef struct sg_shading_body {
+  uint32_t leaf, surface;
+  int32_t face;
+  uint32_t bounds; /* 0 .. 2 */
+  sg_shading_bound bound[2];
+  double y1, y2;
+  bool more; /* the next piece is of the same leaf */
+} sg_shading_body;
+
+typedef struct sg_shading_leaf {
+  int32_t number;
+  int32_t root;  /* by place, -1: in none */
+  int32_t sign;  /* -1: under an odd number of right-hand sides */
+  uint32_t node; /* of the expression, SIZE: none */
+  bool round;
+} sg_shading_leaf;
+
+typedef struct sg_shading_root {
+  int32_t segment;
+  uint32_t node;
+} sg_shading_root;
+
+/* Something of a band: a polygon, or the pieces of a leaf from this one on. */
+typedef struct sg_shading_item {
+  uint32_t at;
+  bool round;
+} sg_shading_item;
+
+struct sg_shading {
+  sg_shading_frame frame;
+  double middle[3];       /* where planes have their `at` */
+  double low[3], high[3]; /* of all faces, in the picture */
+  SG_LIST_OF(sg_shading_leaf) leaf;
+  SG_LIST_OF(sg_shading_surface) surface;
+  SG_LIST_OF(sg_shading_polygon) polygon;
+  SG_LIST_OF(sg_shading_edge) edge;
+  SG_LIST_OF(sg_shading_body) body;
+  SG_LIST_OF(sg_shading_root) root;
+  SG_LIST_OF(sg_known_surface) known;
+  uint32_t known_now; /* what polygons that are added stand for */
+  double back[4][4];  /* from the picture to the model, but for a factor */
+  sg_expression expression; /* the union of all roots */
+  size_t root_node;         /* of the last root */
+  uint32_t bands;
+  uint32_t *band_first;  /* [bands + 1] */
+  sg_shading_item *item; /* [band_first[bands]] */
+};
+
+/* What a face of a leaf and the plane of a scan line have in common: with
+ * t = x - x0 (dots) it is seen at depth z = a + b t, of an arc
+ * a + b t + arc sqrt(e t^2 + f t + g), where what is below 0 counts as 0. */
+typedef struct sg_slice {
+  int32_t x1, x2;
+  uint32_t leaf, surface;
+  int32_t face;
+  int8_t sense; /* 1 enters, -1 leaves */
+  int8_t arc;   /* 0: straight; else the sign of the root */
+  bool round;   /* of a round leaf: its slices do not cross */
+  double x0, a, b, e, f, g;
+} sg_slice;
+
+/* A slice where it is looked at between two places. */
+typedef struct sg_active {
+  const sg_slice *slice;
+  double left, middle, right; /* depths */
+} sg_active;
+
+struct sg_shading_work {
+  const sg_shading *scene;
+  SG_LIST_OF(sg_slice) slice;
+  SG_LIST_OF(uint64_t) start; /* x1, then the place of the slice */
+  SG_LIST_OF(int32_t) end;
+  SG_LIST_OF(sg_active) active;
+  SG_LIST_OF(double) crossing;
+  sg_expression expression; /* a copy with counters of its own */
+  bool failed;              /* no memory */
+};
+
+static inline double
+sg_slice_depth(const sg_slice *s, double x)
+{
+  double t = x - s->x0;
+  double depth = s->a + s->b * t;
+
+  if (s->arc != 0) {
+    double square = (s->e * t + s->f) * t + s->g;
+    depth += s->arc * (square > 0 ? __builtin_sqrt(square) : 0.0);
+  }
+  return depth;
+}
+
+/* slice.c: the slices of the line y, unordered. */
+bool sg_slices_of_line(sg_shading_work *work, double y);
+
+/* crossing.c: the first place strictly between x1 and x2, in 1/256 dot, where
+ * two slices, of which p is the nearer one in the middle or in one place with
+ * q, may stop being so; x1: there is none. */
+int32_t sg_slices_cross(const sg_active *p, const sg_active *q, int32_t x1,
+                        int32_t x2, double tolerance);
+
+/* walk.c: what is seen of slices in order of depth in the middle. The place of
+ * the owner, and in *last that of the last slice of its group; n: nothing is
+ * seen, and *last is n. */
+size_t sg_walk_slices(sg_shading_work *work, const sg_active *active, size_t n,
+                      size_t *last);
+
+/* shading_body.c: the right half becomes the inverse of the left one. False:
+ * there is none. */
+bool sg_shading_invert(double a[4][8]);
+
+/* flush.c: planes and quadrics that lie in one another become one surface. */
+sg_shading_end sg_shading_merge(sg_shading *scene, const sg_cancel *cancel);
+
+#endif

@@ -1,0 +1,144 @@
+/* shading_ring.c -- a torus as facets made for the picture: none is farther
+ * from it than an eighth of a dot, and each is seen with its true normals.
+ */
+#include "number/vector.h"
+#include "shading_private.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Dots. */
+#define FARTHEST 0.125
+
+/* Facets round, at most. */
+#define MOST 4096
+
+/* What is near the eye is divided as if it were so many times as large as the
+ * middle, at most. */
+#define MOST_LARGER 16.0
+
+#define TURN 6.283185307179586
+
+/* Corners of a polygon of n sides, four times a power of two, that has the area
+ * of the unit circle: each is half-way between two, so square roots are enough.
+ */
+static bool
+fill_turn(double (*at)[2], size_t n)
+{
+  for (size_t i = 0; i < 4; i++) {
+    at[i * (n / 4)][0] = i == 0 ? 1.0 : i == 2 ? -1.0 : 0.0;
+    at[i * (n / 4)][1] = i == 1 ? 1.0 : i == 3 ? -1.0 : 0.0;
+  }
+  for (size_t step = n / 4; step > 1; step /= 2) {
+    for (size_t i = 0; i < n; i += step) {
+      const double *a = at[i], *b = at[(i + step) % n];
+      double x = a[0] + b[0], y = a[1] + b[1], length = sqrt(x * x + y * y);
+      at[i + step / 2][0] = x / length;
+      at[i + step / 2][1] = y / length;
+    }
+  }
+  double larger = sqrt(TURN / (double)n / at[1][1]);
+  for (size_t i = 0; i < n; i++) {
+    at[i][0] *= larger;
+    at[i][1] *= larger;
+  }
+  return true;
+}
+
+/* How many parts of a circle of this radius, in dots, are near enough. */
+static size_t
+parts_for(double radius)
+{
+  size_t n = 8;
+  double away = radius * (1.0 - sqrt((1.0 + sqrt(0.5)) / 2.0));
+
+  for (; n < MOST && away > FARTHEST; n *= 2) {
+    away /= 4.0;
+  }
+  return n;
+}
+
+/* Of a model vector at the torus, dots in the picture, at most. */
+static double
+dots(const sg_shading *s, const double v[3], double nearest)
+{
+  double out[3];
+
+  for (int i = 0; i < 3; i++) {
+    out[i] = sg_dot(s->frame.matrix[i], v);
+  }
+  return sg_length(out) / nearest;
+}
+
+typedef struct torus {
+  const sg_shading_ring *ring;
+  double (*round)[2], (*side)[2];
+  size_t n, m;
+} torus;
+
+static void
+point(const torus *t, size_t i, size_t j, double out[3])
+{
+  const double *a = t->round[i % t->n], *b = t->side[j % t->m];
+  double r = 1.0 + t->ring->k * b[0];
+
+  for (int c = 0; c < 3; c++) {
+    out[c] = t->ring->frame[0][c] + r * a[0] * t->ring->frame[1][c] +
+             r * a[1] * t->ring->frame[2][c] +
+             t->ring->k * b[1] * t->ring->frame[3][c];
+  }
+}
+
+/* Counter-clockwise seen from outside, of a frame that is right-handed. */
+static sg_shading_end
+add_facets(sg_shading *s, const torus *t, bool turned)
+{
+  sg_shading_end end = SG_SHADING_GOOD;
+  const size_t four = 4;
+  double p[4][3];
+
+  for (size_t k = 0; end == SG_SHADING_GOOD && k < t->n * t->m; k++) {
+    size_t i = k / t->m, j = k % t->m;
+
+    point(t, i, j, p[0]);
+    point(t, i + (turned ? 0 : 1), j + (turned ? 1 : 0), p[1]);
+    point(t, i + 1, j + 1, p[2]);
+    point(t, i + (turned ? 1 : 0), j + (turned ? 0 : 1), p[3]);
+    end = sg_shading_add_polygon(s, t->ring->face, (const double(*)[3])p, &four,
+                                 1);
+  }
+  return end;
+}
+
+sg_shading_end
+sg_shading_add_ring(sg_shading *s, const sg_shading_ring *ring)
+{
+  const double(*f)[3] = ring->frame;
+  torus t = {.ring = ring};
+  double middle = sg_dot(s->frame.matrix[3], f[0]) + s->frame.matrix[3][3];
+  double nearest = middle; /* at most as near as this */
+  double across[3];
+
+  for (int i = 1; i < 4; i++) {
+    nearest -= fabs(sg_dot(s->frame.matrix[3], f[i])) * (1.0 + ring->k);
+  }
+  if (!(middle > 0)) {
+    return SG_SHADING_BEHIND_EYE;
+  }
+  nearest = fmax(nearest, middle / MOST_LARGER);
+  double u = dots(s, f[1], nearest), v = dots(s, f[2], nearest);
+  t.n = parts_for((1.0 + ring->k) * fmax(u, v));
+  t.m = parts_for(ring->k * fmax(fmax(u, v), dots(s, f[3], nearest)));
+  t.round = malloc(t.n * sizeof *t.round);
+  t.side = malloc(t.m * sizeof *t.side);
+  sg_shading_end end = SG_SHADING_NO_MEMORY;
+  if (t.round && t.side && fill_turn(t.round, t.n) && fill_turn(t.side, t.m) &&
+      sg_shading_set_known(s, SG_KNOWN_TORUS, f, ring->k, 0.0)) {
+    sg_cross(f[1], f[2], across);
+    end = add_facets(s, &t, sg_dot(across, f[3]) < 0);
+    s->known_now = 0;
+  }
+  free(t.round);
+  free(t.side);
+  return end;
+}

@@ -1,0 +1,384 @@
+/* shading_rows.c -- scenes from terms, and their lines. */
+#include "doors/shading.h"
+#include "shading_private.h"
+#include "shading_segment_rows.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Dots: wider pictures have no 1/256 in an int32_t. */
+#define WIDEST 4194304
+
+static bool
+ended(sg_call *call, sg_shading_end end, int32_t number)
+{
+  switch (end) {
+  case SG_SHADING_GOOD:
+    return true;
+  case SG_SHADING_BEHIND_EYE:
+    return sg_call_geometry(call, "leaf_behind_eye", &number, 1);
+  case SG_SHADING_NO_MEMORY:
+    return sg_call_no_memory(call);
+  case SG_SHADING_STOPPED:
+    break;
+  }
+  return sg_call_ended(call);
+}
+
+/* ---- leaves ---- */
+
+/* The corners of a polygon, loop after loop. */
+static bool
+read_polygon(sg_call *call, sg_shading *scene, int32_t number,
+             const sg_point_list *points, const sg_shading_polygon_fact *fact)
+{
+  size_t loops = fact->loops.n, n = 0;
+  size_t *count = sg_call_alloc(call, (loops + 1) * sizeof *count);
+
+  for (size_t i = 0; count && i < loops; i++) {
+    n += count[i] = fact->loops.at[i].n;
+  }
+  double(*p)[3] = count ? sg_call_alloc(call, (n + 1) * sizeof *p) : NULL;
+  size_t k = 0;
+  for (size_t i = 0; p && i < loops; i++) {
+    for (size_t j = 0; j < count[i]; j++) {
+      size_t at = (size_t)fact->loops.at[i].at[j];
+      if (at > points->n) {
+        return sg_call_domain(call, "shading_point", 2);
+      }
+      memcpy(p[k++], points->at[at - 1].at, sizeof *p);
+    }
+  }
+  return p && ended(call,
+                    sg_shading_add_polygon(scene, fact->face,
+                                           (const double(*)[3])p, count, loops),
+                    number);
+}
+
+static bool
+read_piece(sg_call *call, sg_shading *scene, int32_t number,
+           const sg_shading_piece_fact *fact)
+{
+  sg_shading_piece piece = {.sphere = fact->kind == SG_KNOWN_SPHERE,
+                            .k = fact->k,
+                            .low = fact->low,
+                            .high = fact->high,
+                            .low_face = fact->low_face,
+                            .high_face = fact->high_face,
+                            .face = fact->face};
+
+  if (fact->frame.n != 12 ||
+      (!piece.sphere && fact->kind != SG_KNOWN_TAPERED)) {
+    return sg_call_domain(call, "shading_piece", 2);
+  }
+  memcpy(piece.frame, fact->frame.at, sizeof piece.frame);
+  return ended(call, sg_shading_add_piece(scene, &piece), number);
+}
+
+static bool
+read_ring(sg_call *call, sg_shading *scene, const sg_shading_leaf_fact *fact)
+{
+  sg_shading_ring ring = {.k = fact->ring.k, .face = fact->ring.face};
+
+  if (fact->ring.frame.n != 12 || !(ring.k > 0 && ring.k < 1)) {
+    return sg_call_domain(call, "shading_ring", 2);
+  }
+  memcpy(ring.frame, fact->ring.frame.at, sizeof ring.frame);
+  return ended(call, sg_shading_add_ring(scene, &ring), fact->ring.number);
+}
+
+static int32_t
+number_of(const sg_shading_leaf_fact *fact)
+{
+  switch (fact->is) {
+  case SG_SHADING_LEAF_FACT_FLAT:
+    return fact->flat.number;
+  case SG_SHADING_LEAF_FACT_ROUND:
+    return fact->round.number;
+  case SG_SHADING_LEAF_FACT_RING:
+    return fact->ring.number;
+  case SG_SHADING_LEAF_FACT_ROWS:
+    return fact->rows.number;
+  }
+  return 0;
+}
+
+static bool
+read_faces(sg_call *call, sg_shading *scene, const sg_shading_leaf_fact *fact)
+{
+  int32_t number = number_of(fact);
+  bool good = true;
+
+  switch (fact->is) {
+  case SG_SHADING_LEAF_FACT_FLAT:
+    for (size_t i = 0; good && i < fact->flat.polygons.n; i++) {
+      good = read_polygon(call, scene, number, &fact->flat.points,
+                          &fact->flat.polygons.at[i]);
+    }
+    return good;
+  case SG_SHADING_LEAF_FACT_ROUND:
+    for (size_t i = 0; good && i < fact->round.pieces.n; i++) {
+      good = read_piece(call, scene, number, &fact->round.pieces.at[i]);
+    }
+    return good;
+  case SG_SHADING_LEAF_FACT_RING:
+    return read_ring(call, scene, fact);
+  case SG_SHADING_LEAF_FACT_ROWS:
+    return fact->rows.map.n == 12
+               ? ended(call,
+                       sg_shading_read_segment(call, scene, fact->rows.s,
+                                               fact->rows.map.at),
+                       number)
+               : sg_call_domain(call, "shading_map", 2);
+  }
+  return false;
+}
+
+static bool
+read_leaf(sg_call *call, sg_shading *scene, const sg_shading_leaf_fact *fact)
+{
+  return (sg_shading_add_leaf(scene, number_of(fact)) != UINT32_MAX ||
+          sg_call_no_memory(call)) &&
+         read_faces(call, scene, fact) &&
+         (!sg_cancelled(&call->cancel) || sg_call_ended(call));
+}
+
+/* ---- roots ---- */
+
+/* An operation of which operands are still to come. */
+typedef struct level {
+  size_t node, operands;
+} level;
+
+static bool
+read_node(sg_call *call, sg_shading *scene, size_t leaves,
+          const sg_expression_node_fact *fact, level *top, size_t *levels)
+{
+  bool leaf = fact->operation == SG_LEAF;
+
+  if (leaf ? fact->of < 1 || (size_t)fact->of > leaves
+           : fact->of < (fact->operation == SG_DIFFERENCE ? 1 : 0)) {
+    return sg_call_domain(call, leaf ? "shading_leaf" : "operands", 3);
+  }
+  size_t at =
+      sg_shading_add_node(scene, *levels > 0 ? top[*levels - 1].node : 0,
+                          fact->operation, leaf ? (uint32_t)(fact->of - 1) : 0);
+  if (at == SIZE_MAX) {
+    return sg_call_no_memory(call);
+  }
+  if (*levels > 0) {
+    top[*levels - 1].operands--;
+  }
+  if (!leaf) {
+    top[(*levels)++] = (level){at, (size_t)fact->of};
+  }
+  while (*levels > 0 && top[*levels - 1].operands == 0) {
+    --*levels;
+  }
+  return true;
+}
+
+/* Nodes come before their operands. */
+static bool
+read_root(sg_call *call, sg_shading *scene, size_t leaves,
+          const sg_shading_root_fact *fact)
+{
+  const sg_expression_node_fact_list *nodes = &fact->nodes;
+  level *top = sg_call_alloc(call, (nodes->n + 1) * sizeof *top);
+  size_t levels = 0;
+
+  if (!top ||
+      !(sg_shading_add_root(scene, fact->s) || sg_call_no_memory(call))) {
+    return false;
+  }
+  for (size_t i = 0; i < nodes->n; i++) {
+    if (i > 0 && levels == 0) {
+      return sg_call_domain(call, "expression", 3);
+    }
+    if (!read_node(call, scene, leaves, &nodes->at[i], top, &levels)) {
+      return false;
+    }
+  }
+  return (nodes->n > 0 && levels == 0) || sg_call_domain(call, "expression", 3);
+}
+
+/* ---- scenes ---- */
+
+static bool
+read_leaves(sg_call *call, const sg_shading_frame_fact *fact,
+            const sg_shading_leaf_fact_list *leaves, sg_shading **scene)
+{
+  sg_shading_frame frame = {.width = fact->width,
+                            .height = fact->height,
+                            .tolerance = fact->tolerance};
+
+  if (fact->matrix.n != 16 || fact->width > WIDEST || fact->height > WIDEST ||
+      !(fact->tolerance >= 0)) {
+    return sg_call_domain(call, "shading_frame", 1);
+  }
+  memcpy(frame.matrix, fact->matrix.at, sizeof frame.matrix);
+  *scene = sg_shading_open(&frame);
+  if (!*scene) {
+    return sg_call_no_memory(call);
+  }
+  for (size_t i = 0; i < leaves->n; i++) {
+    if (!read_leaf(call, *scene, &leaves->at[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool
+sg_door_shading_open(sg_call *call, const sg_shading_frame_fact *frame,
+                     const sg_shading_leaf_fact_list *leaves,
+                     const sg_shading_root_fact_list *roots, sg_shading **out)
+{
+  sg_shading *scene = NULL;
+  bool good = read_leaves(call, frame, leaves, &scene);
+
+  for (size_t i = 0; good && i < roots->n; i++) {
+    good = read_root(call, scene, leaves->n, &roots->at[i]);
+  }
+  good = good && ended(call, sg_shading_seal(scene, &call->cancel), 0);
+  if (!good) {
+    sg_shading_close(scene);
+    return false;
+  }
+  *out = scene;
+  return true;
+}
+
+bool
+sg_door_shading_box(sg_call *call, const sg_shading_frame_fact *frame,
+                    const sg_shading_leaf_fact_list *leaves,
+                    sg_shading_box_fact *box)
+{
+  sg_shading *scene = NULL;
+  double low[3], high[3];
+  bool good = read_leaves(call, frame, leaves, &scene) &&
+              sg_shading_box(scene, low, high);
+
+  sg_shading_close(scene);
+  if (good) {
+    *box = (sg_shading_box_fact){.x1 = low[0],
+                                 .y1 = low[1],
+                                 .z1 = low[2],
+                                 .x2 = high[0],
+                                 .y2 = high[1],
+                                 .z2 = high[2]};
+  }
+  return good;
+}
+
+/* ---- lines ---- */
+
+static void
+close_work(void *work)
+{
+  sg_shading_work_close(work);
+}
+
+/* Null: refused. */
+static sg_shading_work *
+open_work(sg_call *call, const sg_shading *scene, double y)
+{
+  if (!(y >= 0 && y < sg_shading_frame_of(scene)->height)) {
+    sg_call_domain(call, "scan_line", 2);
+    return NULL;
+  }
+  sg_shading_work *work = sg_shading_work_open(scene);
+  if (!work) {
+    sg_call_no_memory(call);
+    return NULL;
+  }
+  return sg_call_hold(call, work, close_work) ? work : NULL;
+}
+
+bool
+sg_door_shading_spans(sg_call *call, sg_shading *scene, double y,
+                      sg_shading_span_list *out)
+{
+  sg_shading_work *work = open_work(call, scene, y);
+  sg_spans spans = {0};
+  bool good = work && (sg_shading_line(scene, work, y, &spans) ||
+                       sg_call_no_memory(call));
+
+  for (size_t i = 0; good && i < spans.n; i++) {
+    good = sg_shading_span_list_add(call, out, spans.span[i]);
+  }
+  free(spans.span);
+  return good;
+}
+
+bool
+sg_door_shading_point(sg_call *call, sg_shading *scene, double x, double y,
+                      sg_span *out, double *depth, sg_xyz *normal)
+{
+  sg_shading_work *work = open_work(call, scene, y);
+  sg_spans spans = {0};
+  bool found = false;
+
+  if (!work) {
+    return false;
+  }
+  if (!sg_shading_line(scene, work, y, &spans)) {
+    free(spans.span);
+    return sg_call_no_memory(call);
+  }
+  for (size_t i = 0; !found && i < spans.n; i++) {
+    *out = spans.span[i];
+    found = out->x1 <= x * 256.0 && x * 256.0 < out->x2;
+  }
+  free(spans.span);
+  if (found) {
+    sg_shading_point(scene, out, x, y, depth, normal->at);
+  }
+  return found;
+}
+
+static sg_shading_slice
+slice_fact(const sg_slice *s)
+{
+  sg_shading_slice out = {.leaf = (int32_t)s->leaf + 1,
+                          .face = s->face,
+                          .sense = s->sense,
+                          .x1 = s->x1,
+                          .x2 = s->x2};
+
+  if (s->arc == 0) {
+    out.depth.is = SG_SHADING_DEPTH_LINE;
+    out.depth.line.x0 = s->x0;
+    out.depth.line.a = s->a;
+    out.depth.line.b = s->b;
+  } else {
+    out.depth.is = SG_SHADING_DEPTH_ARC;
+    out.depth.arc.sign = s->arc;
+    out.depth.arc.x0 = s->x0;
+    out.depth.arc.a = s->a;
+    out.depth.arc.b = s->b;
+    out.depth.arc.e = s->e;
+    out.depth.arc.f = s->f;
+    out.depth.arc.g = s->g;
+  }
+  return out;
+}
+
+bool
+sg_door_shading_slices(sg_call *call, sg_shading *scene, double y,
+                       sg_shading_slice_list *out)
+{
+  sg_shading_work *work = open_work(call, scene, y);
+
+  if (!work || !(sg_slices_of_line(work, y) || sg_call_no_memory(call))) {
+    return false;
+  }
+  for (size_t i = 0; i < work->slice.n; i++) {
+    if (!sg_shading_slice_list_add(call, out,
+                                   slice_fact(&work->slice.item[i]))) {
+      return false;
+    }
+  }
+  return true;
+}

@@ -1,0 +1,417 @@
+/* shading_scene.c -- see shading_scene.h: making a scene. */
+#include "number/vector.h"
+#include "shading_private.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- places ---- */
+
+static double
+snapped(double x)
+{
+  return nearbyint(x * SG_SNAP) / SG_SNAP;
+}
+
+/* Where a model point is in the picture. False: not in front of the eye. */
+static bool
+place(sg_shading *s, const double p[3], double out[3])
+{
+  double h[4];
+
+  for (int i = 0; i < 4; i++) {
+    const double *m = s->frame.matrix[i];
+    h[i] = m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + m[3];
+  }
+  if (!(h[3] > 0)) {
+    return false;
+  }
+  for (int k = 0; k < 3; k++) {
+    out[k] = h[k] / h[3];
+    s->low[k] = fmin(s->low[k], out[k]);
+    s->high[k] = fmax(s->high[k], out[k]);
+  }
+  return isfinite(out[0]) && isfinite(out[1]) && isfinite(out[2]);
+}
+
+/* ---- opening ---- */
+
+/* Without an inverse, of a picture that is flat, nothing is seen anywhere. */
+static void
+fill_back(sg_shading *s)
+{
+  double a[4][8] = {{0}};
+
+  for (int i = 0; i < 4; i++) {
+    memcpy(a[i], s->frame.matrix[i], sizeof s->frame.matrix[i]);
+    a[i][4 + i] = 1.0;
+  }
+  if (sg_shading_invert(a)) {
+    for (int i = 0; i < 4; i++) {
+      memcpy(s->back[i], &a[i][4], sizeof s->back[i]);
+    }
+  }
+}
+
+sg_shading *
+sg_shading_open(const sg_shading_frame *frame)
+{
+  sg_shading *s = calloc(1, sizeof *s);
+
+  if (!s) {
+    return NULL;
+  }
+  s->frame = *frame;
+  fill_back(s);
+  for (int k = 0; k < 3; k++) {
+    s->low[k] = INFINITY;
+    s->high[k] = -INFINITY;
+  }
+  s->middle[0] = frame->width / 2.0;
+  s->middle[1] = frame->height / 2.0;
+  s->bands = ((uint32_t)frame->height + SG_BAND - 1) / SG_BAND;
+  if (sg_expression_add(&s->expression, 0, SG_UNION, 0) == SIZE_MAX) {
+    sg_shading_close(s);
+    return NULL;
+  }
+  return s;
+}
+
+void
+sg_shading_close(sg_shading *s)
+{
+  if (s) {
+    free(s->leaf.item);
+    free(s->surface.item);
+    free(s->polygon.item);
+    free(s->edge.item);
+    free(s->body.item);
+    free(s->root.item);
+    free(s->known.item);
+    sg_expression_clear(&s->expression);
+    free(s->band_first);
+    free(s->item);
+    free(s);
+  }
+}
+
+bool
+sg_shading_box(const sg_shading *s, double low[3], double high[3])
+{
+  memcpy(low, s->low, sizeof s->low);
+  memcpy(high, s->high, sizeof s->high);
+  return s->low[0] <= s->high[0];
+}
+
+const sg_shading_frame *
+sg_shading_frame_of(const sg_shading *s)
+{
+  return &s->frame;
+}
+
+uint32_t
+sg_shading_add_leaf(sg_shading *s, int32_t number)
+{
+  sg_shading_leaf leaf = {
+      .number = number, .root = -1, .sign = 1, .node = UINT32_MAX};
+
+  return SG_PUSH(s->leaf, leaf) ? (uint32_t)(s->leaf.n - 1) : UINT32_MAX;
+}
+
+/* ---- planes ---- */
+
+/* A plane with this normal, of any length, through `at`, in the picture: its
+ * place, UINT32_MAX: no memory. *turned: stored with the opposite normal. */
+static uint32_t
+add_plane(sg_shading *s, const double normal[3], const double at[3],
+          bool *turned)
+{
+  sg_shading_surface plane = {.quadric = false};
+  double length = sg_any_length(normal), from[3];
+  const double *n = normal;
+
+  plane.known = s->known_now;
+  *turned = n[2] < 0 || (n[2] == 0 && (n[0] < 0 || (n[0] == 0 && n[1] < 0)));
+  for (int k = 0; k < 3; k++) {
+    plane.at[k] = s->middle[k];
+    plane.q[k] = length > 0 ? n[k] / length * (*turned ? -1 : 1) : 0.0;
+  }
+  sg_minus(s->middle, at, from);
+  plane.q[3] = sg_dot(plane.q, from);
+  return SG_PUSH(s->surface, plane) ? (uint32_t)(s->surface.n - 1) : UINT32_MAX;
+}
+
+/* ---- polygons ---- */
+
+static bool
+add_edge(sg_shading *s, const double a[3], const double b[3])
+{
+  double y1 = snapped(a[1]), y2 = snapped(b[1]);
+  const double *low = y1 <= y2 ? a : b, *high = y1 <= y2 ? b : a;
+  sg_shading_edge edge = {.x1 = snapped(low[0]),
+                          .y1 = fmin(y1, y2),
+                          .z1 = low[2],
+                          .x2 = snapped(high[0]),
+                          .y2 = fmax(y1, y2),
+                          .z2 = high[2]};
+
+  return y1 == y2 || SG_PUSH(s->edge, edge);
+}
+
+/* The picture of a loop, which adds to the normal (Newell) and the edges. */
+static sg_shading_end
+add_loop(sg_shading *s, const double (*p)[3], size_t n, double normal[3],
+         double origin[3], sg_shading_polygon *polygon)
+{
+  double first[3], a[3], b[3];
+
+  for (size_t i = 0; i <= n; i++) {
+    if (!place(s, p[i % n], b)) {
+      return SG_SHADING_BEHIND_EYE;
+    }
+    polygon->y1 = fmin(polygon->y1, snapped(b[1]));
+    polygon->y2 = fmax(polygon->y2, snapped(b[1]));
+    if (i == 0) {
+      memcpy(first, b, sizeof first);
+      if (isnan(origin[0])) {
+        memcpy(origin, b, sizeof b);
+      }
+    } else {
+      double u[3], v[3], area[3];
+      sg_minus(a, first, u);
+      sg_minus(b, first, v);
+      sg_cross(u, v, area);
+      for (int k = 0; k < 3; k++) {
+        normal[k] += area[k];
+      }
+      if (!add_edge(s, a, b)) {
+        return SG_SHADING_NO_MEMORY;
+      }
+    }
+    memcpy(a, b, sizeof a);
+  }
+  return SG_SHADING_GOOD;
+}
+
+sg_shading_end
+sg_shading_add_polygon(sg_shading *s, int32_t face, const double (*p)[3],
+                       const size_t *count, size_t loops)
+{
+  sg_shading_polygon polygon = {.leaf = (uint32_t)(s->leaf.n - 1),
+                                .face = face,
+                                .edge = (uint32_t)s->edge.n,
+                                .y1 = INFINITY,
+                                .y2 = -INFINITY};
+  double normal[3] = {0, 0, 0}, origin[3] = {NAN, 0, 0};
+  sg_shading_end end = SG_SHADING_GOOD;
+  bool turned;
+
+  for (size_t i = 0; i < loops && end == SG_SHADING_GOOD; i++) {
+    end = count[i] == 0 ? end
+                        : add_loop(s, p, count[i], normal, origin, &polygon);
+    p += count[i];
+  }
+  polygon.edges = (uint32_t)s->edge.n - polygon.edge;
+  if (end != SG_SHADING_GOOD || polygon.edges == 0) {
+    return end;
+  }
+  polygon.surface = add_plane(s, normal, origin, &turned);
+  if (polygon.surface == UINT32_MAX) {
+    return SG_SHADING_NO_MEMORY;
+  }
+  polygon.sense = s->surface.item[polygon.surface].q[2] < SG_EDGE_ON ? 0
+                  : turned                                           ? 1
+                                                                     : -1;
+  return SG_PUSH(s->polygon, polygon) ? SG_SHADING_GOOD : SG_SHADING_NO_MEMORY;
+}
+
+/* ---- known surfaces ---- */
+
+bool
+sg_shading_set_known(sg_shading *s, sg_known_surface_kind kind,
+                     const double frame[][3], double a, double b)
+{
+  sg_known_surface known;
+
+  sg_known_surface_init(&known, kind, frame, a, b);
+  if (!SG_PUSH(s->known, known)) {
+    return false;
+  }
+  s->known_now = (uint32_t)s->known.n;
+  return true;
+}
+
+void
+sg_shading_set_flat(sg_shading *s)
+{
+  s->known_now = 0;
+}
+
+/* ---- roots ---- */
+
+bool
+sg_shading_add_root(sg_shading *s, int32_t segment)
+{
+  s->root_node = s->expression.n;
+  return SG_PUSH(s->root, (sg_shading_root){segment, (uint32_t)s->root_node});
+}
+
+size_t
+sg_shading_add_node(sg_shading *s, size_t parent, sg_operation operation,
+                    uint32_t leaf)
+{
+  bool first = s->expression.n == s->root_node;
+  size_t at =
+      sg_expression_add(&s->expression, first ? 0 : s->root_node + parent,
+                        operation, operation == SG_LEAF ? (int32_t)leaf : 0);
+
+  if (at == SIZE_MAX) {
+    return SIZE_MAX;
+  }
+  if (operation == SG_LEAF) {
+    s->leaf.item[leaf].root = (int32_t)s->root.n - 1;
+    s->leaf.item[leaf].node = (uint32_t)at;
+  }
+  return at - s->root_node;
+}
+
+/* Under how many right-hand sides of differences a leaf is: odd or even. */
+static void
+sign_leaves(sg_shading *s)
+{
+  const sg_expression_node *node = s->expression.node;
+
+  for (size_t i = 0; i < s->leaf.n; i++) {
+    uint32_t at = s->leaf.item[i].node;
+
+    for (; at != UINT32_MAX && at != 0; at = node[at].parent) {
+      if (node[node[at].parent].operation == SG_DIFFERENCE && !node[at].first) {
+        s->leaf.item[i].sign = -s->leaf.item[i].sign;
+      }
+    }
+  }
+}
+
+/* ---- bands ---- */
+
+typedef struct rows {
+  uint32_t first, last; /* bands; last < first: none */
+} rows;
+
+static rows
+bands_of(const sg_shading *s, double y1, double y2)
+{
+  double most = s->frame.height;
+
+  if (!(y1 < most && y2 > 0 && y1 < y2)) {
+    return (rows){1, 0};
+  }
+  return (rows){(uint32_t)(fmax(y1, 0) / SG_BAND),
+                (uint32_t)(fmin(y2, most - 0.5) / SG_BAND)};
+}
+
+/* Counts (item null) or writes what lies in each band. */
+static void
+fill_band(sg_shading *s, rows r, sg_shading_item item, bool write)
+{
+  for (uint32_t b = r.first; b <= r.last && r.first <= r.last; b++) {
+    if (write) {
+      s->item[s->band_first[b]++] = item;
+    } else {
+      s->band_first[b + 1]++;
+    }
+  }
+}
+
+static void
+fill_bands(sg_shading *s, bool write)
+{
+  for (uint32_t i = 0; i < s->polygon.n; i++) {
+    const sg_shading_polygon *p = &s->polygon.item[i];
+    if (s->leaf.item[p->leaf].root >= 0) {
+      fill_band(s, bands_of(s, p->y1, p->y2), (sg_shading_item){i, false},
+                write);
+    }
+  }
+  for (uint32_t i = 0; i < s->body.n; i++) {
+    double y1 = s->body.item[i].y1, y2 = s->body.item[i].y2;
+    uint32_t from = i;
+
+    for (; s->body.item[i].more; i++) {
+      y1 = fmin(y1, s->body.item[i + 1].y1);
+      y2 = fmax(y2, s->body.item[i + 1].y2);
+    }
+    if (s->leaf.item[s->body.item[from].leaf].root >= 0) {
+      fill_band(s, bands_of(s, y1, y2), (sg_shading_item){from, true}, write);
+    }
+  }
+}
+
+static sg_shading_end
+make_bands(sg_shading *s)
+{
+  s->band_first = calloc(s->bands + 2, sizeof *s->band_first);
+  if (!s->band_first) {
+    return SG_SHADING_NO_MEMORY;
+  }
+  fill_bands(s, false);
+  for (uint32_t b = 0; b < s->bands; b++) {
+    s->band_first[b + 1] += s->band_first[b];
+  }
+  s->item = malloc((s->band_first[s->bands] + 1) * sizeof *s->item);
+  if (!s->item) {
+    return SG_SHADING_NO_MEMORY;
+  }
+  fill_bands(s, true);
+  for (uint32_t b = s->bands; b > 0; b--) {
+    s->band_first[b] = s->band_first[b - 1];
+  }
+  s->band_first[0] = 0;
+  return SG_SHADING_GOOD;
+}
+
+/* ---- sealing ---- */
+
+/* The normals of planes in the model, to the eye. */
+static void
+fill_normals(sg_shading *s)
+{
+  for (size_t i = 0; i < s->surface.n; i++) {
+    sg_shading_surface *plane = &s->surface.item[i];
+    double d = plane->q[3] - sg_dot(plane->q, plane->at), n[3];
+
+    if (plane->quadric) {
+      continue;
+    }
+    for (int k = 0; k < 3; k++) { /* the stored normal looks away */
+      n[k] = -d * s->frame.matrix[3][k];
+      for (int j = 0; j < 3; j++) {
+        n[k] -= plane->q[j] * s->frame.matrix[j][k];
+      }
+    }
+    double length = sg_any_length(n);
+    for (int k = 0; k < 3; k++) {
+      plane->normal[k] = length > 0 ? n[k] / length : 0.0;
+    }
+  }
+}
+
+sg_shading_end
+sg_shading_seal(sg_shading *s, const sg_cancel *cancel)
+{
+  sg_shading_end end = sg_shading_merge(s, cancel);
+
+  if (end != SG_SHADING_GOOD) {
+    return end;
+  }
+  if (sg_cancelled(cancel)) {
+    return SG_SHADING_STOPPED;
+  }
+  fill_normals(s);
+  sign_leaves(s);
+  if (!sg_expression_seal(&s->expression)) {
+    return SG_SHADING_NO_MEMORY;
+  }
+  return make_bands(s);
+}

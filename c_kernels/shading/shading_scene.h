@@ -1,0 +1,115 @@
+/* shading_scene.h -- what a shaded picture is made from: leaves and trees.
+ *
+ * Layer: kernel. Axes of a picture: x to the right and y DOWN, in dots from its
+ * upper left corner; z away from the eye, in units of about a dot. Both
+ * projections are one 4 x 4 matrix M: a model point (p, 1) is seen at
+ * M (p, 1), divided by the fourth coordinate, which must be positive. So planes
+ * stay planes and quadrics stay quadrics.
+ *
+ * A leaf is a closed solid: flat polygons, or a convex body bounded by one
+ * quadric, or by two that meet in a plane, and by planes across. Several leaves
+ * may have one number: they are parts of what the user calls a leaf. A root is
+ * an expression over leaves.
+ *
+ * Build: open, add leaves with their faces, add roots with their nodes, seal.
+ * Then lines may be asked by several threads, each with a work of its own. All
+ * is inexact, by square roots at most: the same on every machine.
+ */
+#ifndef SG_SHADING_SCENE_H
+#define SG_SHADING_SCENE_H
+
+#include "engine/cancel.h"
+#include "picture/known_surface.h"
+#include "solid/expression.h"
+#include "span.h"
+
+typedef struct sg_shading sg_shading;
+typedef struct sg_shading_work sg_shading_work;
+
+typedef enum sg_shading_end {
+  SG_SHADING_GOOD,
+  SG_SHADING_NO_MEMORY,
+  SG_SHADING_STOPPED,
+  SG_SHADING_BEHIND_EYE /* a point is not in front of the eye */
+} sg_shading_end;
+
+typedef struct sg_shading_frame {
+  double matrix[4][4];
+  int32_t width, height; /* dots, at least 1; width at most 2^22 */
+  double tolerance;      /* dots: what is nearer in depth is in one place */
+} sg_shading_frame;
+
+/* What a leaf has of a quadric. In coordinates x, y, h along U, V, W from C: a
+ * sphere x^2 + y^2 + h^2 = 1; else tapered, x^2 + y^2 = (1 - h + h k)^2. It is
+ * bounded where h = low and h = high; face 0: another piece goes on there; less
+ * than 0: not bounded there. */
+typedef struct sg_shading_piece {
+  bool sphere;
+  double frame[4][3]; /* C, U, V, W: model units */
+  double k;
+  double low, high;
+  int32_t low_face, high_face, face;
+} sg_shading_piece;
+
+/* Null: no memory. */
+sg_shading *sg_shading_open(const sg_shading_frame *frame);
+void sg_shading_close(sg_shading *scene);
+
+/* A leaf with no face yet; they count from 0. UINT32_MAX: no memory. */
+uint32_t sg_shading_add_leaf(sg_shading *scene, int32_t number);
+/* A flat polygon of the last leaf: `loops` loops, loop i of count[i] corners,
+ * one after the other; p[...][3] in model units. */
+sg_shading_end sg_shading_add_polygon(sg_shading *scene, int32_t face,
+                                      const double (*p)[3], const size_t *count,
+                                      size_t loops);
+/* A piece of the last leaf, which has no polygons. */
+sg_shading_end sg_shading_add_piece(sg_shading *scene,
+                                    const sg_shading_piece *piece);
+/* Facets of the last leaf that are added from here on stand for this surface:
+ * they are seen with its normals. As sg_known_surface_init(), by which `frame`
+ * is to be understood. False: no memory. */
+bool sg_shading_set_known(sg_shading *scene, sg_known_surface_kind kind,
+                          const double frame[][3], double a, double b);
+/* From here on they stand for themselves. */
+void sg_shading_set_flat(sg_shading *scene);
+
+/* A torus (sqrt(x^2 + y^2) - 1)^2 + h^2 = k^2, as facets. */
+typedef struct sg_shading_ring {
+  double frame[4][3]; /* C, U, V, W: model units */
+  double k;
+  int32_t face;
+} sg_shading_ring;
+
+sg_shading_end sg_shading_add_ring(sg_shading *scene,
+                                   const sg_shading_ring *ring);
+/* Starts a root: its nodes follow, each before its operands. */
+bool sg_shading_add_root(sg_shading *scene, int32_t root);
+/* As sg_expression_add(), of the last root: `parent` counts from 0 in it, and
+ * is 0 for the first; a leaf by its place. SIZE_MAX: no memory. */
+size_t sg_shading_add_node(sg_shading *scene, size_t parent,
+                           sg_operation operation, uint32_t leaf);
+/* When all is there. Surfaces nearer than the tolerance become one. */
+sg_shading_end sg_shading_seal(sg_shading *scene, const sg_cancel *cancel);
+
+/* Null: no memory. Owner: one thread. */
+sg_shading_work *sg_shading_work_open(const sg_shading *scene);
+void sg_shading_work_close(sg_shading_work *work);
+
+/* The spans of the line y, 0 <= y < height. False: no memory. */
+bool sg_shading_line(const sg_shading *scene, sg_shading_work *work, double y,
+                     sg_spans *spans);
+
+/* What is seen at (x, y) of a span, x in dots: how deep, and which way the
+ * seen side looks, a unit vector of the model's axes. */
+void sg_shading_point(const sg_shading *scene, const sg_span *span, double x,
+                      double y, double *depth, double normal[3]);
+
+/* Of one normal, by sg_shading_point(). */
+bool sg_shading_is_flat(const sg_shading *scene, const sg_span *span);
+
+/* The box round all faces, in the picture. False: there are none. */
+bool sg_shading_box(const sg_shading *scene, double low[3], double high[3]);
+
+const sg_shading_frame *sg_shading_frame_of(const sg_shading *scene);
+
+#endif

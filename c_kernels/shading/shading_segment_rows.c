@@ -1,0 +1,88 @@
+/* shading_segment_rows.c -- a leaf from the rows of a segment: its triangles.
+ */
+#include "shading_segment_rows.h"
+
+#include "rows/by_segment.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct reading {
+  sg_call *call;
+  sg_shading *scene;
+  const double *map; /* [12], three rows; null: it stays where it is */
+  sg_view v, t;
+  sg_segment_rows vs, ts;
+  sg_id_rows at; /* of vertices */
+} reading;
+
+static int32_t
+number(const sg_view *view, unsigned column, uint32_t row)
+{
+  return view->column[column].page[row / SG_PAGE_ROWS].i[row % SG_PAGE_ROWS];
+}
+
+static bool
+open_reading(reading *r, int32_t s)
+{
+  const sg_version *version = sg_call_version(r->call);
+  const sg_cancel *cancel = &r->call->cancel;
+
+  return version &&
+         ((sg_version_view(version, SG_V, &r->v) &&
+           sg_version_view(version, SG_T, &r->t) &&
+           sg_segment_rows_find(&r->v, &s, 1, cancel, &r->vs) &&
+           sg_segment_rows_find(&r->t, &s, 1, cancel, &r->ts) &&
+           sg_id_rows_make(&r->v, r->vs.row, r->vs.begin[1], &r->at)) ||
+          sg_call_ended(r->call));
+}
+
+static void
+close_reading(reading *r)
+{
+  sg_id_rows_clear(&r->at);
+  sg_segment_rows_clear(&r->vs);
+  sg_segment_rows_clear(&r->ts);
+  sg_view_clear(&r->v);
+  sg_view_clear(&r->t);
+}
+
+static void
+corner(const reading *r, int32_t id, double out[3])
+{
+  uint32_t row = r->at.row[sg_id_rows_place(&r->at, id)];
+  double p[3];
+
+  for (unsigned k = 0; k < 3; k++) {
+    p[k] = r->v.column[2 + k].page[row / SG_PAGE_ROWS].f[row % SG_PAGE_ROWS];
+  }
+  for (unsigned k = 0; k < 3; k++) {
+    const double *m = r->map + 4 * (size_t)k;
+    out[k] = r->map ? m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + m[3] : p[k];
+  }
+}
+
+sg_shading_end
+sg_shading_read_segment(sg_call *call, sg_shading *scene, int32_t s,
+                        const double *map)
+{
+  reading r = {.call = call, .scene = scene, .map = map};
+  sg_shading_end end =
+      open_reading(&r, s) ? SG_SHADING_GOOD : SG_SHADING_STOPPED;
+  const size_t three = 3;
+
+  for (size_t i = 0; end == SG_SHADING_GOOD && i < r.ts.begin[1]; i++) {
+    uint32_t row = r.ts.row[i];
+    double p[3][3];
+
+    for (unsigned k = 0; k < 3; k++) {
+      corner(&r, number(&r.t, 3 + k, row), p[k]);
+    }
+    end = sg_cancel_every(&call->cancel, i)
+              ? SG_SHADING_STOPPED
+              : sg_shading_add_polygon(scene, number(&r.t, 1, row),
+                                       (const double(*)[3])p, &three, 1);
+  }
+  close_reading(&r);
+  return end;
+}

@@ -1,0 +1,429 @@
+/* slice.c -- what the plane of a scan line cuts out of the faces of leaves. */
+#include "shading_private.h"
+
+#include "engine/search.h"
+
+#include <math.h>
+
+/* Faces this near to edge-on bound a body in the picture, not in depth. */
+#define ACROSS 1e-9
+
+/* A quadric with less of z^2 than this has as much: what lies along the line of
+ * sight leaves the body far away, where planes bound it. */
+#define LEAST_DEEP 1e-8
+
+/* Ends of slices in 1/256 dot. Halves that are rounded otherwise in two faces
+ * are no halves: what is a little less counts as one. */
+static int32_t
+end_of(double x)
+{
+  return (int32_t)floor(x * 256.0 + (0.5 + 1e-6));
+}
+
+static double
+inside(const sg_shading_work *w, double x)
+{
+  return fmin(fmax(x, 0.0), w->scene->frame.width);
+}
+
+static bool
+add_slice(sg_shading_work *w, const sg_slice *slice)
+{
+  if (slice->x1 >= slice->x2) {
+    return true;
+  }
+  if (!SG_PUSH(w->slice, *slice)) {
+    w->failed = true;
+    return false;
+  }
+  return true;
+}
+
+/* The line of a plane at y. */
+static void
+slice_plane(const sg_shading_surface *plane, double y, sg_slice *out)
+{
+  const double *q = plane->q;
+
+  out->arc = 0;
+  out->x0 = plane->at[0];
+  out->a = plane->at[2] - (q[1] * (y - plane->at[1]) + q[3]) / q[2];
+  out->b = -q[0] / q[2];
+}
+
+/* ---- polygons ---- */
+
+typedef struct corner {
+  double x, z;
+} corner;
+
+/* A plane that is seen edge-on: between its edges. */
+static void
+slice_between(const corner *from, const corner *to, sg_slice *out)
+{
+  out->arc = 0;
+  out->x0 = from->x;
+  out->a = from->z;
+  out->b = to->x > from->x ? (to->z - from->z) / (to->x - from->x) : 0.0;
+}
+
+static void
+sort_corners(corner *all, size_t n)
+{
+  SG_SORT_FEW(corner, all, n, x->x > y->x);
+}
+
+/* Where edges cross the line, from left to right. False: no memory. */
+static bool
+find_corners(sg_shading_work *w, const sg_shading_polygon *p, double y)
+{
+  const sg_shading_edge *edge = &w->scene->edge.item[p->edge];
+
+  w->crossing.n = 0;
+  for (uint32_t i = 0; i < p->edges; i++) {
+    const sg_shading_edge *e = &edge[i];
+
+    if (e->y1 <= y && y < e->y2) {
+      double part = (y - e->y1) / (e->y2 - e->y1);
+      if (!SG_PUSH(w->crossing, e->x1 + part * (e->x2 - e->x1)) ||
+          !SG_PUSH(w->crossing, e->z1 + part * (e->z2 - e->z1))) {
+        w->failed = true;
+        return false;
+      }
+    }
+  }
+  sort_corners((corner *)(void *)w->crossing.item, w->crossing.n / 2);
+  return true;
+}
+
+static bool
+slice_polygon(sg_shading_work *w, const sg_shading_polygon *p, double y)
+{
+  const sg_shading_surface *plane = &w->scene->surface.item[p->surface];
+  sg_slice slice = {.leaf = p->leaf,
+                    .surface = p->surface,
+                    .face = p->face,
+                    .sense = p->sense};
+
+  if (!find_corners(w, p, y)) {
+    return false;
+  }
+  const corner *at = (const corner *)(const void *)w->crossing.item;
+  bool edge_on = fabs(plane->q[2]) < SG_EDGE_ON;
+
+  if (!edge_on) {
+    slice_plane(plane, y, &slice);
+  }
+  for (size_t i = 0; i + 3 < w->crossing.n; i += 4, at += 2) {
+    slice.x1 = end_of(inside(w, at[0].x));
+    slice.x2 = end_of(inside(w, at[1].x));
+    if (edge_on) {
+      slice_between(&at[0], &at[1], &slice);
+    }
+    if (!add_slice(w, &slice)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* ---- bodies ---- */
+
+enum {
+  LOW,   /* the nearer side of the quadric */
+  HIGH,  /* the other one */
+  BOUND, /* its planes, from here on */
+  SIDES = BOUND + 2,
+  PIECES = 4,
+  BREAKS = 2 + PIECES * 8
+};
+
+/* A piece at y: its quadric is A zz + 2 (B t + C) z + e tt + f t + g there,
+ * with t and z from `at`; side[] are its slices, of which x1 and x2 are
+ * unknown. */
+typedef struct cut {
+  const sg_shading_body *body;
+  double deep;                /* A */
+  sg_slice side[SIDES];       /* depth and face */
+  double across[2], along[2]; /* of bounds: z and t, and the rest: */
+  double rest[2];             /* sense * plane = across z + along x + rest */
+  int32_t from[SIDES];        /* where a slice began, -1: it has not */
+} cut;
+
+typedef struct breaks {
+  double x[BREAKS];
+  int n;
+} breaks;
+
+static void
+add_break(breaks *all, double x)
+{
+  if (isfinite(x) && all->n < BREAKS) {
+    all->x[all->n++] = x;
+  }
+}
+
+static void
+sort_breaks(breaks *all)
+{
+  SG_SORT_FEW(double, all->x, (size_t)all->n, *x > *y);
+}
+
+/* Adds x0 + the roots of a t^2 + 2 b t + c. */
+static void
+add_roots(breaks *all, double x0, double a, double b, double c)
+{
+  double square = b * b - a * c;
+
+  if (square >= 0) {
+    double big = -(b + (b < 0 ? -sqrt(square) : sqrt(square)));
+    add_break(all, x0 + big / a);
+    add_break(all, x0 + c / big);
+  }
+}
+
+/* The quadric at y, its two arcs, and where they end. */
+static void
+cut_quadric(const sg_shading_surface *s, double y, cut *out, breaks *all)
+{
+  const double *q = s->q, v = y - s->at[1];
+  double a = fabs(q[2]) < LEAST_DEEP ? copysign(LEAST_DEEP, q[2]) : q[2];
+  double b = q[4] / 2, c = (q[5] * v + q[8]) / 2;
+  double e = q[0], f = (q[3] * v + q[6]) / 2, g = (q[1] * v + q[7]) * v + q[9];
+  double square = a * a;
+
+  out->deep = a;
+  for (int i = LOW; i <= HIGH; i++) {
+    out->side[i] = (sg_slice){.surface = out->body->surface,
+                              .leaf = out->body->leaf,
+                              .face = out->body->face,
+                              .sense = i == LOW ? 1 : -1,
+                              .arc = i == LOW ? -1 : 1,
+                              .round = true,
+                              .x0 = s->at[0],
+                              .a = s->at[2] - c / a,
+                              .b = -b / a,
+                              .e = (b * b - a * e) / square,
+                              .f = 2 * (b * c - a * f) / square,
+                              .g = (c * c - a * g) / square};
+  }
+  const sg_slice *arc = &out->side[LOW];
+  add_roots(all, s->at[0], arc->e, arc->f / 2, arc->g);
+}
+
+/* Where a plane across the body meets its quadric. */
+static void
+break_bound(const sg_slice *arc, const sg_slice *bound, breaks *all)
+{
+  double u = bound->a + bound->b * (arc->x0 - bound->x0) - arc->a;
+  double v = bound->b - arc->b;
+
+  add_roots(all, arc->x0, arc->e - v * v, arc->f / 2 - u * v, arc->g - u * u);
+}
+
+static void
+cut_bound(const sg_shading *scene, double y, int i, cut *out, breaks *all)
+{
+  const sg_shading_bound *bound = &out->body->bound[i];
+  const sg_shading_surface *plane = &scene->surface.item[bound->surface];
+  const double *q = plane->q;
+  sg_slice *side = &out->side[BOUND + i];
+
+  out->across[i] = bound->sense * q[2];
+  out->along[i] = bound->sense * q[0];
+  out->rest[i] = bound->sense * (q[1] * (y - plane->at[1]) + q[3] -
+                                 q[2] * plane->at[2] - q[0] * plane->at[0]);
+  *side = (sg_slice){.surface = bound->surface,
+                     .leaf = out->body->leaf,
+                     .face = bound->face,
+                     .round = true,
+                     .sense = out->across[i] > 0 ? 1 : -1};
+  if (fabs(q[2]) > ACROSS) {
+    slice_plane(plane, y, side);
+    break_bound(&out->side[LOW], side, all);
+  } else {
+    add_break(all, -out->rest[i] / out->along[i]);
+  }
+}
+
+/* Depths between which a body is; which sides are there. */
+typedef struct stretch {
+  double from, to;
+  int enter, leave; /* less than 0: none */
+} stretch;
+
+/* What the planes leave of a line of sight. False: nothing. */
+static bool
+between_bounds(const cut *c, double x, stretch *out)
+{
+  *out = (stretch){-INFINITY, INFINITY, -1, -1};
+  for (int i = 0; i < (int)c->body->bounds; i++) {
+    double rest = c->along[i] * x + c->rest[i];
+
+    if (fabs(c->across[i]) <= ACROSS) {
+      if (rest < 0) {
+        return false;
+      }
+      continue;
+    }
+    double z = sg_slice_depth(&c->side[BOUND + i], x);
+    if (c->across[i] > 0 && z > out->from) {
+      out->from = z;
+      out->enter = BOUND + i;
+    } else if (c->across[i] < 0 && z < out->to) {
+      out->to = z;
+      out->leave = BOUND + i;
+    }
+  }
+  return out->from < out->to;
+}
+
+/* What is in the body at x of a line of sight. False: nothing. */
+static bool
+stretch_at(const cut *c, double x, stretch *out)
+{
+  const sg_slice *arc = &c->side[LOW];
+  double t = x - arc->x0;
+
+  if (!between_bounds(c, x, out)) {
+    return false;
+  }
+  if (!((arc->e * t + arc->f) * t + arc->g > 0)) {
+    return c->deep < 0 && out->enter >= 0 && out->leave >= 0;
+  }
+  double low = sg_slice_depth(arc, x), high = sg_slice_depth(arc + HIGH, x);
+
+  if (c->deep > 0) { /* between its sides */
+    if (low > out->from) {
+      out->from = low;
+      out->enter = LOW;
+    }
+    if (high < out->to) {
+      out->to = high;
+      out->leave = HIGH;
+    }
+  } else if (fmin(out->to, low) - out->from >
+             out->to - fmax(out->from, high)) { /* outside: one of two */
+    if (low < out->to) {
+      out->to = low;
+      out->leave = LOW;
+    }
+  } else if (high > out->from) {
+    out->from = high;
+    out->enter = HIGH;
+  }
+  return out->from < out->to && out->enter >= 0 && out->leave >= 0;
+}
+
+/* Whether it is a face, not where two pieces meet. */
+static bool
+is_face(const cut *c, int side)
+{
+  return side < BOUND || c->body->bound[side - BOUND].face > 0;
+}
+
+static bool
+end_sides(sg_shading_work *w, cut *c, const bool *goes_on, int32_t x)
+{
+  for (int i = 0; i < SIDES; i++) {
+    if (c->from[i] >= 0 && !goes_on[i]) {
+      sg_slice slice = c->side[i];
+      slice.x1 = c->from[i];
+      slice.x2 = x;
+      if (!add_slice(w, &slice)) {
+        return false;
+      }
+    }
+    c->from[i] = !goes_on[i] ? -1 : c->from[i] >= 0 ? c->from[i] : x;
+  }
+  return true;
+}
+
+/* The sides that are there from x1 to the next break. */
+static bool
+go_on(sg_shading_work *w, cut *cuts, int n, int32_t x1, int32_t x2)
+{
+  bool there[PIECES][SIDES] = {{false}};
+  int balance = 0;
+
+  for (int i = 0; i < n && x2 > x1; i++) {
+    stretch s;
+    if (stretch_at(&cuts[i], ((double)x1 + x2) / 512.0, &s)) {
+      balance += is_face(&cuts[i], s.enter) - is_face(&cuts[i], s.leave);
+      there[i][s.enter] = is_face(&cuts[i], s.enter);
+      there[i][s.leave] = is_face(&cuts[i], s.leave);
+      cuts[i].side[s.enter].sense = 1;
+      cuts[i].side[s.leave].sense = -1;
+    }
+  }
+  for (int i = 0; i < n; i++) {
+    static const bool none[SIDES] = {false};
+    if (!end_sides(w, &cuts[i], balance == 0 ? there[i] : none, x1)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* The slices of the pieces of a leaf: from break to break the same sides are
+ * there, and the middle tells which. */
+static bool
+slice_body(sg_shading_work *w, const sg_shading_body *body, double y)
+{
+  cut cuts[PIECES];
+  breaks all = {.n = 0};
+  int n = 0;
+
+  for (bool more = true; more && n < PIECES; body++) {
+    more = body->more;
+    if (!(body->y1 <= y && y < body->y2)) {
+      continue;
+    }
+    cut *c = &cuts[n++];
+    c->body = body;
+    for (int i = 0; i < SIDES; i++) {
+      c->from[i] = -1;
+    }
+    cut_quadric(&w->scene->surface.item[body->surface], y, c, &all);
+    for (int i = 0; i < (int)body->bounds; i++) {
+      cut_bound(w->scene, y, i, c, &all);
+    }
+  }
+  add_break(&all, 0);
+  add_break(&all, w->scene->frame.width);
+  sort_breaks(&all);
+  for (int i = 0; i < all.n; i++) {
+    int32_t x1 = end_of(inside(w, all.x[i]));
+    int32_t x2 = i + 1 < all.n ? end_of(inside(w, all.x[i + 1])) : x1;
+    if ((x2 > x1 || i + 1 == all.n) && !go_on(w, cuts, n, x1, x2)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* ---- a line ---- */
+
+bool
+sg_slices_of_line(sg_shading_work *w, double y)
+{
+  const sg_shading *s = w->scene;
+  uint32_t band = (uint32_t)(y / SG_BAND);
+
+  w->slice.n = 0;
+  for (uint32_t i = s->band_first[band]; i < s->band_first[band + 1]; i++) {
+    const sg_shading_item *item = &s->item[i];
+
+    if (item->round) {
+      if (!slice_body(w, &s->body.item[item->at], y)) {
+        return false;
+      }
+    } else {
+      const sg_shading_polygon *p = &s->polygon.item[item->at];
+      if (p->y1 <= y && y < p->y2 && !slice_polygon(w, p, y)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}

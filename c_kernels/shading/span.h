@@ -1,0 +1,27 @@
+/* span.h -- parts of a scan line where one face is seen.
+ *
+ * Layer: kernel.
+ */
+#ifndef SG_SPAN_H
+#define SG_SPAN_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* Ends are in 1/256 dot from the left border of the picture, x1 < x2. */
+typedef struct sg_span {
+  int32_t x1, x2;
+  int32_t root;     /* the segment that is seen */
+  int32_t leaf;     /* number of the leaf whose face it is, 1.. */
+  int32_t face;     /* of that leaf */
+  uint32_t surface; /* of the scene: private */
+  int32_t sense;    /* 1: the line of sight enters the leaf; -1: it leaves */
+} sg_span;
+
+/* The spans of one line, from left to right; they do not overlap. */
+typedef struct sg_spans {
+  sg_span *span; /* [n] */
+  size_t n, room;
+} sg_spans;
+
+#endif

@@ -1,0 +1,230 @@
+/* sweep.c -- the spans of a scan line, from left to right. Ends of slices cut
+ * the line; between two of them the slices are in order of depth in the middle,
+ * and where two may change their order as far as it matters, that is cut again.
+ */
+#include "shading_private.h"
+
+#include "engine/search.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+sg_shading_work *
+sg_shading_work_open(const sg_shading *scene)
+{
+  sg_shading_work *w = calloc(1, sizeof *w);
+  const sg_expression *e = &scene->expression;
+
+  if (w) {
+    w->scene = scene;
+    w->expression = *e;
+    w->expression.leaf = NULL;
+    w->expression.node = malloc(e->n * sizeof *e->node);
+    if (w->expression.node) {
+      memcpy(w->expression.node, e->node, e->n * sizeof *e->node);
+      return w;
+    }
+    free(w);
+  }
+  return NULL;
+}
+
+void
+sg_shading_work_close(sg_shading_work *w)
+{
+  if (w) {
+    free(w->slice.item);
+    free(w->start.item);
+    free(w->end.item);
+    free(w->active.item);
+    free(w->crossing.item);
+    sg_expression_clear(&w->expression);
+    free(w);
+  }
+}
+
+/* ---- spans ---- */
+
+static bool
+continues(const sg_shading *s, const sg_span *last, const sg_span *next)
+{
+  return last->x2 == next->x1 && last->root == next->root &&
+         last->leaf == next->leaf && last->face == next->face &&
+         last->surface == next->surface &&
+         (!s->surface.item[last->surface].quadric ||
+          last->sense == next->sense);
+}
+
+static bool
+add_span(sg_shading_work *w, const sg_slice *slice, int32_t x1, int32_t x2,
+         sg_spans *out)
+{
+  const sg_shading *s = w->scene;
+  const sg_shading_leaf *leaf = &s->leaf.item[slice->leaf];
+  sg_span span = {.x1 = x1,
+                  .x2 = x2,
+                  .root = s->root.item[leaf->root].segment,
+                  .leaf = leaf->number,
+                  .face = slice->face,
+                  .surface = slice->surface,
+                  .sense = slice->arc == 0 ? slice->sense : -slice->arc};
+
+  if (out->n > 0 && continues(s, &out->span[out->n - 1], &span)) {
+    out->span[out->n - 1].x2 = x2;
+    return true;
+  }
+  if (!sg_list_grow(&out->span, out->n, &out->room, sizeof *out->span)) {
+    w->failed = true;
+    return false;
+  }
+  out->span[out->n++] = span;
+  return true;
+}
+
+/* ---- between two ends ---- */
+
+static void
+order(sg_shading_work *w, int32_t x1, int32_t x2)
+{
+  double left = x1 / 256.0, right = x2 / 256.0, middle = (left + right) / 2.0;
+  sg_active *active = w->active.item;
+
+  for (size_t i = 0; i < w->active.n; i++) {
+    sg_active *a = &active[i];
+    a->left = sg_slice_depth(a->slice, left);
+    a->right = sg_slice_depth(a->slice, right);
+    a->middle = a->slice->arc == 0 ? (a->left + a->right) / 2.0
+                                   : sg_slice_depth(a->slice, middle);
+  }
+  SG_SORT_FEW(sg_active, active, w->active.n, x->middle > y->middle);
+}
+
+/* The first place between x1 and x2 where the order may change down to the
+ * last slice of the group that is seen; x1: nowhere. */
+static int32_t
+find_change(const sg_shading_work *w, int32_t x1, int32_t x2, size_t last)
+{
+  const sg_active *a = w->active.item;
+  double t = w->scene->frame.tolerance;
+  int32_t first = x1;
+
+  for (size_t i = 1; i < w->active.n; i++) {
+    const sg_active *front = i <= last ? &a[i - 1] : &a[last];
+    int32_t x = sg_slices_cross(front, &a[i], x1, x2, t);
+    if (x != x1 && (first == x1 || x < first)) {
+      first = x;
+    }
+  }
+  return first;
+}
+
+static bool
+sweep_between(sg_shading_work *w, int32_t x1, int32_t x2, sg_spans *out)
+{
+  while (x1 < x2) {
+    int32_t to = x2;
+    size_t seen, last;
+
+    for (;;) {
+      order(w, x1, to);
+      seen = sg_walk_slices(w, w->active.item, w->active.n, &last);
+      int32_t cut = to - x1 > 1 ? find_change(w, x1, to, last) : x1;
+      if (cut == x1) {
+        break;
+      }
+      to = cut;
+    }
+    if (seen < w->active.n &&
+        !add_span(w, w->active.item[seen].slice, x1, to, out)) {
+      return false;
+    }
+    x1 = to;
+  }
+  return true;
+}
+
+/* ---- ends ---- */
+
+static int
+compare_starts(const void *a, const void *b)
+{
+  const uint64_t *x = a, *y = b;
+
+  return (*x > *y) - (*x < *y);
+}
+
+static int
+compare_ends(const void *a, const void *b)
+{
+  const int32_t *x = a, *y = b;
+
+  return (*x > *y) - (*x < *y);
+}
+
+static bool
+list_ends(sg_shading_work *w)
+{
+  w->start.n = 0;
+  w->end.n = 0;
+  for (size_t i = 0; i < w->slice.n; i++) {
+    const sg_slice *s = &w->slice.item[i];
+
+    if (!SG_PUSH(w->start, (uint64_t)(uint32_t)s->x1 << 32 | i) ||
+        !SG_PUSH(w->end, s->x1) || !SG_PUSH(w->end, s->x2)) {
+      w->failed = true;
+      return false;
+    }
+  }
+  if (w->slice.n > 0) {
+    qsort(w->start.item, w->start.n, sizeof *w->start.item, compare_starts);
+    qsort(w->end.item, w->end.n, sizeof *w->end.item, compare_ends);
+  }
+  return true;
+}
+
+/* Lets go what ends at x, and takes in what begins there. */
+static bool
+change_active(sg_shading_work *w, int32_t x, size_t *next)
+{
+  size_t kept = 0;
+
+  for (size_t i = 0; i < w->active.n; i++) {
+    if (w->active.item[i].slice->x2 > x) {
+      w->active.item[kept++] = w->active.item[i];
+    }
+  }
+  w->active.n = kept;
+  for (; *next < w->start.n && (int32_t)(w->start.item[*next] >> 32) <= x;
+       ++*next) {
+    const sg_slice *slice =
+        &w->slice.item[(uint32_t)(w->start.item[*next] & UINT32_MAX)];
+    if (!SG_PUSH(w->active, (sg_active){.slice = slice})) {
+      w->failed = true;
+      return false;
+    }
+  }
+  return true;
+}
+
+bool
+sg_shading_line(const sg_shading *scene, sg_shading_work *w, double y,
+                sg_spans *out)
+{
+  size_t next = 0;
+
+  w->scene = scene;
+  out->n = 0;
+  w->active.n = 0;
+  if (!sg_slices_of_line(w, y) || !list_ends(w)) {
+    return false;
+  }
+  for (size_t i = 0; i + 1 < w->end.n; i++) {
+    int32_t x1 = w->end.item[i], x2 = w->end.item[i + 1];
+
+    if (x1 < x2 && !(change_active(w, x1, &next) &&
+                     (w->active.n == 0 || sweep_between(w, x1, x2, out)))) {
+      return false;
+    }
+  }
+  return true;
+}

@@ -1,0 +1,68 @@
+:- module(sg_usage_render,
+          [ render_option/1,            % ?Spec
+            render_option_ko/2,         % ?Name, -Help
+            render_example/1            % -Command
+          ]).
+:- encoding(utf8).
+/** <module> The options of the verb render (usage.pl).
+*/
+
+%!  render_option(?Spec) is nondet.
+%
+%   Spec is an option as in arguments.pl.
+
+render_option(option(output, o, each, 'FILE',
+    'where to (.png .ppm); may be repeated')).
+render_option(option(format, '', one_of([png, ppm]), 'FORMAT',
+    'the format for -o -')).
+render_option(option(size, '', value, 'WxH',
+    'dots, such as 640x400; default 1260x888')).
+render_option(option(window, '', value, 'X1,Y1,X2,Y2',
+    'this part of the picture fills the frame, in its own units; without it \c
+     what is seen, with a margin')).
+render_option(option(smooth, '', one_of(['1', '2', '4', '8', '16']), 'N',
+    'scan lines that cross a dot (4, as is usual)')).
+render_option(option(shade, '', value, 'SHADE',
+    'lambert (as is usual), gooch (cold to warm), cel=N (N steps), zebra=N (N \c
+     stripes along which it is equally light) or flat')).
+render_option(option(colours, '', one_of([root, leaf]), 'BY',
+    'what says no colour has one by its root (as is usual) or its leaf')).
+render_option(option(look, '', value, 'FILE',
+    'colours and lights: facts such as look(1, colour(red)) (docs/render.md)')).
+render_option(option(light, '', value, 'X,Y,Z',
+    'the light comes from there in the picture: X to the right, Y up, Z \c
+     towards the eye')).
+render_option(option(background, '', value, 'COLOUR',
+    'a name, or R,G,B, 0 to 255 (white, as is usual); none: clear, in .png')).
+render_option(option(dpi, '', number(1), 'N',
+    'dots to the inch, written into a .png')).
+
+%!  render_option_ko(?Name, -Help) is nondet.
+%
+%   The same in Korean, where no other verb has it.
+
+render_option_ko(output, '결과 파일 (.png .ppm). 여러 번 쓸 수 있다').
+render_option_ko(size, '점의 수. 640x400 등. 보통 1260x888').
+render_option_ko(window,
+    '그림의 이 부분(그림 자신의 단위)이 틀을 채운다. 없으면 보이는 것 모두와 여백').
+render_option_ko(smooth, '한 점을 지나는 주사선의 수 (보통 4)').
+render_option_ko(shade,
+    'lambert(보통), gooch(찬 색에서 따뜻한 색으로), cel=N(N단계), zebra=N(밝기가 \c
+같은 N개의 줄무늬), flat').
+render_option_ko(colours,
+    '색이 정해지지 않은 것의 색: 루트마다(root, 보통) 또는 잎마다(leaf)').
+render_option_ko(look,
+    '색과 빛: look(1, colour(red)) 같은 사실 파일 (docs/render.md)').
+render_option_ko(light,
+    '빛이 그림에서 오는 쪽: X는 오른쪽, Y는 위, Z는 눈 쪽').
+render_option_ko(background,
+    '색 이름이나 R,G,B(0~255). 보통 white. none: 투명(.png)').
+render_option_ko(dpi, '.png에 적는 인치당 점의 수').
+
+%!  render_example(-Command) is nondet.
+
+render_example('sanggwan render facts/pipe_tee.pl -o tee.png').
+render_example('sanggwan render bracket.csg --view iso --size 1920x1080 \c
+-o bracket.png').
+render_example('sanggwan render facts/pipe_tee.pl --shade cel=4 \c
+--colours leaf --background none -o tee.png').

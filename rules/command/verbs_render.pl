@@ -1,0 +1,326 @@
+:- module(sg_verbs_render,
+          [ render_run/2                % +Files, +Options
+          ]).
+:- use_module('../colour', [colour_name/2, colour_rgb/2]).
+:- use_module('../csg/csg', [root_segment/1]).
+:- use_module('../csg/csg_matrix', [identity_matrix/1]).
+:- use_module('../kernel', [image_png/3, image_ppm/2]).
+:- use_module('../model/look_file', [look_file_added/2]).
+:- use_module('../model/model', [load_model/2]).
+:- use_module('../output', [writing/3]).
+:- use_module('../picture/view',
+              [current_view/4, set_projection/1, set_view/3]).
+:- use_module('../shading/shaded_picture',
+              [ shaded_picture/4, empty_picture/3, picture_image/3,
+                solid_box/2 ]).
+:- use_module('../shading/shading_scene', [shaded_eye/3, shaded_model/3]).
+:- use_module('../sheet/sheet_view', [view_towards/3]).
+:- use_module('../stage', [stage/2]).
+:- use_module('../store',
+              [ segment/3, light/2, view/3, assert_fact/1, retractall_facts/1
+              ]).
+:- use_module(sheet_options, [looking/2]).
+:- use_module(verb_output,
+              [ some_files/2, outputs/3, some_outputs/1, no_model_replaced/2,
+                output_written/2, usage_error/1
+              ]).
+:- use_module(library(apply), [maplist/2, maplist/3, maplist/4]).
+:- use_module(library(lists), [member/2]).
+:- use_module(library(option), [option/2, option/3]).
+/** <module> The verb render: a shaded picture of solids.
+
+No boundary is evaluated. What is seen follows from the trees of the roots,
+whose leaves are as their terms say.
+*/
+
+%!  render_run(+Files, +Options) is det.
+%
+%   As verb_run/4.
+
+render_run(Files, Options) :-
+    some_files(Files, 'MODEL'),
+    outputs(Options, [png,ppm], Outputs),
+    some_outputs(Outputs),
+    no_model_replaced(Files, Outputs),
+    findall(Option, render_option(Options, Option), Wanted),
+    alpha_formats(Wanted, Outputs),
+    ignore(looking(Options, _)),        % says what is wrong with it
+    per_metre(Options, PerMetre),
+    load_model(Files, [evaluate(false),rows(false)|Options]),
+    looks_read(Options),
+    stage(shade, sg_verbs_render:shaded(Options, Wanted, Image)),
+    maplist(output_written(image_output(Image, PerMetre)), Outputs).
+
+%   shaded(Options, Wanted, Image)
+
+shaded(Options, Wanted, Image) :-
+    shown_roots(Options, Roots),
+    up_matrix(Options, Turned),
+    shaded_model(Roots, Turned, Model0),
+    placed(Options, Roots, Turned, Model0, Model, Eye),
+    (   shaded_picture(Model, Eye, Wanted, Scene)
+    ->  true
+    ;   print_message(warning, sanggwan(nothing_seen)),
+        empty_picture(Eye, Wanted, Scene)
+    ),
+    picture_image(Scene, Wanted, Image).
+
+%   shown_roots(Options, Roots): the solids among what is asked for.
+
+shown_roots(Options, Roots) :-
+    (   option(segment(Texts), Options)
+    ->  maplist(segment_asked, Texts, All)
+    ;   findall(S, root_segment(S), All)
+    ),
+    findall(S, ( member(S, All), segment(S, solid, _) ), Roots),
+    forall(( member(S, All), \+ memberchk(S, Roots) ),
+           ( segment(S, Kind, _),
+             print_message(warning, sanggwan(not_shaded(S, Kind))) )).
+
+segment_asked(Text, S) :-
+    (   atom_number(Text, S),
+        integer(S),
+        S > 0
+    ->  (   segment(S, _, _)
+        ->  true
+        ;   findall(Known, segment(Known, _, _), All),
+            usage_error(no_segment(S, All))
+        )
+    ;   usage_error(bad_value('--segment', Text, 'N'))
+    ).
+
+%   up_matrix(Options, Matrix): as turn_up/1.
+
+up_matrix(Options, Matrix) :-
+    option(up(Axis), Options, z),
+    up_rows(Axis, Matrix).
+
+up_rows(z, Matrix) :-
+    identity_matrix(Matrix).
+up_rows(y, [[1,0,0,0], [0,0,-1,0], [0,1,0,0]]).
+up_rows(x, [[0,0,-1,0], [0,1,0,0], [1,0,0,0]]).
+
+%   placed(Options, Roots, Turned, Model0, Model, Eye): an eye looks at the
+%   origin, so what --eye looks at is moved there.
+
+placed(Options, Roots, Turned, Model0, Model, Eye) :-
+    (   option(projection(Kind0), Options)
+    ->  set_projection(Kind0)
+    ;   true
+    ),
+    (   looking(Options, View)
+    ->  true
+    ;   View = model
+    ),
+    looked(View, Options, Roots, Turned, Model0, Model),
+    current_view(Theta, Phi, Rho0, Kind),
+    (   Kind == central,
+        \+ ( view(_, _, Given), Given > 0.0 )
+    ->  far_enough(Model, Rho0, Rho)
+    ;   Rho = Rho0
+    ),
+    shaded_eye(Model, view(Theta,Phi,Rho,Kind), Eye).
+
+looked(model, _, _, _, Model, Model).
+looked(view(_,Theta,Phi,_), Options, _, _, Model, Model) :-
+    (   option(view(Text), Options),
+        split_string(Text, ",", " ", [_,_,RhoText])
+    ->  number_string(Rho, RhoText)
+    ;   Rho = 0
+    ),
+    set_view(Theta, Phi, Rho).
+looked(eye(At,Target0), Options, Roots, Turned, Model0, Model) :-
+    (   Target0 == middle
+    ->  solid_middle(Model0, Target)
+    ;   Target = Target0
+    ),
+    maplist(difference, Target, At, Way),
+    Way = [X,Y,Z],
+    (   view_towards(d(X,Y,Z), view, view(_,Theta,Phi,_))
+    ->  true
+    ;   option(eye(Text), Options),
+        usage_error(sheet(no_direction('--eye', Text)))
+    ),
+    (   option(projection(central), Options)
+    ->  maplist(moved_row, Turned, Target, Matrix),
+        shaded_model(Roots, Matrix, Model),
+        Rho is sqrt(X*X + Y*Y + Z*Z)
+    ;   Model = Model0,
+        Rho = 0
+    ),
+    set_view(Theta, Phi, Rho).
+
+difference(A, B, C) :-
+    C is A-B.
+
+moved_row([A,B,C,D0], X, [A,B,C,D]) :-
+    D is D0-rational(X).
+
+solid_middle(Model, [X,Y,Z]) :-
+    (   solid_box(Model, box(X1,Y1,Z1,X2,Y2,Z2))
+    ->  X is (X1+X2)/2,
+        Y is (Y1+Y2)/2,
+        Z is (Z1+Z2)/2
+    ;   X = 0.0, Y = 0.0, Z = 0.0
+    ).
+
+%   far_enough(Model, Rho0, Rho): three times as far as the farthest corner of
+%   the box round all.
+
+far_enough(Model, Rho0, Rho) :-
+    (   solid_box(Model, box(X1,Y1,Z1,X2,Y2,Z2))
+    ->  X is max(abs(X1), abs(X2)),
+        Y is max(abs(Y1), abs(Y2)),
+        Z is max(abs(Z1), abs(Z2)),
+        Rho is 3*sqrt(X*X + Y*Y + Z*Z)
+    ;   Rho = Rho0
+    ).
+
+
+                /*******************************
+                *            OPTIONS           *
+                *******************************/
+
+%   render_option(Options, Option): of shaded_picture/4 and picture_image/3.
+
+render_option(Options, size(W-H)) :-
+    option(size(Text), Options),
+    size_dots(Text, W, H).
+render_option(Options, window(Window)) :-
+    option(window(Text), Options),
+    window_box(Text, Window).
+render_option(Options, smooth(N)) :-
+    option(smooth(Text), Options),
+    atom_number(Text, N).
+render_option(Options, shade(Shade)) :-
+    option(shade(Text), Options),
+    shade_named(Text, Shade).
+render_option(Options, colours(By)) :-
+    option(colours(By), Options).
+render_option(Options, background(Colour)) :-
+    option(background(Text), Options),
+    background_named(Text, Colour).
+
+size_dots(Text, W, H) :-
+    (   split_string(Text, "xX", " ", [TextW,TextH]),
+        whole(TextW, W),
+        whole(TextH, H),
+        W >= 1, W =< 16384,
+        H >= 1, H =< 16384,
+        W*H =< 1<<26
+    ->  true
+    ;   usage_error(bad_value('--size', Text,
+                              'WxH (W, H: 1..16384, W*H: 1..67108864)'))
+    ).
+
+whole(Text, N) :-
+    catch(number_string(N, Text), error(_, _), fail),
+    integer(N).
+
+window_box(Text, b(X1,Y1,X2,Y2)) :-
+    (   split_string(Text, ",", " ", Parts),
+        maplist(finite, Parts, [X1,Y1,X2,Y2]),
+        X1 < X2,
+        Y1 < Y2
+    ->  true
+    ;   usage_error(bad_value('--window', Text,
+                              'X1,Y1,X2,Y2 (X1 < X2, Y1 < Y2)'))
+    ).
+
+finite(Text, X) :-
+    catch(number_string(X0, Text), error(_, _), fail),
+    X is float(X0),
+    abs(X) =< 1.0e90.
+
+shade_named(Text, Shade) :-
+    (   memberchk(Text, [lambert,gooch,flat])
+    ->  Shade = Text
+    ;   split_string(Text, "=()", "=()", [Name|Number]),
+        atom_string(Kind, Name),
+        steps(Kind, Usual),
+        (   Number = [NumberText|_],
+            NumberText \== ""
+        ->  whole(NumberText, N),
+            N >= 2,
+            N =< 64
+        ;   Number \= [_|_],
+            N = Usual
+        )
+    ->  Shade =.. [Kind,N]
+    ;   usage_error(bad_value('--shade', Text, 'lambert, gooch, flat, \c
+cel=N, zebra=N (N: 2..64)'))
+    ).
+
+steps(cel, 4).
+steps(zebra, 16).
+
+background_named(none, none) :-
+    !.
+background_named(Text, Colour) :-
+    (   colour_named(Text, Colour)
+    ->  true
+    ;   findall(Name, colour_name(Name, _), Names),
+        atomic_list_concat([none|Names], ', ', All),
+        atomic_list_concat([All,', R,G,B (0..255)'], Form),
+        usage_error(bad_value('--background', Text, Form))
+    ).
+
+colour_named(Text, RGB) :-
+    (   split_string(Text, ",", " ", [R0,G0,B0])
+    ->  maplist(whole, [R0,G0,B0], [R,G,B]),
+        colour_rgb(rgb(R,G,B), RGB)
+    ;   colour_rgb(Text, RGB)
+    ).
+
+alpha_formats(Wanted, Outputs) :-
+    (   option(background(none), Wanted),
+        member(output(_, ppm), Outputs)
+    ->  usage_error(no_clear_dots(ppm))
+    ;   true
+    ).
+
+per_metre(Options, PerMetre) :-
+    (   option(dpi(N), Options)
+    ->  PerMetre is min(0x7fffffff, round(N/0.0254))
+    ;   PerMetre = 0
+    ).
+
+%   looks_read(Options): --look and --light.
+
+looks_read(Options) :-
+    (   option(look(File), Options)
+    ->  look_file_added(File, InVain),
+        forall(member(Name, InVain),
+               print_message(informational, sanggwan(look_in_vain(Name))))
+    ;   true
+    ),
+    (   option(light(Text), Options)
+    ->  light_way(Text, Way),
+        findall(F, light(1, strength(F)), Strengths),
+        findall(N, ( light(N, _), N > 0 ), Ns),
+        forall(member(N, Ns), retractall_facts(light(N, _))),
+        forall(member(F, Strengths), assert_fact(light(1, strength(F)))),
+        assert_fact(light(1, Way))
+    ;   true
+    ).
+
+light_way(Text, picture(X,Y,Z)) :-
+    (   split_string(Text, ",", " ", Parts),
+        maplist(finite, Parts, [X,Y,Z]),
+        \+ maplist(=:=(0.0), [X,Y,Z])
+    ->  true
+    ;   usage_error(bad_value('--light', Text, 'X,Y,Z (X*X+Y*Y+Z*Z > 0)'))
+    ).
+
+%   image_output(Image, PerMetre, File)
+
+image_output(Image, PerMetre, File) :-
+    file_name_extension(_, Ending, File),
+    downcase_atom(Ending, Format),
+    stage(write, writing(File, binary,
+                         sg_verbs_render:image_bytes(Format, Image, PerMetre))).
+
+image_bytes(png, Image, PerMetre, Out) :-
+    image_png(Image, PerMetre, Out).
+image_bytes(ppm, Image, _, Out) :-
+    image_ppm(Image, Out).

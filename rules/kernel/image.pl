@@ -1,0 +1,56 @@
+:- module(sg_kernel_image, []).
+:- sg_kernel:export_doors.
+
+/** <module> Pictures in dots, shaded.
+
+Foreign predicates; see kernel.pl. Light is linear, 0 to 65535 (srgb.h); a
+scene is that of kernel/shading.pl.
+*/
+
+/* - - - image_rows.c - - - */
+
+%!  image_shade(+Scene:shading, +Lines:count, +Looks:list(shading_look),
+%!              +Leaves:list(list(count)), +Background:image_background,
+%!              -Image:image) is det.
+%
+%   Image is Scene in dots; Lines, 1, 2, 4, 8 or 16, cross each. Looks are
+%   look(Tones, Ramp). Tones is sum(Constant, Ways): the tone of a side is
+%   that, from 0 to 1, with for each way(X, Y, Z, Factor, Least) Factor times
+%   the product of the unit vectors (X, Y, Z) and normal, but at least Least.
+%   Or table(Axes, Tones): Axes are 9 numbers, what is right, up and towards
+%   the eye in the model, Tones are those of the normals of image_normals/1.
+%   Ramp has 1,025 light(R, G, B), of the tones 0, 1/1024, ... 1. Leaves has
+%   for leaf 1, 2, ... of Scene the places of Looks, from 0: first that of the
+%   leaf, then those of its faces 1, 2, ..., as many as differ. Background is
+%   rgb(R, G, B) in bytes, or `none`: dots have an alpha.
+%
+%   @error domain_error(shading_lines, Lines), domain_error(shading_look, N),
+%          domain_error(raster_size, W-H)
+
+%!  image_normals(-Normals:list(vector)) is det.
+%
+%   Normals are unit vectors, to the right, up and towards the eye, in the
+%   order of a table of tones.
+
+%!  image_extent(+Scene:shading, -Extent:shading_extent) is semidet.
+%
+%   Extent is extent(X1, Y1, X2, Y2), in dots of Scene, round what is seen of
+%   it on the lines in the middle of its dots, and up to where these end. Fails
+%   if there is nothing.
+
+%!  srgb_light(+Byte:count, -Light:count) is det.
+%
+%   Light is that of Byte.
+%
+%   @error domain_error(byte, Byte)
+
+%!  image_png(+Image:image, +PerMetre:count, +Stream:output) is det.
+%
+%   Writes Image to Stream as a PNG file; PerMetre dots are a metre, 0: the
+%   file does not say.
+
+%!  image_ppm(+Image:image, +Stream:output) is det.
+%
+%   The same as a PPM file (P6).
+%
+%   @error domain_error(image_without_alpha, Image)

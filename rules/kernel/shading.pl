@@ -1,0 +1,76 @@
+:- module(sg_kernel_shading, []).
+:- sg_kernel:export_doors.
+
+/** <module> Shaded pictures, scan line by scan line.
+
+Foreign predicates; see kernel.pl. Axes of a picture: x to the right and y DOWN,
+in dots from its upper left corner; z away from the eye. Matrix has 16 numbers,
+row by row: a point (X, Y, Z, 1) of the model is seen at Matrix times it,
+divided by the fourth coordinate.
+
+Leaves are, each with its Number, which several may have:
+
+    flat(Number, Points, Polygons)    polygon(Face, Loops): loops of places in
+                                      Points, from 1, counter-clockwise seen
+                                      from outside, holes clockwise
+    round(Number, Pieces)             piece(Kind, Frame, K, Low, LowFace, High,
+                                      HighFace, Face): what is bounded by the
+                                      surface of Kind `sphere` or `tapered` and
+                                      Frame (known_surface.pl), K its taper, and
+                                      by the planes h = Low and h = High; a face
+                                      0 is where another piece goes on, -1 says
+                                      that it is not bounded there
+    ring(Number, Frame, K, Face)      a torus of Frame and K, made of facets
+                                      for the picture, with its own normals
+    rows(Number, S, Map)              the triangles of segment S, its polygons
+                                      being the faces, where Map brings them:
+                                      12 numbers, X' = A*X + B*Y + C*Z + D, ...
+*/
+
+/* - - - shading_rows.c - - - */
+
+%!  shading_open(+Frame:shading_frame_fact, +Leaves:list(shading_leaf_fact),
+%!               +Roots:list(shading_root_fact), -Scene:shading) is det.
+%
+%   Scene is the picture of Roots. Frame is frame(Matrix, Width, Height,
+%   Tolerance): the size in dots; what is nearer in depth than Tolerance dots is
+%   in one place. Each root(S, Nodes) is segment S: Nodes are
+%   node(Operation, Count), each before its operands, and node(leaf, Place),
+%   Place that of a leaf in Leaves, from 1; each leaf comes once.
+%
+%   @error geometry_error(leaf_behind_eye(Number)): a leaf is not in front of
+%          the eye
+
+%!  shading_box(+Frame:shading_frame_fact, +Leaves:list(shading_leaf_fact),
+%!              -Box:shading_box_fact) is semidet.
+%
+%   Box is box(X1,Y1,Z1,X2,Y2,Z2) round all Leaves, in the picture. Fails if
+%   they have no faces.
+%
+%   @error as shading_open/4
+
+%!  shading_spans(+Scene:shading, +Y:number, -Spans:list(shading_span)) is det.
+%
+%   Spans are span(X1, X2, Root, Leaf, Face) from left to right: what is seen on
+%   the line Y (dots), X1 and X2 in 1/256 dot.
+%
+%   @error domain_error(scan_line, Y): not in the picture
+
+%!  shading_point(+Scene:shading, +X:number, +Y:number, -Span:shading_span,
+%!                -Depth:number, -Normal:vector) is semidet.
+%
+%   True when Span is seen at (X, Y), in dots, so deep, on a side that looks
+%   along the unit vector Normal, in the axes of the model.
+%
+%   @error domain_error(scan_line, Y)
+
+%!  shading_slices(+Scene:shading, +Y:number,
+%!                 -Slices:list(shading_slice)) is det.
+%
+%   Slices are slice(Place, Face, Sense, X1, X2, Depth), what the faces of leaf
+%   Place have in common with the plane of the line Y, in no order. Sense is 1
+%   where the line of sight enters, -1 where it leaves the leaf, 0 unknown.
+%   X1, X2 in 1/256 dot. Depth is line(X0, A, B): A + B*T with T = X - X0; or
+%   arc(Sign, X0, A, B, E, F, G): A + B*T + Sign*sqrt(max(0, E*T*T + F*T + G)).
+%
+%   @error domain_error(scan_line, Y)

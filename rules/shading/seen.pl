@@ -1,0 +1,225 @@
+:- module(sg_seen,
+          [ slice/3,                    % +Scene, +Y, -Slice
+            met/4,                      % +Scene, +X, +Y, -Groups
+            seen_at/4,                  % +Scene, +X, +Y, -Seen
+            line_spans/3,               % +Scene, +Y, -Spans
+            seen_side/5                 % +Scene, +X, +Y, -Depth, -Normal
+          ]).
+:- use_module('../kernel', 
+              [shading_point/6, shading_slices/3, shading_spans/3]).
+:- use_module(shading_scene, 
+              [scene_handle/2, scene_place/2, scene_root/2, scene_tolerance/2]).
+:- use_module(library(apply), [foldl/4]).
+:- use_module(library(lists), [member/2]).
+:- use_module(library(ordsets), [ord_symdiff/3]).
+/** <module> What is seen at a point of a shaded picture: the definition.
+
+The plane of a scan line cuts *slices* out of the faces of the leaves. A line of
+sight meets slices one behind the other; those nearer to one another than the
+tolerance of the scene are one *group*, for there the faces are flush. Before
+the first group it is in no leaf; at each slice it enters or leaves one. A root
+is seen at the first group after which its tree is true, whatever it was in
+between: so no face that lies in another one needs an answer of its own.
+
+The kernel (c_kernels/shading) says it of spans, where the same is seen. Groups
+are its only difference to classifying the middle of a slice as in, on or out,
+as the paper does: on and on would need to know on which side.
+
+@see row CB-7
+*/
+
+%!  slice(+Scene, +Y, -Slice) is nondet.
+%
+%   Slice is slice(R, S, F, Sense, X1, X2, Depth): on the line Y, in dots,
+%   face F of leaf S of root R is between X1 and X2, in dots. Sense is 1 where
+%   the line of sight enters the leaf, -1 where it leaves. Depth is
+%   line(X0, A, B) or arc(Sign, X0, A, B, E, F, G), as of shading_slices/3.
+%
+%   @error domain_error(scan_line, Y)
+
+slice(Scene, Y, slice(R,S,F,Sense,X1,X2,Depth)) :-
+    placed_slices(Scene, Y, Slices),
+    member(slice(Place,F,Sense,N1,N2,Depth), Slices),
+    scene_place(Scene, place(Place,R,S)),
+    X1 is N1/256.0,
+    X2 is N2/256.0.
+
+placed_slices(Scene, Y, Slices) :-
+    scene_handle(Scene, Handle),
+    shading_slices(Handle, Y, Slices).
+
+%!  met(+Scene, +X, +Y, -Groups) is det.
+%
+%   Groups are what the line of sight through (X, Y), in dots, meets: each
+%   group(Z, Slices), by the depth Z of the first of its Slices,
+%   met(Place, F, Sense), Place being that of a leaf in the scene. X is any
+%   number.
+%
+%   @error domain_error(scan_line, Y)
+
+met(Scene, X, Y, Groups) :-
+    placed_slices(Scene, Y, Slices),
+    findall(Z-met(Place,F,Sense),
+            ( member(slice(Place,F,Sense,X1,X2,Depth), Slices),
+              X1 =< 256*X, 256*X < X2,
+              depth_at(Depth, X, Z) ),
+            All0),
+    msort(All0, All),
+    scene_tolerance(Scene, Tolerance),
+    grouped(All, Tolerance, Groups).
+
+depth_at(line(X0,A,B), X, Z) :-
+    Z is A + B*(X-X0).
+depth_at(arc(Sign,X0,A,B,E,F,G), X, Z) :-
+    T is X-X0,
+    Z is A + B*T + Sign*sqrt(max(0.0, (E*T+F)*T+G)).
+
+grouped([], _, []).
+grouped([Z-Met|All], Tolerance, [group(Z,[Met|Mets])|Groups]) :-
+    with_first(All, Z, Tolerance, Mets, Rest),
+    grouped(Rest, Tolerance, Groups).
+
+with_first([Z1-Met|All], Z, Tolerance, [Met|Mets], Rest) :-
+    Z1-Z =< Tolerance,
+    !,
+    with_first(All, Z, Tolerance, Mets, Rest).
+with_first(Rest, _, _, [], Rest).
+
+%!  seen_at(+Scene, +X, +Y, -Seen) is semidet.
+%
+%   Seen is seen(R, S, F): face F of leaf S of root R is seen at (X, Y), in
+%   dots. Fails where nothing is. X is any number.
+%
+%   @error domain_error(scan_line, Y)
+
+seen_at(Scene, X, Y, Seen) :-
+    met(Scene, X, Y, Groups),
+    first_seen(Groups, Scene, [], Seen).
+
+%   first_seen(Groups, Scene, In, Seen): In are the places of the leaves that
+%   the line of sight is in, ascending.
+
+first_seen([group(_,Mets)|Groups], Scene, In0, Seen) :-
+    foldl(toggled, Mets, In0, In),
+    (   scene_root(Scene, root(R,Nodes)),
+        holds(Nodes, [], In)
+    ->  owner(Scene, R, Mets, S-F),
+        Seen = seen(R,S,F)
+    ;   first_seen(Groups, Scene, In, Seen)
+    ).
+
+toggled(met(Place,_,_), In0, In) :-
+    ord_symdiff(In0, [Place], In).
+
+%   holds(Nodes0, Nodes, In): the expression between Nodes0 and Nodes, each node
+%   before its operands, is true inside the leaves In.
+
+holds(Nodes0, Nodes, In) :-
+    value(Nodes0, Nodes, In, true).
+
+value([node(leaf,Place)|Nodes], Nodes, In, Value) :-
+    !,
+    (   memberchk(Place, In)
+    ->  Value = true
+    ;   Value = false
+    ).
+value([node(Operation,Count)|Nodes0], Nodes, In, Value) :-
+    values(Count, Nodes0, Nodes, In, Values),
+    operation_value(Operation, Values, Value).
+
+values(0, Nodes, Nodes, _, []) :-
+    !.
+values(Count, Nodes0, Nodes, In, [Value|Values]) :-
+    value(Nodes0, Nodes1, In, Value),
+    Fewer is Count-1,
+    values(Fewer, Nodes1, Nodes, In, Values).
+
+operation_value(union, Values, Value) :-
+    (   memberchk(true, Values)
+    ->  Value = true
+    ;   Value = false
+    ).
+operation_value(intersection, Values, Value) :-
+    (   memberchk(false, Values)
+    ->  Value = false
+    ;   Value = true
+    ).
+operation_value(difference, [First|Others], Value) :-
+    (   First == true,
+        \+ memberchk(true, Others)
+    ->  Value = true
+    ;   Value = false
+    ).
+
+%   owner(Scene, R, Mets, S-F): of a group after which root R is there, the
+%   face that is seen is one that makes R true: that of a leaf entered, or of
+%   one left that is taken away. Of several the first leaf, and its first face.
+
+owner(Scene, R, Mets, S-F) :-
+    findall(Rank-(S1-F1),
+            ( member(met(Place,F1,Sense), Mets),
+              scene_place(Scene, place(Place,R,S1)),
+              sign_of(Scene, Place, Sign),
+              (   Sense*Sign > 0
+              ->  Rank = 1
+              ;   Rank = 2
+              ) ),
+            Ranked),
+    msort(Ranked, [_-(S-F)|_]).
+
+%   sign_of(Scene, Place, Sign): -1 of a leaf under an odd number of right-hand
+%   sides of differences, else 1.
+
+sign_of(Scene, Place, Sign) :-
+    scene_root(Scene, root(_,Nodes)),
+    signed(Nodes, _, 1, Place, Found),
+    nonvar(Found),
+    !,
+    Sign = Found.
+
+%   signed(Nodes0, Nodes, Sign0, Place, Sign): leaf Place is between them.
+
+signed([node(leaf,Place0)|Nodes], Nodes, Sign0, Place, Sign) :-
+    !,
+    (   Place0 =:= Place
+    ->  Sign = Sign0
+    ;   true
+    ).
+signed([node(Operation,Count)|Nodes0], Nodes, Sign0, Place, Sign) :-
+    operands_signed(Count, first(Operation), Nodes0, Nodes, Sign0, Place, Sign).
+
+operands_signed(0, _, Nodes, Nodes, _, _, _) :-
+    !.
+operands_signed(Count, Which, Nodes0, Nodes, Sign0, Place, Sign) :-
+    (   Which == other(difference)
+    ->  Sign1 is -Sign0
+    ;   Sign1 = Sign0
+    ),
+    signed(Nodes0, Nodes1, Sign1, Place, Sign),
+    Fewer is Count-1,
+    arg(1, Which, Operation),
+    operands_signed(Fewer, other(Operation), Nodes1, Nodes, Sign0, Place, Sign).
+
+%!  line_spans(+Scene, +Y, -Spans) is det.
+%
+%   Spans are span(X1, X2, R, S, F), from left to right: between X1 and X2, in
+%   1/256 dot, face F of leaf S of root R is seen on the line Y, in dots. What
+%   seen_at/4 says of points the kernel says of spans.
+%
+%   @error domain_error(scan_line, Y)
+
+line_spans(Scene, Y, Spans) :-
+    scene_handle(Scene, Handle),
+    shading_spans(Handle, Y, Spans).
+
+%!  seen_side(+Scene, +X, +Y, -Depth, -Normal) is semidet.
+%
+%   What is seen at (X, Y), in dots, is Depth dots deep, counted from the origin
+%   of the model, and looks along the unit vector Normal = vector(X, Y, Z).
+%   Fails where nothing is.
+%
+%   @error domain_error(scan_line, Y)
+
+seen_side(Scene, X, Y, Depth, Normal) :-
+    scene_handle(Scene, Handle),
+    shading_point(Handle, X, Y, _, Depth, Normal).

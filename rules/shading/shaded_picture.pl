@@ -1,0 +1,113 @@
+:- module(sg_shaded_picture,
+          [ shaded_picture/4,           % +Model, +Eye, +Options, -Scene
+            empty_picture/3,            % +Eye, +Options, -Scene
+            solid_box/2,                % +Model, -Box
+            picture_image/3             % +Scene, +Options, -Image
+          ]).
+:- use_module('../colour', [colour_rgb/2]).
+:- use_module('../kernel', [image_extent/2, image_shade/6]).
+:- use_module(shading_scene,
+              [scene_handle/2, shaded_box/3, shaded_eye/3, shaded_scene/5]).
+:- use_module(surface_look, [scene_looks/4]).
+:- use_module(surface_ramp, [look_ramp/2]).
+:- use_module(surface_tone, [look_tones/2]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(option), [option/2, option/3]).
+/** <module> A shaded picture in dots.
+
+Its frame is that of a drawing: what is seen fills it, with a tenth of the
+shorter side free all round. Or a window of the picture fills it, in its own
+units.
+*/
+
+%!  shaded_picture(+Model, +Eye, +Options, -Scene) is semidet.
+%
+%   Scene (shading_scene.pl) is Model in its frame. Fails if nothing is seen.
+%   Options:
+%
+%     - size(Width-Height): dots, default 1260-888
+%     - window(b(X1,Y1,X2,Y2)): what fills the frame, in units of the
+%       picture, the longer way; without it all that is seen
+
+shaded_picture(Model, Eye, Options, Scene) :-
+    option(size(Size), Options, 1260-888),
+    (   option(window(Window), Options)
+    ->  Margin = 0
+    ;   seen_box(Model, Eye, Window),
+        Size = Width-Height,
+        Margin is min(Width, Height)/10
+    ),
+    frame_place(Window, Size, Margin, Place),
+    shaded_scene(Model, Eye, Place, Size, Scene).
+
+%   seen_box(Model, Eye, Box): round what is seen. Where leaves are is mostly
+%   more, so it is looked at once in dots.
+
+seen_box(Model, Eye, b(X1,Y1,X2,Y2)) :-
+    shaded_box(Model, Eye, Leaves),
+    Size = 1024-1024,
+    frame_place(Leaves, Size, 1, Place),
+    shaded_scene(Model, Eye, Place, Size, Scene),
+    scene_handle(Scene, Handle),
+    image_extent(Handle, extent(Left,Top,Right,Bottom)),
+    Place = place(Scale,X0,Y0),
+    X1 is X0 + Left/Scale,
+    X2 is X0 + Right/Scale,
+    Y1 is Y0 - Bottom/Scale,
+    Y2 is Y0 - Top/Scale.
+
+%   frame_place(Box, Size, Margin, Place): Box in the middle.
+
+frame_place(b(X1,Y1,X2,Y2), Width-Height, Margin, place(Scale,Left,Top)) :-
+    Wide is max(X2-X1, 1.0e-300),
+    High is max(Y2-Y1, 1.0e-300),
+    Scale is min((Width-2*Margin)/Wide, (Height-2*Margin)/High),
+    Left is (X1+X2)/2.0 - Width/Scale/2.0,
+    Top is (Y1+Y2)/2.0 + Height/Scale/2.0.
+
+%!  empty_picture(+Eye, +Options, -Scene) is det.
+%
+%   Scene, of the same size, has nothing in it.
+
+empty_picture(Eye, Options, Scene) :-
+    option(size(Size), Options, 1260-888),
+    shaded_scene(model([],[],[]), Eye, place(1.0,0.0,0.0), Size, Scene).
+
+%!  solid_box(+Model, -Box) is semidet.
+%
+%   Box is box(X1,Y1,Z1,X2,Y2,Z2) round the solids of Model, as far as it is
+%   seen from the front and from above. Fails if there are none.
+
+solid_box(Model, box(X1,Y1,Z1,X2,Y2,Z2)) :-
+    shaded_eye(Model, view(270.0,90.0,1.0,parallel), Front),
+    seen_box(Model, Front, b(X1,Z1,X2,Z2)),
+    shaded_eye(Model, view(270.0,0.0,1.0,parallel), Top),
+    seen_box(Model, Top, b(_,Y1,_,Y2)).
+
+%!  picture_image(+Scene, +Options, -Image) is det.
+%
+%   Image (kernel/image.pl) is Scene in dots. Options:
+%
+%     - smooth(N): lines of a dot: 1, 2, 4 (default), 8 or 16
+%     - shade(Shade): lambert (default), or as in surface_tone.pl
+%     - colours(By): the palette goes by `root` (default) or `leaf`
+%     - background(Colour): default white; `none`: dots have an alpha
+
+picture_image(Scene, Options, Image) :-
+    option(smooth(Lines), Options, 4),
+    option(shade(Shade), Options, lambert),
+    option(colours(Colours), Options, root),
+    option(background(Background0), Options, white),
+    (   Background0 == none
+    ->  Background = none
+    ;   colour_rgb(Background0, Background)
+    ),
+    scene_looks(Scene, Colours, Looks, Leaves),
+    maplist(kernel_look(Shade), Looks, KernelLooks),
+    scene_handle(Scene, Handle),
+    image_shade(Handle, Lines, KernelLooks, Leaves, Background, Image).
+
+kernel_look(Shade, Look0, look(Tones,Ramp)) :-
+    Look = [shade(Shade)|Look0],
+    look_tones(Look, Tones),
+    look_ramp(Look, Ramp).

@@ -1,0 +1,166 @@
+:- module(sg_surface_look,
+          [ surface_look/4,             % +R, +S, +Face, -Look
+            scene_looks/4               % +Scene, +Colours, -Looks, -Leaves
+          ]).
+:- use_module('../csg/csg', [node/4]).
+:- use_module('../decision', [decision/2, decision_is_default/1]).
+:- use_module('../store', [look/2]).
+:- use_module(shading_scene, [scene_leaf/2, scene_root/2]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(lists),
+              [append/2, append/3, list_to_set/2, member/2, nth0/3]).
+/** <module> How a face looks (CB-8).
+
+A look is a list of properties, those of look/2. The nearest that has a colour
+wins: the segment of the leaf, the nodes above it, the root. What is taken away
+shows the body that it was taken from: behind the operands of a difference but
+the first one comes the first one, before the node itself. Without any colour a
+face has that of a palette, by roots.
+*/
+
+:- decision(surface_look/4, "How a face of a leaf looks in a shaded picture").
+
+%!  surface_look(+R, +S, +Face, -Look:list) is semidet.
+%
+%   True when the Face, as in face_of/3, of segment S (0: of none), a leaf of
+%   the root R, has the properties Look. Where it fails, or Look has no
+%   colour(C), the palette has one. A decision, asked once for each face before
+%   a picture is made.
+
+surface_look(R, S, _, Look) :-
+    look(_, _),
+    (   S =:= 0
+    ->  N = R
+    ;   N = S
+    ),
+    seen_way(R, N, Way),
+    member(Segment, Way),
+    findall(Property, look(Segment, Property), Look0),
+    Look0 = [_|_],
+    !,
+    Look = Look0.
+
+%   seen_way(R, S, Way): the segments whose look S may have, the nearest first.
+
+seen_way(R, R, Way) :-
+    !,
+    body_way(R, Way).
+seen_way(R, S, Way) :-
+    once(way_down(R, S, Way)).
+
+way_down(S, S, [S]).
+way_down(N, S, Way) :-
+    node(N, Operation, Children, _),
+    nth0(I, Children, Child),
+    integer(Child),
+    way_down(Child, S, Way0),
+    (   I > 0,
+        takes_away(Operation),
+        Children = [Body|_],
+        integer(Body)
+    ->  body_way(Body, Bodies),
+        append([Way0,Bodies,[N]], Way)
+    ;   append(Way0, [N], Way)
+    ).
+
+takes_away(difference).
+takes_away(split(_)).
+takes_away(split(_, _)).
+
+%   body_way(N, Way): N, its first operand, the first one of that, ...
+
+body_way(N, [N|Way]) :-
+    (   node(N, Operation, [Child|_], _),
+        Operation \== leaf,
+        integer(Child)
+    ->  body_way(Child, Way)
+    ;   Way = []
+    ).
+
+%!  scene_looks(+Scene, +Colours, -Looks, -Leaves) is det.
+%
+%   Looks are the looks that Scene has, each once. Leaves has for each leaf the
+%   places in Looks, from 0: the leaf's, then those of its faces, where a rule
+%   tells them apart. Colours is `root` or `leaf`: by what the palette goes.
+
+scene_looks(Scene, Colours, Looks, Leaves) :-
+    findall(R, scene_root(Scene, root(R,_)), Roots),
+    findall(Leaf, scene_leaf(Scene, Leaf), All),
+    (   decision_is_default(surface_look/4),
+        \+ look(_, _)
+    ->  Asked = nothing
+    ;   decision_is_default(surface_look/4)
+    ->  Asked = leaves
+    ;   Asked = faces
+    ),
+    maplist(leaf_looks(Asked, Colours, Roots), All, Own),
+    append(Own, Every),
+    list_to_set(Every, Looks),
+    maplist(look_places(Looks), Own, Leaves).
+
+look_places(Looks, Own, Places) :-
+    maplist(look_place(Looks), Own, Places).
+
+look_place(Looks, Look, Place) :-
+    once(nth0(Place, Looks, Look)).
+
+%   leaf_looks(Asked, Colours, Roots, Leaf, Looks)
+
+leaf_looks(Asked, Colours, Roots, leaf(Number,R,S,_,Faces), Looks) :-
+    (   Colours == leaf
+    ->  Place is Number-1
+    ;   once(nth0(Place, Roots, R))
+    ),
+    palette_colour(Place, Colour),
+    asked_looks(Asked, R, S, Faces, Colour, Looks).
+
+asked_looks(nothing, _, _, _, Colour, [[colour(Colour)]]).
+asked_looks(leaves, R, S, _, Colour, [Look]) :-
+    face_look(R, S, any, Colour, Look).
+asked_looks(faces, R, S, Faces, Colour, [Palette|Looks]) :-
+    Palette = [colour(Colour)],
+    findall(Look,
+            ( face_names(1, Faces, Name), face_look(R, S, Name, Colour, Look) ),
+            Looks).
+
+%   face_names(F, Faces, Name): the names of the faces 1, 2, ...; `none` where
+%   there is none of that number.
+
+face_names(F, [N-Name0|Faces], Name) :-
+    (   N =:= F
+    ->  Rest = Faces,
+        Own = Name0
+    ;   Rest = [N-Name0|Faces],
+        Own = none
+    ),
+    (   Name = Own
+    ;   G is F+1,
+        face_names(G, Rest, Name)
+    ).
+
+face_look(R, S, Face, Colour, Look) :-
+    (   Face \== none,
+        surface_look(R, S, Face, Look0),
+        ground(Look0)
+    ->  true
+    ;   Look0 = []
+    ),
+    (   memberchk(colour(_), Look0)
+    ->  Look = Look0
+    ;   Look = [colour(Colour)|Look0]
+    ).
+
+palette_colour(Place, rgb(R,G,B)) :-
+    findall(rgb(R0,G0,B0), palette(R0, G0, B0), Palette),
+    length(Palette, N),
+    K is Place mod N,
+    nth0(K, Palette, rgb(R,G,B)).
+
+palette(118, 160, 208).
+palette(222, 158, 78).
+palette(126, 176, 116).
+palette(200, 96, 92).
+palette(160, 130, 190).
+palette(222, 202, 96).
+palette(96, 176, 176).
+palette(200, 140, 170).

@@ -1,0 +1,132 @@
+/* shading_rows_test.c -- a scene through the functions of the doors, without
+ * Prolog: a cube of rows, a ball, a ring; and what is refused.
+ *
+ * covers: shading_segment_rows
+ */
+#include "doors/shading.h"
+
+#include "tests/c_kernels/cube_world.h"
+#include "tests/c_kernels/door_call.h"
+#include "tests/check.h"
+
+#include <math.h>
+
+/* From above, 10 dots to a unit, the origin at (50, 50). */
+static double above[16] = {10, 0, 0,   50, 0, -10, 0, 50,
+                           0,  0, -10, 0,  0, 0,   0, 1};
+static double here[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+static double round_frame[12] = {3, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+
+static const sg_shading_frame_fact frame = {
+    .matrix = {above, 16, 0}, .width = 100, .height = 100, .tolerance = 1e-9};
+
+static sg_shading_leaf_fact
+rows_leaf(int32_t number, size_t numbers)
+{
+  sg_shading_leaf_fact leaf = {.is = SG_SHADING_LEAF_FACT_ROWS};
+
+  leaf.rows.number = number;
+  leaf.rows.s = 1;
+  leaf.rows.map = (sg_number_list){here, numbers, 0};
+  return leaf;
+}
+
+static sg_shading_leaf_fact
+ring_leaf(int32_t number, double k)
+{
+  sg_shading_leaf_fact leaf = {.is = SG_SHADING_LEAF_FACT_RING};
+
+  leaf.ring.number = number;
+  leaf.ring.frame = (sg_number_list){round_frame, 12, 0};
+  leaf.ring.k = k;
+  leaf.ring.face = 1;
+  return leaf;
+}
+
+/* A scene of the leaves under one union; null: refused. */
+static sg_shading *
+open_scene(sg_shading_leaf_fact *leaf, size_t n, int32_t last)
+{
+  sg_expression_node_fact node[4] = {{SG_UNION, (int32_t)n}};
+  sg_shading *scene = NULL;
+
+  for (size_t i = 0; i < n; i++) {
+    node[1 + i] = (sg_expression_node_fact){SG_LEAF, (int32_t)i + 1};
+  }
+  node[n].of = last;
+  sg_shading_root_fact root = {.s = 7, .nodes = {node, n + 1, 0}};
+  return sg_door_shading_open(&call, &frame,
+                              &(sg_shading_leaf_fact_list){leaf, n, 0},
+                              &(sg_shading_root_fact_list){&root, 1, 0}, &scene)
+             ? scene
+             : NULL;
+}
+
+static void
+seen(void)
+{
+  sg_shading_leaf_fact leaf[2] = {rows_leaf(1, 12), ring_leaf(2, 0.5)};
+  sg_shading *scene = open_scene(leaf, 2, 2);
+  sg_shading_span_list spans = {0};
+  sg_shading_slice_list slices = {0};
+  sg_shading_box_fact box;
+  sg_span span;
+  sg_xyz normal;
+  double depth;
+
+  CHECK("a scene", scene);
+  CHECK("spans", sg_door_shading_spans(&call, scene, 45, &spans));
+  CHECK("of the cube, and twice of the ring",
+        spans.n >= 3 && spans.at[0].x1 == 50 * 256 &&
+            spans.at[0].x2 == 60 * 256 && spans.at[0].root == 7 &&
+            spans.at[0].face == 2 && spans.at[1].leaf == 2);
+  CHECK("slices",
+        sg_door_shading_slices(&call, scene, 45, &slices) && slices.n >= 6);
+  CHECK("a point",
+        sg_door_shading_point(&call, scene, 55, 45, &span, &depth, &normal) &&
+            span.leaf == 1 && depth == -10 && normal.at[2] == 1);
+  CHECK("none",
+        !sg_door_shading_point(&call, scene, 5, 45, &span, &depth, &normal) &&
+            call.refusal.how == SG_REFUSED_NOTHING);
+  CHECK("a box",
+        sg_door_shading_box(&call, &frame,
+                            &(sg_shading_leaf_fact_list){leaf, 1, 0}, &box) &&
+            box.x1 == 50 && box.y1 == 40 && box.x2 == 60 && box.y2 == 50 &&
+            box.z1 == -10 && box.z2 == 0);
+  sg_shading_close(scene);
+}
+
+static void
+refused(void)
+{
+  sg_shading_leaf_fact rows = rows_leaf(1, 12), bad = rows_leaf(1, 9);
+  sg_shading_leaf_fact fat = ring_leaf(1, 1.0);
+  sg_shading *scene = open_scene(&rows, 1, 1);
+  sg_shading_span_list spans = {0};
+
+  CHECK("a map of nine numbers",
+        !open_scene(&bad, 1, 1) && is_domain("shading_map", 2));
+  CHECK("a ring without a hole",
+        !open_scene(&fat, 1, 1) && is_domain("shading_ring", 2));
+  CHECK("no such leaf",
+        !open_scene(&rows, 1, 2) && is_domain("shading_leaf", 3));
+  CHECK("below the picture",
+        !sg_door_shading_spans(&call, scene, 100, &spans) &&
+            is_domain("scan_line", 2));
+  sg_shading_close(scene);
+}
+
+int
+main(void)
+{
+  sg_world *world = sg_world_open();
+
+  sg_call_open(&call, NULL, NULL);
+  call.world = world;
+  CHECK("a cube", add_cube(world, 1));
+  seen();
+  refused();
+  sg_call_close(&call);
+  sg_world_let_go(world);
+  return check_report();
+}

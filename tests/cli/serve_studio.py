@@ -1,0 +1,379 @@
+"""serve_studio.py PROGRAM FOLDER: what a studio asks of a session: strokes,
+selections, patterns, wishes, rules that are tried, words, progress."""
+# covers: complete, line_change, picture_cut, select, verb_session, world_state
+import json
+import os
+import struct
+import subprocess
+import sys
+import time
+
+from session import Checks, Session
+
+program, work = sys.argv[1:3]
+checks = Checks()
+check = checks.check
+environment = {k: v for k, v in os.environ.items()
+               if k not in ("LC_ALL", "LC_MESSAGES")}
+environment.update(LANG="C", XDG_STATE_HOME=work + "/state")
+
+
+def alone(*argv, body=b""):
+    p = subprocess.run([program, *argv], input=body, capture_output=True,
+                       env=environment)
+    return p.returncode, p.stdout, p.stderr
+
+
+def session():
+    return Session(program, env=environment)
+
+
+def code(head):
+    return (head.get("error") or {}).get("code", "")
+
+
+def refused(name, wanted, said, do, body=b"", **keys):
+    head, _ = s.ask(do, body, **keys)
+    check(name, code(head) == wanted and said in head["error"]["words"]["en"]
+          and head["error"]["words"]["ko"] and head["rev"] == rev(), head)
+
+
+def rev():
+    return s.ask("hello")[0]["rev"]
+
+
+def strokes(head, octets):
+    """(look, segment, start, end, edges, points) of each."""
+    words = struct.unpack("<%di" % (len(octets) // 4), octets)
+    at, found = 0, []
+    while at < len(words):
+        look, segment, ends, edges, points = words[at:at + 5]
+        at += 5
+        found.append((tuple(head["looks"][look]), segment, ends % 4, ends // 4,
+                      words[at:at + edges],
+                      tuple(zip(words[at + edges:at + edges + 2 * points:2],
+                                words[at + edges + 1:at + edges + 2 * points:2]
+                                ))))
+        at += edges + 2 * points
+    return found
+
+
+s = session()
+
+# ---- without a document ----
+
+for do, keys in (("select", {"names": ["s1"]}), ("unfold", {}), ("fold", {}),
+                 ("cut", {"segment": 1, "edge": 1}), ("rules", {})):
+    head, _ = s.ask(do, **keys)
+    check("no document: " + do, code(head) == "request_error.no_document",
+          head)
+
+# ---- hello, help, complete ----
+
+head, _ = s.ask("hello")
+check("version", "sanggwan " + head["version"] in
+      alone("--version")[1].decode(), head)
+offered = head["offered"]
+head, _ = s.ask("help")
+check("help says all", [r["do"] for r in head["requests"]] == offered and
+      all(r["words"]["en"] and r["words"]["ko"] != r["words"]["en"]
+          for r in head["requests"]), head)
+with open("docs/protocol.md", encoding="utf-8") as f:
+    protocol = f.read()
+for do in offered:
+    check("documented: " + do, ("`%s`" % do) in protocol or
+          ('"do":"%s"' % do) in protocol or ("### " + do) in protocol)
+head, octets = s.ask("help", of="line/9")
+check("help of a word", b"line(L, S1, P1" in octets, octets)
+refused("help of what", "request_error.bad_key", '"of"', "help", of=1)
+head, _ = s.ask("complete", text="lin")
+check("complete", {"line/9", "line"} <= {w["word"] for w in head["words"]},
+      head)
+head, _ = s.ask("complete", text="dorw")
+check("meant", "draw/1" in [w["word"] for w in head["words"]] or
+      head["words"] == [], head)
+head, _ = s.ask("complete", text="")
+check("50 words", len(head["words"]) == 50 and head["left"] > 50, head)
+refused("complete what", "request_error.bad_key", '"text"', "complete")
+s.send({"id": [1], "do": "hello"})
+head, _ = s.reply()
+check("an id is no list", code(head) == "request_error.bad_key" and
+      head["id"] is None, head)
+
+# ---- strokes are those of the drawing ----
+
+for file in ("facts/figures/fig13.pl", "facts/pipe_tee.pl",
+             "facts/two_cubes.pl", "facts/smooth.pl"):
+    s.ask("open", file=file)
+    for keys, options in (({}, []),
+                          ({"view": [30, 60], "hidden": "removed"},
+                           ["--view", "30,60", "--hidden", "removed"]),
+                          ({"view": "front", "up": "y", "size": [100, 80]},
+                           ["--view", "front", "--up", "y",
+                            "--size", "100x80"])):
+        head, octets = s.ask("view", format="strokes", **keys)
+        drawn = json.loads(alone("draw", file, "-o", "-", "--format", "json",
+                                 *options)[1])
+        got = strokes(head, octets)
+        check("as many strokes: " + file, len(got) == head["strokes"] > 0,
+              head)
+        # Names stay when the model is turned, so they may be others there.
+        wanted = [(tuple(tuple(round(c * 1000) for c in p)
+                         for p in line["points"]),
+                   "up" in keys or tuple(line["edges"]))
+                  for line in drawn["lines"]]
+        check("strokes of %s %s" % (file, keys),
+              [(points, "up" in keys or edges)
+               for _, _, _, _, edges, points in got] == wanted,
+              (got[:2], wanted[:2]))
+refused("no such view", "request_error.bad_key", "isometric", "view",
+        view="nowhere")
+refused("meant", "request_error.bad_key", "Did you mean front", "view",
+        view="frunt")
+refused("no such segment", "request_error.bad_key", "no segment 77", "view",
+        segments=[77])
+refused("scale", "request_error.bad_key", "above 0", "view", scale=0)
+
+# ---- select ----
+
+s.ask("open", file="facts/two_cubes.pl")
+head, octets = s.ask("view", format="strokes")
+edge = next(e for _, _, _, _, edges, _ in strokes(head, octets)
+            for e in edges)
+head, _ = s.ask("select", names=["s1e%d" % edge, "s1", "s2p1", "s2v3", "l1"])
+kinds = [item["kind"] for item in head["selected"]]
+check("select", kinds == ["edge", "segment", "polygon", "vertex", "line"] and
+      head["gone"] == [], head)
+for item in head["selected"]:
+    answers, _ = s.ask("ask", goal=item["goal"])
+    check("its goal: " + item["goal"], len(answers["answers"]) > 0, answers)
+    if item["kind"] != "segment":
+        other, _ = s.ask("select", names=item["shows"])
+        check("what it shows is there", code(other) == "" and
+              item["shows"] != [], other)
+    for why in item["explain"]:
+        told, octets = s.ask("explain", item=why)
+        check("explained: " + why, told["status"] in (0, 1) and octets != b"",
+              told)
+s.ask("select", names=["s1", "s2v3"])
+head, _ = s.ask("select")
+check("kept", [i["name"] for i in head["selected"]] == ["s1", "s2v3"], head)
+for names in ("s1", [1], ["x"], ["s0"], ["s1e"], ["s1q1"], ["s01"], [["s1"]],
+              ["s1e99999999999"]):
+    refused("names %s" % names, "request_error.bad_key", "list of names",
+            "select", names=names)
+refused("nothing called so", "request_error.no_name", "s9e1", "select",
+        names=["s9e1"])
+
+# ---- patterns ----
+
+head, octets = s.ask("unfold", segment=1)
+got = strokes(head, octets)
+check("unfold", head["sheets"] == 1 and len(got) == head["strokes"] > 0 and
+      [p["of"] for p in head["patterns"]] == ["development(1)"], head)
+wanted = json.loads(alone("unfold", "facts/two_cubes.pl", "--only", "1", "-o",
+                          "-", "--format", "json")[1])
+check("as the verb", [points for _, _, _, _, _, points in got] ==
+      [tuple(tuple(round(c * 1000) for c in p) for p in line["points"])
+       for line in wanted["lines"]], wanted["lines"][:2])
+head, octets = s.ask("fold", segment=1)
+check("fold", octets == alone("unfold", "facts/two_cubes.pl", "--only", "1",
+                              "-o", "-", "--format", "fold")[1] and
+      b"file_spec" in octets, octets[:300])
+refused("no sheet", "request_error.bad_key", "from 1 to 1", "unfold", sheet=2)
+refused("segment of a pattern", "request_error.bad_key", "number", "unfold",
+        segment="1")
+refused("no segment", "usage_error.unfold", "9", "unfold", segment=9)
+refused("no option", "usage_error.unknown_option", "--nothing", "unfold",
+        options=["--nothing"])
+refused("no file", "usage_error.no_files_taken", "x.pl", "fold",
+        options=["x.pl"])
+refused("options", "request_error.bad_key", "options", "fold", options=[1])
+
+# ---- wishes ----
+
+model = work + "/m.pl"
+TEXT = """% Two parts: 상관.
+segment(1, solid, box(size(3, 4, 5))). % no end of line"""
+with open(model, "w", encoding="utf-8") as f:
+    f.write(TEXT)
+s.ask("open", file=model, journal=True)
+folds = s.ask("unfold")[1]
+head, _ = s.ask("cut", segment=1, edge=1)
+check("cut", head["wish"] == "unfolding(1, cut(1))", head)
+check("it stands in the text", s.ask("text")[1].decode() ==
+      TEXT + "\nunfolding(1, cut(1)).\n")
+head, _ = s.ask("cut", segment=1, edge="base-side(2)", keep=True)
+check("by its name", head["wish"] == "unfolding(1, keep(base-side(2)))", head)
+text = s.ask("text")[1].decode()
+head, octets = s.ask("unfold")
+check("as the verb", [points for _, _, _, _, _, points in
+                      strokes(head, octets)] ==
+      [tuple(tuple(round(c * 1000) for c in p) for p in line["points"])
+       for line in json.loads(alone("unfold", "-", "-o", "-", "--format",
+                                    "json", body=text.encode())[1])["lines"]])
+head, _ = s.ask("cut", segment=1, edge=1, keep=True)
+check("the other way", "keep(1)" in s.ask("text")[1].decode() and
+      "cut(1)" not in s.ask("text")[1].decode(), head)
+head, _ = s.ask("cut", segment=1, edge=1, keep=None)
+check("no wish", s.ask("text")[1].decode() ==
+      TEXT + "\nunfolding(1, keep(base-side(2))).\n", s.ask("text")[1])
+for i in range(2):
+    s.ask("undo")
+check("undone", s.ask("text")[1].decode() == text)
+other = 0
+for i in range(1, 13):
+    head, _ = s.ask("cut", segment=1, edge=i)
+    if code(head) == "":
+        other += s.ask("unfold")[1] != octets
+        s.ask("undo")
+check("patterns have it", other > 0, other)
+check("as it was", s.ask("text")[1].decode() == text)
+refused("no such edge", "model_error.unfold", "99", "cut", segment=1, edge=99)
+refused("no such segment", "request_error.bad_key", "no segment 5", "cut",
+        segment=5, edge=1)
+refused("no edge", "request_error.bad_key", '"edge"', "cut", segment=1)
+refused("keep", "request_error.bad_key", '"keep"', "cut", segment=1, edge=1,
+        keep="x")
+refused("no name", "request_error.edit", "no name of an edge", "cut",
+        segment=1, edge="(")
+refused("none to take away", "request_error.edit", "does not say", "cut",
+        segment=1, edge=3, keep=None)
+s.kill()
+s = session()
+head, _ = s.ask("open", file=model, journal=True)
+check("replayed", head["replayed"] > 20 and
+      s.ask("text")[1].decode() == text, head)
+
+# ---- rules are tried ----
+
+RULES = b"""% Creases of the second cube are no lines.
+edge_role(2, E, Look, Crease, Role) :-
+    default(edge_role(2, E, Look, Crease, Role0)),
+    (   Role0 == crease
+    ->  Role = smooth
+    ;   Role = Role0
+    ).
+edge_role(1, E, Look, Crease, Role) :-
+    default(edge_role(1, E, Look, Crease, Role0)),
+    (   Role0 == crease
+    ->  Role = border
+    ;   Role = Role0
+    ).
+"""
+s.ask("open", file="facts/two_cubes.pl", journal=True)
+plain = s.ask("view", format="json")[1]
+begun = rev()
+head, octets = s.ask("rules")
+check("decisions", octets == b"" and head["tried"] is False and
+      len(head["decisions"]) > 10 and
+      all(d["by"] == "default" for d in head["decisions"]), head)
+refused("not the owner", "request_error.owner_alone", "owner", "rules", RULES)
+refused("nothing to keep", "request_error.nothing_tried", "Try", "rules",
+        keep=True, owner=True)
+refused("nothing to discard", "request_error.nothing_tried", "Try", "rules",
+        keep=False)
+refused("keep what", "request_error.bad_key", "true or false", "rules",
+        keep=1)
+refused("no rules", "model_error.rules", "", "rules", b"a :- .", owner=True)
+refused("no decision", "model_error.rules", "edge_rule", "rules",
+        b"edge_rule(1, 2).", owner=True)
+refused("no text", "frame_error.not_utf8", "UTF-8", "rules", b"\xff",
+        owner=True)
+check("still as it was", s.ask("view", format="json")[1] == plain)
+with open(work + "/r.pl", "wb") as f:
+    f.write(RULES)
+
+
+def names(drawing):
+    return {(n["segment"], e) for n in json.loads(drawing)["lines"]
+            for e in n["edges"]}
+
+
+head, _ = s.ask("rules", RULES, owner=True)
+wanted = alone("draw", "facts/two_cubes.pl", "--rules", work + "/r.pl", "-o",
+               "-", "--format", "json")[1]
+check("tried", head["tried"] is True and head["rev"] == begun + 1, head)
+check("went", set(head["went"]) == {"s%de%d" % n for n in
+                                    names(plain) - names(wanted)} and
+      len(head["went"]) == head["count"]["went"] > 0 and
+      all(n.startswith("s2") for n in head["went"]), head)
+check("came", head["came"] == [] == list(names(wanted) - names(plain)), head)
+check("changed", len(head["changed"]) == head["count"]["changed"] > 0 and
+      all(n.startswith("s1") for n in head["changed"]), head)
+check("the picture follows them", s.ask("view", format="json")[1] == wanted)
+head, octets = s.ask("rules")
+check("told", octets == RULES and head["tried"] is True and
+      "rules" in [d["by"] for d in head["decisions"]], head)
+head, octets = s.ask("explain", item="line(1)")
+check("explained by them", head["status"] == 0, head)
+head, _ = s.ask("rules", keep=False)
+check("discarded", head["tried"] is False and
+      s.ask("view", format="json")[1] == plain, head)
+s.ask("rules", RULES, owner=True)
+head, _ = s.ask("rules", keep=True, owner=True)
+check("kept", code(head) == "" and
+      s.ask("view", format="json")[1] == wanted, head)
+check("no trial any more", s.ask("rules")[0]["tried"] is False)
+check("export follows them", s.ask("export", argv=[
+    "draw", "-o", "-", "--format", "json"])[1].startswith(wanted[:200]))
+s.ask("undo")
+check("undo", s.ask("view", format="json")[1] == plain)
+s.ask("redo")
+check("redo", s.ask("view", format="json")[1] == wanted)
+s.kill()
+s = session()
+refused("a journal with rules", "request_error.owner_alone", "owner", "open",
+        file="facts/two_cubes.pl", journal=True)
+head, _ = s.ask("open", file="facts/two_cubes.pl", journal=True, owner=True)
+check("replayed", head["replayed"] == 3 and
+      s.ask("view", format="json")[1] == wanted, head)
+head, _ = s.ask("rules", owner=True, **{"try": True})
+check("none are tried", head["count"]["came"] > 0 and
+      s.ask("view", format="json")[1] == plain, head)
+s.ask("rules", keep=True, owner=True)
+check("none", s.ask("rules")[1] == b"" and
+      s.ask("view", format="json")[1] == plain)
+s.ask("undo")
+s.ask("save", file=work + "/two.pl")
+s.kill()
+s = session()
+head, _ = s.ask("open", file=work + "/two.pl", journal=True, owner=True)
+check("rules survive a save", s.ask("view", format="json")[1] == wanted, head)
+
+# ---- progress ----
+
+began = time.time()
+s.send({"id": "slow", "do": "ask", "goal": "sleep(0.9)", "owner": True,
+        "progress": True})
+frames = []
+while not frames or "progress" in frames[-1]:
+    frames.append(s.reply()[0])
+check("progress", 2 <= len(frames) - 1 <= 5 and
+      all(f["id"] == "slow" and f["progress"]["seconds"] >= 0.19
+          for f in frames[:-1]), frames)
+s.send({"id": 1, "do": "ask", "goal": "sleep(0.5)", "owner": True})
+check("only if it is wanted", "progress" not in s.reply()[0])
+
+# ---- states: pictures and answers in any order are what they are alone ----
+
+s.ask("open", file="facts/pipe_tee.pl")
+first = s.ask("view", format="json")[1]
+lines = s.ask("ask", goal="aggregate_all(count, v(_,_,_,_,_), N)")[0]["answers"]
+for i in range(3):
+    check("the same answer", s.ask(
+        "ask", goal="aggregate_all(count, v(_,_,_,_,_), N)")[0]["answers"] ==
+        lines)
+    s.ask("ask", goal="retract_fact(segment(10, _, _), [cascade(true)])",
+          owner=True)
+    s.ask("unfold", segment=10)
+    check("the same picture", s.ask("view", format="json")[1] == first)
+s.send({"id": 1, "do": "open", "file": "facts/pipe_tee.pl"})
+for i in range(8):
+    s.send({"id": 2, "do": "view", "format": "json"})
+    time.sleep(0.01 * i)
+    s.send({"id": 3, "do": "stop"})
+replies = [s.reply()[0] for i in range(17)]
+check("after stops", s.ask("view", format="json")[1] == first, replies)
+check("end", s.end() == (0, b""))
+checks.finish()
