@@ -285,11 +285,11 @@ sg_trees_hold(sg_call *call, const sg_version *version,
 {
   tree_store *store = store_of(sg_version_world(version));
 
+  for (size_t i = 0; i < n; i++) {
+    out[i] = store ? find_tree(store, version, s[i]) : NULL;
+  }
   if (!store) {
     return sg_call_no_memory(call);
-  }
-  for (size_t i = 0; i < n; i++) {
-    out[i] = find_tree(store, version, s[i]);
   }
   forget_gone(store, version);
   if (grow_missing(call, store, version, views, s, n, out)) {

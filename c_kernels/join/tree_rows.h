@@ -44,7 +44,8 @@ typedef struct sg_kept_tree {
 
 /* The trees of n segments (ascending numbers) as `version` shows them, kept
  * ones and new ones; each out[i] is held and to be dropped. The views are of
- * the same version. False: nothing is held. */
+ * the same version. False: nothing is held, each
+ * out[i] is null. */
 bool sg_trees_hold(sg_call *call, const sg_version *version,
                    const sg_leaf_views *views, const int32_t *s, size_t n,
                    sg_kept_tree **out);

@@ -10,6 +10,8 @@
 #include "engine/symbol.h"
 #include "engine/term.h"
 
+#include <string.h>
+
 enum { CUBES = 3 };
 
 static sg_call call;
@@ -172,6 +174,7 @@ held_or_none(long n)
   sg_leaf_views views;
   bool all_held, full = true, none = true;
 
+  memset(tree, 0x5a, sizeof tree);
   sg_call_open(&call, NULL, NULL);
   call.world = world;
   CHECK("views", sg_leaf_views_open(&call, version, &views));
