@@ -297,7 +297,7 @@ sg_shading_add_piece(sg_shading *s, const sg_shading_piece *piece)
 {
   sg_shading_body body = {.leaf = (uint32_t)(s->leaf.n - 1),
                           .face = piece->face};
-  seen_frame f;
+  seen_frame f = {0};
   double end[2];
 
   if (!see_frame(s, piece, &f)) {

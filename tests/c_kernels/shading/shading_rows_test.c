@@ -69,7 +69,7 @@ seen(void)
   sg_shading *scene = open_scene(leaf, 2, 2);
   sg_shading_span_list spans = {0};
   sg_shading_slice_list slices = {0};
-  sg_shading_box_fact box;
+  sg_shading_box_fact box = {0};
   sg_span span;
   sg_xyz normal;
   double depth;
