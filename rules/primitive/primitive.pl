@@ -16,7 +16,8 @@
               ]).
 :- use_module(primitive_argument,
               [given/3, given_values/4, primitive_error/2]).
-:- use_module(primitive_extrusion, [prism_shape/2, pyramid_shape/2]).
+:- use_module(primitive_extrusion,
+              [prism_shape/2, pyramid_shape/2, straight_sides/2]).
 :- use_module(primitive_flat,
               [ box_shape/2, line_shape/2, polyhedron_shape/2,
                 rectangle_shape/2, sheet_shape/2
@@ -35,8 +36,8 @@
               [open_transition_shape/2, transition_shape/2]).
 :- use_module(primitive_turning, [turning_shape/2]).
 :- use_module(shape, [loops_vertex_list/2, mirrored_faces/2]).
-:- use_module(library(apply), [maplist/2, maplist/3]).
-:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
+:- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2, put_assoc/4]).
 :- use_module(library(lists),
               [append/3, max_list/2, member/2, nth1/3, same_length/2]).
 /** <module> Primitives: the table of them, and how they are placed.
@@ -450,7 +451,7 @@ face_what(face(What, _), What).
 %!  primitive_parts(+Term, -Parts, -Surfaces) is det.
 %
 %   Parts are the polygons of the primitive Term, in order: part(N, flat) are N
-%   faces, part(N, wall(I)) N of the I-th face that is several polygons,
+%   faces, part(N, wall(I)) N of a face or wall, I, that is several polygons,
 %   part(N, divided) N of what was divided before (an argument smooth(true)),
 %   and part(N, curved(Part, Turn)) N facets of one of Surfaces, Part-Surface as
 %   placed, that are Turn degrees of it wide. Surfaces that were turned from a
@@ -478,11 +479,12 @@ remembered_parts(_, Given, Parts, Surfaces) :-
 remembered_parts(Maker, Given, Parts, Surfaces) :-
     (   globe_parts(Maker, Given, Parts, Surfaces)
     ->  true
-    ;   call(Maker, Given, shape(_, Faces, Surfaces0)),
+    ;   call(Maker, Given, Shape),
+        Shape = shape(_, Faces, Surfaces0),
         (   given(Given, smooth, [true])
         ->  maplist(divided_part, Faces, Each),
             maplist(divided_surface, Surfaces0, Surfaces)
-        ;   walls_numbered(Faces, Walls),
+        ;   walls_numbered(Maker, Shape, Walls),
             maplist(face_part(Walls), Faces, Each),
             Surfaces = Surfaces0
         ),
@@ -496,16 +498,30 @@ remembered_parts(Maker, Given, Parts, Surfaces) :-
     term_hash(Given, Hash),
     assertz(last_parts(Hash, Given, Parts, Surfaces)).
 
-%   walls_numbered(Faces, Walls): Walls, an assoc, numbers what is flat and more
-%   than one polygon.
+%   walls_numbered(Maker, Shape, Walls): Walls, an assoc, numbers what is flat
+%   and more than one polygon; the sides of a prism that stand on one line have
+%   one number.
 
-walls_numbered(Faces, Walls) :-
+walls_numbered(Maker, Shape, Walls) :-
+    Shape = shape(_, Faces, _),
     findall(What, ( member(face(What, _), Faces), What \= curved(_, _) ), Flat),
     msort(Flat, Sorted),
     findall(What, append(_, [What,What|_], Sorted), Several0),
     sort(Several0, Several),
-    findall(What-I, nth1(I, Several, What), Numbered),
-    list_to_assoc(Numbered, Walls).
+    findall(What-I, nth1(I, Several, What), Numbered0),
+    list_to_assoc(Numbered0, Alone),
+    (   Maker == prism_shape
+    ->  straight_sides(Shape, Straight),
+        foldl(same_wall, Straight, Alone, Walls)
+    ;   Walls = Alone
+    ).
+
+same_wall(Side-First, Walls0, Walls) :-
+    (   get_assoc(First, Walls0, I),
+        get_assoc(Side, Walls0, _)
+    ->  put_assoc(Side, Walls0, I, Walls)
+    ;   Walls = Walls0
+    ).
 
 face_part(Walls, face(What, _), Part) :-
     (   What = curved(Name, Ranges)

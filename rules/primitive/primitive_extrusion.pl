@@ -1,16 +1,18 @@
 :- module(sg_primitive_extrusion,
           [ prism_shape/2,              % +Given, -Shape
-            pyramid_shape/2             % +Given, -Shape
+            pyramid_shape/2,            % +Given, -Shape
+            straight_sides/2            % +Shape, -Sides
           ]).
 :- use_module('../angle', [exact_sin_cos/3]).
+:- use_module('../near', [is_rounding/2]).
 :- use_module(outline, [outline_loops/4]).
 :- use_module(primitive_argument,
               [ given/3, given_one/3, primitive_error/2, vertices_within/2 ]).
 :- use_module(shape, [rectangle_loop/3, vertex_loops/3]).
 :- use_module(library(apply), [foldl/4, foldl/5, maplist/3, maplist/4]).
 :- use_module(library(lists),
-              [ append/2, append/3, last/2, max_list/2, min_list/2, nth1/3,
-                numlist/3, reverse/2
+              [ append/2, append/3, last/2, max_list/2, member/2, memberchk/2,
+                min_list/2, nth1/3, numlist/3, reverse/2
               ]).
 /** <module> Extrusion: a polygon with holes, drawn up.
 
@@ -295,3 +297,52 @@ distance(V, Layer1, W, Layer2, Distance) :-
     arg(V, Layer1, point(X1, Y1, _)),
     arg(W, Layer2, point(X2, Y2, _)),
     Distance is sqrt((X2-X1)*(X2-X1) + (Y2-Y1)*(Y2-Y1)).
+
+%!  straight_sides(+Shape, -Sides:list) is det.
+%
+%   Sides has side(V)-side(U) for each wall of the Shape of a prism that
+%   stands on an edge which goes on straight from the one before it: U is the
+%   first edge on that line. What a line sweeps is one surface, also where the
+%   prism turns.
+
+straight_sides(shape(Points, Faces, _), Sides) :-
+    memberchk(face(base, Base), Faces),
+    Places =.. [places|Points],
+    findall(Side,
+            ( member(Back, Base),
+              reverse(Back, Loop),
+              last(Loop, Last),
+              append([[Last],Loop,Loop], Round),
+              straight_on(Round, Places, none, OfLoop),
+              member(Side, OfLoop) ),
+            Sides0),
+    sort(Sides0, Sides).
+
+%   straight_on(Round, Places, First, Sides): Round goes twice round a loop,
+%   which may begin in the middle of a line; First is the first edge on the
+%   line of the last one, `none` before the first corner.
+
+straight_on([U,V,W|Round], Places, First0, Sides) :-
+    !,
+    (   \+ goes_straight(Places, U, V, W)
+    ->  First = V,
+        Sides = Sides1
+    ;   First = First0,
+        (   First == none
+        ->  Sides = Sides1
+        ;   Sides = [side(V)-side(First)|Sides1]
+        )
+    ),
+    straight_on([V,W|Round], Places, First, Sides1).
+straight_on(_, _, _, []).
+
+%   goes_straight(Places, U, V, W): but for rounding.
+
+goes_straight(Places, U, V, W) :-
+    arg(U, Places, point(X1, Y1, _)),
+    arg(V, Places, point(X2, Y2, _)),
+    arg(W, Places, point(X3, Y3, _)),
+    A is X2-X1, B is Y2-Y1, C is X3-X2, D is Y3-Y2,
+    Along is A*C+B*D,
+    Along > 0.0,
+    is_rounding(A*D-B*C, Along).

@@ -433,6 +433,18 @@ inner_crease(S) :-
             [Id1,Id2]),
     Id1 == Id2.
 
+%   rising_line(S, X, Y): from X, Y of the base a drawn line goes up that is
+%   drawn whatever the eye.
+
+rising_line(S, X, Y) :-
+    drawn(_, S, E, _, _, _, Role),
+    memberchk(Role, [crease,outline]),
+    e(S, E, A, B, _),
+    (   v(S, A, X, Y, 0.0), v(S, B, _, _, Z)
+    ;   v(S, B, X, Y, 0.0), v(S, A, _, _, Z)
+    ),
+    Z > 0.0.
+
 :- begin_tests(flat_pyramids).
 
 test(drawn, [ forall(flat(_, Term)), Count == 4 ]) :-
@@ -459,5 +471,20 @@ test(twisted_walls, [ forall(member(Slices, [2,3,5,8])), Count == 0 ]) :-
                   slices(Slices)),
             from_above(( root_segment(S),
                          aggregate_all(count, inner_crease(S), Count) ))).
+
+%   Walls on one line are one, also where the outline begins in the middle of
+%   the line, and so are those of a hole; but a corner parts two.
+
+test(straight_walls,
+     [ forall(( member(Slices, [2,3,5,8]), member(Scale, [1,0.5]) )),
+       Feet == [0.0-0.0,0.0-4.0,1.0-1.0,1.0-3.0,3.0-1.0,3.0-3.0,4.0-0.0,
+                4.0-4.0]
+     ]) :-
+    in_tree(prism(outline([[2,0],[3,0],[4,0],[4,4],[0,4],[0,1.3],[0,0],[1,0]]),
+                  holes([[[1,1],[1,2],[1,3],[3,3],[3,1],[2,1]]]),
+                  height(4), twist(53.7), scale(Scale), slices(Slices)),
+            from_above(( root_segment(S),
+                         findall(X-Y, rising_line(S, X, Y), Feet0) ))),
+    sort(Feet0, Feet).
 
 :- end_tests(flat_pyramids).
