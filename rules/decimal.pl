@@ -1,4 +1,7 @@
-:- module(sg_decimal, [decimal_number/2]).
+:- module(sg_decimal,
+          [ decimal_number/2,           % +Text, -Number
+            decimal_comma/4             % @Name, @Whole, @Part, -Point
+          ]).
 :- use_module(library(apply), [maplist/2]).
 /** <module> Numbers as people write them. */
 
@@ -26,3 +29,15 @@ with_whole_part([Sign,'.'|Chars], [Sign,'0','.'|Chars]) :-
 with_whole_part(['.'|Chars], ['0','.'|Chars]) :-
     !.
 with_whole_part(Chars, Chars).
+
+%!  decimal_comma(@Name, @Whole, @Part, -Point) is semidet.
+%
+%   A parameter Name is given Whole,Part, two whole numbers: Point is the number
+%   that may be meant.
+
+decimal_comma(Name, Whole, Part, Point) :-
+    atom(Name),
+    integer(Whole),
+    integer(Part),
+    Part >= 0,
+    atomic_list_concat([Whole,'.',Part], Point).

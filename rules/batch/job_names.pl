@@ -19,7 +19,8 @@ sorted there, so a million of them need no memory.
 %!  jobs_checked(+Manifest, +Show:boolean, -Count) is det.
 %
 %   Count jobs are in Manifest, and nothing is wrong with any. If Show is
-%   `true`, a terminal shows how many have been looked at.
+%   `true`, a terminal shows how many have been looked at; elsewhere that is
+%   told after 2, 4, 8, ... seconds.
 %
 %   @error as manifest_job/3; model_error(manifest(What)) with What twice(Name,
 %   Older, Path), both Name and Older make the file Path; folder_too(Name,
@@ -29,6 +30,7 @@ jobs_checked(Manifest, Show, Count) :-
     setup_call_cleanup(
         atomic_scratch('.txt', Id, File),
         ( names_written(File, Manifest, Show, Count, Lines),
+          sorting_told(Show, Count, Lines),
           (   repeated(File, Lines, Path)
           ->  twice_error(Manifest, Path)
           ;   true
@@ -44,7 +46,8 @@ no_jobs(Manifest) :-
     throw(error(model_error(manifest(no_jobs)), location(Name, 0, 0))).
 
 names_written(File, Manifest, Show, Count, Lines) :-
-    State = counts(0, 0),
+    get_time(Start),
+    State = counts(0, 0, told(Start, 2)),
     retractall(folder(_)),
     setup_call_cleanup(
         open(File, write, Out, [encoding(utf8)]),
@@ -52,7 +55,7 @@ names_written(File, Manifest, Show, Count, Lines) :-
                names_of(Job, Out, Show, State)),
         ( close(Out),
           line_cleared )),
-    State = counts(Count, Lines).
+    State = counts(Count, Lines, _).
 
 names_of(Job, Out, Show, State) :-
     forall(path_of(Job, Path),
@@ -75,13 +78,22 @@ folders_noted(Path) :-
     ;   true
     ).
 
-%   count_shown(Show, State): on a terminal, every so many jobs, how many have
-%   been looked at.
+%   count_shown(Show, State): every so many jobs, how many have been looked at.
 
-count_shown(true, counts(Count, _)) :-
+count_shown(true, State) :-
+    State = counts(Count, _, told(Start, Seconds)),
     Count mod 5000 =:= 0,
     !,
-    progress_line(sanggwan(batch(looked_at(Count)))).
+    Notice = sanggwan(batch(looked_at(Count))),
+    (   stream_property(user_error, tty(true))
+    ->  progress_line(Notice)
+    ;   get_time(Now),
+        Now-Start >= Seconds
+    ->  print_message(informational, Notice),
+        Seconds1 is 2*Seconds,
+        nb_setarg(3, State, told(Start, Seconds1))
+    ;   true
+    ).
 count_shown(_, _).
 
 raised(Place, State) :-
@@ -127,6 +139,15 @@ repeated(File, _, Path) :-
                          environment(['LC_ALL'='C']) ]),
         twice_in(Out, "", Path),
         close(Out, [force(true)])).
+
+%   sorting_told(Show, Count, Lines): of what takes long.
+
+sorting_told(Show, Count, Lines) :-
+    (   Show == true,
+        Lines > 2_000_000
+    ->  print_message(informational, sanggwan(batch(sorted(Count))))
+    ;   true
+    ).
 
 twice([Path,Path|_], Path) :-
     Path \== "",

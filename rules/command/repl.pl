@@ -4,7 +4,8 @@
 :- use_module(library(prolog_wrap), [wrap_predicate/4]).
 :- use_module(help, [short_answers/0]).
 :- use_module('../studio/query', [query/2, read_goal/3]).
-:- use_module('../limits', [text_beyond/5]).
+:- use_module('../limits', [term_of_text/3, text_beyond/5]).
+:- use_module('../primitive/primitive_rows', [goal_commas_told/1]).
 :- use_module('../store', [segment/3]).
 /** <module> The Prolog top level with a model loaded.
 
@@ -53,7 +54,8 @@ stopped(Signal) :-
     throw(sanggwan_interrupt(Signal)).
 
 %   looked_through(Text): true unless Text is too much for a goal; then that is
-%   said, and Prolog reads the next one.
+%   said, and Prolog reads the next one. Commas that may stand for a decimal
+%   point are told; what cannot be read, Prolog tells.
 
 :- public looked_through/1.
 
@@ -62,7 +64,8 @@ looked_through(Text) :-
         text_beyond(goal, String, What, _, _)
     ->  print_message(error, error(usage_error(bad_goal('', What)), _)),
         fail
-    ;   true
+    ;   catch(term_of_text(Text, Goal, []), error(_, _), Goal = true),
+        goal_commas_told(Goal)
     ).
 
 %   query_loop: Prolog's own, begun again after an error. (prolog/0 would give
@@ -81,6 +84,7 @@ next_goal(Next) :-
     ->  Next = end_of_file
     ;   Next = goal,
         read_goal(Text, Goal, Bindings),
+        goal_commas_told(Goal),
         (   query(user:Goal, [bindings(Bindings)])
         ->  true
         ;   print_message(informational, sanggwan(no_answer))

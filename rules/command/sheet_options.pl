@@ -8,6 +8,7 @@
             scale_option/2              % +Options, -Millimetres
           ]).
 :- use_module('../decimal', [decimal_number/2]).
+:- use_module('../spelling', [near_words/3]).
 :- use_module('../sheet/sheet_paper',
               [ paper/3, paper_size/3, scale_factor/2, unit_millimetres/2 ]).
 :- use_module('../sheet/sheet_view', [view_named/2, view_towards/3]).
@@ -203,9 +204,8 @@ looking_view('--view', Text, _, View) :-
         )
     ->  View = view(view,Theta,Phi,pictorial)
     ;   findall(Name, view_named(Name, _), Names),
-        atomic_list_concat(Names, ', ', All),
-        atom_concat(All, ' or THETA,PHI[,RHO]', Form),
-        usage_error(bad_value('--view', Text, Form))
+        near_words(Text, Names, Near),
+        usage_error(sheet(no_view(Text, Near, Names)))
     ).
 looking_view('--direction', Text, _, View) :-
     vector_option('--direction', Text, [X,Y,Z]),

@@ -28,7 +28,7 @@
 :- use_module('../model/parameter', [settings_met/2, settings_of/2]).
 :- use_module('../penetration/penetration', [penetrate/2]).
 :- use_module('../picture/sew', [borders_sewn/1]).
-:- use_module('../primitive/primitive_rows', [commas_told/2]).
+:- use_module('../primitive/primitive_rows', [goal_commas_told/1]).
 :- use_module('../problem/problem_sheet', [problem_sheets/3]).
 :- use_module('../studio/query', [query/2, read_goal/3]).
 :- use_module(repl, [repl/0]).
@@ -174,7 +174,7 @@ verb_run(query, Arguments, Options, Status) :-
     ;   some_files(Files, 'MODEL')
     ),
     read_goal(Text, Goal, Bindings),
-    commas_told(Goal, none),
+    goal_commas_told(Goal),
     query_format(Options, Format),
     load_model(Files, Options),
     option(limit(Limit), Options, infinite),

@@ -4,8 +4,10 @@
 :- use_module(arguments, [parsed_arguments/4]).
 :- use_module('../batch/batch_merge', [reports_merged/2]).
 :- use_module('../batch/runner', [batch_run/4]).
+:- use_module('../model/parameter', [settings_of/2]).
 :- use_module('../problem/problem_sheet', [problem_sheets/3]).
 :- use_module('../version', [version/1]).
+:- use_module(sheet_options, [looking/2]).
 :- use_module(usage, [job_options/2]).
 :- use_module(verb_output, [usage_error/1]).
 :- use_module(library(apply), [convlist/3]).
@@ -46,9 +48,26 @@ batch_run_verb(Files, Options, Status) :-
         version(Version),
         findall(Word, given_word(Options, Word), Words),
         batch_run(File, [version(Version)|Own],
-                  tools(sg_usage:job_options, sg_arguments:parsed_arguments,
+                  tools(sg_usage:job_options, sg_verbs_batch:job_arguments,
                         Words),
                   Status)
+    ).
+
+%   job_arguments(Specs, Words, Files, Options): as parsed_arguments/4; what can
+%   be told of views and of values of parameters without a model is right.
+
+:- public job_arguments/4.
+
+job_arguments(Specs, Words, Files, Options) :-
+    parsed_arguments(Specs, Words, Files, Options),
+    (   memberchk(option(direction, _, _, _, _), Specs),
+        option(view(Text), Options)
+    ->  looking([view(Text)], _)
+    ;   true
+    ),
+    (   option(set(Texts), Options)
+    ->  settings_of([set(Texts)], _)
+    ;   true
     ).
 
 one_file([], _) :-

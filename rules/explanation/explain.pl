@@ -17,7 +17,7 @@
                              leaf_corners/3]).
 :- use_module(explain_parameter,
               [ parameter_because/2, segment_because/3, sizes_because/2,
-                place_because/3 ]).
+                pair_sizes/3, place_because/3 ]).
 :- use_module(explain_piece, [piece_asked/2, piece_because/3]).
 :- use_module(explain_seam, [joint_explained/5, pattern_explained/4]).
 :- use_module('../message/explain_words', [statement_keys/2, in_order/4]).
@@ -209,12 +209,8 @@ line_because(L, [because(Statement, Because)]) :-
     ),
     line_pieces(L, Pieces),
     chain_because(L, Chain),
-    sizes_because(S1, Sizes1),
-    (   S1 == S2
-    ->  Sizes2 = []
-    ;   sizes_because(S2, Sizes2)
-    ),
-    append([Ends, Pieces, Chain, Sizes1, Sizes2], Because).
+    pair_sizes(S1, S2, Sizes),
+    append([Ends, Pieces, Chain, Sizes], Because).
 
 end_because(L, End,
             because(point(End, point(X,Y,Z), S1, V1, S2, V2), Because)) :-
@@ -431,7 +427,7 @@ vertex_line(S, V, L) :-
 
 /* - - - an edge - - - */
 
-edge_because(S, E, [because(edge(S,E,V1,V2), [Why|Polygons])]) :-
+edge_because(S, E, [because(edge(S,E,V1,V2), [Why|Because])]) :-
     e(S, E, V1, V2, _),
     !,
     edge_origin(S, E, Why),
@@ -440,13 +436,32 @@ edge_because(S, E, [because(edge(S,E,V1,V2), [Why|Polygons])]) :-
     (   Ps == []
     ->  Polygons = []
     ;   Polygons = [because(edge_polygons(S,Ps), [])]
-    ).
-edge_because(S, E, [because(edge_divided(S,E,V1,V2), Parts)]) :-
+    ),
+    places_because(S, V1, V2, Places),
+    append(Polygons, Places, Because).
+edge_because(S, E, [because(edge_divided(S,E,V1,V2), Because)]) :-
     leaf_e(S, E, V1, V2, _),
     !,
     findall(because(edge_part(S,X,A,B), []),
             ( origin(S, e(X), e(E)), e(S, X, A, B, _) ),
-            Parts).
+            Parts),
+    places_because(S, V1, V2, Places),
+    append(Parts, Places, Because).
+
+%   places_because(S, V1, V2, Because): the formulas of the ends of an edge, or
+%   what sizes of its segment come from parameters, said once.
+
+places_because(S, V1, V2, Because) :-
+    findall(Place,
+            ( member(V, [V1,V2]),
+              place_because(S, V, Places),
+              member(Place, Places),
+              Place = because(vertex_place(_, _, _), _) ),
+            Ends),
+    (   Ends == []
+    ->  sizes_because(S, Because)
+    ;   Because = Ends
+    ).
 
 edge_origin(S, E, because(edge_of_line(L), Because)) :-
     origin(S, e(E), line(L)),

@@ -6,6 +6,7 @@
             leaf_corners/3              % +S, +P, -Triangle
           ]).
 :- use_module('../decision', [decision/4]).
+:- use_module(explain_parameter, [pair_sizes/3]).
 :- use_module('../exact', [origin_exact/4, vertex_exact/5, vertex_side/4]).
 :- use_module('../kernel',
               [ cut_set_open/2, cut_set_close/1, cut_candidate/3, cut_side/4,
@@ -35,13 +36,15 @@ segments_because(S1, S2, [because(segments(S1,S2), Because)]) :-
     findall(L, line(L, S1, _, _, _, S2, _, _, _), Ls),
     length(Ls, N),
     (   N > 0
-    ->  Because = [because(lines_between(N), [])]
+    ->  Why = lines_between(N)
     ;   not_cut(S1, S2, Why)
-    ->  Because = [because(Why, [])]
-    ;   boxes_apart(S1-_, S2-_, Apart)
-    ->  Because = [because(Apart, [])]
-    ;   Because = [because(no_common_piece, [])]
-    ).
+    ->  true
+    ;   boxes_apart(S1-_, S2-_, Why)
+    ->  true
+    ;   Why = no_common_piece
+    ),
+    pair_sizes(S1, S2, Sizes),
+    Because = [because(Why, [])|Sizes].
 
 %   not_cut(+S1, +S2, -Why) is semidet: they were not to cut each other.
 
@@ -81,16 +84,18 @@ pair_because(S1-P1, S2-P2, [because(pair(S1,P1,S2,P2), Because)]) :-
     ->  findall(because(of_line(L), Pieces),
                 ( member(L, Ls), line_pieces(L, Pieces) ),
                 Each),
-        Because = [because(pair_lines(Ls), Each)]
+        Why = [because(pair_lines(Ls), Each)]
     ;   \+ line(_, S1, _, _, _, S2, _, _, _),
-        not_cut(S1, S2, Why)
-    ->  Because = [because(Why, [])]
+        not_cut(S1, S2, Refused)
+    ->  Why = [because(Refused, [])]
     ;   boxes_apart(S1-P1, S2-P2, Apart)
-    ->  Because = [because(Apart, [])]
+    ->  Why = [because(Apart, [])]
     ;   triangles_because(S1-P1, S2-P2, Reasons),
         elsewhere(S1-P1, S2-P2, Reasons, First),
-        append(First, Reasons, Because)
-    ).
+        append(First, Reasons, Why)
+    ),
+    pair_sizes(S1, S2, Sizes),
+    append(Why, Sizes, Because).
 
 %   elsewhere(+Place1, +Place2, +Reasons, -First): what is said first of two
 %   polygons without a line. A piece along an edge is a line of one of the

@@ -2,6 +2,7 @@
           [ parameter_because/2,        % +Name, -Because
             segment_because/3,          % ?S, -Statement, -Because
             sizes_because/2,            % +S, -Because
+            pair_sizes/3,               % +S1, +S2, -Because
             place_because/3             % +S, +V, -Because
           ]).
 :- use_module('../csg/csg_term', [is_node_term/1, node_parts/4]).
@@ -150,6 +151,19 @@ sizes_because(S, Because) :-
     ;   Because = []
     ).
 
+%!  pair_sizes(+S1, +S2, -Because) is det.
+%
+%   Because is what sizes_because/2 says of each of the two segments, which may
+%   be one.
+
+pair_sizes(S, S, Because) :-
+    !,
+    sizes_because(S, Because).
+pair_sizes(S1, S2, Because) :-
+    sizes_because(S1, Because1),
+    sizes_because(S2, Because2),
+    append(Because1, Because2, Because).
+
 %!  place_because(+S, +V, -Because) is det.
 %
 %   Because is the place of vertex V of segment S as formulas, or else what
@@ -183,14 +197,14 @@ sizes(Written, Term, Sizes0, Sizes) :-
             member(Argument, As),
             holds_formula(Argument)
         ->  append(Sizes0, [size(Term, Written)], Sizes)
-        ;   foldl(pair_sizes, Pairs, Sizes0, Sizes)
+        ;   foldl(sizes_of_pair, Pairs, Sizes0, Sizes)
         )
     ;   Sizes = Sizes0
     ).
 
 pair(A, B, A-B).
 
-pair_sizes(Written-Term, Sizes0, Sizes) :-
+sizes_of_pair(Written-Term, Sizes0, Sizes) :-
     sizes(Written, Term, Sizes0, Sizes).
 
 %   holds_formula(Argument): it is a formula, or a list with one in it.

@@ -10,6 +10,7 @@
 :- use_module('../development/development_record',
               [recorded_development/4, development_measures/2]).
 :- use_module(explain_pair, [decided_by/2]).
+:- use_module(explain_parameter, [sizes_because/2]).
 :- use_module('../kernel', [model_tolerance/1]).
 :- use_module('../development/part_edges', [edge_length/3, parts_attached/3]).
 :- use_module('../store',
@@ -189,6 +190,14 @@ is_true(D, Part) :-
     ;   Part = Part0
     ).
 
+%   with_sizes(D, Because0, Because): if one thing alone is asked about, also
+%   the sizes of its segment that come from parameters.
+
+with_sizes(D, [because(Statement, Because0)], [because(Statement, Because)]) :-
+    of_segment(D, S),
+    sizes_because(S, Sizes),
+    append(Because0, Sizes, Because).
+
 /* - - - an edge - - - */
 
 %   What another choice costs is found by laying the whole pattern again: of one
@@ -197,7 +206,10 @@ is_true(D, Part) :-
 joints_because(D, E, _, Found) :-
     nonvar(E),
     !,
-    findall(E-Because, edge_because(D, E, Because), Found).
+    findall(E-Because,
+            ( edge_because(D, E, Because0),
+              with_sizes(D, Because0, Because) ),
+            Found).
 joints_because(D, _, Kind, Found) :-
     tries_allowed(D, Most),
     findall(joint(J, E, E2, Angle), joint(D, J, E, E2, Kind, Angle), Joints),
@@ -429,8 +441,17 @@ fold_because(D, E, Try, Because) :-
 /* - - - a piece - - - */
 
 pieces_because(D, K, Found) :-
-    findall(K-[because(pattern_piece(S, K, Count, Pieces), Why)],
-            piece_because(D, K, S, Count, Pieces, Why),
+    (   nonvar(K)
+    ->  One = true
+    ;   One = false
+    ),
+    findall(K-Because,
+            ( piece_because(D, K, S, Count, Pieces, Why),
+              Because0 = [because(pattern_piece(S, K, Count, Pieces), Why)],
+              (   One == true
+              ->  with_sizes(D, Because0, Because)
+              ;   Because = Because0
+              ) ),
             Found).
 
 piece_because(D, K, S, Count, Pieces, Why) :-

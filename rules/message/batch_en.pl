@@ -153,6 +153,8 @@ batch_en(cut_line(File, Line)) -->
     [ '~w:~d: the line is cut off and not counted'-[File, Line] ].
 batch_en(looked_at(Count)) -->
     [ '~D jobs looked at'-[Count] ].
+batch_en(sorted(Count)) -->
+    [ '~D jobs looked at; now: does any name stand there twice?'-[Count] ].
 batch_en(timeout(Seconds)) -->
     [ 'not done in ~w seconds'-[Seconds], nl,
       '  Give it more with time_limit(Seconds) in the manifest.' ].

@@ -151,6 +151,8 @@ batch_ko(cut_line(File, Line)) -->
     [ '~w:~d: 끊긴 줄이라 세지 않았습니다'-[File, Line] ].
 batch_ko(looked_at(Count)) -->
     [ '작업 ~D개를 살펴보았습니다'-[Count] ].
+batch_ko(sorted(Count)) -->
+    [ '작업 ~D개를 살펴보았습니다. 이제 같은 이름이 있는지 찾습니다'-[Count] ].
 batch_ko(timeout(Seconds)) -->
     [ '~w초 안에 끝나지 않았습니다'-[Seconds], nl,
       '  작업 목록의 time_limit(초)로 시간을 더 주십시오.' ].

@@ -45,10 +45,10 @@ parameter_en(range(Name, Value, Least, Most)) -->
     range_en(Least, Most).
 parameter_en(about(What)) -->
     about_en(What).
-parameter_en(decimal_comma(Name, Point)) -->
-    [ 'param(~w, ...) has two numbers; is a comma meant as the decimal \c
-       point?'-[Name], nl,
-      '  Write param(~w, ~w).'-[Name, Point] ].
+parameter_en(decimal_comma(Call, Name, Point)) -->
+    [ '~w(~w, ...) has two numbers; is a comma meant as the decimal \c
+       point?'-[Call, Name], nl,
+      '  Write ~w(~w, ~w).'-[Call, Name, Point] ].
 
 range_en(none, Most) -->
     !,

@@ -45,10 +45,10 @@ parameter_ko(range(Name, Value, Least, Most)) -->
     range_ko(Least, Most).
 parameter_ko(about(What)) -->
     about_ko(What).
-parameter_ko(decimal_comma(Name, Point)) -->
-    [ 'param(~w, ...)에 수가 둘 있습니다. 쉼표를 소수점으로 썼습니까?'-[Name],
-      nl,
-      '  param(~w, ~w). 로 쓰십시오.'-[Name, Point] ].
+parameter_ko(decimal_comma(Call, Name, Point)) -->
+    [ '~w(~w, ...)에 수가 둘 있습니다. 쉼표를 소수점으로 썼습니까?'-
+      [Call, Name], nl,
+      '  ~w(~w, ~w). 로 쓰십시오.'-[Call, Name, Point] ].
 
 range_ko(none, Most) -->
     !,

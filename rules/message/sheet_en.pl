@@ -2,6 +2,7 @@
           [ sheet_en//1,                % +What
             sheet_tiny_en//3            % +N, +M, +How
           ]).
+:- use_module(message_parts, [meant_en//1]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [append/3]).
 /** <module> What is wrong with what was asked of a sheet, in English.
@@ -21,6 +22,11 @@ sheet_en(view(Text, Names)) -->
     { atomic_list_concat(Names, ' ', All) },
     [ '--views: no view is called ~w'-[Text], nl,
       '  There are: ~w.'-[All] ].
+sheet_en(no_view(Text, Near, Names)) -->
+    { atomic_list_concat(Names, ', ', All) },
+    [ '--view ~w: there is no such view'-[Text] ],
+    meant_en(Near),
+    [ nl, '  Write ~w, or degrees, such as 30,60.'-[All] ].
 sheet_en(view_twice(Name)) -->
     [ '--views: the view ~w is there twice'-[Name] ].
 sheet_en(scale(Text)) -->

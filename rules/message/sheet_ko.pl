@@ -3,6 +3,7 @@
           [ sheet_ko//1,                % +What
             sheet_tiny_ko//3            % +N, +M, +How
           ]).
+:- use_module(message_parts, [meant_ko//1]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [append/3]).
 /** <module> What is wrong with what was asked of a sheet, in Korean.
@@ -23,6 +24,11 @@ sheet_ko(view(Text, Names)) -->
     { atomic_list_concat(Names, ' ', All) },
     [ '--views: ~w 라는 그림은 없습니다'-[Text], nl,
       '  있는 것: ~w.'-[All] ].
+sheet_ko(no_view(Text, Near, Names)) -->
+    { atomic_list_concat(Names, ', ', All) },
+    [ '--view ~w: 그런 시점은 없습니다'-[Text] ],
+    meant_ko(Near),
+    [ nl, '  ~w 가운데 하나, 또는 30,60처럼 각도를 쓰십시오.'-[All] ].
 sheet_ko(view_twice(Name)) -->
     [ '--views: ~w 가 두 번 있습니다'-[Name] ].
 sheet_ko(scale(Text)) -->

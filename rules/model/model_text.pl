@@ -13,6 +13,7 @@
             place_location/3,           % +Place, +Argument, -Location
             model_float/2               % +Value, -Float
           ]).
+:- use_module('../decimal', [decimal_comma/4]).
 :- use_module('../limits', [limit_value/2]).
 :- use_module('../text_file', [with_text_again/3]).
 :- use_module('../formula', [formed/3, formula_parameter/2, has_formula/1]).
@@ -41,7 +42,7 @@ and columns counted from 1. What is one of
     directive(Goal)  rule(Head)  no_fact(Term)
     unknown_relation(Name, Arity)  arity(Name, Given, Wanted)  computed(Name)
     value(Relation, Column, Value, Expected)
-    formula(What, Formula)  parameter(decimal_comma(Name, Point))
+    formula(What, Formula)  parameter(decimal_comma(Call, Name, Point))
 
 with Expected one of id, ids, steps, chain, float, finite, within(Most),
 distance, number, atom, text, ground, one_of(Values), look(What) and
@@ -308,13 +309,9 @@ no_fact((Head --> _), rule(Head)) :-
 no_fact((Head => _), rule(Head)) :-
     !.
 no_fact(param(Name, Whole, Part), What) :-
-    atom(Name),
-    integer(Whole),
-    integer(Part),
-    Part >= 0,
+    decimal_comma(Name, Whole, Part, Point),
     !,
-    atomic_list_concat([Whole,'.',Part], Point),
-    What = parameter(decimal_comma(Name, Point)).
+    What = parameter(decimal_comma(param, Name, Point)).
 no_fact(Term, What) :-
     name_arity(Term, Name, Arity),
     (   computed(Name)

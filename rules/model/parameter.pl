@@ -53,11 +53,13 @@ text_setting(Text, Name-Value) :-
     (   decimal_number(Number, Value),
         model_float(Value, _)
     ->  true
-    ;   no_number(Number, What)
-    ->  setting_error(Text, What)
+    ;   comma_meant(Number, Point)
+    ->  setting_error(Text, comma(Point))
     ;   number_formula(Number, Formula)
     ->  catch(formula_value(Formula, no_parameter, Value),
               error(model_error(What), _), setting_error(Text, What))
+    ;   unit_meant(Number, Unit)
+    ->  setting_error(Text, unit(Unit))
     ;   setting_error(Text, number)
     ).
 
@@ -83,15 +85,40 @@ number_formula(Text, Formula) :-
 setting_error(Text, What) :-
     throw(error(usage_error(parameter(setting(Text, What))), _)).
 
-%   no_number(Text, What): why Text is no number, and no formula.
+%   comma_meant(Text, Point): Text is no number and no formula of numbers; but
+%   Point, with points for the commas between digits, is one.
 
-no_number(Text, comma(Point)) :-
-    split_string(Text, ",", " ", [Whole,Part]),
-    maplist(digits, [Part]),
-    decimal_number(Whole, _),
+comma_meant(Text, Point) :-
+    string_codes(Text, Codes),
+    points_for_commas(Codes, Codes1),
+    Codes1 \== Codes,
+    \+ is_value(Text),
+    split_string(Codes1, "", " ", [Trimmed]),
+    is_value(Trimmed),
+    atom_string(Point, Trimmed).
+
+is_value(Text) :-
+    decimal_number(Text, _),
+    !.
+is_value(Text) :-
+    number_formula(Text, Formula),
+    catch(formula_value(Formula, no_parameter, _), error(_, _), fail).
+
+%   points_for_commas(Codes0, Codes): of each comma between two digits.
+
+points_for_commas([A,0',,B|Codes0], [A,0'.|Codes]) :-
+    code_type(A, digit),
+    code_type(B, digit),
     !,
-    atomic_list_concat([Whole,'.',Part], Point).
-no_number(Text, unit(Unit)) :-
+    points_for_commas([B|Codes0], Codes).
+points_for_commas([Code|Codes0], [Code|Codes]) :-
+    !,
+    points_for_commas(Codes0, Codes).
+points_for_commas([], []).
+
+%   unit_meant(Text, Unit): Text is a number with letters or a sign behind it.
+
+unit_meant(Text, Unit) :-
     sub_atom(Text, Before, _, 0, Unit0),
     Before > 0,
     split_string(Unit0, "", " ", [UnitText]),
@@ -100,11 +127,6 @@ no_number(Text, unit(Unit)) :-
     decimal_number(Number, _),
     !,
     atom_string(Unit, UnitText).
-
-digits(Text) :-
-    string_chars(Text, Chars),
-    Chars = [_|_],
-    forall(member(Char, Chars), char_type(Char, digit(_))).
 
 unit(Text) :-
     string_chars(Text, Chars),

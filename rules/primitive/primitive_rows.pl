@@ -3,16 +3,19 @@
             without_rows/1,             % :Goal
             rows_left_out/0,
             commas_told/2,              % +Term, +Location
+            goal_commas_told/1,         % +Goal
             add_shape/5,                % +Kind, +Term, +Points, +Chains, -S
             primitive_rows/3,           % +Term, +S, -Kind
             shape_rows/4                % +Kind, +S, +Points, +Chains
           ]).
+:- use_module('../decimal', [decimal_comma/4]).
 :- use_module('../polygon/polygon_list',
               [polygon_fault/2, vertex_list_edges/2]).
 :- use_module(primitive,
               [comma_argument/2, primitive_kind/2, primitive_shape/4]).
 :- use_module('../store', [assert_fact/1, facts_transaction/1, fresh_id/3]).
 :- use_module(library(apply), [foldl/4]).
+:- use_module(library(occurs), [sub_term/2]).
 /** <module> Primitives as rows of the world.
 
 The shape of a primitive (primitive_shape/4) becomes the vertices, edges and
@@ -65,6 +68,24 @@ rows_left_out :-
 commas_told(Term, Location) :-
     forall(comma_argument(Term, Argument),
            print_message(warning, sanggwan(comma(Argument, Location)))).
+
+%!  goal_commas_told(+Goal) is det.
+%
+%   As commas_told/2, of a goal; also for set_parameter(d, 6,5).
+
+goal_commas_told(Goal) :-
+    commas_told(Goal, none),
+    forall(parameter_comma(Goal, Call, Name, Point),
+           print_message(warning,
+                         sanggwan(parameter(decimal_comma(Call, Name,
+                                                          Point))))).
+
+parameter_comma(Goal, Call, Name, Point) :-
+    sub_term(Term, Goal),
+    compound(Term),
+    compound_name_arguments(Term, Call, [Name,Whole,Part]),
+    memberchk(Call, [set_parameter,param]),
+    decimal_comma(Name, Whole, Part, Point).
 
 %!  add_shape(+Kind, +Term, +Points, +Chains, -S) is semidet.
 %

@@ -29,8 +29,11 @@ unsaid(true_en, true_en(bent_over(_,_))).
 % It has a number of the machine: tests/cli/serve.sh.
 unsaid(session_en, wanted_en(least(_))).
 
-% It depends on the time: tests/cli/bad_output.sh.
+% It depends on the time: tests/cli/bad_output.sh, tests/cli/batch.sh. Or it
+% takes minutes.
 unsaid(messages, notice_en(progress(_,_,_,_,_))).
+unsaid(batch_en, batch_en(looked_at(_))).
+unsaid(batch_en, batch_en(sorted(_))).
 
 % 2^31 rows.
 unsaid(mesh_en, mesh_en(too_large)).

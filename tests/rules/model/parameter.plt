@@ -231,7 +231,8 @@ fault_of("param(a, \"2\").", [], value(param, 'Value', "2", number), 1:10).
 fault_of("param(a, 1.0Inf).", [], _, 1:10).
 fault_of("param(a, X).", [], value(param, 'Value', _, number), 1:10).
 fault_of("param(2, 2).", [], value(param, 'Name', 2, atom), 1:7).
-fault_of("param(a, 57,15).", [], parameter(decimal_comma(a, '57.15')), 1:1).
+fault_of("param(a, 57,15).", [],
+         parameter(decimal_comma(param, a, '57.15')), 1:1).
 fault_of("param(a, 57,[]).", [], arity(param, 3, 2), 1:1).
 fault_of("formula(v(1,1), v(1,1,0,0,0)).", [], unknown_relation(formula, 2),
          1:1).
