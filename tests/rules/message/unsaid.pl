@@ -32,7 +32,6 @@ unsaid(session_en, wanted_en(least(_))).
 % It depends on the time: tests/cli/bad_output.sh, tests/cli/batch.sh. Or it
 % takes minutes.
 unsaid(messages, notice_en(progress(_,_,_,_,_))).
-unsaid(batch_en, batch_en(looked_at(_))).
 unsaid(batch_en, batch_en(sorted(_))).
 
 % 2^31 rows.
