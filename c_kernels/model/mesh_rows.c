@@ -122,13 +122,16 @@ add_rows(sg_call *call, sg_world *world, sg_relation relation, size_t n,
   return good || sg_call_ended(call);
 }
 
-static bool
-add_part(sg_call *call, sg_world *world, const filling *from)
+bool
+sg_mesh_add_part(sg_call *call, sg_world *world, const sg_mesh *mesh,
+                 const sg_mesh_part *part, int32_t s)
 {
-  return sg_segment_is_empty(call, world, from->s) &&
-         add_rows(call, world, SG_V, from->part->vertices, from) &&
-         add_rows(call, world, SG_E, from->part->edges, from) &&
-         add_rows(call, world, SG_P, from->part->faces, from);
+  const filling from = {mesh, part, s};
+
+  return sg_segment_is_empty(call, world, s) &&
+         add_rows(call, world, SG_V, part->vertices, &from) &&
+         add_rows(call, world, SG_E, part->edges, &from) &&
+         add_rows(call, world, SG_P, part->faces, &from);
 }
 
 /* ---- what was added ---- */
@@ -188,19 +191,18 @@ add_parts(sg_call *call, sg_world *world, const sg_mesh *mesh, int32_t first,
 
   for (size_t i = 0; good && i < mesh->segments; i++) {
     sg_mesh_part part;
-    filling from = {mesh, &part, first + (int32_t)i};
 
     if (!sg_mesh_parts_get(parts, i, &call->cancel, &part, &stopped)) {
       good = sg_call_ended(call);
       break;
     }
-    sg_mesh_part_fact fact = {.s = from.s,
+    sg_mesh_part_fact fact = {.s = first + (int32_t)i,
                               .kind = part.closed  ? SG_MESH_KIND_SOLID
                                       : part.faces ? SG_MESH_KIND_SURFACE
                                                    : SG_MESH_KIND_CURVE,
                               .name = name_of(call, &part)};
 
-    good = fact.name && add_part(call, world, &from) &&
+    good = fact.name && sg_mesh_add_part(call, world, mesh, &part, fact.s) &&
            sg_mesh_part_fact_list_add(call, out, fact);
   }
   sg_mesh_parts_close(parts);

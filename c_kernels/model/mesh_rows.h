@@ -6,11 +6,16 @@
 #define SG_MESH_ROWS_H
 
 #include "doors/file.h"
-#include "mesh.h"
+#include "mesh_part.h"
 
 /* Adds the segments of a mesh to the current world, numbered from `first`. */
 bool sg_mesh_add_rows(sg_call *call, const sg_mesh *mesh, int32_t first,
                       sg_mesh_part_fact_list *parts);
+
+/* Adds a part of a mesh as segment s of a world that is claimed: s has no rows.
+ * Of the mesh only its vertices are looked at. */
+bool sg_mesh_add_part(sg_call *call, sg_world *world, const sg_mesh *mesh,
+                      const sg_mesh_part *part, int32_t s);
 
 /* Gives the segments of a mesh their names, and writes it. */
 bool sg_mesh_send(sg_call *call, sg_mesh *mesh, const sg_name_list *names,

@@ -2,6 +2,7 @@
           [ write_svg/3                 % +Out, +Drawing, +Options
           ]).
 :- use_module('../sheet/dash', [stroke_runs/4]).
+:- use_module('../kernel', [points_text/2]).
 :- use_module(ink,
               [ ink_width/2, ink_colour/3, ink_runs/2, ink_lines/4,
                 dashes_option/3
@@ -272,44 +273,10 @@ write_line(Out, Look, Line, state(Group0,Ids0), state(Group,Ids)) :-
     foldl(write_points(Out), Pointss, Before, _),
     format(Out, '"/>~n', []).
 
-%   The points are most of the text: written, not listed first.
-
 write_points(Out, Points, Before, 'M') :-
+    points_text(Points, Text),
     write(Out, Before),
-    foldl(write_point(Out), Points, '', _).
-
-write_point(Out, X-Y, Before, ' ') :-
-    write(Out, Before),
-    write_thousandths(Out, X),
-    put_char(Out, ','),
-    write_thousandths(Out, Y).
-
-write_thousandths(Out, N) :-
-    N < 0,
-    !,
-    Positive is -N,
-    put_char(Out, '-'),
-    write_thousandths(Out, Positive).
-write_thousandths(Out, N) :-
-    Whole is N//1000,
-    Part is N mod 1000,
-    write(Out, Whole),
-    (   Part =:= 0
-    ->  true
-    ;   put_char(Out, '.'),
-        write_digits(Out, Part, 100)
-    ).
-
-%   The digits of Part from Place down, without zeros at the end.
-
-write_digits(_, 0, _) :-
-    !.
-write_digits(Out, Part, Place) :-
-    Digit is 0'0 + Part//Place,
-    put_code(Out, Digit),
-    Rest is Part mod Place,
-    Next is Place//10,
-    write_digits(Out, Rest, Next).
+    write(Out, Text).
 
 new_id(S, E, Ids0, Ids, N) :-
     (   Ids0 == ids
@@ -356,7 +323,9 @@ way(path, _, _, 'M') -->
     " d=\"".
 
 subpath(Points) -->
-    "M", spaced(point, Points).
+    { points_text(Points, Text),
+      string_codes(Text, Codes) },
+    "M", list(Codes).
 
 id([], _, _, _) -->
     !,
@@ -397,9 +366,6 @@ id_count(1) -->
     "".
 id_count(N) -->
     "-", number(N).
-
-point(X-Y) -->
-    thousandths(X), ",", thousandths(Y).
 
 %   In the element itself: its dashes are its own.
 

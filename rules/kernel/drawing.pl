@@ -161,6 +161,13 @@ Foreign predicates; see kernel.pl.
 %
 %   @error domain_error(look, Looks), representation_error(sheet_coordinate)
 
+/* - - - points_text_rows.c - - - */
+
+%!  points_text(+Points:list(sheet_point), -Text:bytes) is det.
+%
+%   Text are Points, integers that are thousandths, as decimal fractions without
+%   zeros at the end: a comma between X and Y, a space between points.
+
 /* - - - drawn_stroke_rows.c - - - */
 
 %!  drawn_box(-Box:paper_box) is semidet.

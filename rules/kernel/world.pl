@@ -55,6 +55,19 @@ Foreign predicates; see kernel.pl.
 %   Ss are the segments of segment/3 that have polygons and not one triangle,
 %   ascending.
 
+/* - - - shape_rows.c - - - */
+
+%!  shape_write(+S:id, +Points:list(point), +Chains:list(list(int)),
+%!              +Closed:bool) is semidet.
+%
+%   Adds Points as the vertices of segment S, and Chains as its polygons, vertex
+%   lists as of polygon_list.pl; if Closed is false, as runs of edges from each
+%   vertex to the next. All numbers go from 1. Fails, and adds nothing, if one
+%   of Chains is no polygon (polygon_fault/2).
+%
+%   @error domain_error(coordinate, D),
+%          permission_error(write, segment, S): it has rows
+
 /* - - - tolerance_rows.c - - - */
 
 %!  model_tolerance(-Tolerance:number) is det.

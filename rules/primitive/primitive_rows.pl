@@ -9,12 +9,10 @@
             shape_rows/4                % +Kind, +S, +Points, +Chains
           ]).
 :- use_module('../decimal', [decimal_comma/4]).
-:- use_module('../polygon/polygon_list',
-              [polygon_fault/2, vertex_list_edges/2]).
+:- use_module('../kernel', [shape_write/4]).
 :- use_module(primitive,
               [comma_argument/2, primitive_kind/2, primitive_shape/4]).
 :- use_module('../store', [assert_fact/1, facts_transaction/1, fresh_id/3]).
-:- use_module(library(apply), [foldl/4]).
 :- use_module(library(occurs), [sub_term/2]).
 /** <module> Primitives as rows of the world.
 
@@ -121,41 +119,11 @@ primitive_rows(Term, S, Kind) :-
 %   @error model_error(value(v, coordinate, D, within(Most)))
 
 shape_rows(Kind, S, Points, Chains) :-
-    foldl(point_row(S), Points, 1, _),
     (   Kind == curve
-    ->  foldl(curve_rows(S), Chains, 1, _)
-    ;   foldl(polygon_rows(S), Chains, 1-1, _)
-    ).
-
-point_row(S, point(X, Y, Z), V, V1) :-
-    catch(assert_fact(v(S, V, X, Y, Z)), error(domain_error(coordinate, D), _),
-          too_far(D)),
-    V1 is V+1.
-
-too_far(D) :-
-    throw(error(model_error(value(v, coordinate, D, within(1.0e90))), _)).
-
-curve_rows(S, Chain, E0, E) :-
-    chain_edges(Chain, Edges),
-    edge_rows(Edges, S, E0, _, E).
-
-chain_edges([_], []) :-
-    !.
-chain_edges([V,W|Vs], [V-W|Edges]) :-
-    chain_edges([W|Vs], Edges).
-
-polygon_rows(S, List, P-E0, P1-E) :-
-    vertex_list_edges(List, Edges),
-    \+ polygon_fault(Edges, _),
-    edge_rows(Edges, S, E0, Es, E),
-    assert_fact(p(S, P, Es)),
-    P1 is P+1.
-
-%   edge_rows(Edges, S, E0, Es, E): e/5 for the edges V1-V2, numbered Es, from
-%   E0 on; E is the next number.
-
-edge_rows([], _, E, [], E).
-edge_rows([V1-V2|Edges], S, E0, [E0|Es], E) :-
-    assert_fact(e(S, E0, V1, V2, 1)),
-    E1 is E0+1,
-    edge_rows(Edges, S, E1, Es, E).
+    ->  Closed = false
+    ;   Closed = true
+    ),
+    catch(shape_write(S, Points, Chains, Closed),
+          error(domain_error(coordinate, D), _),
+          throw(error(model_error(value(v, coordinate, D, within(1.0e90))),
+                      _))).

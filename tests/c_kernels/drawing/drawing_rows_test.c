@@ -1,7 +1,7 @@
 /* drawing_rows_test.c -- a cube from its vertices to ink, through the functions
  * of the doors, without Prolog.
  *
- * covers: raster_rows, stroke_rows
+ * covers: points_text_rows, raster_rows, stroke_rows
  */
 #include "doors/drawing.h"
 #include "picture/parts.h"
@@ -152,6 +152,31 @@ travels(void)
 }
 
 static bool
+is_text(const sg_sheet_point *point, size_t n, const char *wanted)
+{
+  sg_sheet_point at[3];
+  sg_bytes text;
+
+  memcpy(at, point, n * sizeof *at);
+  return sg_door_points_text(&call, &(sg_sheet_point_list){at, n, n}, &text) &&
+         text.n == strlen(wanted) && memcmp(text.at, wanted, text.n) == 0;
+}
+
+static void
+written(void)
+{
+  const sg_sheet_point few[] = {{0, -1}, {-12340, 1005}, {100, 99000}};
+  const sg_sheet_point far[] = {{INT64_MIN, INT64_MAX},
+                                {INT64_MIN, INT64_MIN}};
+
+  CHECK("no points", is_text(few, 0, ""));
+  CHECK("thousandths", is_text(few, 3, "0,-0.001 -12.34,1.005 0.1,99"));
+  CHECK("the longest", is_text(far, 2,
+                               "-9223372036854775.808,9223372036854775.807 "
+                               "-9223372036854775.808,-9223372036854775.808"));
+}
+
+static bool
 is_png(const sg_bytes *bytes)
 {
   return bytes->n > 8 && memcmp(bytes->at, "\x89PNG\r\n\x1a\n", 8) == 0;
@@ -211,6 +236,7 @@ main(void)
   drawn();
   chains();
   travels();
+  written();
   dots();
   smooth();
   sg_call_close(&call);

@@ -1,9 +1,10 @@
 /* model_rows_test.c -- files from memory into a world and back, through the
  * functions of the doors.
  *
- * covers: dense_rows, mesh_rows
+ * covers: dense_rows, mesh_rows, shape_rows
  */
 #include "doors/file.h"
+#include "doors/world.h"
 #include "tests/c_kernels/cube_world.h"
 #include "tests/check.h"
 
@@ -114,6 +115,42 @@ adds_a_mesh(sg_world *world)
                                     3, &result));
   CHECK("the host knows", call.stopped && refused(SG_REFUSED_NOTHING));
   call.stopped = false;
+}
+
+/* A square with a hole, of this list, as segment s. */
+static bool
+write_square(int32_t s, int32_t *list, size_t n)
+{
+  sg_xyz at[8];
+  sg_int_list chain = {list, n, 0};
+
+  for (int i = 0; i < 8; i++) {
+    at[i] = (sg_xyz){{i % 2, i / 2 % 2, i / 4}};
+  }
+  return sg_door_shape_write(&call, s, &(sg_point_list){at, 8, 0},
+                             &(sg_list_int_list){&chain, 1, 0}, true);
+}
+
+static void
+shapes(sg_world *world)
+{
+  int32_t list[] = {1, 2, 4, 3, 1, -5, 7, 8, 6, 5};
+  size_t v = rows_of(world, SG_V), e = rows_of(world, SG_E),
+         p = rows_of(world, SG_P);
+
+  CHECK("a shape", write_square(30, list, 10));
+  CHECK("its rows", rows_of(world, SG_V) == v + 8 &&
+                        rows_of(world, SG_E) == e + 8 &&
+                        rows_of(world, SG_P) == p + 1);
+  CHECK("again", !write_square(30, list, 10) && refused(SG_REFUSED_PERMISSION));
+  CHECK("open", !write_square(31, list, 9) && !write_square(31, list, 7));
+  CHECK("closes itself", write_square(31, list, 4));
+  list[0] = 9;
+  CHECK("no vertex", !write_square(32, list, 4));
+  list[0] = list[1];
+  CHECK("twice there", !write_square(32, list, 4));
+  CHECK("nothing was added", rows_of(world, SG_P) == p + 2);
+  CHECK("no refusal", refused(SG_REFUSED_NOTHING));
 }
 
 /* A name that is no UTF-8 is taken for Latin-1. */
@@ -231,6 +268,7 @@ main(void)
   CHECK("a world", world && add_cube(world, 1));
   adds_a_mesh(world);
   names();
+  shapes(world);
   writes_a_mesh();
   boundaries(world);
   texts();

@@ -1,7 +1,9 @@
 :- module(test_polygon_list, []).
 
 :- use_module(library(plunit)).
+:- use_module(rules(kernel)).
 :- use_module(rules(polygon/polygon_list)).
+:- use_module(rules(store)).
 :- begin_tests(polygon_list).
 
 test(closes_itself, Es == [1-2, 2-3, 3-1]) :-
@@ -53,6 +55,50 @@ random_loop(Loop) :-
     random_between(3, 6, K),
     randset(K, 12, Set),
     random_permutation(Set, Loop).
+
+%   The kernel takes the lists that are polygons, and makes their edges.
+
+test(as_the_kernel, forall(sample(60, List0))) :-
+    forall(( List = List0 ; damaged(List0, List) ),
+           (   vertex_list_edges(List, Edges),
+               forall(member(V, List), ( N is abs(V), between(1, 12, N) )),
+               \+ polygon_fault(Edges, _)
+           ->  written_edges(List, Edges)
+           ;   \+ written_edges(List, _)
+           )).
+
+written_edges(List, Edges) :-
+    numlist(1, 12, Vs),
+    maplist([V,point(V,0,0)]>>true, Vs, Points),
+    new_world(World),
+    in_world(World,
+             ( shape_write(5, Points, [[3,2,1],List], true),
+               p(5, 2, Es),
+               findall(V1-V2, ( member(E, Es), e(5, E, V1, V2, 1) ), Edges),
+               findall(V, v(5, V, _, _, _), Vs),
+               findall(E, e(5, E, _, _, _), [1,2,3|Es])
+             )).
+
+%   One number of the list is missing, stands twice, is another vertex or none,
+%   or has the other sign.
+
+damaged(List0, List) :-
+    append(Before, [V|After], List0),
+    W is -V,
+    member(Vs, [[],[V,V],[1],[13],[0],[W]]),
+    append([Before,Vs,After], List).
+
+test(a_run_of_edges, Edges-Ps == [1-2,2-1,1-3]-[]) :-
+    new_world(World),
+    in_world(World,
+             ( shape_write(1, [point(0,0,0),point(1,0,0),point(0,1,0)],
+                           [[1,2,1],[3],[1,3]], false),
+               findall(V1-V2, e(1, _, V1, V2, _), Edges),
+               findall(P, p(1, P, _), Ps) )).
+test(far, error(domain_error(coordinate, -2.0e90))) :-
+    new_world(World),
+    in_world(World, shape_write(1, [point(0,0,0),point(1,-2.0e90,0)], [],
+                                true)).
 
 joined_loops([Loop], Loop) :- !.
 joined_loops(Loops, List) :-
