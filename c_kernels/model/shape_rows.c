@@ -23,8 +23,7 @@ typedef struct chains {
 static bool
 add_edge(chains *c, int32_t from, int32_t to)
 {
-  return from >= 1 && from <= c->vertices && to >= 1 &&
-         to <= c->vertices &&
+  return from >= 1 && from <= c->vertices && to >= 1 && to <= c->vertices &&
          sg_int_list_add(c->call, &c->from, from - 1) &&
          sg_int_list_add(c->call, &c->to, to - 1);
 }
@@ -152,8 +151,7 @@ sg_door_shape_write(sg_call *call, int32_t s, const sg_point_list *points,
     memset(c.open, 0, bytes);
   }
   bool good = c.open && points->n <= INT_MAX && is_in_bounds(call, points) &&
-              add_chains(&c, lists, closed) &&
-              write_shape(&c, &at, closed, s);
+              add_chains(&c, lists, closed) && write_shape(&c, &at, closed, s);
 
   sg_key_table_clear(&c.edge);
   return good;

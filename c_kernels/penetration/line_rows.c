@@ -3,8 +3,12 @@
  * Layer: rows. The doors are documented in rules/kernel/penetration.pl.
  */
 #include "cut_rows.h"
+#include "polygon_rows.h"
 
 #include "doors/penetration.h"
+#include "engine/symbol.h"
+
+#include <string.h>
 
 /* ---- joints ---- */
 
@@ -197,6 +201,93 @@ sg_door_cut_vertices(sg_call *call, sg_cut_handle *handle,
   }
   return true;
 }
+
+/* ---- rows ---- */
+
+static bool
+add_rows(sg_call *call, sg_world *world, sg_relation relation, size_t n,
+         const void *const *column)
+{
+  sg_fault fault = {0};
+
+  return sg_call_status(call,
+                        sg_world_add_many(world, relation, n, column, &fault),
+                        relation, &fault);
+}
+
+static bool
+write_lines(sg_call *call, sg_world *world, const sg_line_fact_list *lines)
+{
+  enum { COLUMNS = 9 };
+  size_t n = lines->n;
+  int32_t row[COLUMNS], *to = sg_call_alloc(call, n * sizeof row);
+  const void *column[COLUMNS];
+
+  _Static_assert(sizeof row == sizeof *lines->at, "line/9 has integers alone");
+  for (size_t i = 0; to && i < n; i++) {
+    memcpy(row, &lines->at[i], sizeof row);
+    for (size_t c = 0; c < COLUMNS; c++) {
+      to[c * n + i] = row[c];
+    }
+  }
+  for (size_t c = 0; to && c < COLUMNS; c++) {
+    column[c] = to + c * n;
+  }
+  return to && add_rows(call, world, SG_LINE, n, column);
+}
+
+static bool
+write_vertices(sg_call *call, sg_world *world,
+               const sg_vertex_fact_list *vertices)
+{
+  size_t n = vertices->n;
+  int32_t *s = sg_call_alloc(call, n * sizeof *s);
+  int32_t *v = sg_call_alloc(call, n * sizeof *v);
+  double *at = sg_call_alloc(call, 3 * n * sizeof *at);
+  const uint32_t **item = sg_call_alloc(call, n * sizeof *item);
+  const uint32_t **origin = sg_call_alloc(call, n * sizeof *origin);
+  bool good = s && v && at && item && origin;
+
+  for (size_t i = 0; i < n && good; i++) {
+    const sg_vertex_fact *vertex = &vertices->at[i];
+
+    s[i] = vertex->s;
+    v[i] = vertex->v;
+    at[i] = vertex->x;
+    at[n + i] = vertex->y;
+    at[2 * n + i] = vertex->z;
+    item[i] = sg_unary_term(call, SG_SYMBOL_V, vertex->v);
+    origin[i] = vertex->origin;
+    good = item[i] != NULL;
+  }
+  return good &&
+         add_rows(call, world, SG_V, n,
+                  (const void *const[]){s, v, at, at + n, at + 2 * n}) &&
+         add_rows(call, world, SG_ORIGIN, n,
+                  (const void *const[]){s, item, origin});
+}
+
+bool
+sg_door_cut_write_lines(sg_call *call, sg_cut_handle *handle)
+{
+  sg_vertex_fact_list vertices = {0};
+  sg_line_fact_list lines = {0};
+
+  if (!sg_door_cut_vertices(call, handle, &vertices) ||
+      !sg_door_cut_lines(call, handle, &lines)) {
+    return false;
+  }
+  sg_world *world = sg_call_claim(call);
+  bool good = world && write_vertices(call, world, &vertices) &&
+              write_lines(call, world, &lines);
+
+  if (world) {
+    sg_world_release(world);
+  }
+  return good;
+}
+
+/* ---- curves ---- */
 
 bool
 sg_door_cut_split_edges(sg_call *call, sg_cut_handle *handle, int32_t s,

@@ -262,6 +262,11 @@ Foreign predicates; see kernel.pl.
 %
 %   Vertices is the list of vertex(S, V, X, Y, Z, Origin) that are new.
 
+%!  cut_write_lines(+Set:cut_set) is det.
+%
+%   Adds to the current world v/5 and origin/3 of cut_vertices/2, and line/9 of
+%   cut_lines/2.
+
 %!  cut_split_edges(+Set:cut_set, +S:id, -Splits:list(edge_split)) is det.
 %
 %   Splits is the list of split(V1, V2, Vs): edges of S and the vertices on
@@ -283,5 +288,5 @@ Foreign predicates; see kernel.pl.
 %!  cut_write(+Set:cut_set, +S:id, +P:id, +Work:work) is semidet.
 %
 %   As cut_rows.pl, write_polygon_by_rule/2, for polygon P of S, whose edges
-%   are in Work, after cut_lines/2. Fails, and has changed nothing, if these
-%   edges cannot be triangulated as they are.
+%   are in Work, after cut_write_lines/1. Fails, and has changed nothing, if
+%   these edges cannot be triangulated as they are.

@@ -1,12 +1,10 @@
 :- module(sg_cut_rows,
-          [ write_vertices/1,           % +Set
-            write_lines/1,              % +Set
-            write_polygon/2,            % +Set, +Work
+          [ write_polygon/2,            % +Set, +Work
             write_polygon_by_rule/2,    % +Set, +Work
             split_curves/2              % +Pairs, +Set
           ]).
 :- use_module('../kernel',
-              [ cut_vertices/2, cut_lines/2, cut_line/5, cut_write/4,
+              [ cut_line/5, cut_write/4,
                 cut_split_edges/3, model_tolerance/1,
                 work_add/6, work_delete/2, work_edge/6, work_resolve/2
               ]).
@@ -23,41 +21,19 @@
 /** <module> The rows that a penetration leaves.
 
 What penetration.pl has put into a cut set and into scratch relations, back in
-the world: vertices with their origins, lines, and the polygons that were cut
-with their new edges and triangles (PL-6).
+the world: after the lines (cut_write_lines/1) the polygons that were cut, with
+their new edges and triangles (PL-6).
 
 @see [PL] section 5; rows PL-6 to PL-9
 */
-
-%!  write_vertices(+Set) is det.
-%
-%   Writes v/5 and origin/3 of the vertices that cut set Set has made.
-
-write_vertices(Set) :-
-    cut_vertices(Set, Vertices),
-    maplist(write_vertex, Vertices).
-
-write_vertex(vertex(S, V, X, Y, Z, Origin)) :-
-    assert_fact(v(S, V, X, Y, Z)),
-    assert_fact(origin(S, v(V), Origin)).
-
-%!  write_lines(+Set) is det.
-%
-%   Writes line/9: the pieces of Set, and its contacts in a point alone.
-
-write_lines(Set) :-
-    cut_lines(Set, Lines),
-    maplist(write_line, Lines).
-
-write_line(line(L, S1, P1, A1, B1, S2, P2, A2, B2)) :-
-    assert_fact(line(L, S1, P1, A1, B1, S2, P2, A2, B2)).
 
 %!  write_polygon(+Set, +Work) is det.
 %!  write_polygon_by_rule(+Set, +Work) is det.
 %
 %   The polygon of Work, work(S, P, Edges), keeps its number; its edges and its
-%   triangles are replaced, after write_lines/1. cut_write/4 is the fused kernel
-%   of the rule, for what needs no resolving; a test holds the two together.
+%   triangles are replaced, after cut_write_lines/1. cut_write/4 is the fused
+%   kernel of the rule, for what needs no resolving; a test holds the two
+%   together.
 %
 %   @error geometry_error(polygon_edge(S, P, V1, V2)): it cannot be triangulated
 

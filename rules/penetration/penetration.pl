@@ -11,9 +11,7 @@
           ]).
 :- use_module('../csg/csg_record', [joined_segment/1]).
 :- use_module('../csg/csg_roots', [aside_segments/1]).
-:- use_module(cut_rows,
-              [ write_vertices/1, write_lines/1, write_polygon/2, split_curves/2
-              ]).
+:- use_module(cut_rows, [write_polygon/2, split_curves/2]).
 :- use_module('../decision', [decision/2]).
 :- use_module(entering, [enter_polygons/4, close_works/1]).
 :- use_module(joints, [merge_joints/2]).
@@ -22,7 +20,7 @@
                 cut_of_faces/1,
                 cut_without_coincident/1, cut_few_sheets/1, cut_find/1,
                 near_segments/3, segment_copies_dropped/2,
-                cut_seal/1, cut_chains/2, cut_polygons/2,
+                cut_seal/1, cut_chains/2, cut_polygons/2, cut_write_lines/1,
                 cut_polygons_of/3, model_tolerance/1,
                 segments_meeting_themselves/2, segment_sewn/2
               ]).
@@ -442,8 +440,7 @@ enter_lines(Write, Set) :-
     setup_call_cleanup(
         true,
         ( stage(enter, enter_polygons(leaves_kept, Set, Polygons, Works)),
-          stage(write, write_vertices(Set)),
-          stage(write, write_lines(Set)),
+          stage(write, cut_write_lines(Set)),
           stage(write, maplist(call(Write, Set), Works))
         ),
         close_works(Works)).

@@ -166,8 +166,7 @@ static void
 written(void)
 {
   const sg_sheet_point few[] = {{0, -1}, {-12340, 1005}, {100, 99000}};
-  const sg_sheet_point far[] = {{INT64_MIN, INT64_MAX},
-                                {INT64_MIN, INT64_MIN}};
+  const sg_sheet_point far[] = {{INT64_MIN, INT64_MAX}, {INT64_MIN, INT64_MIN}};
 
   CHECK("no points", is_text(few, 0, ""));
   CHECK("thousandths", is_text(few, 3, "0,-0.001 -12.34,1.005 0.1,99"));

@@ -76,7 +76,6 @@ writes(sg_world *world, sg_cut_handle *set)
   sg_segment_polygon_list polygons = {0};
   sg_work_list works = {0}, more = {0};
   sg_entering_piece_list pieces = {0};
-  sg_vertex_fact_list vertices = {0};
   int32_t x;
 
   CHECK("polygons", sg_door_cut_polygons(&call, set, &polygons));
@@ -92,14 +91,7 @@ writes(sg_world *world, sg_cut_handle *set)
         !sg_door_cut_between(&call, set, works.at[0], polygons.at[0].s,
                              pieces.at[0].v1, pieces.at[0].v2, &x));
   CHECK("is no error", call.refusal.how == SG_REFUSED_NOTHING);
-  CHECK("vertices", sg_door_cut_vertices(&call, set, &vertices));
-  for (size_t i = 0; i < vertices.n; i++) {
-    const sg_vertex_fact *v = &vertices.at[i];
-    const sg_value row[SG_MAX_COLUMNS] = {
-        {.i = v->s}, {.i = v->v}, {.f = v->x}, {.f = v->y}, {.f = v->z}};
-
-    CHECK("vertex", sg_call_add_row(&call, world, SG_V, row));
-  }
+  CHECK("lines and vertices", sg_door_cut_write_lines(&call, set));
   for (size_t i = 0; i < works.n; i++) {
     CHECK("write", sg_door_cut_write(&call, set, polygons.at[i].s,
                                      polygons.at[i].p, works.at[i]));
@@ -110,6 +102,8 @@ writes(sg_world *world, sg_cut_handle *set)
   CHECK("twelve polygons", sg_version_count(version, SG_P) == 12);
   CHECK("more edges", sg_version_count(version, SG_E) > 48);
   CHECK("more triangles", sg_version_count(version, SG_T) > 24);
+  CHECK("lines", sg_version_count(version, SG_LINE) > 0);
+  CHECK("vertices", sg_version_count(version, SG_V) > 16);
   CHECK("with origins", sg_version_count(version, SG_ORIGIN) > 0);
   sg_version_drop(version);
 }
