@@ -34,9 +34,8 @@ put_thousandths(uint8_t *to, int64_t n)
   if (size > 0) {
     *to++ = '.';
   }
-  for (uint64_t place = 100; size > 0; place /= 10) {
-    *to++ = (uint8_t)('0' + size / place);
-    size %= place;
+  for (; size > 0; size = size % 100 * 10) {
+    *to++ = (uint8_t)('0' + size / 100);
   }
   return to;
 }

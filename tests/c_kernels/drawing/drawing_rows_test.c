@@ -155,7 +155,7 @@ static bool
 is_text(const sg_sheet_point *point, size_t n, const char *wanted)
 {
   sg_sheet_point at[3];
-  sg_bytes text;
+  sg_bytes text = {0};
 
   memcpy(at, point, n * sizeof *at);
   return sg_door_points_text(&call, &(sg_sheet_point_list){at, n, n}, &text) &&
