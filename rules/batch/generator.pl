@@ -3,9 +3,11 @@
             generator_fault/3,          % @Generators, @Term, -Fault
             generated/2                 % +Generators, +Folder
           ]).
+:- use_module('../decimal', [decimal_number/2]).
 :- use_module(library(csv), [csv_options/2, csv_read_row/3]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [append/3, member/2, nth1/3]).
+:- use_module(library(readutil), [read_line_to_string/2]).
 /** <module> The generators of a template in a manifest.
 
 A template is a job with variables; its generators bind them, each in turn:
@@ -18,7 +20,7 @@ A template is a job with variables; its generators bind them, each in turn:
     V in glob(Pattern)        the files of that pattern, in order of their names
     [V, ...] in rows(File, [Column, ...])
                               the rows of a table (.csv, .tsv), whose first line
-                              names its columns
+                              names its columns; table_form/4
 
 A later generator may use the variables of those before it. Nothing is made
 before it is asked for, so a million jobs need no memory.
@@ -229,10 +231,7 @@ row(File0, Folder, Columns, Values) :-
     ;   generator_error(rows(File, 0, missing))
     ),
     file_name_extension(_, Ending, File),
-    (   Ending == tsv
-    ->  Separator = 0'\t
-    ;   Separator = 0',
-    ),
+    table_form(Ending, Path, Separator, Point),
     csv_options(Csv, [ separator(Separator), strip(true), functor(row),
                        match_arity(false) ]),
     setup_call_cleanup(
@@ -240,8 +239,28 @@ row(File0, Folder, Columns, Values) :-
         ( next_row(File, In, Csv, Header),
           column_places(Columns, Header, File, Places),
           rows_after(File, In, Csv, Header, Row),
-          maplist(of_row(Row), Places, Values) ),
+          maplist(of_row(Row, Point), Places, Values) ),
         close(In)).
+
+%   table_form(Ending, Path, Separator, Point): what stands between the fields
+%   of a table, and its decimal point. Where that is a comma, spreadsheets put
+%   semicolons between the fields: so if the first line has one, and no comma.
+
+table_form(tsv, _, 0'\t, point) :-
+    !.
+table_form(_, Path, Separator, Point) :-
+    setup_call_cleanup(
+        open(Path, read, In, [encoding(octet)]),
+        read_line_to_string(In, Line),
+        close(In)),
+    (   string(Line),
+        sub_string(Line, _, _, _, ";"),
+        \+ sub_string(Line, _, _, _, ",")
+    ->  Separator = 0';,
+        Point = comma
+    ;   Separator = 0',,
+        Point = point
+    ).
 
 rows_after(File, In, Csv, Header, Row) :-
     repeat,
@@ -314,5 +333,13 @@ column_place(Names, File, Column0, Place) :-
 text_atom(Text, Atom) :-
     format(atom(Atom), '~w', [Text]).
 
-of_row(Row, Place, Value) :-
-    arg(Place, Row, Value).
+of_row(Row, Point, Place, Value) :-
+    arg(Place, Row, Value0),
+    (   Point == comma,
+        atom(Value0),
+        atomic_list_concat([Whole,Part], ',', Value0),
+        atomic_list_concat([Whole,Part], '.', Text),
+        decimal_number(Text, Number)
+    ->  Value = Number
+    ;   Value = Value0
+    ).

@@ -55,6 +55,13 @@ template(Head, Generators, Text) :-
     format(string(Text), "job(~w, check, ['~w'], []) @ ~w.",
            [Head, Cube, Generators]).
 
+% row_text(-Text, -Ending, -Values): of a table with the columns n and r.
+row_text("n,r\na,30.5\n\"b,c\",4\n", csv, [30.5-a, 4-'b,c']).
+row_text("n;r\na;30,5\nb;-4,25\n\"c;d\";7\n", csv,
+         [30.5-a, -4.25-b, 7-'c;d']).
+row_text("n;r\n1,2,3;1e3\n1,x;2\n", csv, [1.0e3-'1,2,3', 2-'1,x']).
+row_text("n\tr\na;b\t2,5\n", tsv, ['2,5'-'a;b']).
+
 :- begin_tests(manifest).
 
 test(ranges, true(Names == ['a(2)', 'a(3)', 'a(4)'])) :-
@@ -73,6 +80,18 @@ test(decimals, true(Values == [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7])) :-
     findall(V, generated([in(V, between(0.1, 0.7, 0.1))], '.'), Values).
 test(decimals_whole, true(Values == [0, 0.5, 1, 1.5])) :-
     findall(V, generated([in(V, between(0, 1.5, 0.5))], '.'), Values).
+% Semicolons are between the fields where commas are decimal points.
+test(rows, true(Rows == Wanted)) :-
+    findall(Text-Ending-Values,
+            row_text(Text, Ending, Values), Wanted),
+    findall(Text-Ending-Values,
+            ( row_text(Text, Ending, _),
+              with_file(Text, Ending, File,
+                        findall(R-N,
+                                generated([in([R, N], rows(File, [r, n]))],
+                                          '.'),
+                                Values)) ),
+            Rows).
 test(members, true(Names == ['a(b)', 'a(3)', 'a(\'X y\')'])) :-
     template('a(R)', '(R in [b, 3, \'X y\'])', Text),
     names(Text, Names).
