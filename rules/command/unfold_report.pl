@@ -3,6 +3,7 @@
           [ unfold_report/2,            % +Ds, +Options
             pattern_measures/3          % +Parts, +D, -Measures
           ]).
+:- use_module('../csg/placed_surface', [kept_answer/4]).
 :- use_module('../decision', [decision_is_default/1]).
 :- use_module('../development/development_record', [development_measures/2]).
 :- use_module('../kernel', [census/1]).
@@ -21,7 +22,6 @@
 :- use_module(library(apply), [maplist/2, maplist/3]).
 :- use_module(library(http/json), [json_write_dict/3]).
 :- use_module(library(option), [option/2]).
-:- use_module(library(ordsets), [ord_subtract/3]).
 /** <module> What is said of patterns: their pieces, seams, sheet and area.
 */
 
@@ -147,16 +147,22 @@ objective(D, Objective) :-
 
 removed(D, T, PartPolygons, Polygons, Removed) :-
     (   is_finer(T)
-    ->  findall(P0, ( p(T, P, _), polygon_drawn(T, P, _, P0) ), All0),
-        findall(P0, ( p(D, P, _), polygon_left(D, T, P, P0) ), Left0),
-        sort(All0, All),
+    ->  findall(P0, ( p(D, P, _), polygon_left(D, T, P, P0) ), Left0),
         sort(Left0, Left),
-        ord_subtract(All, Left, Gone),
-        length(Gone, Removed)
+        length(Left, Count),
+        kept_answer(drawn_polygons, T, all, All),
+        Removed is All-Count
     ;   from_p(D, _, _, _, _)
     ->  aggregate_all(count, ( p(T, P, _), \+ left_in(D, P) ), Removed)
     ;   Removed is PartPolygons-Polygons
     ).
+
+%   drawn_polygons(T, all, Count): so many polygons have what T is made of.
+
+drawn_polygons(T, all, Count) :-
+    findall(P0, ( p(T, P, _), polygon_drawn(T, P, _, P0) ), Ps0),
+    sort(Ps0, Ps),
+    length(Ps, Count).
 
 is_finer(T) :-
     trimmed_from(T, S1),

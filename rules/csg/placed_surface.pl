@@ -6,6 +6,7 @@
             drawn_polygon/4,            % +S1, ?P1, -S, ?P
             placed_feature/4,           % ?S, ?V, ?Leaf, ?Feature
             facet_surface/3,            % +S, +P, -Surface
+            kept_answer/4,              % :Find, +S, ?Key, -Answer
             asked_once/1                % :Goal
           ]).
 :- use_module(csg, [is_helper/1, is_node/1]).
@@ -16,6 +17,7 @@
 :- use_module('../store',
               [p/3, segment/3, origin/3, from_p/5, segment_stamp/2]).
 :- use_module(library(apply), [maplist/3]).
+:- use_module(library(lists), [member/2]).
 /** <module> Primitives and copies of them, where they stand.
 
 A node of a CSG tree that places a leaf once more, and a helper that does, have
@@ -28,7 +30,9 @@ Unrolling asks of each facet what it is of, often. Under asked_once/1 it is
 found for a whole segment at the first question, and kept as relations.
 */
 
-:- meta_predicate asked_once(0).
+:- meta_predicate
+    asked_once(0),
+    kept_answer(3, +, ?, -).
 
 :- thread_local
     keeping/0,
@@ -37,7 +41,8 @@ found for a whole segment at the first question, and kept as relations.
     surface_/3,                         % as placed_surface/3
     polygon_/4,                         % as placed_polygon/4
     facet_/3,                           % as facet_surface/3
-    drawn_/4.                           % as drawn_polygon/4
+    drawn_/4,                           % as drawn_polygon/4
+    answer_/5.                          % S, Find, Hash, Key, Answer
 
 %!  asked_once(:Goal) is semidet.
 %
@@ -58,7 +63,8 @@ forgotten :-
     retractall(surface_(_, _, _)),
     retractall(polygon_(_, _, _, _)),
     retractall(facet_(_, _, _)),
-    retractall(drawn_(_, _, _, _)).
+    retractall(drawn_(_, _, _, _)),
+    retractall(answer_(_, _, _, _, _)).
 
 %   kept(Relation, S): Relation is filled for segment S. A segment that was
 %   taken back has left its number to another one, with another stamp.
@@ -90,8 +96,27 @@ fill(facet, S) :-
            assertz(facet_(S, P, Surface))).
 fill(drawn, S) :-
     retractall(drawn_(S, _, _, _)),
-    forall(( p(S, P, _), found_drawn(S, P, Drawn, P0) ),
-           assertz(drawn_(S, P, Drawn, P0))).
+    findall(drawn_(S, P, Drawn, P0), found_drawn(S, P, Drawn, P0), All0),
+    sort(2, @=<, All0, All),
+    forall(member(Fact, All), assertz(Fact)).
+fill(answer(Find), S) :-
+    retractall(answer_(S, Find, _, _, _)),
+    forall(call(Find, S, Key, Answer),
+           ( term_hash(Key, Hash),
+             assertz(answer_(S, Find, Hash, Key, Answer)) )).
+
+%!  kept_answer(:Find, +S, ?Key, -Answer) is nondet.
+%
+%   As call(Find, S, Key, Answer), which yields ground terms. Under asked_once/1
+%   it is called for all keys of segment S at the first question; then a key is
+%   found at once, however many there are.
+
+kept_answer(Find, S, Key, Answer) :-
+    (   kept(answer(Find), S)
+    ->  term_hash(Key, Hash),           % unbound if Key is not ground
+        answer_(S, Find, Hash, Key, Answer)
+    ;   call(Find, S, Key, Answer)
+    ).
 
 %!  placed_face(?S, ?P, ?What) is nondet.
 %
@@ -273,5 +298,5 @@ found_drawn(S1, P1, S, P) :-
     (   origin(S1, p(_), p(_))
     ->  origin(S1, p(P1), p(P))
     ;   P = P1,
-        once(p(S1, P1, _))
+        p(S1, P1, _)
     ).

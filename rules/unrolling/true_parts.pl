@@ -31,6 +31,7 @@
 :- use_module(true_tip, [settled/5]).
 :- use_module(library(apply),
               [foldl/4, include/3, maplist/2, maplist/3, partition/4]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- use_module(library(lists),
               [ append/2, append/3, max_list/2, member/2, memberchk/2,
                 min_list/2, selectchk/3
@@ -176,7 +177,7 @@ polygons_known(S, S1) :-
         forall(( member(What-P, Ends), placed_face(S1, P1, What) ),
                assert_fact(origin(S1, p(P1), p(P))))
     ;   placed_surface(S, _, _)
-    ->  findall(What-P, placed_face(S, P, What), Drawn),
+    ->  drawn_faces(S, Drawn),
         forall(( placed_face(S1, P1, What1),
                  drawn_face(Drawn, What1, P) ),
                assert_fact(origin(S1, p(P1), p(P))))
@@ -187,22 +188,37 @@ polygons_known(S, S1) :-
     ;   true
     ).
 
+%   drawn_faces(S, Drawn): an assoc from what the faces of S are to their
+%   polygons, and from part(Name) to the facets From-To-P of that part.
+
+drawn_faces(S, Drawn) :-
+    findall(What-P, placed_face(S, P, What), Faces0),
+    sort(1, @<, Faces0, Faces),
+    findall(part(Name)-(From-To-P),
+            member(curved(Name, [From-To])-P, Faces0),
+            Facets0),
+    keysort(Facets0, Facets1),
+    group_pairs_by_key(Facets1, Facets),
+    append(Faces, Facets, Pairs0),
+    keysort(Pairs0, Pairs),
+    list_to_assoc(Pairs, Drawn).
+
 drawn_face(Drawn, What1, P) :-
-    (   memberchk(What1-P, Drawn)
-    ->  true
-    ;   What1 = curved(Part, [A-B]),
+    (   get_assoc(What1, Drawn, P0)
+    ->  P = P0
+    ;   What1 = curved(Name, [A-B]),
+        get_assoc(part(Name), Drawn, Facets),
         Middle is (A+B)/2.0,
-        member(curved(Part, [From-To])-P, Drawn),
-        Middle >= From,
-        Middle =< To
-    ->  true
-    ;   What1 = curved(Part, [A-B]),
-        Middle is (A+B)/2.0,
-        findall(Off-P0,
-                ( member(curved(Part, [From-To])-P0, Drawn),
-                  Off is max(0.0, max(From-Middle, Middle-To)) ),
-                Found),
-        keysort(Found, [_-P|_])
+        (   member(From-To-P, Facets),
+            Middle >= From,
+            Middle =< To
+        ->  true
+        ;   findall(Off-P0,
+                    ( member(From-To-P0, Facets),
+                      Off is max(0.0, max(From-Middle, Middle-To)) ),
+                    Found),
+            keysort(Found, [_-P|_])
+        )
     ).
 
 

@@ -1,6 +1,7 @@
 :- module(sg_true_pattern,
           [ pattern_written/3           % +Term, +Pattern, -D
           ]).
+:- use_module('../csg/placed_surface', [kept_answer/4]).
 :- use_module('../near', [same_direction/2]).
 :- use_module('../development/development_record', [drop_pattern/1]).
 :- use_module('../store',
@@ -59,9 +60,14 @@ emptied(Term, D) :-
     ;   fresh_id(segment, 0, D)
     ).
 
-highest(e, S, E) :-
+%   highest(What, S, N): the largest number of an edge, or of a polygon, of S.
+
+highest(What, S, N) :-
+    kept_answer(highest_number, S, What, N).
+
+highest_number(S, e, E) :-
     aggregate_all(max(E0), e(S, E0, _, _, _), E).
-highest(p, S, P) :-
+highest_number(S, p, P) :-
     aggregate_all(max(P0), p(S, P0, _), P).
 
 %   numbered_polygon(Facet0, Facet, P0, P): a part gets a number of its own.

@@ -17,7 +17,7 @@
                 retractall_facts/1
               ]).
 :- use_module('../polygon/triangulation', [complete_segments/1]).
-:- use_module(true_surface, [meeting_surfaces/3]).
+:- use_module(true_surface, [meeting_surfaces/4]).
 :- use_module('../vector', [cross_product/3, dot_product/3]).
 :- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
 :- use_module(library(assoc),
@@ -148,14 +148,14 @@ rim_arc(D, S, P, E, Options, Points) :-
               in_frame(Frame, Place, Point) ),
             Points).
 
-%   meeting_tables(D, S, Meets): Leaf-Table of meeting_surfaces/3 for the leaves
+%   meeting_tables(D, S, Meets): Leaf-Table of meeting_surfaces/4 for the leaves
 %   that the polygons of D are of.
 
 meeting_tables(D, S, Meets) :-
     findall(Leaf, ( p(D, P, _), polygon_leaf(S, P, Leaf) ), Leaves0),
     sort(Leaves0, Leaves),
     findall(Leaf-Table,
-            ( member(Leaf, Leaves), meeting_surfaces(S, Leaf, Table) ),
+            ( member(Leaf, Leaves), meeting_surfaces(S, Leaf, all, Table) ),
             Meets).
 
 polygon_leaf(S, P, Leaf) :-

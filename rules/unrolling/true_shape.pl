@@ -18,11 +18,13 @@
               ]).
 :- use_module('../kernel', [surface_place/4, surfaces_meet/4]).
 :- use_module('../csg/placed_surface',
-              [placed_face/3, placed_polygon/4, placed_surface/3]).
+              [ kept_answer/4, placed_face/3, placed_polygon/4,
+                placed_surface/3
+              ]).
 :- use_module('../primitive/primitive_face', [surface_point/4]).
 :- use_module('../store', [e/5, p/3, v/5, from_p/5]).
 :- use_module(true_surface,
-              [generator_plane/3, level_plane/3, meeting_surfaces/3]).
+              [generator_plane/3, level_plane/3, meeting_surfaces/4]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(assoc),
               [empty_assoc/1, get_assoc/3, list_to_assoc/2, put_assoc/4]).
@@ -60,15 +62,18 @@ from that of the facets.
 true_part(S, Part, S, Part, Surface) :-
     placed_surface(S, Part, Surface),
     \+ from_p(S, _, _, _, _),
-    once(facet_of(S, _, Part, _, _)).
+    once(part_facet(S, Part, _, _, _)).
 true_part(S, Leaf/Name, Leaf, Name, Surface) :-
+    kept_answer(made_part, S, Leaf/Name, _),
+    placed_surface(Leaf, Name, Surface).
+
+made_part(S, Leaf/Name, made) :-
     findall(Leaf-Name,
             ( placed_polygon(S, _, Leaf, P0),
               facet_of(Leaf, P0, Name, _, _) ),
             Parts0),
     sort(Parts0, Parts),
-    member(Leaf-Name, Parts),
-    placed_surface(Leaf, Name, Surface).
+    member(Leaf-Name, Parts).
 
 %   facet_of(Leaf, P, Name, T1, T2): polygon P of the primitive Leaf is a facet
 %   of its part Name. Also of those of which a transition is made, and of all of
@@ -95,11 +100,17 @@ facet_part(What, Leaf, Whole, 0.0, 0.0) :-
 %   degrees.
 
 part_facet(S, Part, P, T1, T2) :-
-    (   Part = Leaf/Name
-    ->  placed_polygon(S, P, Leaf, P0),
-        facet_of(Leaf, P0, Name, T1, T2)
-    ;   facet_of(S, P, Part, T1, T2)
+    (   Part = _/_
+    ->  kept_answer(made_facet, S, Part, facet(P, T1, T2))
+    ;   kept_answer(own_facet, S, Part, facet(P, T1, T2))
     ).
+
+made_facet(S, Leaf/Name, facet(P, T1, T2)) :-
+    placed_polygon(S, P, Leaf, P0),
+    facet_of(Leaf, P0, Name, T1, T2).
+
+own_facet(S, Part, facet(P, T1, T2)) :-
+    facet_of(S, P, Part, T1, T2).
 
 %!  part_facets(+S, +Part, -Facets, -Shape) is det.
 %
@@ -116,7 +127,12 @@ part_facets(S, Part, Facets, shape(Surface, Reach, Nodes)) :-
             Facets0),
     (   Surface = ruled(_, _, _, _, _, _)
     ->  list_to_assoc([], Meets)
-    ;   meeting_surfaces(S, Leaf, Meets)
+    ;   findall(V,
+                ( member(facet(_, _, _, Halves), Facets0),
+                  member(half(V, _, _), Halves) ),
+                Vs0),
+        sort(Vs0, Vs),
+        meeting_surfaces(S, Leaf, Vs, Meets)
     ),
     facets_placed(S, Part, Meets, Surface, Facets0, Facets,
                   shape(Surface, Reach, Nodes)).
@@ -157,7 +173,7 @@ pieces_facets(S, Part, Leaf, pieces(Facets, Surfaces, Meets)) :-
               Surface \= transition(_) ),
             Named),
     list_to_assoc(Named, Surfaces),
-    meeting_surfaces(S, Leaf, Meets).
+    meeting_surfaces(S, Leaf, all, Meets).
 
 piece_polygon(S, Part, Leaf, P, P0) :-
     (   Part = Leaf/_

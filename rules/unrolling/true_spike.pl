@@ -35,8 +35,8 @@ spike(Shape, Halves0, Halves) :-
     member(half(A, B, Label1), Halves0),
     member(half(B, C, Label2), Halves0),
     A \== C,
+    turns_back(Shape, A, B, C),         % first: it is cheap, and seldom so
     half_curve(Shape, A, B, meets(Other)),
-    turns_back(Shape, A, B, C),
     half_curve(Shape, B, C, meets(Other)),
     (   lies_on(Shape, Other, A, B, C)
     ->  Label = Label1

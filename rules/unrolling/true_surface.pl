@@ -1,6 +1,6 @@
 :- module(sg_true_surface,
           [ polygon_surface/3,          % +S, +P, -Surface
-            meeting_surfaces/3,         % +S, +Leaf, -Table
+            meeting_surfaces/4,         % +S, +Leaf, +Vs, -Table
             generator_plane/3,          % +Surface, +T, -Plane
             level_plane/3,              % +Surface, +H, -Plane
             surface_normal_at/3,        % +Surface, +T, -Normal
@@ -10,8 +10,8 @@
 :- use_module('../angle', [exact_sin_cos/3]).
 :- use_module('../primitive/parallel_surface', [parallel_plane/3]).
 :- use_module('../csg/placed_surface',
-              [ facet_surface/3, placed_face/3, placed_feature/4,
-                placed_surface/3
+              [ facet_surface/3, kept_answer/4, placed_face/3,
+                placed_feature/4, placed_surface/3
               ]).
 :- use_module('../store',
               [e/5, line/9, plane/6, edge_polygon/3]).
@@ -41,32 +41,38 @@ polygon_surface(S, P, Surface) :-
     ),
     !.
 
-%!  meeting_surfaces(+S, +Leaf, -Table) is det.
+%!  meeting_surfaces(+S, +Leaf, +Vs, -Table) is det.
 %
-%   Table is an assoc from the vertices of S that lie on penetration lines to
-%   met(Surfaces, Guides): Surfaces, each once, of other segments than Leaf that
-%   they lie on, and planes of mitres; Guides are planes through generators of
-%   these, those between facets that the vertex lies on. S is Leaf, or made of
-%   it.
+%   Table is an assoc from those of Vs, a list of vertices of S or `all`, that
+%   lie on penetration lines to met(Surfaces, Guides): Surfaces, each once, of
+%   other segments than Leaf that they lie on, and planes of mitres; Guides are
+%   planes through generators of these, those between facets that the vertex
+%   lies on. S is Leaf, or made of it.
 
-meeting_surfaces(S, Leaf, Table) :-
-    findall(V-Place, met_place(S, Leaf, V, Place), Pairs0),
+meeting_surfaces(S, Leaf, Vs, Table) :-
+    findall(V-Place,
+            ( ( Vs == all -> true ; member(V, Vs) ),
+              kept_answer(met_place, S, V, Of-Place),
+              Of \== Leaf ),
+            Pairs0),
     sort(Pairs0, Pairs),
     group_pairs_by_key(Pairs, Groups),
     maplist(group_surfaces, Groups, List),
     list_to_assoc(List, Table).
 
-met_place(S, _, V, on(S2, P2)) :-
+%   met_place(S, V, Of-Place) is nondet: vertex V of S lies in Place; of the
+%   segment Of, if that may be what S is made of.
+
+met_place(S, V, line-on(S2, P2)) :-
     line(_, S, _, A, B, S2, P2, _, _),
     ( V = A ; V = B ).
-met_place(S, _, V, on(S1, P1)) :-
+met_place(S, V, line-on(S1, P1)) :-
     line(_, S1, P1, _, _, S, _, A, B),
     ( V = A ; V = B ).
-met_place(S, _, V, plane(Plane)) :-
+met_place(S, V, mitre-plane(Plane)) :-
     mitre_place(S, V, Plane).
-met_place(S, Leaf, V, Place) :-
+met_place(S, V, S2-Place) :-
     placed_feature(S, V, S2, Feature),
-    S2 \== Leaf,
     (   feature_polygon(Feature, S2, P2),
         Place = on(S2, P2)
     ;   Feature = e(E2),

@@ -7,11 +7,11 @@
             true_length_marks/4,        % +D, +Options, -Marks, -Size
             row_height/2                % +Height, -Row
           ]).
+:- use_module('../csg/placed_surface', [placed_surface/3]).
 :- use_module('../language', [result_language/1]).
 :- use_module('../sheet/lettering', [lettering_width/3]).
 :- use_module('../output', [writing/3]).
 :- use_module('../store', [e/5, origin/3, segment/3, v/5]).
-:- use_module(true_development, [developable_part/3]).
 :- use_module(true_words, [column_word/3]).
 :- use_module(library(apply), [foldl/4, maplist/3, maplist/4]).
 :- use_module(library(lists),
@@ -130,7 +130,11 @@ true_length_columns(D, Unit, Columns) :-
 
 pattern_kind(D, Kind) :-
     (   segment(D, _, true_development(S, Part)),
-        developable_part(S, Part, Surface0)
+        (   Part = Leaf/Name
+        ->  true
+        ;   Leaf-Name = S-Part
+        ),
+        once(placed_surface(Leaf, Name, Surface0))
     ->  (   Surface0 = parallel(Surface, _)
         ->  true
         ;   Surface = Surface0
