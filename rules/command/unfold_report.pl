@@ -9,12 +9,11 @@
 :- use_module('../kernel', [census/1]).
 :- use_module('../language', [language/1]).
 :- use_module('../plain', [plain_json/2, plain_text/2]).
-:- use_module('../development/polygon_name', [segment_title/2]).
+:- use_module('../pattern/pattern_title', [pattern_title/2]).
 :- use_module(report, [counted/4]).
 :- use_module('../development/seam_measure', [pattern_area/2, seam_drawn/3]).
 :- use_module('../store', [segment/3, v/5, p/3, origin/3, from_p/5, piece/3]).
-:- use_module('../primitive/primitive', [primitive/1]).
-:- use_module('../solid/trimmed', [part_named/2, part_named/4, trimmed_from/2]).
+:- use_module('../solid/trimmed', [part_named/2, trimmed_from/2]).
 :- use_module('../unrolling/true_parts', [polygon_drawn/4]).
 :- use_module('../unfolding/unfold', [pattern_of/2]).
 :- use_module('../unfolding/unfold_how', [how_wished/3]).
@@ -80,7 +79,7 @@ measured_again(M0, M) :-
 pattern_measures(Parts, D, Measures) :-
     pattern_of(D, T),
     part_named(T, S),
-    pattern_title(D, S, Name),
+    pattern_title(D, Name),
     memberchk(part(T, Counts, _, Area, _, _, _, _), Parts),
     arg(4, Counts, PartPolygons),
     aggregate_all(count, p(D, _, _), Polygons),
@@ -96,27 +95,6 @@ pattern_measures(Parts, D, Measures) :-
                  seam:Seam, bound:Bound, bound_by:By, longest:Longest,
                  width:Width, height:Height, area:Area,
                  pattern_area:PatternArea}.
-
-%   pattern_title(D, S, Name): what segment S is called, and the part or the
-%   leaf of it that pattern D is of alone.
-
-pattern_title(D, S, Name) :-
-    segment_title(S, Title),
-    (   segment(D, pattern, true_development(T, Part0)),
-        part_named(T, Part0, _, Part),
-        part_title(Part, PartTitle)
-    ->  format(string(Name), '~w/~w', [Title,PartTitle])
-    ;   format(string(Name), '~w', [Title])
-    ).
-
-%   part_title(Part, Title): Part is not all that is round of its segment.
-
-part_title(Leaf/_, Title) :-
-    !,
-    segment_title(Leaf, Title),
-    \+ primitive(Title).
-part_title(Part, Part) :-
-    Part \== side.
 
 seam_measures(D, Pieces, Seam, Bound, By, Longest, Area) :-
     origin(D, node(D), _),

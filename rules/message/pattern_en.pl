@@ -50,7 +50,7 @@ without_tab_help_en(open_slits) -->
     [ nl, '  With --open-slits pieces are parted until slits have room.' ].
 
 role_en(number, 'partner numbers').
-role_en(face_name, 'names of faces').
+role_en(face_name, 'names').
 role_en(angle, 'bend angles').
 role_en(generator_number, 'numbers of generators').
 role_en(table, 'tables of true lengths').

@@ -49,7 +49,7 @@ without_tab_help_ko(open_slits) -->
     [ nl, '  --open-slits 를 쓰면 틈에 자리가 생길 때까지 조각을 나눕니다.' ].
 
 role_ko(number, '짝 번호').
-role_ko(face_name, '면 이름').
+role_ko(face_name, '이름').
 role_ko(angle, '꺾는 각').
 role_ko(generator_number, '면소 번호').
 role_ko(table, '실장표').

@@ -18,6 +18,7 @@
 :- use_module(pattern_table,
               [pattern_tables/4, table_lines/2, table_loops/2, table_name/2]).
 :- use_module(pattern_tile, [tiled/4]).
+:- use_module(pattern_title, [pattern_titles/2]).
 :- use_module(pattern_parted, [parted_segments/2]).
 :- use_module(pattern_want, [wanted_texts/4]).
 :- use_module('../sheet/sheet_paper', [unit_millimetres/2]).
@@ -70,13 +71,17 @@ those of pattern_look.pl.
 %     - title(Text): beside the check bar
 %     - table(Bool): of true lengths, for patterns with generators; default true
 %
+%   Of several patterns each piece and each table has its name
+%   (pattern_title.pl).
 %   What was divided, or left out for want of room, is told by messages.
 %
 %   @error usage_error(pattern(What)): see page_sheet/2
 %   @error domain_error(unit, U), domain_error(scale, Scale)
 
-pattern_drawing(Ds, Options, Drawings) :-
-    paper_checked(Options),
+pattern_drawing(Ds, Options0, Drawings) :-
+    paper_checked(Options0),
+    pattern_titles(Ds, Titles),
+    Options = [titles(Titles)|Options0],
     pattern_layout(Ds, Options, Layout),
     layout_drawings(Layout, Options, Drawings0),
     (   option(tile(true), Options)

@@ -34,7 +34,8 @@ least_share(0.7).
 %!  pattern_tables(+Ds, +Options, +Paper, -Tables) is det.
 %
 %   Tables are those of the patterns Ds that have generators, in parts that
-%   Paper (pattern_nest.pl) has room for; none if Options say table(false).
+%   Paper (pattern_nest.pl) has room for; none if Options say table(false). With
+%   titles(Titles), of pattern_titles/2, each part has the title of its pattern.
 %   Those with too many columns for it are left out, and counted in a message.
 
 pattern_tables(Ds, Options, Paper, Tables) :-
@@ -46,7 +47,8 @@ pattern_tables(Ds, Options, Paper, Tables) :-
                   Rows > 0
                 ),
                 Trues),
-        convlist(table_parts(Paper), Trues, Partss),
+        option(titles(Titles), Options, []),
+        convlist(table_parts(Titles, Paper), Trues, Partss),
         append(Partss, Tables),
         told_left_out(Trues, Partss)
     ;   Tables = []
@@ -61,11 +63,17 @@ told_left_out(All, Shown) :-
     ;   true
     ).
 
-%   table_parts(Paper, D-Rows, Parts) is semidet.
+%   table_parts(Titles, Paper, D-Rows, Parts) is semidet.
 
-table_parts(Paper, D-Rows, Parts) :-
+table_parts(Titles, Paper, D-Rows, Parts) :-
     letters(H),
-    true_length_marks(D, [height(H)], Marks, W-High),
+    (   memberchk(D-Title, Titles)
+    ->  Named = [title(Title)],
+        Heads = 2
+    ;   Named = [],
+        Heads = 1
+    ),
+    true_length_marks(D, [height(H)|Named], Marks, W-High),
     (   Paper = roll(_)
     ->  Parts = [table(D,0,Marks,W-High)]
     ;   Paper = room(RoomW, RoomH, _),
@@ -73,14 +81,15 @@ table_parts(Paper, D-Rows, Parts) :-
         least_share(Least),
         Share >= Least
     ->  Small is H*min(1, Share),
-        true_length_marks(D, [height(Small)], SmallMarks, Size),
+        true_length_marks(D, [height(Small)|Named], SmallMarks, Size),
         Parts = [table(D,0,SmallMarks,Size)]
     ;   Paper = room(RoomW, RoomH, _),
         part_room(RoomW-RoomH, W, Letters, High1),
         row_height(Letters, Row),
-        Most is floor(High1/Row)-1,
+        Most is floor(High1/Row)-Heads,
         Most >= 1,
-        findall(Part, table_part(D, Rows, Most, Letters, Part), Parts)
+        findall(Part, table_part(D, Rows, Most, [height(Letters)|Named], Part),
+                Parts)
     ).
 
 %   How much smaller the whole table has to be, upright or lying; a raster takes
@@ -108,12 +117,12 @@ part_room(RoomW-RoomH, W, Letters, High) :-
 
 %   Parts are as long as each other, or nearly.
 
-table_part(D, Rows, Most, Letters, table(D,I,Marks,Size)) :-
+table_part(D, Rows, Most, Options, table(D,I,Marks,Size)) :-
     Count is ceiling(Rows/Most),
     between(1, Count, I),
     From is (I-1)*Rows//Count + 1,
     To is I*Rows//Count,
-    true_length_marks(D, [height(Letters),rows(From,To)], Marks, Size).
+    true_length_marks(D, [rows(From,To)|Options], Marks, Size).
 
 %!  table_name(+Table, -Name) is det.
 %

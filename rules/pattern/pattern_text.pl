@@ -22,10 +22,14 @@ What is wanted is
     want(Role, D, Text, Heights, end_of(A,B,Shapes))
                            on either side, near an end, within Shapes
     want(Role, D, Text, Heights, within(Shapes))   in a face
+    want(Role, D, Text, Heights, within_any(Shapes))
+                           the same, also across its longest side
     want(Role, D, Text, Heights, first_of([Place,...]))
                            in the first of these places that has room
     want(Role, D, Text, Heights, over_folds(Place))
                            small, and perhaps over lines that are not cut
+    want(Role, D, Text, Heights, over_lines(Place))
+                           the same, but not small
 
 Text is a String or underlined(String). Heights in millimetres, largest first;
 points X-Y, millimetres of the sheet, y up; Shapes are convex, lists of points.
@@ -131,6 +135,8 @@ simple_place(first_of(Places), Drawn, Simple, Shapes, Most) :-
 simple_place(over_folds(Simple), drawn(_,Cut), Simple, Cut, Most) :-
     !,
     over_folds_height(Most).
+simple_place(over_lines(Simple), drawn(_,Cut), Simple, Cut, inf) :-
+    !.
 simple_place(Simple, drawn(All,_), Simple, All, inf).
 
 %   A name ends well before a number beside it: `face 6` and 2 are not face 62.
@@ -218,10 +224,17 @@ place_at(end_of(XA-YA,XB-YB,Shapes), Width, Height, At, Way, none) :-
     in_face(Shapes, X-Y),
     upright(U-V, X-Y, Height, Way, At).
 place_at(within(Shapes), Width, Height, At, Way, none) :-
-    face_middles(Shapes, Middles),
     face_way(Shapes, Long),
+    place_within(Shapes, [1.0-0.0,Long], Width, Height, At, Way).
+place_at(within_any(Shapes), Width, Height, At, Way, none) :-
+    face_way(Shapes, U-V),
+    upright_way(V, -U, Across),
+    place_within(Shapes, [1.0-0.0,U-V,Across], Width, Height, At, Way).
+
+place_within(Shapes, Ways, Width, Height, At, Way) :-
+    face_middles(Shapes, Middles),
     member(Middle, Middles),
-    member(Way, [1.0-0.0, Long]),
+    member(Way, Ways),
     Width > 0,
     below(Middle, Way, Height/2, At),
     text_ends(At, Way, Width, Height, Ends),
@@ -329,11 +342,18 @@ face_way(Shapes, U-V) :-
             Sides),
     last_of_sorted(Sides, Square-(DX0-DY0)),
     Length0 is sqrt(Square),
-    (   points_left(DX0, DY0)
-    ->  U is -DX0/Length0,
-        V is -DY0/Length0
-    ;   U is DX0/Length0,
-        V is DY0/Length0
+    U0 is DX0/Length0,
+    V0 is DY0/Length0,
+    upright_way(U0, V0, U-V).
+
+%   upright_way(U0, V0, Way): Way, to be read from below or from the right.
+
+upright_way(U0, V0, U-V) :-
+    (   points_left(U0, V0)
+    ->  U is -U0,
+        V is -V0
+    ;   U is U0,
+        V is V0
     ).
 
 last_of_sorted(Sides, Longest) :-

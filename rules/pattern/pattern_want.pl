@@ -5,6 +5,7 @@
 :- use_module('../near', [is_straight/2, below_zero/2]).
 :- use_module(pattern_number, [reads_turned/1]).
 :- use_module(pattern_text, [first_of/3]).
+:- use_module(pattern_title, [piece_title/3]).
 :- use_module('../development/polygon_name', [polygon_name/3]).
 :- use_module('../store', [segment/3]).
 :- use_module(library(apply), [maplist/3]).
@@ -18,14 +19,16 @@
 %!  wanted_texts(+Options, +Numbers, +Placed, -Wanted) is det.
 %
 %   Wanted, as of written/5 (pattern_text.pl), are the texts of the piece Placed
-%   (pattern_drawing.pl): numbers of seams first, then of generators, names of
-%   faces, and angles, as Options say; Numbers are those of seam_numbers/2.
+%   (pattern_drawing.pl): numbers of seams first, then of generators, the name of
+%   the piece, names of faces, and angles, as Options say; Numbers are those of
+%   seam_numbers/2.
 
 wanted_texts(Options, Numbers, Placed, Wanted) :-
     findall(Want, seam_text(Placed, Options, Numbers, Want), Seams),
     generator_texts(Placed, Generators),
     findall(Want, face_or_angle_text(Placed, Options, Want), Others),
-    append([Seams,Generators,Others], Wanted).
+    findall(Want, title_text(Placed, Options, Want), Titles),
+    append([Seams,Generators,Titles,Others], Wanted).
 
 seam_text(placed(Name,_,_,Lines,Sides), Options, Numbers,
           want(number,Name,Text,[4.0,3.2,2.5,2.0,1.6],
@@ -46,6 +49,17 @@ seam_text(placed(Name,_,_,Lines,Sides), Options, Numbers,
     findall(A-B, member(place(_,A,B), Sided), Places),
     findall(Tab, ( member(Place, Sided), tab_at(Place, Folds, Tab) ), Tabs),
     number_text(N, Text).
+
+%   title_text(Placed, Options, Want): the name of the piece, over generators.
+
+title_text(placed(Name,Faces,_,_,_), Options,
+           want(face_name,Name,Title,[6.0,4.5,3.2,2.5,2.0],
+                first_of([within(Shapes),
+                          over_lines(within_any(Shapes))]))) :-
+    option(titles(Titles), Options, []),
+    piece_title(Titles, Name, Title),
+    findall(Shape, ( member(face(_,Own), Faces), member(Shape, Own) ), Shapes).
+
 %   generator_texts(Placed, Wanted): all of a piece have the same Shapes, which
 %   are not copied for each.
 

@@ -225,8 +225,9 @@ number_text(Decimals, F, Value0, Text) :-
 %   text(X, Y, Height, Text) as in sheet_marks.pl, millimetres, y up, the text
 %   centred on X; from the lower left corner 0, 0; Size is Width-Height.
 %   Options: height(H) of the letters (2.5), rows(From,To): only these, under
-%   the names of the columns, and those of write_true_lengths/3, with two
-%   decimals. The columns are as wide whichever rows are drawn.
+%   the names of the columns, title(Text): a row above these, and those of
+%   write_true_lengths/3, with two decimals. The columns are as wide whichever
+%   rows are drawn.
 
 true_length_marks(D, Options, Marks, Width-High) :-
     option(height(H), Options, 2.5),
@@ -243,14 +244,32 @@ true_length_marks(D, Options, Marks, Width-High) :-
     Lines = [Columns|Own],
     length(Lines, Count),
     row_height(H, Row),
-    High is Count*Row,
+    Under is Count*Row,
+    title_marks(Options, H, Under, Width, High, Title),
     findall(Mark,
             ( nth1(I, Lines, Line),
-              Y is High - I*Row + 0.5*H,
+              Y is Under - I*Row + 0.5*H,
               line_text(Line, Widths, 0.0, H, Y, Mark) ),
             Texts),
-    frame_lines(Count, Row, Width, High, Widths, Frame),
-    append(Frame, Texts, Marks).
+    frame_lines(Count, Row, Width, Under, Widths, Frame),
+    append([Frame,Title,Texts], Marks).
+
+%   title_marks(Options, H, Under, Width, High, Marks): the title in a row of its
+%   own above Under, over all columns; in lower letters if it is a long one.
+
+title_marks(Options, H, Under, Width, High, Marks) :-
+    (   option(title(Title), Options)
+    ->  row_height(H, Row),
+        High is Under+Row,
+        lettering_width(Title, H, Long),
+        Letters is H*min(1.0, (Width-H)/Long),
+        X is Width/2.0,
+        Y is Under + (Row-Letters)/2.0,
+        Marks = [ line(frame, [0.0-Under,0.0-High,Width-High,Width-Under]),
+                  text(X, Y, Letters, Title) ]
+    ;   High = Under,
+        Marks = []
+    ).
 
 %!  row_height(+H, -Row) is det.
 %
