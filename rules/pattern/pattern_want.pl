@@ -19,9 +19,9 @@
 %!  wanted_texts(+Options, +Numbers, +Placed, -Wanted) is det.
 %
 %   Wanted, as of written/5 (pattern_text.pl), are the texts of the piece Placed
-%   (pattern_drawing.pl): numbers of seams first, then of generators, the name of
-%   the piece, names of faces, and angles, as Options say; Numbers are those of
-%   seam_numbers/2.
+%   (pattern_drawing.pl): numbers of seams first, then of generators, the name
+%   of the piece, names of faces, and angles, as Options say; Numbers are those
+%   of seam_numbers/2.
 
 wanted_texts(Options, Numbers, Placed, Wanted) :-
     findall(Want, seam_text(Placed, Options, Numbers, Want), Seams),

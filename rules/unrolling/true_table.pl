@@ -254,8 +254,8 @@ true_length_marks(D, Options, Marks, Width-High) :-
     frame_lines(Count, Row, Width, Under, Widths, Frame),
     append([Frame,Title,Texts], Marks).
 
-%   title_marks(Options, H, Under, Width, High, Marks): the title in a row of its
-%   own above Under, over all columns; in lower letters if it is a long one.
+%   title_marks(Options, H, Under, Width, High, Marks): the title in a row of
+%   its own above Under, over all columns; in lower letters if it is a long one.
 
 title_marks(Options, H, Under, Width, High, Marks) :-
     (   option(title(Title), Options)
