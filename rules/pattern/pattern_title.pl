@@ -44,25 +44,25 @@ part_title(Part, Part) :-
 %!  pattern_titles(+Ds:list, -Titles:list) is det.
 %
 %   Titles is a list of D-Title for the patterns Ds: [] if they are fewer than
-%   two. Where several would have one title the number of the segment goes
-%   before it.
+%   two. Where those of several segments would have one title the number of the
+%   segment goes before it.
 
 pattern_titles(Ds, Titles) :-
     (   Ds = [_,_|_]
-    ->  maplist(titled, Ds, Titles0),
-        maplist(told_apart(Titles0), Titles0, Titles)
+    ->  maplist(titled, Ds, Titled),
+        maplist(told_apart(Titled), Titled, Titles)
     ;   Titles = []
     ).
 
-titled(D, D-Title) :-
+titled(D, titled(D, S, Title)) :-
+    pattern_of(D, T),
+    part_named(T, S),
     pattern_title(D, Title).
 
-told_apart(Titles, D-Title0, D-Title) :-
-    (   member(Other-Title0, Titles),
-        Other \== D
-    ->  pattern_of(D, T),
-        part_named(T, S),
-        format(string(Title), '~d ~s', [S,Title0])
+told_apart(Titled, titled(D, S, Title0), D-Title) :-
+    (   member(titled(_, Other, Title0), Titled),
+        Other \== S
+    ->  format(string(Title), '~d ~s', [S,Title0])
     ;   Title = Title0
     ).
 

@@ -95,6 +95,14 @@ test(told_apart, Titles == ["1 pipe","2 pipe","pole"]) :-
                           named(pole,Pipe)], Ds),
              pattern_titles(Ds, Named),
              findall(Title, member(_-Title, Named), Titles) )).
+%   The side and the caps of one segment are not told apart by its number.
+test(of_one_segment, Titles == ["can","can"]) :-
+    in_new(( add_primitive(named(can, cylinder(radius(20), height(60))), S),
+             complete_segments,
+             wanted_of(S, [], Wanted),
+             true_patterns(S, Wanted, [], Ds),
+             pattern_titles(Ds, Named),
+             findall(Title, member(_-Title, Named), Titles) )).
 test(piece_of_one, Titles == ["pipe","pipe (1.2)"]) :-
     findall(Title,
             ( member(Piece, [name(7,1,0),name(7,1,2),name(8,1,0)]),
