@@ -46,6 +46,10 @@
   SYMBOL(NODE, "node")                                                         \
   SYMBOL(FOLD, "fold")                                                         \
   SYMBOL(SEAM, "seam")                                                         \
+  SYMBOL(OUTSIDE, "outside")                                                   \
+  SYMBOL(CELL, "cell")                                                         \
+  SYMBOL(VOID, "void")                                                         \
+  SYMBOL(SLIT, "slit")                                                         \
   SYMBOL(COMMA, ",")                                                           \
   SYMBOL(S, "s")                                                               \
   SYMBOL(SOURCE, "source")

@@ -36,6 +36,7 @@ export_doors :-
               kernel/work,         % a polygon that lines enter
               kernel/penetration,  % cut sets
               kernel/boolean,      % operands, arrangements, solids under way
+              kernel/gluing,       % regions of space
               kernel/shading,      % scan lines straight from CSG trees
               kernel/image,        % shaded pictures in dots
               kernel/drawing,      % views, outlines, scenes, strokes, dots

@@ -14,6 +14,9 @@
             from_p/5,                 % ?S, ?P, ?S0, ?P0, ?Sense
             line/9,                   % ?L, ?S1, ?P1, ?A1, ?B1,
                                       % ?S2, ?P2, ?A2, ?B2
+            region/3,                 % ?S, ?R, ?Role
+            sides/4,                  % ?S, ?P, ?Below, ?Above
+            lies_in/3,                % ?S, ?Item, ?In
             unfolding/2,              % ?S, ?Wish
             piece/3,                  % ?S, ?P, ?K
             joint/6,                  % ?S, ?J, ?E1, ?E2, ?Kind, ?Angle
@@ -175,6 +178,22 @@ refers to any more is freed with its handle by atom garbage collection.
 %   True when L is a piece of a penetration line from A1 to B1 in polygon P1
 %   of segment S1, the same as A2 to B2 in polygon P2 of segment S2. A contact
 %   in a point alone is a piece with A1 = B1 and A2 = B2.
+
+%!  region(?S, ?R, ?Role) is nondet.
+%
+%   True when R is a region of space between faces of segment S: the `outside`,
+%   which is one, a `cell`, a `void` (bounded, but in no solid) or a `slit`
+%   (without volume, between faces that lie on each other).
+
+%!  sides(?S, ?P, ?Below, ?Above) is nondet.
+%
+%   True when the regions behind polygon P and where its normal points are Below
+%   and Above.
+
+%!  lies_in(?S, ?Item, ?In) is nondet.
+%
+%   True when Item, a wire e(E) or a lone vertex v(V), lies in the region r(R)
+%   that In is; or v(V), a vertex of other faces, inside the polygon p(P).
 
 %!  unfolding(?S, ?Wish) is nondet.
 %
@@ -582,6 +601,9 @@ sandbox:safe_primitive(sg_store:from_v(_,_,_,_)).
 sandbox:safe_primitive(sg_store:from_p(_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:line(_,_,_,_,_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:unfolding(_,_)).
+sandbox:safe_primitive(sg_store:region(_,_,_)).
+sandbox:safe_primitive(sg_store:sides(_,_,_,_)).
+sandbox:safe_primitive(sg_store:lies_in(_,_,_)).
 sandbox:safe_primitive(sg_store:piece(_,_,_)).
 sandbox:safe_primitive(sg_store:joint(_,_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:view(_,_,_)).

@@ -13,6 +13,7 @@ folder(rules, primitive, 'primitives, where they stand').
 folder(rules, csg, 'the CSG tree, its leaves').
 folder(rules, penetration, 'where segments meet').
 folder(rules, solid, 'Boolean operations').
+folder(rules, gluing, 'regions of space, cycles').
 folder(rules, model, 'models and meshes in files').
 folder(rules, picture, 'views, outlines, hidden lines').
 folder(rules, shading, 'what is seen, line by line').
@@ -34,6 +35,7 @@ folder(c_kernels, polygon, 'planes, triangles, one polygon').
 folder(c_kernels, join, 'trees of boxes, what overlaps').
 folder(c_kernels, penetration, 'cut sets, chains, contacts').
 folder(c_kernels, solid, 'arrangements, merged faces').
+folder(c_kernels, gluing, 'regions of space, sphere maps').
 folder(c_kernels, model, 'meshes in files, the census').
 folder(c_kernels, picture, 'scenes, outlines, hidden lines').
 folder(c_kernels, shading, 'scan lines from CSG trees').

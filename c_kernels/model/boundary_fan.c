@@ -10,6 +10,7 @@
 #include "boundary_private.h"
 
 #include "engine/list.h"
+#include "join/pages.h"
 #include "number/exact.h"
 #include "rows/disjoint.h"
 #include "rows/edge_pairs.h"
@@ -161,6 +162,7 @@ add_crowd(fans *x, const sg_edge_pairs *pairs, const sg_edge_group *group)
   for (size_t i = 0; i < n; i++) {
     uint32_t edge = sg_edge_group_edge(pairs, group->begin + i);
     x->page[i].edge = edge;
+    x->page[i].rank = edge;
     x->page[i].forward = (uint32_t)x->from[edge] == group->low;
     memcpy(x->page[i].beside, point_beside(x, edge), 3 * sizeof(double));
   }

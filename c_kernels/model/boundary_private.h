@@ -73,18 +73,4 @@ bool sg_boundary_add_faces(sg_boundary_maker *m);
 sg_boundary_end sg_boundary_mesh_pair(sg_boundary_mesh *mesh, bool copies,
                                       const sg_cancel *cancel);
 
-/* Faces at one edge, from `u` to `w`: the directed edge `edge` of a face that
- * has a point beside it at `beside`. */
-typedef struct sg_page_at_edge {
-  uint32_t edge;
-  bool forward; /* from u to w */
-  double beside[3];
-} sg_page_at_edge;
-
-/* Puts n pages in order round the edge, beginning with the first, so that
- * matter is behind the page of a forward edge. True: forward and backward
- * alternate; if not, sheets cross. Exact. */
-bool sg_pages_order(const double u[3], const double w[3], sg_page_at_edge *page,
-                    size_t n);
-
 #endif

@@ -292,7 +292,11 @@ make_prints(sewer *s, const sg_cancel *cancel)
 
   s->print = malloc((n + 1) * sizeof *s->print);
   s->out->weight = calloc(n + 1, sizeof *s->out->weight);
-  for (uint32_t p = 0; s->print && s->out->weight && p < n; p++) {
+  s->out->again = calloc(n + 1, sizeof *s->out->again);
+  if (!s->print || !s->out->weight || !s->out->again) {
+    return false;
+  }
+  for (uint32_t p = 0; p < n; p++) {
     size_t edges = edges_of(s, p), triangles = triangles_of(s, p);
 
     s->print[p] = (print){print_of(s, p), p};
@@ -305,7 +309,7 @@ make_prints(sewer *s, const sg_cancel *cancel)
   for (int k = 0; k < 2; k++) {
     s->part[k] = malloc((most + 1) * sizeof(part));
   }
-  return s->print && s->out->weight && s->part[0] && s->part[1] &&
+  return s->part[0] && s->part[1] &&
          sg_sort(s->print, n, sizeof *s->print, by_print, cancel) == SG_SORTED;
 }
 
@@ -325,19 +329,22 @@ weigh_polygons(sewer *s, const sg_cancel *cancel)
   }
   for (size_t p = 0; p < n; p++) {
     int32_t *weight = &s->out->weight[p];
-    *weight = *weight == ANOTHER ? 0 : *weight;
+    s->out->again[p] = *weight == ANOTHER;
+    s->out->doubles += s->out->again[p];
+    *weight = s->out->again[p] ? 0 : *weight;
   }
   return true;
 }
 
 bool
-sg_sewing_find(const sg_dense *dense, const sg_cancel *cancel, sg_sewing *out)
+sg_sewing_find(const sg_dense *dense, bool doubles, const sg_cancel *cancel,
+               sg_sewing *out)
 {
   sewer s = {.d = dense, .out = out};
 
   *out = (sg_sewing){0};
   bool good = sort_triangles(&s) && find_vertices(&s, cancel) &&
-              (!out->any || weigh_polygons(&s, cancel));
+              ((!out->any && !doubles) || weigh_polygons(&s, cancel));
 
   free(s.begin);
   free(s.triangle);
@@ -352,5 +359,6 @@ sg_sewing_clear(sg_sewing *sewing)
 {
   free(sewing->vertex);
   free(sewing->weight);
+  free(sewing->again);
   *sewing = (sg_sewing){0};
 }

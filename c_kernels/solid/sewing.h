@@ -23,15 +23,18 @@ typedef struct sg_sewing {
   bool any;         /* some vertices are in one place; else nothing is set */
   uint32_t *vertex; /* [vertices]: the place of the one that each becomes */
   int32_t *weight;  /* [polygons]; 0: it falls out */
+  bool *again;      /* [polygons]: it is the same as one that is before it */
+  size_t doubles;   /* how many of these */
 } sg_sewing;
 
-/* Of a segment that is alone in `dense`.
+/* Of a segment that is alone in `dense`. `doubles`: polygons that lie on each
+ * other are looked for even if no vertices do, so all but `any` is set.
  *
  * Returns: false: no memory, or the cancellation said stop.
  * Owner:   sg_sewing_clear() in any case.
  * Cost:    n log n of its edges and triangles. */
-bool sg_sewing_find(const sg_dense *dense, const sg_cancel *cancel,
-                    sg_sewing *out);
+bool sg_sewing_find(const sg_dense *dense, bool doubles,
+                    const sg_cancel *cancel, sg_sewing *out);
 void sg_sewing_clear(sg_sewing *sewing);
 
 #endif

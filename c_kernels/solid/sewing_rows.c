@@ -174,7 +174,37 @@ write_rows(sewn *s)
   return good;
 }
 
-/* ---- the door ---- */
+/* Vertices that have become another one. */
+static bool
+drop_twins(const sewn *s)
+{
+  const sg_dense *d = &s->dense;
+  sg_segment_rows rows;
+  sg_row *gone = sg_call_alloc(s->call, (d->vertices + 1) * sizeof *gone);
+  size_t n = 0;
+  bool good =
+      gone && sg_rows_of_segment(s->call, s->version, SG_V, s->s, &rows);
+
+  for (size_t i = 0; good && i < rows.begin[1]; i++) {
+    int32_t v = sg_version_value(s->version, SG_V, rows.row[i], 1).i;
+
+    if (vertex_of(s, v) != v) {
+      gone[n++] = rows.row[i];
+    }
+  }
+  if (good) {
+    sg_segment_rows_clear(&rows);
+    good = sg_call_claim(s->call) != NULL;
+  }
+  if (good) {
+    good = sg_world_exchange(s->world, SG_V, gone, n, 0, NULL) ||
+           sg_call_no_memory(s->call);
+    sg_world_release(s->world);
+  }
+  return good;
+}
+
+/* ---- the doors ---- */
 
 /* Those that do not count once. */
 static bool
@@ -191,22 +221,62 @@ list_weights(const sewn *s, sg_polygon_weight_list *out)
   return true;
 }
 
+/* Each polygon once, whichever way it is turned, and no vertices but those that
+ * stay. */
+static bool
+weld(sewn *s)
+{
+  if (!s->sewing.any && s->sewing.doubles == 0) {
+    return true;
+  }
+  for (size_t p = 0; p < s->dense.polygons; p++) {
+    s->sewing.weight[p] = !s->sewing.again[p];
+  }
+  return write_rows(s) && drop_twins(s);
+}
+
+/* To be cleared in any case. */
+static bool
+find_sewing(sg_call *call, int32_t id, bool doubles, sewn *s)
+{
+  *s = (sewn){.call = call, .world = sg_call_world(call), .s = id};
+  if (!s->world) {
+    return false;
+  }
+  s->version = sg_world_version(s->world);
+  return sg_dense_read(call, &id, 1, &s->dense) &&
+         (sg_sewing_find(&s->dense, doubles, &call->cancel, &s->sewing) ||
+          sg_call_ended(call));
+}
+
+static void
+clear(sewn *s)
+{
+  sg_sewing_clear(&s->sewing);
+  sg_dense_clear(&s->dense);
+  if (s->world) {
+    sg_version_drop(s->version);
+  }
+}
+
+bool
+sg_door_segment_welded(sg_call *call, int32_t id, size_t *doubles)
+{
+  sewn s = {0};
+  bool good = find_sewing(call, id, true, &s) && weld(&s);
+
+  *doubles = s.sewing.doubles;
+  clear(&s);
+  return good;
+}
+
 bool
 sg_door_segment_sewn(sg_call *call, int32_t id, sg_polygon_weight_list *weights)
 {
-  sewn s = {.call = call, .world = sg_call_world(call), .s = id};
+  sewn s = {0};
+  bool good = find_sewing(call, id, false, &s) && s.sewing.any &&
+              write_rows(&s) && list_weights(&s, weights);
 
-  if (!s.world) {
-    return false;
-  }
-  s.version = sg_world_version(s.world);
-  bool good = sg_dense_read(call, &id, 1, &s.dense) &&
-              (sg_sewing_find(&s.dense, &call->cancel, &s.sewing) ||
-               sg_call_ended(call)) &&
-              s.sewing.any && write_rows(&s) && list_weights(&s, weights);
-
-  sg_sewing_clear(&s.sewing);
-  sg_dense_clear(&s.dense);
-  sg_version_drop(s.version);
+  clear(&s);
   return good;
 }

@@ -17,9 +17,9 @@ typedef struct dropping {
 
 /* What may not be there: it was made from the segment, or says what it was. */
 static const sg_relation derived[] = {
-    SG_LEAF_V,  SG_LEAF_E,         SG_LEAF_P, SG_LEAF_T, SG_ORIGIN,
-    SG_FROM_V,  SG_FROM_P,         SG_PIECE,  SG_JOINT,  SG_SCREEN,
-    SG_CONTOUR, SG_SURFACE_FACING, SG_DRAWN};
+    SG_LEAF_V, SG_LEAF_E,  SG_LEAF_P,         SG_LEAF_T,  SG_ORIGIN, SG_FROM_V,
+    SG_FROM_P, SG_REGION,  SG_SIDES,          SG_LIES_IN, SG_PIECE,  SG_JOINT,
+    SG_SCREEN, SG_CONTOUR, SG_SURFACE_FACING, SG_DRAWN};
 
 /* Whether the segment has none of them; false too: refused. */
 static bool

@@ -2,7 +2,9 @@
           [ check_report/1,             % -Report
             report_faults/2             % +Report, ?Faults
           ]).
-:- use_module('../model/integrity', [defect_weight/2, shell_defect/3]).
+:- use_module('../gluing/regions', [regions_report/2, law_fault/3]).
+:- use_module('../model/integrity',
+              [defect_weight/2, no_defect/2, shell_defect/3]).
 :- use_module('../kernel', [census/1, self_meetings/2]).
 :- use_module('../model/formula_rows', [default_of/2, written_fact/2]).
 :- use_module('../model/parameter_about', [about_text/3, range_of/4]).
@@ -29,7 +31,8 @@ counts), meetings: the first places where the segment goes through itself, dicts
 of kind, polygons ([P1,P2]) and at ([X,Y,Z]); faults and remarks count them all.
 A shell has polygon (its first), vertices, edges, polygons, closed, euler, genus
 (null unless a closed manifold), area, volume and depth: how many other
-closed shells of its segment go round it. Model units.
+closed shells of its segment go round it. Of `cells` shells are left to the verb
+cells; broken_law and unsure_part are faults of theirs. Model units.
 */
 
 %!  check_report(-Report) is det.
@@ -119,14 +122,18 @@ part_report(Selves,
     ),
     findall(D, own_defect(Kind, Volume0, Defects0, D), Defects1),
     shell_defects(Kind, Shells0, ShellCounts),
-    append([Defects1,SelfCounts,ShellCounts], Defects),
+    region_defects(Kind, S, Defects0, RegionCounts),
+    append([Defects1,SelfCounts,ShellCounts,RegionCounts], Defects),
     weighed(fault, Defects, Faults),
     weighed(remark, Defects, Remarks),
     (   Kind == solid
     ->  Volume = Volume0
     ;   Volume = null
     ),
-    maplist(shell_report(Defects0), Shells0, Shells),
+    (   Kind == cells
+    ->  Shells = []
+    ;   maplist(shell_report(Defects0), Shells0, Shells)
+    ),
     Report = _{segment:S, name:Name, kind:Kind, vertices:Vs, half_edges:Hs,
                edges:Es, polygons:Ps, triangles:Ts, curve_edges:Cs,
                box:[[X1,Y1,Z1], [X2,Y2,Z2]], area:Area, volume:Volume,
@@ -149,10 +156,10 @@ segment_kind(S, Kind, Name) :-
 
 own_defect(Kind, _, Counts, Name-N) :-
     member(Name0-N, Counts),
-    (   Name0 \== border_edge
-    ->  Name = Name0
-    ;   Kind == solid,
-        Name = open_edge
+    \+ no_defect(Kind, Name0),
+    (   Name0 == border_edge
+    ->  Name = open_edge
+    ;   Name = Name0
     ).
 own_defect(solid, Volume, _, inside_out-1) :-
     Volume < 0.0.
@@ -167,6 +174,17 @@ shell_defects(Kind, Shells, Counts) :-
                             N),
               N > 0 ),
             Counts).
+
+%   region_defects(Kind, S, Defects, Counts): what regions say, if polygons are
+%   faces.
+
+region_defects(cells, S, Defects, Counts) :-
+    \+ memberchk(open_polygon-_, Defects),
+    \+ memberchk(wrong_triangles-_, Defects),
+    !,
+    regions_report(S, Report),
+    findall(Name-N, law_fault(Report, Name, N), Counts).
+region_defects(_, _, _, []).
 
 weighed(Weight, Defects, Dict) :-
     findall(Name-N, ( member(Name-N, Defects), defect_weight(Name, Weight) ),

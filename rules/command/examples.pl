@@ -196,6 +196,17 @@ example(operand_face/3, 'docs/l_of_two_boxes.pl', "operand_face(3, P, 2).",
         "P = 3").
 example(operand_edge/3, 'docs/l_of_two_boxes.pl', "operand_edge(3, E, 2).",
         "E = 1").
+example(regions_made/2, 'facts/two_rooms.pl',
+        "regions_made(1, _), region(1, R, Role).", "R = 1, Role = cell").
+example(region_neighbour/4, 'facts/two_rooms.pl',
+        "regions_made(1, _), region_neighbour(1, 1, 2, P).", "P = 6").
+example(loop_cycle/4, 'facts/two_rooms.pl',
+        "loop_cycle(1, 1, K, Vs).", "K = 1, Vs = [4,3,2,1]").
+example(radial_cycle/4, 'facts/two_rooms.pl',
+        "regions_made(1, _), radial_cycle(1, 2, 3, Pages).",
+        "Pages = [page(1,_,_),page(6,_,2),page(7,_,_)]").
+example(disk/4, 'facts/two_rooms.pl', "disk(1, 13, D, Items).",
+        "D = 1, Items = [e(_)]").
 
 % Drawing: views, pictures, hidden lines.
 example(picture/0, 'facts/two_cubes.pl',

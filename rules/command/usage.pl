@@ -32,6 +32,9 @@ verbs.pl.
 verb(check, 'MODEL...',
      'counts, box, area, volume, and what is wrong with the model',
      '개수, 크기, 넓이, 부피와 모델의 잘못').
+verb(cells, 'MODEL...',
+     'the regions of space that faces make, and which of them are neighbours',
+     '면들이 공간을 나눈 영역, 서로 이웃한 영역').
 verb(convert, 'MODEL... -o FILE',
      'between model files (.pl) and meshes (.stl .off .obj .ply)',
      '모델 파일(.pl)과 메시(.stl .off .obj .ply) 사이의 변환').
@@ -92,6 +95,14 @@ verb_option(Verb, option(each, '', flag, '',
 verb_option(Verb, option(json, '', flag, '',
     'with --each: a line of JSON for each file')) :-
     line_of_each(Verb).
+
+verb_option(cells, option(neighbours, '', flag, '',
+    'also which regions have faces between them, how many and of what area')).
+verb_option(cells, option(json, '', flag, '', 'the report as JSON')).
+verb_option(cells, option(output, o, each, 'FILE',
+    'the model with its regions (.pl); may be repeated')).
+verb_option(cells, option(format, '', one_of([pl]), 'FORMAT',
+    'the format for -o -')).
 
 verb_option(convert, option(output, o, each, 'FILE',
     'where to; the ending decides the format; may be repeated')).
@@ -326,6 +337,7 @@ option_ko(json, '보고를 JSON으로').
 option_ko(each,
     '파일마다 따로, 결과도 파일마다. 실패한 파일이 있어도 나머지를 계속한다. \c
 -o FILE 의 % 는 폴더와 확장자를 뺀 파일 이름').
+option_ko(neighbours, '사이에 면이 있는 영역들, 그 면의 수와 넓이도').
 option_ko(stdio, '표준 입력과 표준 출력의 프레임. 다른 길은 없다').
 option_ko(output, '결과 파일. 확장자가 형식을 정하며 여러 번 쓸 수 있다').
 option_ko(format, '-o - 의 형식').
@@ -418,6 +430,7 @@ verb_option_ko(batch, output,
 
 example(check, 'sanggwan check facts/cube.pl').
 example(check, 'sanggwan check --json part.stl').
+example(cells, 'sanggwan cells facts/two_rooms.pl --neighbours').
 example(convert, 'sanggwan convert part.stl -o part.pl -o part.off').
 example(convert, 'sanggwan convert --from off --format pl -o - - < part.off').
 example(penetrate, 'sanggwan penetrate facts/figures/fig13.pl -o lines.csv').

@@ -55,6 +55,7 @@
                 usage_error/1
               ]).
 :- use_module(verbs_batch, [batch_run_verb/3]).
+:- use_module(verbs_cells, [cells_run/3]).
 :- use_module(verbs_render, [render_run/2]).
 :- use_module(verbs_unfold,
               [ unfold_run/3, roots_apart/1, patterns_given/1,
@@ -97,6 +98,8 @@ verb_run(check, Files, Options, Status) :-
     ->  Status = 0
     ;   Status = 1
     ).
+verb_run(cells, Files, Options, Status) :-
+    cells_run(Files, Options, Status).
 verb_run(convert, Files, Options, 0) :-
     some_files(Files, 'MODEL'),
     outputs(Options, [pl, stl, off, obj, ply], Outputs),

@@ -186,12 +186,15 @@ drop_boundary(S) :-
 %!  drop_pictures(+S) is det.
 %
 %   Take away the rows of segment S that were made from its boundary, as it was:
-%   pictures and joints.
+%   pictures, joints and regions.
 
 drop_pictures(S) :-
     retractall_facts(drawn(_, S, _, _, _, _, _)),
     retractall_facts(joint(S, _, _, _, _, _)),
     retractall_facts(piece(S, _, _)),
+    retractall_facts(sides(S, _, _, _)),
+    retractall_facts(lies_in(S, _, _)),
+    retractall_facts(region(S, _, _)),
     retractall_facts(contour(S, _, _, _, _, _, _, _, _, _, _, _, _)),
     retractall_facts(surface_facing(S, _, _, _, _, _)),
     retractall_facts(screen(S, _, _, _, _)).

@@ -212,6 +212,11 @@ Foreign predicates; see kernel.pl.
 %
 %   @see c_kernels/solid/sewing.h
 
+%!  segment_welded(+S:id, -Doubles:count) is det.
+%
+%   Vertices of S in one place become one. Polygons that lie on each other stay
+%   once, the first of them, turned as it is; Doubles of them have gone.
+
 /* - - - shell_copy_rows.c - - - */
 
 %!  segment_copies_dropped(+S:id, +Most:count) is semidet.

@@ -313,6 +313,24 @@ fault_en(leaf_behind_eye(N)) -->
 
 
                 /*******************************
+                *            regions           *
+                *******************************/
+
+fault_en(open_polygon(S, P)) -->
+    [ 'polygon ~d of segment ~d is no face: its edges do not close'-[P, S], nl,
+      '  Correct its list in p/3.' ].
+fault_en(wrong_triangles(S, P)) -->
+    [ 'polygon ~d of segment ~d is no face: its triangles in t/6 do not end \c
+       where it does'-[P, S], nl,
+      '  Leave them out, so that they are made again.' ].
+
+notice_en(cells_apart(S, N, P1, P2)) -->
+    [ 'segment ~d: places where polygons meet and share no edge or vertex: ~D \c
+       (the first two are ~d and ~d)'-[S, N, P1, P2], nl,
+      '  Regions may run together. Divide the polygons where they meet.' ].
+
+
+                /*******************************
                 *         triangulation        *
                 *******************************/
 

@@ -1,6 +1,7 @@
 :- module(sg_integrity,
           [ model_defect/1,             % ?Defect
             defect_weight/2,            % ?Name, ?Weight
+            no_defect/2,                % +Kind, ?Name
             shell_defect/3              % ?Name, +Shells, +Shell
           ]).
 :- use_module('../kernel', [census/1, census_defect/4, self_meetings/2]).
@@ -50,7 +51,7 @@ A bad model is no error but a relation. The joins are one pass in C
 %     - self_touching(S, P1, P2)
 %       A point or an edge of one is on the other, and not as neighbours meet.
 %
-%   In order of the segments. A border of a surface is no defect.
+%   In order of the segments. What no_defect/2 says is none.
 
 model_defect(Defect) :-
     (   var(Defect)
@@ -59,10 +60,11 @@ model_defect(Defect) :-
     ;   defect_census(Defect, Kind, S, A, B),
         census_defect(Kind, S, A, B)
     ),
-    (   Kind == border_edge
-    ->  once(segment(S, solid, _))
-    ;   true
-    ).
+    (   segment(S, Of, _)
+    ->  true
+    ;   Of = unknown
+    ),
+    \+ no_defect(Of, Kind).
 model_defect(inside_out(S)) :-
     segment(S, solid, _),
     census(Parts),
@@ -127,6 +129,18 @@ defect_census(wrong_triangles(S, P),      wrong_triangles,  S, P, _).
 defect_census(twin_vertices(S, V1, V2),   twin_vertices,    S, V1, V2).
 defect_census(unused_vertex(S, V),        unused_vertex,    S, V, _).
 
+%!  no_defect(+Kind, ?Name) is nondet.
+%
+%   True when a segment of this Kind may have what census/1 counts as Name: what
+%   is no solid borders, `cells` any number of faces at an edge, turned any way.
+
+no_defect(Kind, border_edge) :-
+    Kind \== solid.
+no_defect(cells, turned_edge).
+no_defect(cells, nonmanifold_edge).
+no_defect(cells, touching_edge).
+no_defect(cells, pinched_vertex).
+
 %!  defect_weight(?Name, ?Weight) is nondet.
 %
 %   True when a defect of this Name is a `fault`, that makes a model wrong, or a
@@ -143,6 +157,8 @@ defect_weight(self_penetration, fault).
 defect_weight(wrong_plane,      fault).
 defect_weight(wrong_triangles,  fault).
 defect_weight(self_overlap,     fault).
+defect_weight(broken_law,       fault).
+defect_weight(unsure_part,      fault).
 defect_weight(touching_edge,    remark).
 defect_weight(nested_shell,     remark).
 defect_weight(turned_shell,     remark).

@@ -4,6 +4,7 @@
 :- use_module('../store',
               [ v/5, e/5, p/3, plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3,
                 leaf_t/6, segment/3, origin/3, line/9, piece/3, joint/6,
+                region/3,
                 title_block/2, param_about/2,
                 assert_fact/1, assert_after/1, retractall_facts/1,
                 facts_transaction/1, relation_column/5
@@ -242,10 +243,28 @@ ready(line(_, S1, P1, A1, B1, S2, P2, A2, B2)) :-
 ready(unfolding(_, _)).
 ready(piece(S, P, _)) :-
     has_polygon(S, P).
+ready(region(_, _, _)).
+ready(sides(S, P, Below, Above)) :-
+    has_polygon(S, P),
+    has_region(S, Below),
+    has_region(S, Above).
+ready(lies_in(S, Item, In)) :-
+    has_item(S, Item),
+    has_item(S, In).
 ready(joint(S, _, E1, E2, _, _)) :-
     has_edge(S, E1),
     has_edge(S, E2).
 
+has_region(S, R) :-
+    once(region(S, R, _)).
+has_item(S, v(V)) :-
+    has_vertex(S, V).
+has_item(S, e(E)) :-
+    has_edge(S, E).
+has_item(S, p(P)) :-
+    has_polygon(S, P).
+has_item(S, r(R)) :-
+    has_region(S, R).
 has_vertex(S, V) :-
     once(v(S, V, _, _, _)).
 has_edges(S) :-
@@ -368,6 +387,9 @@ later_added(Later) :-
     later_rows(Later, line/9),
     later_rows(Later, piece/3),
     later_rows(Later, joint/6),
+    later_rows(Later, region/3),
+    later_rows(Later, sides/4),
+    later_rows(Later, lies_in/3),
     later_rows(Later, unfolding/2),
     later_setting(Later, view/3),
     later_setting(Later, projection/1),
@@ -598,6 +620,9 @@ row_key(from_v(S, V, _, _), from_v, [S, V], from_v(S, V, _, _)).
 row_key(from_p(S, P, T, Q, _), from_p, [S, P, T, Q], from_p(S, P, T, Q, _)).
 row_key(piece(S, P, _), piece, [S, P], piece(S, P, _)).
 row_key(joint(S, J, _, _, _, _), joint, [S, J], joint(S, J, _, _, _, _)).
+row_key(region(S, R, _), region, [S, R], region(S, R, _)).
+row_key(sides(S, P, _, _), sides, [S, P], sides(S, P, _, _)).
+row_key(lies_in(S, Item, _), lies_in, [S, Item], lies_in(S, Item, _)).
 row_key(segment(S, _, _), segment, [S], segment(S, _, _)).
 row_key(line(L, _, _, _, _, _, _, _, _), line, [L],
         line(L, _, _, _, _, _, _, _, _)).

@@ -309,6 +309,7 @@ filled :-
               t(1,1,1,1,2,3), leaf_v(1,1,0,0,0), leaf_e(1,1,1,2,1),
               leaf_p(1,1,[1]), leaf_t(1,1,1,1,2,3), from_v(1,1,7,7),
               from_p(1,1,7,7,1), line(1,1,1,1,2,1,1,1,2), piece(1,1,1),
+              region(1,1,outside), region(1,2,cell), sides(1,1,2,1),
               joint(1,1,1,2,fold,90), screen(1,1,0,0,0),
               contour(1,1,1,1,0,2,0,hidden,[1],0,0,0,0),
               surface_facing(1,1,1,0,1,[1]),
@@ -330,6 +331,7 @@ target(v, V, v(1, V, _, _, _)).
 target(e, E, e(1, E, _, _, _)).
 target(p, P, p(1, P, _)).
 target(t, T, t(1, _, T, _, _, _)).
+target(region, R, region(1, R, _)).
 target(leaf_e, E, leaf_e(1, E, _, _, _)).
 
 test(piece_of_an_outline_that_goes, N == 0) :-

@@ -50,5 +50,6 @@ is_there(v, S, V) :- v(S, V, _, _, _), !.
 is_there(e, S, E) :- e(S, E, _, _, _), !.
 is_there(p, S, P) :- p(S, P, _), !.
 is_there(t, S, T) :- t(S, _, T, _, _, _), !.
+is_there(region, S, R) :- region(S, R, _), !.
 is_there(leaf_e, S, E) :- leaf_e(S, E, _, _, _), !.
 is_there(contour, S, K) :- contour(S, K, _, _, _, _, _, _, _, _, _, _, _), !.

@@ -17,6 +17,9 @@
 % --- models ------------------------------------------------------------------
 
 file('cube.pl', "segment(1, solid, box(size(1,1,1))).\n").
+file('crossing.pl', "v(1,1,-1,-1,0). v(1,2,1,-1,0). v(1,3,1,1,0).
+v(1,4,-1,1,0). v(1,5,-1,0,-1). v(1,6,1,0,-1). v(1,7,1,0,1). v(1,8,-1,0,1).
+p(1,1,[1,2,3,4]). p(1,2,[5,6,7,8]).\n").
 file('far.pl', "segment(1, solid, box(size(1,1,1))).
 segment(2, solid, at([translate(9,0,0)], box(size(1,1,1)))).\n").
 file('latin1.txt', "no model\n").
@@ -103,6 +106,7 @@ file('role.pl', "edge_role(_, _, _, _, crease).\n").
 
 % command(Notice, Arguments): the command prints Notice; @(Name) is a file.
 command(do_not_meet, [penetrate, @('far.pl')]).
+command(cells_apart(_,_,_,_), [cells, @('crossing.pl')]).
 command(one_segment, [penetrate, @('cube.pl')]).
 command(points_alone(_), [penetrate, @('pin.pl')]).
 command(no_area(_,1,_), [check, @('thin.off')]).

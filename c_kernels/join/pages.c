@@ -1,5 +1,5 @@
-/* boundary_page.c -- faces in order round an edge (boundary_private.h). */
-#include "boundary_private.h"
+/* pages.c -- see pages.h. */
+#include "pages.h"
 
 #include "number/exact.h"
 
@@ -46,13 +46,12 @@ compare(const void *x, const void *y, void *data)
 {
   const sg_page_at_edge *a = x, *b = y;
   const hinge *h = data;
-  int qa = quarter(h, a->beside), qb = quarter(h, b->beside);
-  int order = qa != qb ? qa - qb
-              : qa == 1 || qa == 3
+  int order = a->quarter != b->quarter ? a->quarter - b->quarter
+              : a->quarter == 1 || a->quarter == 3
                   ? -sg_orient3d(h->u, h->w, a->beside, b->beside)
                   : 0;
 
-  return order ? order : (a->edge > b->edge) - (a->edge < b->edge);
+  return order ? order : (a->rank > b->rank) - (a->rank < b->rank);
 }
 
 bool
@@ -63,6 +62,9 @@ sg_pages_order(const double u[3], const double w[3], sg_page_at_edge *page,
   hinge h = {u, w, first};
   bool alternating = true;
 
+  for (size_t i = 0; i < n; i++) {
+    page[i].quarter = quarter(&h, page[i].beside);
+  }
   qsort_r(page, n, sizeof *page, compare, &h);
   for (size_t i = 0; i < n; i++) {
     alternating &= page[i].forward != page[(i + 1) % n].forward;

@@ -1,0 +1,50 @@
+:- module(sg_kernel_gluing, []).
+:- sg_kernel:export_doors.
+
+/** <module> The regions of space between the faces of a segment.
+
+Foreign predicates; see kernel.pl and c_kernels/gluing/regions.h.
+*/
+
+/* - - - regions_rows.c - - - */
+
+%!  regions_open(+S:id, +Loops:list(point_loop_fact), -Regions:regions) is det.
+%
+%   Regions is what the faces, wires and lone vertices of segment S make of
+%   space. V-P in Loops: vertex V lies inside polygon P. Regions are numbered by
+%   their lowest sides, the outside last. If S is of kind `solid`, a bounded
+%   region that no polygon has behind it is a `void`.
+%
+%   @error geometry_error(open_polygon(S, P)): the loops of P do not close
+%   @error geometry_error(wrong_triangles(S, P)): t/6 does not end where P does,
+%          or a vertex that is told to lie inside P does not
+
+%!  regions_close(+Regions:regions) is det.
+
+%!  regions_counted(+Regions:regions, -Counts:region_counts) is det.
+%
+%   Counts is counts(V, E, F, L, C, R, S, G, Twisted, Dropped, Doubtful):
+%   vertices, edges, faces, connected parts of their borders, parts, regions,
+%   shells and their genus; shells that no surface is, polygons without area,
+%   parts that lie on faces of others.
+
+%!  regions_listed(+Regions:regions, -List:list(region_fact)) is det.
+%
+%   List has region(Role, Faces, Shells, Genus, Wires, Lone, Volume, Area) for
+%   each, in the order of their numbers. Volume and Area are rounded.
+
+%!  regions_neighbours(+Regions:regions,
+%!                     -List:list(region_neighbours_fact)) is det.
+%
+%   List has neighbours(R1, R2, Faces, Area), R1 < R2, for regions with faces
+%   between them, ascending.
+
+%!  regions_items(+Regions:regions, -Wires:list(region_item),
+%!                -Lone:list(region_item)) is det.
+%
+%   Wires and Lone have Id-R: the edge or the vertex Id lies in region R. Of
+%   edges without a face between the same two vertices the first.
+
+%!  regions_written(+Regions:regions) is det.
+%
+%   Writes region/3 and sides/4. There are none of the segment.
