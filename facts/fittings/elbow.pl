@@ -16,7 +16,7 @@ param(seam, 0).                 % degrees: 0 at the throat, 180 at the heel
 param_about(d, [ min(1),
                  text(en, 'outside diameter'),
                  text(ko, '바깥지름') ]).
-param_about(r, [ min(1),
+param_about(r, [ min(param(d)/2),
                  text(en, 'radius of the centre line'),
                  text(ko, '중심선의 반지름') ]).
 param_about(pieces, [ min(2), max(60), step(1),

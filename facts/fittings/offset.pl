@@ -21,7 +21,7 @@ param_about(x, [ min(1),
 param_about(h, [ min(1),
                  text(en, 'in what height'),
                  text(ko, '어긋나는 높이') ]).
-param_about(ends, [ min(1),
+param_about(ends, [ min(param(d)/2*tan(atan2(param(x), param(h))/2)),
                     text(en, 'length of the axis before and after'),
                     text(ko, '앞뒤 축의 길이') ]).
 param_about(t, [ min(0),

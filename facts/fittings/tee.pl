@@ -25,18 +25,23 @@ param_about(t, [ min(0),
 param_about(length, [ min(1),
                       text(en, 'length of the header'),
                       text(ko, '주관의 길이') ]).
-param_about(b, [ min(1),
+param_about(b, [ min(1), max(param(d)),
                  text(en, 'outside diameter of the branch'),
                  text(ko, '지관의 바깥지름') ]).
 param_about(tb, [ min(0),
                   text(en, 'thickness of its plate'),
                   text(ko, '지관의 두께') ]).
-param_about(height, [ min(1),
+param_about(height, [ min((param(d)+param(b)*abs(cos(param(angle))))
+                          /2/sin(param(angle))),
                       text(en, 'height of the branch from the axis'),
                       text(ko, '축에서 지관 끝까지의 높이') ]).
 param_about(angle, [ min(15), max(165),
                      text(en, 'angle between the axes, degrees'),
                      text(ko, '두 축 사이의 각도, 도') ]).
+param_about(offset, [ min(-abs(param(d)-param(b))/2),
+                      max(abs(param(d)-param(b))/2),
+                      text(en, 'of the axes from each other'),
+                      text(ko, '두 축의 어긋난 거리') ]).
 param_about(seam, [ min(-360), max(360),
                     text(en, 'seam of the branch, degrees'),
                     text(ko, '지관의 솔기, 도') ]).

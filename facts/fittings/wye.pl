@@ -18,10 +18,10 @@ param_about(d, [ min(1),
 param_about(angle, [ min(1), max(179),
                      text(en, 'angle between the legs, degrees'),
                      text(ko, '두 가지 사이의 각도, 도') ]).
-param_about(stem, [ min(1),
+param_about(stem, [ min(param(d)/2*tan(param(angle)/4)),
                     text(en, 'length of the stem'),
                     text(ko, '줄기의 길이') ]).
-param_about(legs, [ min(1),
+param_about(legs, [ min(param(d)/2/tan(param(angle)/2)),
                     text(en, 'length of each leg'),
                     text(ko, '가지의 길이') ]).
 param_about(t, [ min(0),

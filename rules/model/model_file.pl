@@ -19,7 +19,7 @@
               [vertex_list_edges/2, polygon_fault/2]).
 :- use_module('../formula', [renamed_parameters/3]).
 :- use_module(parameter, [file_parameters/3, parameter_value/3]).
-:- use_module(parameter_about, [about_checked/4]).
+:- use_module(parameter_about, [about_checked/5, ranges_told/1]).
 :- use_module(formula_rows,
               [default_kept/2, formula_kept/2, parameters_added/3]).
 :- use_module(look_file, [looks_added/2]).
@@ -110,17 +110,24 @@ text_added(Text, Shift, Settings, Names) :-
     streamed(Text, Shift, [], Ss0, Later0),
     later_formed(Later0, Name, Shift, Settings, Later, Names, Formulas),
     foldl(formed_segment, Formulas, Ss0, Ss1),
+    abouts_kept(Later, [], Abouts),
+    catch(later_completed(Ss1, Name, Later), Error,
+          ( ranges_told(Abouts), throw(Error) )),
+    forall(member(formula(Row, Written), Formulas),
+           row_written(Row, Written)).
+
+%   A value out of its range is told before the error that may come of it.
+
+later_completed(Ss0, Name, Later) :-
     later_added(Later),
-    sort(Ss1, Ss),
+    sort(Ss0, Ss),
     (   Ss == []
     ->  throw(error(model_error(empty), location(Name, 0, 0)))
     ;   maplist(segment_completed(Later, Name), Ss),
         nodes_completed(Later),
         later_of(Later, look/2, Looks),
         later_of(Later, light/2, Lights),
-        looks_added(Looks, Lights),
-        forall(member(formula(Row, Written), Formulas),
-               row_written(Row, Written))
+        looks_added(Looks, Lights)
     ).
 
 formed_segment(formula(Row, _), Ss0, Ss) :-
@@ -292,14 +299,27 @@ later_formed(Later0, File, Shift, Settings, Later, Names, Formulas) :-
     parameter_items(Later0, Items),
     file_parameters(Items, Settings, Parameters),
     findall(Name, member(parameter(Name, _, _), Parameters), Names),
-    about_items(Later0, Names),
+    about_items(Later0, Names, Parameters),
     parameters_added(Parameters, File, Renamed),
     forall(( member(given(Name, Written, _), Items),
              memberchk(Name-_, Settings) ),
            ( own_name(Renamed, Name, Own),
              renamed_parameters(Renamed, Written, Default),
              default_kept(Own, Default) )),
-    waiting_formed(Later0, Shift, Parameters, Renamed, Later, Formulas).
+    abouts_kept(Later0, Renamed, Abouts),
+    catch(waiting_formed(Later0, Shift, Parameters, Renamed, Later, Formulas),
+          Error,
+          ( ranges_told(Abouts), throw(Error) )).
+
+%   abouts_kept(Later, Renamed, Abouts): Name-Items of what is said of
+%   parameters, under their names in the world.
+
+abouts_kept(Later, Renamed, Abouts) :-
+    findall(Own-OwnItems,
+            ( member(later(param_about(Name, Items), _), Later),
+              own_name(Renamed, Name, Own),
+              renamed_parameters(Renamed, Items, OwnItems) ),
+            Abouts).
 
 own_name(Renamed, Name, Own) :-
     (   memberchk(Name-New, Renamed)
@@ -307,14 +327,16 @@ own_name(Renamed, Name, Own) :-
     ;   Own = Name
     ).
 
-%   about_items(Later, Names): nothing is wrong with what is said of parameters.
+%   about_items(Later, Names, Parameters): nothing is wrong with what is said of
+%   parameters.
 
-about_items(Later, Names) :-
+about_items(Later, Names, Parameters) :-
     later_of(Later, param_about/2, Abouts),
     forall(append(Before, [later(param_about(Name, Items), Place)|_], Abouts),
            (   memberchk(later(param_about(Name, _), _), Before)
            ->  place_error(Place, twice(param_about, [Name]))
-           ;   about_checked(Name, Names, Items, Place)
+           ;   about_checked(Name, Names, Items, parameter_value(Parameters),
+                             Place)
            )).
 
 parameter_items([], []).
@@ -340,7 +362,8 @@ waiting_formed([Item|Later0], Shift, Parameters, Renamed, Later, Formulas) :-
         Formulas = [formula(Row, Written)|Formulas1]
     ;   Fact = param_about(Name, Items)
     ->  own_name(Renamed, Name, Own),
-        Later = [later(param_about(Own, Items), Place)|Later1],
+        renamed_parameters(Renamed, Items, OwnItems),
+        Later = [later(param_about(Own, OwnItems), Place)|Later1],
         Formulas = Formulas1
     ;   Later = [Item|Later1],
         Formulas = Formulas1

@@ -10,6 +10,7 @@
 :- use_module(rules(csg/csg), [is_helper/1]).
 :- use_module(rules(model/model), [load_model/2, save_model/1]).
 :- use_module(rules(model/parameter)).
+:- use_module(rules(model/parameter_about), [range_of/4]).
 :- use_module(rules(model/parameter_change), [set_parameter/2]).
 :- use_module(rules(penetration/penetration), [penetrate/0]).
 :- use_module(rules(store)).
@@ -272,8 +273,10 @@ fault_of("param(a, 1). param_about(a, [max(1), min(1)]).", [],
          parameter(about(order(1, 1))), 1:29).
 fault_of("param(a, 1). param_about(a, [step(0)]).", [],
          parameter(about(item(step(0)))), 1:29).
-fault_of("param(a, 1). param_about(a, [min(param(a))]).", [],
-         parameter(about(item(min(param(a))))), 1:29).
+fault_of("param(a, 1). param_about(a, [min(param(b))]).", [],
+         formula(unknown(b, _), param(b)), 1:29).
+fault_of("param(a, 1). param_about(a, [min(f(2))]).", [],
+         parameter(about(item(min(f(2))))), 1:29).
 fault_of("param(a, 1). param_about(a, [text(de, x)]).", [],
          parameter(about(item(text(de, x)))), 1:29).
 fault_of("param(a, 1). param_about(a, []). param_about(a, []).", [],
@@ -344,6 +347,15 @@ test(about_is_kept, Abouts == [a-[min(1),text(ko, '길이')], a_2-[max(9)]]) :-
         "param_about(a, [max(9)]). param(a, 7).
          segment(1, solid, box(size(2*param(a), 2, 2))).", [], saved(Saved)),
     with_model(Saved, [], findall(N-A, param_about(N, A), Abouts)).
+test(range_is_kept,
+     About-Least-Most == [min(param(a_2)/2),max(2*param(a_2))]-3.5-14) :-
+    two("param(a, 2). segment(1, solid, box(size(param(a), 2, 2))).",
+        "param_about(b, [min(param(a)/2), max(2*param(a))]). param(a, 7).
+         param(b, 4).
+         segment(1, solid, box(size(param(a), param(b), 2))).", [],
+        saved(Saved)),
+    with_model(Saved, [],
+               ( param_about(b, About), range_of(b, Least, Most, _) )).
 test(default_is_known, Defaults == [a-2,b-(param(a)*2)]) :-
     with_model("param(a, 2). param(b, param(a)*2).
                 segment(1, solid, box(size(param(b), param(a), 2))).",
@@ -470,6 +482,10 @@ warned(Text, Options, Goal, Warnings) :-
     with_model(Text, Options, Goal),
     findall(What, heard(What), Warnings).
 
+warned_of_fault(Text, Warnings) :-
+    catch(warned(Text, [], _), error(model_error(primitive(_, _)), _), true),
+    findall(What, heard(What), Warnings).
+
 :- begin_tests(parameter_warnings).
 
 idle("param(a, 2). param(b, param(a)*2). param(c, param(b)+1). param(n, 1).
@@ -493,6 +509,25 @@ test(range_of_formula, Warnings == [range(c, 5, none, 4.5)]) :-
     idle(Text0),
     string_concat("param_about(c, [max(4.5)]). ", Text0, Text),
     warned(Text, [], Warnings).
+test(range_by_formula, Warnings == [range(b, 5, none, 4)]) :-
+    idle(Text0),
+    string_concat("param_about(b, [min(1/(param(a)-2)), max(2*param(a))]). ",
+                  Text0, Text),
+    warned(Text, [parameters([b=4])], []),      % divides by zero: no least
+    warned(Text, [parameters([b=5])], Warnings).
+test(range_by_formula_later, Warnings == [range(b, 4, none, 2)]) :-
+    idle(Text0),
+    string_concat("param_about(b, [max(2*param(a))]). ", Text0, Text),
+    warned(Text, [parameters([b=4])], set_parameter(a, 1), Warnings).
+%   A value that nothing can be made of is told with the error.
+test(range_before_error, Warnings == [range(a, 0, 1, none)]) :-
+    warned_of_fault("param(a, 0). param_about(a, [min(1)]).
+                     segment(1, solid, box(size(param(a), 2, 2))).", Warnings).
+%   Here the fault is found later than there.
+test(range_before_later_error, Warnings == [range(a, 0, 1, none)]) :-
+    warned_of_fault("param(a, 0). param_about(a, [min(1)]).
+                     segment(1, solid, named(x, box(size(param(a), 2, 2)))).",
+                    Warnings).
 test(set_later, Warnings == [range(a, 0, 1, none)]) :-
     idle(Text0),
     string_concat("param_about(a, [min(1)]). ", Text0, Text),
