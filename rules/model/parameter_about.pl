@@ -19,8 +19,8 @@
                     text(ko, '바깥지름')]).
 
 Each item once, all may be left out. The numbers may be formulas over other
-parameters: a branch is no wider than its header, `max(param(d))`. A value out of
-its range is told, and used.
+parameters: a branch is no wider than its header, `max(param(d))`. A value out
+of its range is told, and used.
 */
 
 :- meta_predicate about_checked(+, +, +, 2, +).

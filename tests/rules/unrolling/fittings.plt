@@ -648,8 +648,8 @@ told_warnings(Goal, Told) :-
         erase(Ref)),
     nb_getval(told, Told).
 
-%   The size that is at fault is told by its name, whether the fitting can be made
-%   or not.
+%   The size that is at fault is told by its name, whether the fitting can be
+%   made or not.
 
 named_fault(reducer, d2, 0, 1, none).
 named_fault(reducer, d, 0, 1, none).
