@@ -106,7 +106,7 @@ run draw facts/cube.pl --size 0x10 -o "$work/a.svg"
 check zero-size status_is 2
 check zero-size-message has '0x10 is no size'
 run draw facts/cube.pl --view above -o "$work/a.svg"
-check bad-view has '--view: above should look like'
+check bad-view has '--view above: there is no such view'
 check bad-view-names has 'dimetric'
 run draw facts/cube.pl --segment one -o "$work/a.svg"
 check bad-segment status_is 2
