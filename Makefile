@@ -234,9 +234,10 @@ mutants: all $(CHECKERS) $(FAILING)
 # AddressSanitizer and UndefinedBehaviorSanitizer, in a build of their own. A
 # Prolog that was not built with them wants their library loaded first and no
 # threads (its collector of atoms would run in one); its own memory is not
-# asked for leaks, the C tests are.
+# asked for leaks, the C tests are. What is read before it is written is no
+# number and no address.
 SAN := -fsanitize=address,undefined -fno-sanitize-recover=undefined \
-       -fno-omit-frame-pointer
+       -fno-omit-frame-pointer -ftrivial-auto-var-init=pattern
 # What needs them runs as it is built, for a minute: threads that come and go.
 check-san: $(B)/tests/embed/stress_test
 	@STRESS_SECONDS=60 tests/run $<

@@ -129,6 +129,7 @@ typedef enum sg_note {
   SG_NOTE_TOLERANCE,
   SG_NOTE_PIECES,
   SG_NOTE_SCENES,
+  SG_NOTE_DEFECTS,
   SG_NOTES
 } sg_note;
 void *sg_world_note(const sg_world *world, sg_note which);

@@ -30,6 +30,8 @@ sandbox:safe_primitive(sg_kernel_world:model_tolerance(_)).
 sandbox:safe_primitive(sg_kernel_world:segments_tolerance(_,_,_)).
 sandbox:safe_primitive(sg_kernel_world:near_segments(_,_,_)).
 sandbox:safe_primitive(sg_kernel_world:census(_)).
+sandbox:safe_primitive(sg_kernel_world:census_part(_,_)).
+sandbox:safe_primitive(sg_kernel_world:census_shell(_,_,_,_)).
 sandbox:safe_primitive(sg_kernel_world:census_defect(_,_,_,_)).
 sandbox:safe_primitive(sg_kernel_world:exact_statistics(_)).
 sandbox:safe_primitive(sg_kernel_penetration:line_chains(_)).
@@ -37,6 +39,7 @@ sandbox:safe_primitive(sg_kernel_boolean:segment_operand(_,_)).
 sandbox:safe_primitive(sg_kernel_boolean:segment_edges(_,_,_,_)).
 sandbox:safe_primitive(sg_kernel_boolean:segment_meets_itself(_)).
 sandbox:safe_primitive(sg_kernel_boolean:self_meetings(_,_)).
+sandbox:safe_primitive(sg_kernel_boolean:self_meeting(_,_,_,_)).
 sandbox:safe_primitive(sg_kernel_boolean:windings(_,_,_)).
 sandbox:safe_primitive(sg_kernel_boolean:kept_leaves(_,_)).
 sandbox:safe_primitive(sg_kernel_boolean:arrangement_components(_,_)).

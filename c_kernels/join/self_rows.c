@@ -3,6 +3,7 @@
  * Layer: rows.
  */
 #include "doors/boolean.h"
+#include "rows/census_kept_rows.h"
 #include "rows/dense_rows.h"
 #include "shell_copy.h"
 
@@ -135,5 +136,49 @@ sg_door_self_meetings(sg_call *call, int64_t most,
     sg_shell_copies_clear(&a.copies);
   }
   sg_dense_clear(&dense);
+  return good;
+}
+
+/* ---- one by one ---- */
+
+static bool
+list_found(sg_call *call, sg_kept_defects *kept, sg_found_defect_list *out)
+{
+  sg_self_segment_list segments = {0};
+  bool good = sg_door_self_meetings(call, INT32_MAX, &segments);
+
+  (void)kept;
+  for (size_t i = 0; good && i < segments.n; i++) {
+    const sg_self_segment *of = &segments.at[i];
+
+    for (size_t k = 0; good && k < of->meetings.n; k++) {
+      const sg_self_meeting *m = &of->meetings.at[k];
+
+      good = sg_found_defect_list_add(
+          call, out, (sg_found_defect){(int)m->kind, of->s, m->p[0], m->p[1]});
+    }
+  }
+  return good;
+}
+
+bool
+sg_door_self_meeting(sg_call *call, const sg_self_kind *kind, const int32_t *s,
+                     const int32_t *p1, sg_self_meeting_rows *rows)
+{
+  sg_kept_defects *kept =
+      sg_kept_defects_hold(call, SG_DEFECTS_OF_JOIN, list_found);
+  int of = kind ? (int)*kind : 0;
+  sg_count_list places = {0};
+  bool good = kept && sg_kept_defects_ask(call, kept, kind ? &of : NULL, s, p1,
+                                          &places);
+
+  for (size_t i = 0; good && i < places.n; i++) {
+    const sg_found_defect *d = &kept->found[places.at[i]];
+
+    good = sg_self_meeting_rows_add(
+        call, rows,
+        (sg_self_meeting_row){(sg_self_kind)d->kind, d->s, d->a, d->b});
+  }
+  sg_kept_defects_drop(kept);
   return good;
 }

@@ -1,11 +1,14 @@
 /* census_rows.c -- the census of the current world. */
 #include "census.h"
 #include "doors/world.h"
+#include "engine/search.h"
+#include "rows/census_kept_rows.h"
 #include "rows/dense_rows.h"
 #include "rows/live_rows.h"
 
 #include <math.h>
 
+#include <stdlib.h>
 #include <string.h>
 
 typedef struct planes {
@@ -35,21 +38,60 @@ read_planes(sg_call *call, planes *all)
   return all->of && sg_each_row(call, SG_PLANE, read_plane, all);
 }
 
-/* sg_census_clear() in any case. */
 static bool
-make_census(sg_call *call, sg_census *out)
+list_defects(sg_call *call, const sg_census *c, sg_found_defect_list *found)
 {
+  bool good = true;
+
+  for (size_t i = 0; good && i < c->defects; i++) {
+    const sg_defect *d = &c->defect[i];
+
+    good = sg_found_defect_list_add(
+        call, found,
+        (sg_found_defect){(int)d->kind, d->segment, d->a, (int32_t)i});
+  }
+  return good;
+}
+
+static void
+clear_census(void *census)
+{
+  sg_census_clear(census);
+  free(census);
+}
+
+static bool
+make_census(sg_call *call, sg_kept_defects *kept, sg_found_defect_list *found)
+{
+  sg_census *out = calloc(1, sizeof *out);
   sg_dense dense;
   planes all = {&dense, NULL};
   bool stopped;
+
+  if (!out) {
+    return sg_call_no_memory(call);
+  }
+  kept->more = out;
+  kept->clear = clear_census;
   bool good = sg_dense_read(call, NULL, 0, &dense) && read_planes(call, &all);
 
-  *out = (sg_census){0};
   good = good && (sg_census_make(&dense, (const double(*)[4])all.of,
                                  &call->cancel, out, &stopped) ||
                   sg_call_ended(call));
   sg_dense_clear(&dense);
-  return good;
+  return good && list_defects(call, out, found);
+}
+
+static const sg_census *
+census_of(const sg_kept_defects *kept)
+{
+  return kept->more;
+}
+
+static sg_kept_defects *
+hold_census(sg_call *call)
+{
+  return sg_kept_defects_hold(call, SG_DEFECTS_OF_CENSUS, make_census);
 }
 
 /* ---- parts ---- */
@@ -68,8 +110,8 @@ count_defects(sg_call *call, const sg_part *p, sg_defect_count_list *out)
 }
 
 static bool
-add_part(sg_call *call, const sg_census *census, const sg_part *p,
-         sg_census_part_list *out)
+make_part(sg_call *call, const sg_census *census, const sg_part *p,
+          sg_census_part *out)
 {
   sg_census_part part = {.segment = p->segment,
                          .counts = *p,
@@ -87,36 +129,121 @@ add_part(sg_call *call, const sg_census *census, const sg_part *p,
     memcpy(shell, &census->shell[p->first_shell], bytes);
   }
   part.shells = (sg_census_shell_list){shell, p->shells, p->shells};
-  return sg_census_part_list_add(call, out, part);
+  *out = part;
+  return true;
+}
+
+/* Those of segment s, all of them if it is null: parts from .. to - 1. */
+static void
+parts_of(const sg_census *c, const int32_t *s, size_t *from, size_t *to)
+{
+  size_t at;
+
+  *from = 0;
+  *to = c->parts;
+  if (s) {
+    SG_SEARCH(at, 0, c->parts, c->part[at].segment < *s);
+    *from = at;
+    *to = at + (at < c->parts && c->part[at].segment == *s);
+  }
 }
 
 bool
 sg_door_census(sg_call *call, sg_census_part_list *out)
 {
-  sg_census c;
-  bool good = make_census(call, &c);
+  sg_kept_defects *kept = hold_census(call);
+  bool good = kept != NULL;
 
-  for (size_t i = 0; good && i < c.parts; i++) {
-    good = add_part(call, &c, &c.part[i], out);
+  for (size_t i = 0; good && i < census_of(kept)->parts; i++) {
+    sg_census_part part;
+
+    good = make_part(call, census_of(kept), &census_of(kept)->part[i], &part) &&
+           sg_census_part_list_add(call, out, part);
   }
-  sg_census_clear(&c);
+  sg_kept_defects_drop(kept);
+  return good;
+}
+
+bool
+sg_door_census_part(sg_call *call, const int32_t *s, sg_census_part_rows *rows)
+{
+  sg_kept_defects *kept = hold_census(call);
+  bool good = kept != NULL;
+  size_t from = 0, to = 0;
+
+  if (good) {
+    parts_of(census_of(kept), s, &from, &to);
+  }
+  for (size_t i = from; good && i < to; i++) {
+    const sg_part *p = &census_of(kept)->part[i];
+    sg_census_part_row row = {.s = p->segment};
+
+    good = make_part(call, census_of(kept), p, &row.part) &&
+           sg_census_part_rows_add(call, rows, row);
+  }
+  sg_kept_defects_drop(kept);
+  return good;
+}
+
+/* Those of a part, or the one that has polygon p as its lowest. */
+static bool
+add_shells(sg_call *call, const sg_census *c, const sg_part *of,
+           const int32_t *p, sg_census_shell_rows *rows)
+{
+  size_t at = of->first_shell, end = of->first_shell + of->shells;
+  bool good = true;
+
+  if (p) {
+    SG_SEARCH(at, of->first_shell, end, c->shell[at].polygon < *p);
+  }
+  for (; good && at < end && (!p || c->shell[at].polygon == *p); at++) {
+    const sg_shell *shell = &c->shell[at];
+
+    good = sg_census_shell_rows_add(
+        call, rows,
+        (sg_census_shell_row){of->segment, shell->polygon, of->shells, *shell});
+  }
+  return good;
+}
+
+bool
+sg_door_census_shell(sg_call *call, const int32_t *s, const int32_t *p,
+                     sg_census_shell_rows *rows)
+{
+  sg_kept_defects *kept = hold_census(call);
+  bool good = kept != NULL;
+  size_t from = 0, to = 0;
+
+  if (good) {
+    parts_of(census_of(kept), s, &from, &to);
+  }
+  for (size_t i = from; good && i < to; i++) {
+    good =
+        add_shells(call, census_of(kept), &census_of(kept)->part[i], p, rows);
+  }
+  sg_kept_defects_drop(kept);
   return good;
 }
 
 /* ---- defects ---- */
 
 bool
-sg_door_census_defect(sg_call *call, sg_census_defect_rows *rows)
+sg_door_census_defect(sg_call *call, const sg_defect_kind *kind,
+                      const int32_t *s, const int32_t *a,
+                      sg_census_defect_rows *rows)
 {
-  sg_census c;
-  bool good = make_census(call, &c);
+  sg_kept_defects *kept = hold_census(call);
+  int of = kind ? (int)*kind : 0;
+  sg_count_list places = {0};
+  bool good =
+      kept && sg_kept_defects_ask(call, kept, kind ? &of : NULL, s, a, &places);
 
-  for (size_t i = 0; good && i < c.defects; i++) {
-    const sg_defect *d = &c.defect[i];
+  for (size_t i = 0; good && i < places.n; i++) {
+    const sg_defect *d = &census_of(kept)->defect[kept->found[places.at[i]].b];
     const sg_census_defect_row row = {d->kind, d->segment, d->a, d->b};
 
     good = sg_census_defect_rows_add(call, rows, row);
   }
-  sg_census_clear(&c);
+  sg_kept_defects_drop(kept);
   return good;
 }

@@ -165,12 +165,13 @@ own_defect(solid, Volume, _, inside_out-1) :-
     Volume < 0.0.
 
 shell_defects(Kind, Shells, Counts) :-
+    length(Shells, Several),
     findall(Name-N,
             ( Kind == solid,
               member(Name, [nested_shell,turned_shell]),
               aggregate_all(count,
                             ( member(Shell, Shells),
-                              shell_defect(Name, Shells, Shell) ),
+                              shell_defect(Name, Several, Shell) ),
                             N),
               N > 0 ),
             Counts).

@@ -17,6 +17,11 @@ Foreign predicates; see kernel.pl.
 %   the first Most of each as meeting(Kind, P1, P2, X, Y, Z), P1 =< P2, in the
 %   order of the polygons: something they have in common is at X, Y, Z.
 
+%!  self_meeting(?Kind:self_kind, ?S:int, ?P1:int, -P2:int) is nondet.
+%
+%   True when polygons P1 =< P2 of segment S meet so: all that self_meetings/2
+%   can list. Found once, and kept until a row changes.
+
 /* - - - operand_rows.c - - - */
 
 %!  segments_meeting_themselves(+Segments:set(id), -Which:list(id)) is det.

@@ -118,10 +118,21 @@ Foreign predicates; see kernel.pl.
 %   Depth), P the lowest polygon, Depth how many other shells of the segment go
 %   round it; Defects are Kind-Count of census_defect/4.
 
-%!  census_defect(-Kind:defect_kind, -S:int, -A:int, -B:int) is nondet.
+%!  census_part(?S:int, -Part:census_part) is nondet.
+%
+%   Part is what census/1 says of segment S.
+
+%!  census_shell(?S:int, ?P:int, -Shells:count, -Shell:census_shell) is nondet.
+%
+%   Shell, of census/1, is one of the Shells that segment S has, P its lowest
+%   polygon.
+
+%!  census_defect(?Kind:defect_kind, ?S:int, ?A:int, -B:int) is nondet.
 %
 %   True when segment S has a defect of this Kind; A and B as
-%   c_kernels/model/census.h says. One pass over the world a call.
+%   c_kernels/model/census.h says. One pass over the world, which is kept
+%   until a row changes (c_kernels/rows/census_kept_rows.h): then they are
+%   looked up.
 
 /* - - - tree_rows.c - - - */
 

@@ -4,9 +4,9 @@
             no_defect/2,                % +Kind, ?Name
             shell_defect/3              % ?Name, +Shells, +Shell
           ]).
-:- use_module('../kernel', [census/1, census_defect/4, self_meetings/2]).
+:- use_module('../kernel',
+              [census_defect/4, census_part/2, census_shell/4, self_meeting/4]).
 :- use_module('../store', [segment/3]).
-:- use_module(library(lists), [member/2]).
 /** <module> What can be wrong with a model.
 
 A bad model is no error but a relation. The joins are one pass in C
@@ -66,42 +66,44 @@ model_defect(Defect) :-
     ),
     \+ no_defect(Of, Kind).
 model_defect(inside_out(S)) :-
-    segment(S, solid, _),
-    census(Parts),
-    member(part(S, _, _, _, Volume, _, _, _), Parts),
-    Volume < 0.0.
+    census_part(S, part(_, _, _, _, Volume, _, _, _)),
+    Volume < 0.0,
+    once(segment(S, solid, _)).
 model_defect(Defect) :-
-    \+ \+ memberchk(Defect, [nested_shell(_,_,_),turned_shell(_,_)]),
-    segment(S, solid, _),
-    census(Parts),
-    member(part(S, _, _, _, _, _, Shells, _), Parts),
-    member(Shell, Shells),
-    shell_defect(Name, Shells, Shell),
-    defect_shell(Defect, Name, S, Shell).
+    (   var(Defect)
+    ->  census_shell(S, P, Shells, Shell),
+        shell_defect(Name, Shells, Shell),
+        arg(10, Shell, Depth),
+        defect_shell(Defect, Name, S, P, Depth)
+    ;   defect_shell(Defect, Name, S, P, Depth),
+        census_shell(S, P, Shells, Shell),
+        arg(10, Shell, Depth),
+        shell_defect(Name, Shells, Shell)
+    ),
+    once(segment(S, solid, _)).
 model_defect(Defect) :-
-    \+ \+ self_defect(Defect, _, _, _, _),
-    self_meetings(2147483647, Segments),
-    member(self(S, _, Meetings), Segments),
-    member(meeting(Kind, P1, P2, _, _, _), Meetings),
-    self_defect(Defect, Kind, S, P1, P2).
+    (   var(Defect)
+    ->  self_meeting(Kind, S, P1, P2),
+        self_defect(Defect, Kind, S, P1, P2)
+    ;   self_defect(Defect, Kind, S, P1, P2),
+        self_meeting(Kind, S, P1, P2)
+    ).
 
-%   defect_shell(?Defect, +Name, +S, +Shell).
+%   defect_shell(?Defect, ?Name, ?S, ?P, ?Depth).
 
-defect_shell(nested_shell(S, P, Depth), nested_shell, S, Shell) :-
-    arg(1, Shell, P),
-    arg(10, Shell, Depth).
-defect_shell(turned_shell(S, P), turned_shell, S, Shell) :-
-    arg(1, Shell, P).
+defect_shell(nested_shell(S, P, Depth), nested_shell, S, P, Depth).
+defect_shell(turned_shell(S, P),        turned_shell, S, P, _).
 
 %!  shell_defect(?Name, +Shells, +Shell) is nondet.
 %
-%   True when Shell, a shell/10 of census/1 among the Shells of a solid, has the
-%   defect called Name: nested_shell or turned_shell.
+%   True when Shell, a shell/10 of census/1, one of the Shells that a solid has,
+%   has the defect called Name: nested_shell or turned_shell.
 
 shell_defect(nested_shell, _, Shell) :-
     arg(10, Shell, Depth),
     Depth > 0.
-shell_defect(turned_shell, [_,_|_], Shell) :-
+shell_defect(turned_shell, Shells, Shell) :-
+    Shells > 1,
     arg(9, Shell, Volume),
     Volume < 0.0,
     arg(10, Shell, Depth),

@@ -101,6 +101,39 @@ itself(void)
   CHECK("cubes do not", segments.at[0].counts.n == 0);
 }
 
+/* Of two cubes that go through each other, each polygon alone as of all. */
+static void
+itself_one_by_one(void)
+{
+  const double at[2][3] = {{50, 0, 0}, {50.5, 0.5, 0.5}};
+  const sg_self_kind through = SG_SELF_PENETRATION, over = SG_SELF_OVERLAP;
+  const int32_t s = 9;
+  sg_self_meeting_rows all = {0}, none = {0};
+  size_t n = 0;
+
+  sg_world_begin(call.world);
+  CHECK("two", add_cube_at(call.world, s, 0, at[0]) &&
+                   add_cube_at(call.world, s, 1, at[1]) &&
+                   sg_world_commit(call.world) == SG_OK);
+  sg_call_rest(&call);
+  CHECK("meet", sg_door_self_meeting(&call, NULL, NULL, NULL, &all) &&
+                    all.n > 3 && all.at[0].s == s);
+  for (int32_t p = 1; p <= 12; p++) {
+    sg_self_meeting_rows some = {0};
+
+    CHECK("one", sg_door_self_meeting(&call, &through, &s, &p, &some));
+    for (size_t i = 0; i < some.n; i++) {
+      CHECK("its own", some.at[i].p1 == p && some.at[i].kind == through);
+    }
+    n += some.n;
+  }
+  CHECK("are all", n == all.n);
+  CHECK("none lies on another",
+        sg_door_self_meeting(&call, &over, NULL, NULL, &none) && none.n == 0);
+  CHECK("as before", sg_world_undo(call.world) == SG_OK);
+  sg_call_rest(&call);
+}
+
 static void
 outline(void)
 {
@@ -134,6 +167,7 @@ main(void)
   near();
   windings();
   itself();
+  itself_one_by_one();
   outline();
   sg_call_close(&call);
   sg_world_drop(world);

@@ -66,6 +66,17 @@ printed(Language, Text, Lines) :-
     once(append(Lines1, [""], Lines0)),
     Lines = [Counts|Lines1].
 
+% N pairs of triangles on one edge that lie on each other in part: every defect
+% of them is asked for alone (one pass over the world for each takes minutes).
+overlapping_pairs(N, Text) :-
+    findall(L, ( between(1, N, I), X is 2*I, X1 is X+1,
+                 A is 4*I-3, B is A+1, C is B+1, D is C+1,
+                 format(string(L), "v ~d 0 0\nv ~d 0 0\nv ~d 1 0\n\c
+                                    v ~d 1 0\nf ~d ~d ~d\nf ~d ~d ~d\n",
+                        [X,X1,X,X1,A,B,C,A,B,D]) ),
+            Ls),
+    atomics_string(Ls, Text).
+
 :- begin_tests(check).
 
 test(cube, Vs == [solid, 8, 12, 6, 24]) :-
@@ -128,6 +139,19 @@ test(pinched) :-
     defects("v 0 0 0\nv 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\nf 1 2 3\n\c
              f 1 4 5\n", Ds),
     memberchk(pinched_vertex(1, 1, 2), Ds).
+test(one_by_one,
+     [ true(Wrong-N-Kinds ==
+            []-12000-[pinched_vertex,self_overlap,turned_edge]) ]) :-
+    overlapping_pairs(3000, T),
+    with(obj, T,
+         ( complete_segments,
+           findall(D, model_defect(D), Ds),
+           findall(D, ( member(D, Ds),
+                        \+ findall(x, model_defect(D), [x]) ),
+                   Wrong) )),
+    length(Ds, N),
+    findall(K, ( member(D, Ds), functor(D, K, _) ), Ks),
+    sort(Ks, Kinds).
 test(open_polygon, Ds == [open_polygon(1, 1, 1)]) :-
     new_world(World),
     in_world(World,
