@@ -56,6 +56,7 @@ sandbox:safe_primitive(sg_limits:limit_value(_,_)).
 sandbox:safe_primitive(sg_primitive_face:face_of(_,_,_)).
 sandbox:safe_primitive(sg_primitive_face:smooth_surface(_,_,_)).
 sandbox:safe_primitive(sg_csg_evaluate:csg_statistics(_)).
+sandbox:safe_primitive(sg_true_development:developable_part(_,_,_)).
 sandbox:safe_primitive(sg_penetration:penetration_chains(_)).
 sandbox:safe_primitive(sg_penetration:penetration_chains(_,_,_)).
 sandbox:safe_primitive(sg_boolean:select_boundary(_,_,_)).
