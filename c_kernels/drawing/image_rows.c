@@ -208,6 +208,23 @@ sg_door_srgb_light(sg_call *call, size_t byte, size_t *light)
   return true;
 }
 
+bool
+sg_door_image_dot(sg_call *call, sg_image *image, size_t x, size_t y,
+                  sg_count_list *out)
+{
+  if (x >= (size_t)image->width || y >= (size_t)image->height) {
+    return sg_call_domain(call, "image_dot", x >= (size_t)image->width ? 2 : 3);
+  }
+  const uint8_t *dot =
+      image->dot + (y * (size_t)image->width + x) * image->bytes;
+  for (unsigned c = 0; c < image->bytes; c++) {
+    if (!sg_count_list_add(call, out, dot[c])) {
+      return false;
+    }
+  }
+  return true;
+}
+
 /* ---- files ---- */
 
 bool

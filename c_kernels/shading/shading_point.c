@@ -35,20 +35,28 @@ tangent_plane(const sg_shading_surface *s, const double p[3], double out[4])
   out[3] = -(sg_dot(out, p) + sg_dot(out, s->at));
 }
 
-/* The normal of the surface that a facet stands for, where it has one. */
-static void
-known_normal(const sg_shading *scene, const sg_shading_surface *s,
-             const double seen[4], double normal[3])
+void
+sg_shading_place(const sg_shading *scene, const double seen[3], double out[3])
 {
-  double p[4], out[3];
+  double p[4];
 
   for (int i = 0; i < 4; i++) {
     const double *b = scene->back[i];
-    p[i] = b[0] * seen[0] + b[1] * seen[1] + b[2] * seen[2] + b[3] * seen[3];
+    p[i] = b[0] * seen[0] + b[1] * seen[1] + b[2] * seen[2] + b[3];
   }
   for (int k = 0; k < 3; k++) {
-    p[k] /= p[3];
+    out[k] = p[k] / p[3];
   }
+}
+
+/* The normal of the surface that a facet stands for, where it has one. */
+static void
+known_normal(const sg_shading *scene, const sg_shading_surface *s,
+             const double seen[3], double normal[3])
+{
+  double p[3], out[3];
+
+  sg_shading_place(scene, seen, p);
   if (sg_known_surface_normal(&scene->known.item[s->known - 1], p, s->normal,
                               out)) {
     memcpy(normal, out, sizeof out);
@@ -69,7 +77,7 @@ sg_shading_point(const sg_shading *scene, const sg_span *span, double x,
                   : (s->q[0] * p[0] + s->q[1] * p[1] + s->q[3]) / s->q[2]);
     memcpy(normal, s->normal, 3 * sizeof *normal);
     if (s->known > 0) {
-      known_normal(scene, s, (double[4]){x, y, *depth, 1.0}, normal);
+      known_normal(scene, s, (double[3]){x, y, *depth}, normal);
     }
     return;
   }

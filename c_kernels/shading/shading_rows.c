@@ -338,6 +338,25 @@ sg_door_shading_point(sg_call *call, sg_shading *scene, double x, double y,
   return found;
 }
 
+bool
+sg_door_shading_place(sg_call *call, sg_shading *scene, double x, double y,
+                      double depth, sg_xyz *out)
+{
+  (void)call;
+  sg_shading_place(scene, (const double[3]){x, y, depth}, out->at);
+  return true;
+}
+
+bool
+sg_door_shading_size(sg_call *call, sg_shading *scene, size_t *width,
+                     size_t *height)
+{
+  (void)call;
+  *width = (size_t)sg_shading_frame_of(scene)->width;
+  *height = (size_t)sg_shading_frame_of(scene)->height;
+  return true;
+}
+
 static sg_shading_slice
 slice_fact(const sg_slice *s)
 {

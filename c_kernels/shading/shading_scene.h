@@ -104,6 +104,10 @@ bool sg_shading_line(const sg_shading *scene, sg_shading_work *work, double y,
 void sg_shading_point(const sg_shading *scene, const sg_span *span, double x,
                       double y, double *depth, double normal[3]);
 
+/* The point of the model that is seen at a point of the picture. */
+void sg_shading_place(const sg_shading *scene, const double seen[3],
+                      double out[3]);
+
 /* Of one normal, by sg_shading_point(). */
 bool sg_shading_is_flat(const sg_shading *scene, const sg_span *span);
 

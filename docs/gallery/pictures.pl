@@ -57,6 +57,11 @@ picture(solid_outline, '1989, figure 7',
 picture(solid_shaded, '1989, figure 8',
         'The same scan line by scan line, straight from its tree.',
         [render, 'facts/shaded_block.pl', '--size', '840x592']).
+picture(machined, 'A tee, what tools made in orange',
+        'Rules say which faces those are, how light a side is, and in how \c
+         many steps: see docs/rules.md.',
+        [render,'facts/pipe_tee.pl','--rules','docs/machined_rules.pl',
+         '--size','630x444']).
 picture(die_shaded, 'A die, shaded',
         'Each leaf in a colour of its own: a sphere cuts the box, others the \c
          pits.',

@@ -10,7 +10,8 @@
 :- encoding(utf8).
 :- use_module('../picture/role', [usual_crease/1]).
 :- use_module(usage_render,
-              [render_option/1, render_option_ko/2, render_example/1]).
+              [ render_option/1, shown_option/1, render_option_ko/2,
+                render_example/1 ]).
 :- use_module(usage_unfold,
               [ unfold_option/1, wish_option/1, unfold_option_ko/2,
                 unfold_example/1 ]).
@@ -266,6 +267,8 @@ verb_option(explain, option(tolerance, '', number(0), 'T',
     'what is nearer than T (model units) touches; 0: nothing else does')).
 verb_option(explain, Option) :-
     wish_option(Option).
+verb_option(explain, Option) :-
+    shown_option(Option).
 verb_option(explain, option(json, '', flag, '', 'the reasons as JSON')).
 
 verb_option(problems, option(output, o, value, 'FOLDER',
@@ -475,6 +478,9 @@ example(explain, 'sanggwan explain facts/patterns/fig09.pl \'seam(_)\' \c
 --cut 1 --root top').
 example(explain, 'sanggwan explain facts/two_cubes.pl \'hidden(1, 7)\' \c
 --view iso').
+example(explain, 'sanggwan explain facts/pipe_tee.pl \'pixel(320, 200)\' \c
+--size 640x400').
+example(explain, 'sanggwan explain facts/pipe_tee.pl \'why_not(seen(3))\'').
 example(problems, 'sanggwan problems facts/problems/collection.pl -o sheets').
 example(problems, 'sanggwan problems facts/problems/collection.pl \c
 --language ko --angle first --format pdf -o sheets').
@@ -551,7 +557,7 @@ print_option(Language, Verb, option(Name, Short, _, Meta, Help)) :-
     (   Verb == unfold,
         unfold_option_ko(Name, HelpKo)
     ->  true
-    ;   Verb == render,
+    ;   memberchk(Verb, [render,explain]),
         render_option_ko(Name, HelpKo)
     ->  true
     ;   verb_option_ko(Verb, Name, HelpKo)

@@ -1,9 +1,11 @@
 :- module(sg_usage_render,
           [ render_option/1,            % ?Spec
+            shown_option/1,             % ?Spec
             render_option_ko/2,         % ?Name, -Help
             render_example/1            % -Command
           ]).
 :- encoding(utf8).
+:- use_module(library(lists), [member/2]).
 /** <module> The options of the verb render (usage.pl).
 */
 
@@ -36,6 +38,15 @@ render_option(option(background, '', value, 'COLOUR',
     'a name, or R,G,B, 0 to 255 (white, as is usual); none: clear, in .png')).
 render_option(option(dpi, '', number(1), 'N',
     'dots to the inch, written into a .png')).
+
+%!  shown_option(?Spec) is nondet.
+%
+%   Those that say how a picture is shown: explain pixel(X, Y) has them too.
+
+shown_option(Spec) :-
+    Spec = option(Name, _, _, _, _),
+    member(Name, [size,window,smooth,shade,colours,look,light,background]),
+    render_option(Spec).
 
 %!  render_option_ko(?Name, -Help) is nondet.
 %

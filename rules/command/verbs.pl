@@ -56,7 +56,7 @@
               ]).
 :- use_module(verbs_batch, [batch_run_verb/3]).
 :- use_module(verbs_cells, [cells_run/3]).
-:- use_module(verbs_render, [render_run/2]).
+:- use_module(verbs_render, [render_run/2, wanted_scene/4]).
 :- use_module(verbs_unfold,
               [ unfold_run/3, roots_apart/1, patterns_given/1,
                 pattern_wanted/3 ]).
@@ -197,7 +197,11 @@ verb_run(explain, Arguments, Options, Status) :-
     ;   some_files(Files, 'MODEL')
     ),
     read_goal(Text, Item, _),
-    item_explained(Item, load_model(Files, Options), Options, Status).
+    (   of_shading(Item)                % no boundary is evaluated
+    ->  Loading = [evaluate(false),rows(false)|Options]
+    ;   Loading = Options
+    ),
+    item_explained(Item, load_model(Files, Loading), Options, Status).
 verb_run(Verb, Files, Options, Status) :-
     solid_verb(Verb),
     solid_verb_run(Verb, Files, Options, Status).
@@ -373,6 +377,9 @@ item_explained(Item, Load, Options, Status) :-
         picture_made(Options, Eye, PictureOptions, Lines),
         with_operand_lines(Lines,
                            explained(Options, Item, PictureOptions, Status))
+    ;   of_shading(Item)
+    ->  wanted_scene(Options, Load, Scene, Wanted),
+        explained(Options, Item, [scene(Scene)|Wanted], Status)
     ;   call(Load),
         (   of_pattern(Item)
         ->  pattern_asked(Item, Options, Wanted)
@@ -415,8 +422,16 @@ of_model(Item) :-
 
 of_picture(Item) :-
     nonvar(Item),
+    \+ of_shading(Item),
     functor(Item, Name, _),
     memberchk(Name, [hidden,why_not]).
+
+%   of_shading(Item): of a picture that render makes.
+
+of_shading(Item) :-
+    subsumes_term(pixel(_,_), Item).
+of_shading(Item) :-
+    subsumes_term(why_not(seen(_)), Item).
 
 %   explained(Options, Item, PictureOptions, Status): 1 if there is nothing to
 %   explain.

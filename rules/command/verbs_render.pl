@@ -1,5 +1,6 @@
 :- module(sg_verbs_render,
-          [ render_run/2                % +Files, +Options
+          [ render_run/2,               % +Files, +Options
+            wanted_scene/4              % +Options, :Load, -Scene, -Wanted
           ]).
 :- use_module('../colour', [colour_name/2, colour_rgb/2]).
 :- use_module('../csg/csg', [root_segment/1]).
@@ -51,9 +52,28 @@ render_run(Files, Options) :-
     stage(shade, sg_verbs_render:shaded(Options, Wanted, Image)),
     maplist(output_written(image_output(Image, PerMetre)), Outputs).
 
+%!  wanted_scene(+Options, :Load, -Scene, -Wanted) is det.
+%
+%   Scene is the picture that render would make with Options of the model that
+%   Load brings into the world; Wanted are its options as shaded_picture/4 and
+%   picture_image/3 have them.
+
+:- meta_predicate wanted_scene(+, 0, -, -).
+
+wanted_scene(Options, Load, Scene, Wanted) :-
+    findall(Option, render_option(Options, Option), Wanted),
+    ignore(looking(Options, _)),
+    call(Load),
+    looks_read(Options),
+    shaded_scene_of(Options, Wanted, Scene).
+
 %   shaded(Options, Wanted, Image)
 
 shaded(Options, Wanted, Image) :-
+    shaded_scene_of(Options, Wanted, Scene),
+    picture_image(Scene, Wanted, Image).
+
+shaded_scene_of(Options, Wanted, Scene) :-
     shown_roots(Options, Roots),
     up_matrix(Options, Turned),
     shaded_model(Roots, Turned, Model0),
@@ -62,8 +82,7 @@ shaded(Options, Wanted, Image) :-
     ->  true
     ;   print_message(warning, sanggwan(nothing_seen)),
         empty_picture(Eye, Wanted, Scene)
-    ),
-    picture_image(Scene, Wanted, Image).
+    ).
 
 %   shown_roots(Options, Roots): the solids among what is asked for.
 

@@ -19,6 +19,7 @@
               [ parameter_because/2, segment_because/3, sizes_because/2,
                 pair_sizes/3, place_because/3 ]).
 :- use_module(explain_piece, [piece_asked/2, piece_because/3]).
+:- use_module(explain_pixel, [pixel_because/4, unseen_because/3]).
 :- use_module(explain_seam, [joint_explained/5, pattern_explained/4]).
 :- use_module('../message/explain_words', [statement_keys/2, in_order/4]).
 :- use_module('../message/messages', []).
@@ -55,6 +56,9 @@ An *item* is one of
     hidden(S, E)         a line of the picture: where it is hidden, by what
     hidden(Name)         the same: `s1e7` is what drawings call the line
     why_not(hidden(...)) where such a line is visible, and why
+    pixel(X, Y)          a dot of the shaded picture: what is seen there, and why
+                         it has its colour
+    why_not(seen(S))     why nothing of segment S is seen in that picture
 
 Nothing is stored for it: the rule that decided runs again for the one item,
 with exact signs. What comes out is a tree of because(Statement, Because), the
@@ -69,7 +73,8 @@ explain_en.pl and explain_ko.pl.
 %   parts of Item stand for every one there is: explain(line(_)). True if there
 %   was something to explain; otherwise a message says what can be asked.
 %   Options: those of picture/1 that the picture was made with; of seams, folds
-%   and pieces what is wanted of the pattern (explain_seam.pl).
+%   and pieces what is wanted of the pattern (explain_seam.pl); of shaded pictures
+%   those of explain_pixel.pl.
 %
 %   @error instantiation_error: of Options, anything unbound
 %
@@ -141,6 +146,10 @@ item_because(hidden(S, E), Options, Because) :-
 item_because(hidden(Name), Options, Because) :-
     nonvar(Name),
     hidden_because(Name, all, Options, Because).
+item_because(pixel(X, Y), Options, Because) :-
+    pixel_because(X, Y, Options, Because).
+item_because(why_not(seen(S)), Options, Because) :-
+    unseen_because(S, Options, Because).
 item_because(why_not(hidden(S, E)), Options, Because) :-
     hidden_because(S-E, visible, Options, Because).
 item_because(why_not(hidden(Name)), Options, Because) :-

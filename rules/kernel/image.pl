@@ -44,6 +44,13 @@ scene is that of kernel/shading.pl.
 %
 %   @error domain_error(byte, Byte)
 
+%!  image_dot(+Image:image, +X:count, +Y:count, -Bytes:list(count)) is det.
+%
+%   Bytes are those of the dot X of row Y, counted from 0: red, green, blue, and
+%   alpha where Image has one.
+%
+%   @error domain_error(image_dot, X), domain_error(image_dot, Y)
+
 %!  image_png(+Image:image, +PerMetre:count, +Stream:output) is det.
 %
 %   Writes Image to Stream as a PNG file; PerMetre dots are a metre, 0: the

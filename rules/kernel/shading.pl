@@ -64,6 +64,16 @@ Leaves are, each with its Number, which several may have:
 %
 %   @error domain_error(scan_line, Y)
 
+%!  shading_place(+Scene:shading, +X:number, +Y:number, +Depth:number,
+%!                -Place:point) is det.
+%
+%   Place is the point of the model that is seen at (X, Y), in dots, when it is
+%   Depth dots deep.
+
+%!  shading_size(+Scene:shading, -Width:count, -Height:count) is det.
+%
+%   The size of Scene in dots.
+
 %!  shading_slices(+Scene:shading, +Y:number,
 %!                 -Slices:list(shading_slice)) is det.
 %

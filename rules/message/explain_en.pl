@@ -8,6 +8,7 @@
                 exact_text/3, point_text/2
               ]).
 :- use_module(explain_parameter_en, [parameter_statement_en//1]).
+:- use_module(explain_pixel_en, [pixel_statement_en//1]).
 :- use_module(library(apply), [maplist/3]).
 
 /** <module> Explanations in English; explain_ko.pl has them in Korean.
@@ -459,6 +460,8 @@ statement_en(no_seam_out) -->
     [ 'no edge leads to another piece' ].
 statement_en(Statement) -->
     parameter_statement_en(Statement).
+statement_en(Statement) -->
+    pixel_statement_en(Statement).
 
 %!  hidden_en(+What)// is det.
 %

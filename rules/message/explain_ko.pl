@@ -9,6 +9,7 @@
                 exact_text/3, point_text/2
               ]).
 :- use_module(explain_parameter_ko, [parameter_statement_ko//1]).
+:- use_module(explain_pixel_ko, [pixel_statement_ko//1]).
 :- use_module(library(apply), [maplist/3]).
 
 /** <module> Explanations in Korean; explain_en.pl has them in English.
@@ -445,6 +446,8 @@ statement_ko(no_seam_out) -->
     [ '다른 조각으로 이어지는 모서리가 없다' ].
 statement_ko(Statement) -->
     parameter_statement_ko(Statement).
+statement_ko(Statement) -->
+    pixel_statement_ko(Statement).
 
 %!  hidden_ko(+What)// is det.
 %

@@ -4,6 +4,7 @@
             segment_word/2,             % +S, -Word
             polygon_word/3,             % +S, +P, -Word
             face_word/2,                % +Face, -Word
+            bytes_word/2,               % +Bytes, -Word
             in_order/4,                 % +Seat1, +Seat2, -Small, -Large
             exact_text/3,               % +X, -Length, -Text
             point_text/2                % +Point, -Text
@@ -133,6 +134,36 @@ statement_keys(pattern_piece, [segment, piece, polygons, pieces]).
 statement_keys(seams_out, [count]).
 statement_keys(no_seam_out, []).
 
+statement_keys(pixel, [x, y, bytes]).
+statement_keys(seen_part, [percent, face, leaf, segment, name, root]).
+statement_keys(background_part, [percent, colour]).
+statement_keys(seen_place, [point]).
+statement_keys(placed_as, [segment]).
+statement_keys(operand_of, [operand, count, operation, segment, away]).
+statement_keys(inner_side, []).
+statement_keys(passed, [way, face, leaf, segment, name, before]).
+statement_keys(outside_all, [operation, segment, count, root]).
+statement_keys(taken_away, [operand, operation, segment, root]).
+statement_keys(outside_leaf, [leaf, segment, name, root]).
+statement_keys(hidden_face, [face, leaf, segment, name, root, behind]).
+statement_keys(look_by_rule, [colour, rules]).
+statement_keys(look_of, [segment, colour]).
+statement_keys(look_of_palette, [colour, by]).
+statement_keys(normal, [right, up, towards]).
+statement_keys(tone, [tone, rules]).
+statement_keys(light_from_everywhere, [strength]).
+statement_keys(light_from, [right, up, towards, factor, share]).
+statement_keys(ramp, [shade, rules, colour]).
+statement_keys(not_in_picture, [segment, kind]).
+statement_keys(seen_after_all, [segment, dots, x, y]).
+statement_keys(unseen, [segment]).
+statement_keys(unseen_where, [count, x, y]).
+statement_keys(hidden_by_leaf, [leaf, segment, name, root]).
+statement_keys(buried_in, [root]).
+statement_keys(back_side, [root]).
+statement_keys(thinner_than_a_dot, []).
+statement_keys(out_of_the_picture, []).
+
 statement_keys(parameter, [name, value]).
 statement_keys(parameter_formula, [formula]).
 statement_keys(parameter_set, [default]).
@@ -207,6 +238,17 @@ face_word(face(P, Name0), Word) :-
     ->  Word = P
     ;   plain_numbers(Name0, Name),
         format(atom(Word), '~w (~w)', [P, Name])
+    ).
+
+%!  bytes_word(+Bytes, -Word) is det.
+%
+%   Word is rgb(R,G,B) or rgba(R,G,B,A) of a list of bytes.
+
+bytes_word(Bytes, Word) :-
+    atomic_list_concat(Bytes, ', ', Text),
+    (   Bytes = [_,_,_]
+    ->  format(atom(Word), 'rgb(~w)', [Text])
+    ;   format(atom(Word), 'rgba(~w)', [Text])
     ).
 
 %   plain_numbers(Term0, Term): with 15 instead of 15.0.

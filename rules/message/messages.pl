@@ -6,6 +6,7 @@
 :- use_module(command_en, [command_en//1]).
 :- use_module(csg_en, [csg_en//1]).
 :- use_module(explain_en, [statement_en//1, hidden_en//1]).
+:- use_module(explain_pixel_en, [pixel_nothing_en//1]).
 :- use_module(openscad_en, [openscad_en//1]).
 :- use_module(development_en,
               [ development_en//2, development_notice_en//2 ]).
@@ -483,6 +484,10 @@ notice_en(nothing_to_explain(piece(S, P))) -->
     [ 'there is nothing to explain in ~p'-[piece(S, P)], nl,
       '  piece(S, P) is polygon P of S, a segment that is an operation on \c
        solids; piece(S, S0-P0) is polygon P0 of its operand S0.' ].
+notice_en(nothing_to_explain(Item)) -->
+    { memberchk(Item, [pixel(_, _), why_not(seen(_))]) },
+    !,
+    pixel_nothing_en(Item).
 notice_en(nothing_to_explain(Item)) -->
     { memberchk(Item, [hidden(_), hidden(_, _), why_not(_)]) },
     !,

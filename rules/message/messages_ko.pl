@@ -6,6 +6,7 @@
 :- use_module(command_ko, [command_ko//1]).
 :- use_module(csg_ko, [csg_ko//1]).
 :- use_module(explain_ko, [statement_ko//1, hidden_ko//1]).
+:- use_module(explain_pixel_ko, [pixel_nothing_ko//1]).
 :- use_module(openscad_ko, [openscad_ko//1]).
 :- use_module(problem_ko, [problem_ko//1]).
 :- use_module(style_ko, [style_ko//1]).
@@ -459,6 +460,10 @@ notice_ko(nothing_to_explain(piece(S, P))) -->
     [ '~p 에는 설명할 것이 없습니다'-[piece(S, P)], nl,
       '  piece(S, P) 는 입체의 연산인 세그먼트 S 의 다각형 P 이고, \c
        piece(S, S0-P0) 는 그 피연산자 S0 의 다각형 P0 입니다.' ].
+notice_ko(nothing_to_explain(Item)) -->
+    { memberchk(Item, [pixel(_, _), why_not(seen(_))]) },
+    !,
+    pixel_nothing_ko(Item).
 notice_ko(nothing_to_explain(Item)) -->
     { memberchk(Item, [hidden(_), hidden(_, _), why_not(_)]) },
     !,

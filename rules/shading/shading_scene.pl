@@ -7,6 +7,7 @@
             shading_scene/2,            % +Size, -Scene
             scene_handle/2,             % +Scene, -Handle
             scene_tolerance/2,          % +Scene, -Tolerance
+            scene_size/2,               % +Scene, -Size
             scene_root/2,               % +Scene, -Root
             scene_place/2,              % +Scene, ?Place
             scene_leaf/2                % +Scene, ?Leaf
@@ -19,7 +20,7 @@
 :- use_module('../csg/csg_term',
               [check_node_term/1, csg_error/1, is_node_term/1, node_parts/4]).
 :- use_module('../csg/operand_name', [fault_named/2]).
-:- use_module('../kernel', [kept_leaves/2, shading_box/3, shading_open/4]).
+:- use_module('../kernel', [kept_leaves/2, shading_box/3, shading_open/4, shading_size/3]).
 :- use_module('../limits', [limit_value/2]).
 :- use_module('../picture/view', [current_view/4, view_matrix/3]).
 :- use_module('../primitive/primitive',
@@ -395,6 +396,13 @@ shading_scene(Width-Height, Scene) :-
 
 scene_handle(scene(Handle, _, _), Handle).
 scene_tolerance(scene(_, _, Tolerance), Tolerance).
+
+%!  scene_size(+Scene, -Size) is det.
+%
+%   Size is Width-Height, in dots.
+
+scene_size(scene(Handle, _, _), Width-Height) :-
+    shading_size(Handle, Width, Height).
 
 %!  scene_root(+Scene, -Root) is nondet.
 %

@@ -1,5 +1,6 @@
 :- module(sg_surface_look,
           [ surface_look/4,             % +R, +S, +Face, -Look
+            look_source/3,              % +R, +S, -Segment
             scene_looks/4               % +Scene, +Colours, -Looks, -Leaves
           ]).
 :- use_module('../csg/csg', [node/4]).
@@ -28,6 +29,15 @@ face has that of a palette, by roots.
 %   a picture is made.
 
 surface_look(R, S, _, Look) :-
+    look_source(R, S, Segment),
+    findall(Property, look(Segment, Property), Look).
+
+%!  look_source(+R, +S, -Segment) is semidet.
+%
+%   True when the look of leaf S (0: of none) of the root R is that of Segment,
+%   the nearest one that has any.
+
+look_source(R, S, Segment) :-
     look(_, _),
     (   S =:= 0
     ->  N = R
@@ -35,10 +45,8 @@ surface_look(R, S, _, Look) :-
     ),
     seen_way(R, N, Way),
     member(Segment, Way),
-    findall(Property, look(Segment, Property), Look0),
-    Look0 = [_|_],
-    !,
-    Look = Look0.
+    \+ \+ look(Segment, _),
+    !.
 
 %   seen_way(R, S, Way): the segments whose look S may have, the nearest first.
 

@@ -1,5 +1,7 @@
 :- module(sg_surface_tone,
           [ tone/3,                     % +Look, +Normal, -Tone
+            tone_sum/3,                 % +Shade, -Constant, -Ways
+            picture_normal/2,           % +Normal, -InPicture
             look_tones/2                % +Look, -Tones
           ]).
 :- use_module('../decision', [decision/2, decision_is_default/1]).
@@ -34,7 +36,7 @@ no fact says where any light comes from.
 
 tone(Look, vector(X,Y,Z), Tone) :-
     memberchk(shade(Shade), Look),
-    shade_sum(Shade, Constant, Ways),
+    tone_sum(Shade, Constant, Ways),
     maplist(way_tone(X, Y, Z), Ways, Tones),
     sum_list([Constant|Tones], Sum),
     Tone is max(0.0, min(1.0, Sum)).
@@ -42,15 +44,19 @@ tone(Look, vector(X,Y,Z), Tone) :-
 way_tone(X, Y, Z, way(A,B,C,Factor,Least), Tone) :-
     Tone is max(Least, Factor*(A*X + B*Y + C*Z)).
 
-%   shade_sum(Shade, Constant, Ways): in the axes of the picture.
+%!  tone_sum(+Shade, -Constant, -Ways) is det.
+%
+%   A tone is Constant and, for each way(X, Y, Z, Factor, Least), Factor times
+%   the product of the unit vector (X, Y, Z), in the axes of the picture, and
+%   the normal, but at least Least.
 
-shade_sum(flat, 1.0, []) :-
+tone_sum(flat, 1.0, []) :-
     !.
-shade_sum(Shade, 0.5, [way(X,Y,Z,0.5,-0.5)]) :-
+tone_sum(Shade, 0.5, [way(X,Y,Z,0.5,-0.5)]) :-
     memberchk(Shade, [gooch,zebra(_)]),
     !,
     lights([lit(X,Y,Z,_)|_]).
-shade_sum(_, Constant, Ways) :-
+tone_sum(_, Constant, Ways) :-
     light_strength(0, Constant),
     lights(Lights),
     findall(way(X,Y,Z,Strength,0.0), member(lit(X,Y,Z,Strength), Lights), Ways).
@@ -122,6 +128,15 @@ float_vector(Vector, Floats) :-
 float_of(X, F) :-
     F is float(X) + 0.0.
 
+%!  picture_normal(+Normal, -InPicture) is det.
+%
+%   InPicture is the vector(X, Y, Z) Normal of the model to the right, up and
+%   towards the eye.
+
+picture_normal(vector(X,Y,Z), vector(Right,Up,Towards)) :-
+    view_axes(Axes),
+    maplist(product([X,Y,Z]), Axes, [Right,Up,Towards]).
+
 %!  look_tones(+Look, -Tones) is det.
 %
 %   Tones are those of Look for image_shade/6: the sum, or, if a rule decides,
@@ -131,7 +146,7 @@ look_tones(Look, sum(Constant,Ways)) :-
     decision_is_default(tone/3),
     !,
     memberchk(shade(Shade), Look),
-    shade_sum(Shade, Constant, Ways0),
+    tone_sum(Shade, Constant, Ways0),
     view_axes(Axes),
     maplist(model_way(Axes), Ways0, Ways).
 look_tones(Look, table(Numbers,Tones)) :-

@@ -151,6 +151,8 @@ command(operand(repaired(welded,_),_),
 command(operand(surface(_),_), [union, @('turned.off'), @('far.pl'),
                                 '-o', @('a.off')]).
 command(nothing_to_explain(_), [explain, @('cube.pl'), 'line(7)']).
+command(nothing_to_explain(pixel(_,_)),
+        [explain, @('cube.pl'), 'pixel(-1, 7)']).
 command(nothing_to_explain(piece(_,_)), [explain, @('empty.pl'),
                                          'piece(3,99)']).
 command(sheet_tiny(_,fit), [draw, @('tiny.pl'), '--sheet', 'A4', '--scale',
