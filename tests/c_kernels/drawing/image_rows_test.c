@@ -135,6 +135,24 @@ same_dots(const written *file, const sg_image *image)
   return same;
 }
 
+static bool
+last_dot(sg_image *image)
+{
+  size_t x = (size_t)image->width - 1, y = (size_t)image->height - 1;
+  const uint8_t *last = image->dot + (y * (x + 1) + x) * image->bytes;
+  sg_count_list bytes = {0};
+  bool same =
+      sg_door_image_dot(&call, image, x, y, &bytes) && bytes.n == image->bytes;
+
+  for (size_t c = 0; same && c < bytes.n; c++) {
+    same = bytes.at[c] == last[c];
+  }
+  return same && !sg_door_image_dot(&call, image, x + 1, y, &bytes) &&
+         is_domain("image_dot", 2) &&
+         !sg_door_image_dot(&call, image, x, y + 1, &bytes) &&
+         is_domain("image_dot", 3);
+}
+
 static void
 files(int32_t width, int32_t height, bool clear)
 {
@@ -149,6 +167,7 @@ files(int32_t width, int32_t height, bool clear)
   CHECK("a PNG", image && sg_door_image_png(&call, image, 3937, &to_png));
   CHECK("has its dots", image && same_dots(&png, image));
   CHECK("its colours", png.n > 26 && png.byte[25] == (clear ? 6 : 2));
+  CHECK("its last dot", image && last_dot(image));
   if (clear) {
     CHECK("no PPM", image && !sg_door_image_ppm(&call, image, &to_ppm) &&
                         is_domain("image_without_alpha", 1) && ppm.n == 0);

@@ -63,6 +63,20 @@ open_scene(sg_shading_leaf_fact *leaf, size_t n, int32_t last)
 }
 
 static void
+located(sg_shading *scene)
+{
+  size_t width = 0, height = 0;
+  sg_xyz place = {{0, 0, 0}};
+
+  CHECK("a place of the model",
+        sg_door_shading_place(&call, scene, 55, 45, -10, &place) &&
+            fabs(place.at[0] - 0.5) < 1e-12 &&
+            fabs(place.at[1] - 0.5) < 1e-12 && fabs(place.at[2] - 1) < 1e-12);
+  CHECK("a size", sg_door_shading_size(&call, scene, &width, &height) &&
+                      width == 100 && height == 100);
+}
+
+static void
 seen(void)
 {
   sg_shading_leaf_fact leaf[2] = {rows_leaf(1, 12), ring_leaf(2, 0.5)};
@@ -93,6 +107,7 @@ seen(void)
                             &(sg_shading_leaf_fact_list){leaf, 1, 0}, &box) &&
             box.x1 == 50 && box.y1 == 40 && box.x2 == 60 && box.y2 == 50 &&
             box.z1 == -10 && box.z2 == 0);
+  located(scene);
   sg_shading_close(scene);
 }
 
