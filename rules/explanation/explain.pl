@@ -56,8 +56,8 @@ An *item* is one of
     hidden(S, E)         a line of the picture: where it is hidden, by what
     hidden(Name)         the same: `s1e7` is what drawings call the line
     why_not(hidden(...)) where such a line is visible, and why
-    pixel(X, Y)          a dot of the shaded picture: what is seen there, and why
-                         it has its colour
+    pixel(X, Y)          a dot of the shaded picture: what is seen there, and
+                         why it has its colour
     why_not(seen(S))     why nothing of segment S is seen in that picture
 
 Nothing is stored for it: the rule that decided runs again for the one item,
@@ -73,8 +73,8 @@ explain_en.pl and explain_ko.pl.
 %   parts of Item stand for every one there is: explain(line(_)). True if there
 %   was something to explain; otherwise a message says what can be asked.
 %   Options: those of picture/1 that the picture was made with; of seams, folds
-%   and pieces what is wanted of the pattern (explain_seam.pl); of shaded pictures
-%   those of explain_pixel.pl.
+%   and pieces what is wanted of the pattern (explain_seam.pl); of shaded
+%   pictures those of explain_pixel.pl.
 %
 %   @error instantiation_error: of Options, anything unbound
 %

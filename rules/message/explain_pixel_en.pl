@@ -107,7 +107,8 @@ pixel_statement_en(out_of_the_picture) -->
 
 %!  pixel_nothing_en(+Item)// is det.
 %
-%   What is said where the picture has no such dot, or the model no such segment.
+%   What is said where the picture has no such dot, or the model no such
+%   segment.
 
 pixel_nothing_en(Item) -->
     [ 'there is nothing to explain in ~p'-[Item], nl,

@@ -108,7 +108,8 @@ pixel_statement_ko(out_of_the_picture) -->
 
 %!  pixel_nothing_ko(+Item)// is det.
 %
-%   What is said where the picture has no such dot, or the model no such segment.
+%   What is said where the picture has no such dot, or the model no such
+%   segment.
 
 pixel_nothing_ko(Item) -->
     [ '~p: 설명할 것이 없습니다'-[Item], nl,

@@ -20,7 +20,8 @@
 :- use_module('../csg/csg_term',
               [check_node_term/1, csg_error/1, is_node_term/1, node_parts/4]).
 :- use_module('../csg/operand_name', [fault_named/2]).
-:- use_module('../kernel', [kept_leaves/2, shading_box/3, shading_open/4, shading_size/3]).
+:- use_module('../kernel',
+              [kept_leaves/2, shading_box/3, shading_open/4, shading_size/3]).
 :- use_module('../limits', [limit_value/2]).
 :- use_module('../picture/view', [current_view/4, view_matrix/3]).
 :- use_module('../primitive/primitive',
