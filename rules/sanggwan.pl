@@ -80,7 +80,9 @@ module that has it.
               current_view/4 ]).
 :- reexport(shading/shading_scene, [ shading_scene/2, scene_leaf/2 ]).
 :- reexport(shading/seen, 
-            [ slice/3, met/4, seen_at/4, line_spans/3, seen_side/5 ]).
+            [ slice/3, met/4, seen_at/4, seen_layers/4, line_spans/3,
+              seen_side/5
+            ]).
 
 :- topic(unfolding, "Unfolding: developments and patterns").
 :- reexport(unfolding/unfold, [unfold/2, unfold/3]).

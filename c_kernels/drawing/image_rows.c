@@ -15,14 +15,15 @@ enum { LINES = 2, LOOKS = 3, LEAVES = 4, IMAGE = 1 };
 /* ---- looks ---- */
 
 static bool
-read_ways(sg_call *call, const sg_tone_way_list *ways, sg_tones *out)
+read_ways(sg_call *call, const sg_tone_way_list *ways, sg_tone_way *way,
+          unsigned *n)
 {
   if (ways->n > SG_TONE_WAYS) {
     return sg_call_domain(call, "shading_ways", LOOKS);
   }
-  out->ways = (unsigned)ways->n;
+  *n = (unsigned)ways->n;
   for (size_t i = 0; i < ways->n; i++) {
-    out->way[i] = ways->at[i];
+    way[i] = ways->at[i];
   }
   return true;
 }
@@ -65,18 +66,32 @@ read_ramp(sg_call *call, const sg_ramp_light_list *list, sg_ramp *out)
 }
 
 static bool
+read_tones(sg_call *call, const sg_shading_tones *tones, sg_tones *out)
+{
+  if (tones->is == SG_SHADING_TONES_TABLE) {
+    return read_table(call, &tones->table.axes, &tones->table.tones, out);
+  }
+  out->constant = tones->sum.constant;
+  return read_ways(call, &tones->sum.ways, out->way, &out->ways);
+}
+
+static bool
 read_look(sg_call *call, const sg_shading_look *fact, sg_face_look *out)
 {
-  const sg_shading_tones *tones = &fact->tones;
+  const sg_stripes *stripes = &fact->stripes;
 
-  memset(&out->tones, 0, sizeof out->tones);
-  if (tones->is == SG_SHADING_TONES_TABLE) {
-    return read_table(call, &tones->table.axes, &tones->table.tones,
-                      &out->tones) &&
-           read_ramp(call, &fact->ramp, &out->ramp);
+  memset(out, 0, sizeof *out);
+  out->shine.power = (unsigned)fact->shine.power;
+  out->stripes = *stripes;
+  if (fact->shine.power < 1 || fact->shine.power > SG_SHINE_MOST) {
+    return sg_call_domain(call, "shading_shine", LOOKS);
   }
-  out->tones.constant = tones->sum.constant;
-  return read_ways(call, &tones->sum.ways, &out->tones) &&
+  if ((stripes->step != 0 && stripes->step < 4) ||
+      (stripes->way != 1 && stripes->way != -1)) {
+    return sg_call_domain(call, "shading_stripes", LOOKS);
+  }
+  return read_tones(call, &fact->tones, &out->tones) &&
+         read_ways(call, &fact->shine.ways, out->shine.way, &out->shine.ways) &&
          read_ramp(call, &fact->ramp, &out->ramp);
 }
 
@@ -108,24 +123,44 @@ read_leaves(sg_call *call, const sg_list_count_list *leaves, size_t looks,
     }
   }
   first[leaves->n + 1] = at;
-  out->first = first;
-  out->of = of;
+  out->numbers = (sg_face_numbers){first, of};
   return true;
 }
 
 static bool
+read_opacity(sg_call *call, double fact, uint32_t *out)
+{
+  if (!(fact >= 0 && fact <= 1)) {
+    return sg_call_domain(call, "opacity", LOOKS);
+  }
+  *out = (uint32_t)(fact * SG_OPAQUE + 0.5);
+  return true;
+}
+
+/* What is see-through, if anything is. */
+static bool
 read_looks(sg_call *call, const sg_shading_look_list *list,
-           const sg_list_count_list *leaves, sg_looks *out)
+           const sg_list_count_list *leaves, sg_shaded *out,
+           sg_opacities *opacities)
 {
   sg_face_look *look = sg_call_alloc(call, (list->n + 1) * sizeof *look);
+  uint32_t *opacity = sg_call_alloc(call, (list->n + 1) * sizeof *opacity);
+  bool clear = false;
 
-  for (size_t i = 0; look && i < list->n; i++) {
-    if (!read_look(call, &list->at[i], &look[i])) {
+  for (size_t i = 0; look && opacity && i < list->n; i++) {
+    if (!read_look(call, &list->at[i], &look[i]) ||
+        !read_opacity(call, list->at[i].opacity, &opacity[i])) {
       return false;
     }
+    clear = clear || opacity[i] < SG_OPAQUE;
   }
-  out->look = look;
-  return look && read_leaves(call, leaves, list->n, out);
+  if (!look || !opacity || !read_leaves(call, leaves, list->n, &out->looks)) {
+    return false;
+  }
+  out->looks.look = look;
+  *opacities = (sg_opacities){opacity, out->looks.numbers};
+  out->opacities = clear ? opacities : NULL;
+  return true;
 }
 
 /* ---- pictures ---- */
@@ -161,6 +196,7 @@ sg_door_image_shade(sg_call *call, sg_shading *scene, size_t lines,
 {
   const sg_shading_frame *frame = sg_shading_frame_of(scene);
   sg_shaded in = {.scene = scene, .lines = (unsigned)lines};
+  sg_opacities opacities;
   sg_pool *pool = sg_call_pool(call);
 
   if (lines == 0 || lines > SG_COVER_LINES || (lines & (lines - 1)) != 0) {
@@ -168,7 +204,7 @@ sg_door_image_shade(sg_call *call, sg_shading *scene, size_t lines,
   }
   return pool && sg_raster_size(call, frame->width, frame->height) &&
          read_background(call, background, &in) &&
-         read_looks(call, looks, leaves, &in.looks) &&
+         read_looks(call, looks, leaves, &in, &opacities) &&
          ended(call, sg_shade(&in, pool, &call->cancel, out));
 }
 

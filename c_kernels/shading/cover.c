@@ -33,40 +33,36 @@ sg_cover_close(sg_dot_row *cover)
   *cover = (sg_dot_row){0};
 }
 
-static uint32_t
-look_of(const sg_looks *looks, const sg_span *span)
-{
-  uint32_t first = looks->first[span->leaf];
-  uint32_t at = first + (uint32_t)span->face;
-
-  return looks->of[at < looks->first[span->leaf + 1] ? at : first];
-}
-
 /* ---- sums ---- */
 
+/* Light, and how much of a place has it. */
+typedef struct lit {
+  uint32_t light[3], part;
+} lit;
+
 static void
-add_part(uint32_t sum[4], const uint32_t light[3], uint32_t part)
+add_part(uint32_t sum[4], const lit *of, uint32_t wide)
 {
   for (int c = 0; c < 3; c++) {
-    sum[c] += light[c] * part;
+    sum[c] += of->light[c] * wide;
   }
-  sum[3] += part;
+  sum[3] += of->part * wide;
 }
 
 /* One light from x1 to x2, in 1/256 dot. */
 static void
-add_flat(sg_dot_row *cover, const uint32_t light[3], int32_t x1, int32_t x2)
+add_flat(sg_dot_row *cover, const lit *of, int32_t x1, int32_t x2)
 {
   int32_t first = x1 / DOT, last = x2 / DOT;
-  const uint32_t whole[4] = {light[0] * DOT, light[1] * DOT, light[2] * DOT,
-                             DOT};
+  const uint32_t whole[4] = {of->light[0] * DOT, of->light[1] * DOT,
+                             of->light[2] * DOT, of->part * DOT};
 
   if (first == last) {
-    add_part(cover->sum[first], light, (uint32_t)(x2 - x1));
+    add_part(cover->sum[first], of, (uint32_t)(x2 - x1));
     return;
   }
   if (x1 % DOT != 0) {
-    add_part(cover->sum[first], light, (uint32_t)(DOT - x1 % DOT));
+    add_part(cover->sum[first], of, (uint32_t)(DOT - x1 % DOT));
     first++;
   }
   for (int32_t x = first; x < last; x++) {
@@ -75,7 +71,26 @@ add_flat(sg_dot_row *cover, const uint32_t light[3], int32_t x1, int32_t x2)
     }
   }
   if (x2 % DOT != 0) {
-    add_part(cover->sum[last], light, (uint32_t)(x2 % DOT));
+    add_part(cover->sum[last], of, (uint32_t)(x2 % DOT));
+  }
+}
+
+/* Light and dark in turn; y in 1/256 dot. */
+static void
+add_striped(sg_dot_row *cover, const lit *of, const sg_stripes *stripes,
+            int32_t x1, int32_t x2, int64_t y)
+{
+  int32_t step = stripes->step, wide = step / 4;
+  const lit dark = {{of->light[0] / 4, of->light[1] / 4, of->light[2] / 4},
+                    of->part};
+
+  while (x1 < x2) {
+    int32_t at = (int32_t)((x1 + stripes->way * y) % step);
+    at += at < 0 ? step : 0;
+    int32_t to = x1 + (at < wide ? wide : step) - at;
+    to = to < x2 ? to : x2;
+    add_flat(cover, at < wide ? &dark : of, x1, to);
+    x1 = to;
   }
 }
 
@@ -87,6 +102,25 @@ light_at(const sg_shaded *in, const sg_face_look *look, const sg_span *span,
 
   sg_shading_point(in->scene, span, x, y, &depth, normal);
   sg_ramp_at(&look->ramp, sg_tone(&look->tones, normal), light);
+  if (look->shine.ways > 0) {
+    uint32_t more = sg_shine_at(&look->shine, normal);
+    for (int c = 0; c < 3; c++) {
+      uint32_t all = light[c] + more;
+      light[c] = all < SG_LIGHT_MOST ? all : SG_LIGHT_MOST;
+    }
+  }
+}
+
+/* What a span has of a light. */
+static lit
+part_of(const sg_span *span, const uint32_t light[3])
+{
+  lit out = {.part = span->part};
+
+  for (int c = 0; c < 3; c++) {
+    out.light[c] = (uint32_t)((uint64_t)light[c] * span->part / SG_OPAQUE);
+  }
+  return out;
 }
 
 /* Dot after dot; in the middle of a dot, or, if the span does not go so far, at
@@ -111,8 +145,31 @@ add_bent(sg_dot_row *cover, const sg_shaded *in, const sg_span *span,
       light_at(in, look, span, x / (double)DOT, y, cover->light[dot]);
       cover->seen[dot] = key;
     }
-    add_part(cover->sum[dot], cover->light[dot], (uint32_t)(end - x1));
+    lit own = part_of(span, cover->light[dot]);
+    add_part(cover->sum[dot], &own, (uint32_t)(end - x1));
     x1 = end;
+  }
+}
+
+static void
+add_span(sg_dot_row *cover, const sg_shaded *in, const sg_span *span, int32_t y,
+         double line)
+{
+  uint32_t number = sg_face_number(&in->looks.numbers, span->leaf, span->face);
+  const sg_face_look *look = &in->looks.look[number];
+  uint32_t light[3];
+
+  if (!sg_shading_is_flat(in->scene, span)) {
+    add_bent(cover, in, span, number, y + 0.5);
+    return;
+  }
+  light_at(in, look, span, 0, line, light);
+  lit own = part_of(span, light);
+  if (look->stripes.step > 0) {
+    add_striped(cover, &own, &look->stripes, span->x1, span->x2,
+                (int64_t)(line * DOT));
+  } else {
+    add_flat(cover, &own, span->x1, span->x2);
   }
 }
 
@@ -123,19 +180,13 @@ sg_cover_row(sg_dot_row *cover, const sg_shaded *in, sg_shading_work *work,
   memset(cover->sum, 0, (size_t)cover->width * sizeof *cover->sum);
   memset(cover->seen, 0, (size_t)cover->width * sizeof *cover->seen);
   for (unsigned k = 0; k < in->lines; k++) {
-    if (!sg_shading_line(in->scene, work, y + (k + 0.5) / in->lines, spans)) {
+    double line = y + (k + 0.5) / in->lines;
+
+    if (!sg_shading_line(in->scene, work, line, spans)) {
       return false;
     }
     for (size_t i = 0; i < spans->n; i++) {
-      const sg_span *span = &spans->span[i];
-      uint32_t look = look_of(&in->looks, span), light[3];
-
-      if (sg_shading_is_flat(in->scene, span)) {
-        light_at(in, &in->looks.look[look], span, 0, y, light);
-        add_flat(cover, light, span->x1, span->x2);
-      } else {
-        add_bent(cover, in, span, look, y + 0.5);
-      }
+      add_span(cover, in, &spans->span[i], y, line);
     }
   }
   return true;
@@ -148,10 +199,12 @@ static void
 solid_dot(const uint32_t sum[4], const sg_shaded *in, unsigned shift,
           const uint8_t *byte, uint8_t out[3])
 {
-  uint32_t all = (uint32_t)1 << shift, rest = all - sum[3];
+  uint32_t all = (uint32_t)1 << shift;
+  uint64_t rest = (uint64_t)all * SG_OPAQUE - sum[3];
 
   for (int c = 0; c < 3; c++) {
-    out[c] = byte[(sum[c] + rest * in->background[c] + all / 2) >> shift];
+    uint32_t behind = (uint32_t)(rest * in->background[c] / SG_OPAQUE);
+    out[c] = byte[(sum[c] + behind + all / 2) >> shift];
   }
 }
 
@@ -159,12 +212,14 @@ static void
 clear_dot(const uint32_t sum[4], unsigned shift, const uint8_t *byte,
           uint8_t out[4])
 {
-  uint32_t part = sum[3];
+  uint64_t part = sum[3], all = (uint64_t)SG_OPAQUE << shift;
 
   for (int c = 0; c < 3; c++) {
-    out[c] = part > 0 ? byte[(sum[c] + part / 2) / part] : 0;
+    uint64_t light =
+        part > 0 ? ((uint64_t)sum[c] * SG_OPAQUE + part / 2) / part : 0;
+    out[c] = byte[light < SG_LIGHT_MOST ? light : SG_LIGHT_MOST];
   }
-  out[3] = (uint8_t)((part * UINT8_MAX + (1U << shift) / 2) >> shift);
+  out[3] = (uint8_t)((part * UINT8_MAX + all / 2) / all);
 }
 
 void

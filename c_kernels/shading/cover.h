@@ -2,7 +2,7 @@
  *
  * Layer: kernel. A dot is crossed by `lines` scan lines. Each span counts as
  * wide as it is, in 1/256 dot, so a dot has whole sums, and no rounding but
- * that of the light. Flat faces have one light; of others it is that of the
+ * that of the light, of which a see-through face has a part. Flat faces have one light; of others it is that of the
  * normal in the middle of a dot, once for all its lines.
  */
 #ifndef SG_COVER_H
@@ -13,17 +13,23 @@
 
 #define SG_COVER_LINES 16 /* most lines of a dot */
 
+/* Stripes across the picture, darker than the face: where x + way * y, in 1/256
+ * dot, is less than a quarter of `step` after a multiple of it. */
+typedef struct sg_stripes {
+  int32_t step; /* 0: none; else at least 4 */
+  int32_t way;  /* 1 or -1 */
+} sg_stripes;
+
 typedef struct sg_face_look {
   sg_tones tones;
   sg_ramp ramp;
+  sg_shine shine;
+  sg_stripes stripes;
 } sg_face_look;
 
-/* The looks of faces: that of face F of leaf L is the entry first[L] + F, if it
- * is before first[L + 1], else entry first[L]. Leaves as of sg_span. */
 typedef struct sg_looks {
   const sg_face_look *look;
-  const uint32_t *first; /* [leaves + 2] */
-  const uint32_t *of;    /* [first[leaves + 1]]: numbers of looks */
+  sg_face_numbers numbers; /* of looks */
 } sg_looks;
 
 /* What a picture is made from; all borrowed. */
@@ -31,6 +37,7 @@ typedef struct sg_shaded {
   const sg_shading *scene;
   unsigned lines; /* 1, 2, 4, 8 or 16 */
   sg_looks looks;
+  const sg_opacities *opacities; /* null: all is opaque */
   uint16_t background[3]; /* light */
   bool clear;             /* no background: dots have an alpha */
 } sg_shaded;
@@ -38,7 +45,7 @@ typedef struct sg_shaded {
 /* Sums of a row of dots. */
 typedef struct sg_dot_row {
   int32_t width;
-  uint32_t (*sum)[4]; /* [width]: light * 1/256 dots, and 1/256 dots */
+  uint32_t (*sum)[4]; /* [width]: light * 1/256 dots; 1/256 dots * SG_OPAQUE */
   uint64_t *seen;     /* [width]: which face `light` is of; 0: none */
   uint32_t (*light)[3];
 } sg_dot_row;

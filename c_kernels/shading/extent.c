@@ -24,7 +24,7 @@ do_band(void *data, size_t band)
   int32_t height = sg_shading_frame_of(all->scene)->height;
   int32_t y = (int32_t)band * BAND, end = y + BAND;
   sg_spans spans = {0};
-  sg_shading_work *work = sg_shading_work_open(all->scene);
+  sg_shading_work *work = sg_shading_work_open(all->scene, NULL);
   bool good = work != NULL;
 
   *out = nothing;
@@ -74,7 +74,7 @@ static bool
 borders(const sg_shading *scene, sg_shading_extent *out)
 {
   int32_t height = sg_shading_frame_of(scene)->height;
-  sg_shading_work *work = sg_shading_work_open(scene);
+  sg_shading_work *work = sg_shading_work_open(scene, NULL);
   bool good = work != NULL;
 
   good = good && border(scene, work, out->y1, fmax(out->y1 - 1, 0), &out->y1);

@@ -117,8 +117,19 @@ typedef struct sg_active {
   double left, middle, right; /* depths */
 } sg_active;
 
+/* What is seen in one place: the slice of this place in the order of depth has
+ * so much of the light. */
+typedef struct sg_layer {
+  size_t slice;
+  uint32_t part;
+} sg_layer;
+
 struct sg_shading_work {
   const sg_shading *scene;
+  const sg_opacities *opacities; /* null: all is opaque */
+  bool *held;                    /* [roots]: it was there before a group */
+  SG_LIST_OF(sg_layer) layer;
+  SG_LIST_OF(size_t) open; /* of a layer the last span */
   SG_LIST_OF(sg_slice) slice;
   SG_LIST_OF(uint64_t) start; /* x1, then the place of the slice */
   SG_LIST_OF(int32_t) end;
@@ -150,11 +161,11 @@ bool sg_slices_of_line(sg_shading_work *work, double y);
 int32_t sg_slices_cross(const sg_active *p, const sg_active *q, int32_t x1,
                         int32_t x2, double tolerance);
 
-/* walk.c: what is seen of slices in order of depth in the middle. The place of
- * the owner, and in *last that of the last slice of its group; n: nothing is
- * seen, and *last is n. */
-size_t sg_walk_slices(sg_shading_work *work, const sg_active *active, size_t n,
-                      size_t *last);
+/* walk.c: work->layer becomes what is seen of slices in order of depth in the
+ * middle. In *last the place of the last slice of the last group that matters;
+ * n: all do. False: no memory. */
+bool sg_walk_slices(sg_shading_work *work, const sg_active *active, size_t n,
+                    size_t *last);
 
 /* shading_body.c: the right half becomes the inverse of the left one. False:
  * there is none. */

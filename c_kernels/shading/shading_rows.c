@@ -2,6 +2,7 @@
 #include "doors/shading.h"
 #include "shading_private.h"
 #include "shading_segment_rows.h"
+#include "solid/expression_reader.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -146,61 +147,25 @@ read_leaf(sg_call *call, sg_shading *scene, const sg_shading_leaf_fact *fact)
 
 /* ---- roots ---- */
 
-/* An operation of which operands are still to come. */
-typedef struct level {
-  size_t node, operands;
-} level;
-
-static bool
-read_node(sg_call *call, sg_shading *scene, size_t leaves,
-          const sg_expression_node_fact *fact, level *top, size_t *levels)
+static size_t
+add_node(void *to, size_t parent, sg_operation operation, int32_t of)
 {
-  bool leaf = fact->operation == SG_LEAF;
-
-  if (leaf ? fact->of < 1 || (size_t)fact->of > leaves
-           : fact->of < (fact->operation == SG_DIFFERENCE ? 1 : 0)) {
-    return sg_call_domain(call, leaf ? "shading_leaf" : "operands", 3);
-  }
-  size_t at =
-      sg_shading_add_node(scene, *levels > 0 ? top[*levels - 1].node : 0,
-                          fact->operation, leaf ? (uint32_t)(fact->of - 1) : 0);
-  if (at == SIZE_MAX) {
-    return sg_call_no_memory(call);
-  }
-  if (*levels > 0) {
-    top[*levels - 1].operands--;
-  }
-  if (!leaf) {
-    top[(*levels)++] = (level){at, (size_t)fact->of};
-  }
-  while (*levels > 0 && top[*levels - 1].operands == 0) {
-    --*levels;
-  }
-  return true;
+  return sg_shading_add_node(to, parent, operation,
+                             operation == SG_LEAF ? (uint32_t)(of - 1) : 0);
 }
 
-/* Nodes come before their operands. */
 static bool
 read_root(sg_call *call, sg_shading *scene, size_t leaves,
           const sg_shading_root_fact *fact)
 {
-  const sg_expression_node_fact_list *nodes = &fact->nodes;
-  level *top = sg_call_alloc(call, (nodes->n + 1) * sizeof *top);
-  size_t levels = 0;
+  const sg_expression_reader reader = {.argument = 3,
+                                       .leaf = "shading_leaf",
+                                       .leaves = (int32_t)leaves,
+                                       .add = add_node,
+                                       .to = scene};
 
-  if (!top ||
-      !(sg_shading_add_root(scene, fact->s) || sg_call_no_memory(call))) {
-    return false;
-  }
-  for (size_t i = 0; i < nodes->n; i++) {
-    if (i > 0 && levels == 0) {
-      return sg_call_domain(call, "expression", 3);
-    }
-    if (!read_node(call, scene, leaves, &nodes->at[i], top, &levels)) {
-      return false;
-    }
-  }
-  return (nodes->n > 0 && levels == 0) || sg_call_domain(call, "expression", 3);
+  return (sg_shading_add_root(scene, fact->s) || sg_call_no_memory(call)) &&
+         sg_expression_read(call, &reader, &fact->nodes);
 }
 
 /* ---- scenes ---- */
@@ -282,13 +247,14 @@ close_work(void *work)
 
 /* Null: refused. */
 static sg_shading_work *
-open_work(sg_call *call, const sg_shading *scene, double y)
+open_work(sg_call *call, const sg_shading *scene, double y,
+          const sg_opacities *opacities)
 {
   if (!(y >= 0 && y < sg_shading_frame_of(scene)->height)) {
     sg_call_domain(call, "scan_line", 2);
     return NULL;
   }
-  sg_shading_work *work = sg_shading_work_open(scene);
+  sg_shading_work *work = sg_shading_work_open(scene, opacities);
   if (!work) {
     sg_call_no_memory(call);
     return NULL;
@@ -300,7 +266,7 @@ bool
 sg_door_shading_spans(sg_call *call, sg_shading *scene, double y,
                       sg_shading_span_list *out)
 {
-  sg_shading_work *work = open_work(call, scene, y);
+  sg_shading_work *work = open_work(call, scene, y, NULL);
   sg_spans spans = {0};
   bool good = work && (sg_shading_line(scene, work, y, &spans) ||
                        sg_call_no_memory(call));
@@ -312,11 +278,78 @@ sg_door_shading_spans(sg_call *call, sg_shading *scene, double y,
   return good;
 }
 
+/* ---- layers ---- */
+
+/* Leaf after leaf, the first one is leaf 1. */
+static bool
+read_opacities(sg_call *call, const sg_list_number_list *leaves,
+               sg_opacities *out)
+{
+  size_t n = 0;
+
+  for (size_t i = 0; i < leaves->n; i++) {
+    n += leaves->at[i].n;
+  }
+  uint32_t *first = sg_call_alloc(call, (leaves->n + 2) * sizeof *first);
+  uint32_t *of = sg_call_alloc(call, (n + 1) * sizeof *of);
+  uint32_t *opacity = sg_call_alloc(call, (n + 1) * sizeof *opacity);
+  uint32_t at = 0;
+
+  if (!first || !of || !opacity) {
+    return false;
+  }
+  first[0] = 0;
+  for (size_t i = 0; i < leaves->n; i++) {
+    first[i + 1] = at;
+    for (size_t j = 0; j < leaves->at[i].n; j++, at++) {
+      double fact = leaves->at[i].at[j];
+      if (!(fact >= 0 && fact <= 1)) {
+        return sg_call_domain(call, "opacity", 3);
+      }
+      of[at] = at;
+      opacity[at] = (uint32_t)(fact * SG_OPAQUE + 0.5);
+    }
+  }
+  first[leaves->n + 1] = at;
+  *out = (sg_opacities){opacity, {first, of}};
+  return true;
+}
+
+bool
+sg_door_shading_layers(sg_call *call, sg_shading *scene, double y,
+                       const sg_list_number_list *leaves,
+                       sg_shading_layer_list *out)
+{
+  sg_opacities opacities;
+  sg_shading_work *work = read_opacities(call, leaves, &opacities)
+                              ? open_work(call, scene, y, &opacities)
+                              : NULL;
+  sg_spans spans = {0};
+  bool good = work && (sg_shading_line(scene, work, y, &spans) ||
+                       sg_call_no_memory(call));
+
+  for (size_t i = 0; good && i < spans.n; i++) {
+    const sg_span *s = &spans.span[i];
+    good = sg_shading_layer_list_add(
+        call, out,
+        (sg_shading_layer){.x1 = s->x1,
+                           .x2 = s->x2,
+                           .root = s->root,
+                           .leaf = s->leaf,
+                           .face = s->face,
+                           .part = s->part / (double)SG_OPAQUE});
+  }
+  free(spans.span);
+  return good;
+}
+
+/* ---- points ---- */
+
 bool
 sg_door_shading_point(sg_call *call, sg_shading *scene, double x, double y,
                       sg_span *out, double *depth, sg_xyz *normal)
 {
-  sg_shading_work *work = open_work(call, scene, y);
+  sg_shading_work *work = open_work(call, scene, y, NULL);
   sg_spans spans = {0};
   bool found = false;
 
@@ -388,7 +421,7 @@ bool
 sg_door_shading_slices(sg_call *call, sg_shading *scene, double y,
                        sg_shading_slice_list *out)
 {
-  sg_shading_work *work = open_work(call, scene, y);
+  sg_shading_work *work = open_work(call, scene, y, NULL);
 
   if (!work || !(sg_slices_of_line(work, y) || sg_call_no_memory(call))) {
     return false;

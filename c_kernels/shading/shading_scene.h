@@ -91,8 +91,34 @@ size_t sg_shading_add_node(sg_shading *scene, size_t parent,
 /* When all is there. Surfaces nearer than the tolerance become one. */
 sg_shading_end sg_shading_seal(sg_shading *scene, const sg_cancel *cancel);
 
-/* Null: no memory. Owner: one thread. */
-sg_shading_work *sg_shading_work_open(const sg_shading *scene);
+/* Numbers for faces: that of face F of the leaf with number L is the entry
+ * first[L] + F of `of`, if it is before first[L + 1], else entry first[L].
+ * Borrowed. */
+typedef struct sg_face_numbers {
+  const uint32_t *first; /* [numbers of leaves + 2] */
+  const uint32_t *of;    /* [first[numbers of leaves + 1]] */
+} sg_face_numbers;
+
+static inline uint32_t
+sg_face_number(const sg_face_numbers *numbers, int32_t leaf, int32_t face)
+{
+  uint32_t first = numbers->first[leaf], at = first + (uint32_t)face;
+
+  return numbers->of[at < numbers->first[leaf + 1] ? at : first];
+}
+
+/* How opaque faces are: opacity[number], 0 .. SG_OPAQUE. Borrowed. */
+typedef struct sg_opacities {
+  const uint32_t *opacity;
+  sg_face_numbers numbers;
+} sg_opacities;
+
+/* Null: no memory. Owner: one thread. `opacities` null: all is opaque. Else the
+ * line of sight goes on behind a face that is not: at each face where its root
+ * begins or ends, as much of the light is its own as it is opaque, and the rest
+ * comes from behind. */
+sg_shading_work *sg_shading_work_open(const sg_shading *scene,
+                                      const sg_opacities *opacities);
 void sg_shading_work_close(sg_shading_work *work);
 
 /* The spans of the line y, 0 <= y < height. False: no memory. */

@@ -8,6 +8,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* All of the light of a place. */
+#define SG_OPAQUE 65536
+
 /* Ends are in 1/256 dot from the left border of the picture, x1 < x2. */
 typedef struct sg_span {
   int32_t x1, x2;
@@ -16,9 +19,12 @@ typedef struct sg_span {
   int32_t face;     /* of that leaf */
   uint32_t surface; /* of the scene: private */
   int32_t sense;    /* 1: the line of sight enters the leaf; -1: it leaves */
+  uint32_t part;    /* of the light there, 1 .. SG_OPAQUE: its own */
 } sg_span;
 
-/* The spans of one line, from left to right; they do not overlap. */
+/* The spans of one line. Where all is opaque, from left to right, and they do
+ * not overlap; else those of one layer do not, and the parts of a place add up
+ * to SG_OPAQUE at most. */
 typedef struct sg_spans {
   sg_span *span; /* [n] */
   size_t n, room;

@@ -10,21 +10,23 @@
 #include <string.h>
 
 sg_shading_work *
-sg_shading_work_open(const sg_shading *scene)
+sg_shading_work_open(const sg_shading *scene, const sg_opacities *opacities)
 {
   sg_shading_work *w = calloc(1, sizeof *w);
   const sg_expression *e = &scene->expression;
 
   if (w) {
     w->scene = scene;
+    w->opacities = opacities;
     w->expression = *e;
     w->expression.leaf = NULL;
     w->expression.node = malloc(e->n * sizeof *e->node);
-    if (w->expression.node) {
+    w->held = calloc(scene->root.n + 1, sizeof *w->held);
+    if (w->expression.node && w->held) {
       memcpy(w->expression.node, e->node, e->n * sizeof *e->node);
       return w;
     }
-    free(w);
+    sg_shading_work_close(w);
   }
   return NULL;
 }
@@ -38,6 +40,9 @@ sg_shading_work_close(sg_shading_work *w)
     free(w->end.item);
     free(w->active.item);
     free(w->crossing.item);
+    free(w->layer.item);
+    free(w->open.item);
+    free(w->held);
     sg_expression_clear(&w->expression);
     free(w);
   }
@@ -50,16 +55,19 @@ continues(const sg_shading *s, const sg_span *last, const sg_span *next)
 {
   return last->x2 == next->x1 && last->root == next->root &&
          last->leaf == next->leaf && last->face == next->face &&
-         last->surface == next->surface &&
+         last->surface == next->surface && last->part == next->part &&
          (!s->surface.item[last->surface].quadric ||
           last->sense == next->sense);
 }
 
+/* Of the layer `depth`, 0 the nearest. */
 static bool
-add_span(sg_shading_work *w, const sg_slice *slice, int32_t x1, int32_t x2,
+add_span(sg_shading_work *w, size_t depth, int32_t x1, int32_t x2,
          sg_spans *out)
 {
   const sg_shading *s = w->scene;
+  const sg_layer *layer = &w->layer.item[depth];
+  const sg_slice *slice = w->active.item[layer->slice].slice;
   const sg_shading_leaf *leaf = &s->leaf.item[slice->leaf];
   sg_span span = {.x1 = x1,
                   .x2 = x2,
@@ -67,17 +75,36 @@ add_span(sg_shading_work *w, const sg_slice *slice, int32_t x1, int32_t x2,
                   .leaf = leaf->number,
                   .face = slice->face,
                   .surface = slice->surface,
-                  .sense = slice->arc == 0 ? slice->sense : -slice->arc};
+                  .sense = slice->arc == 0 ? slice->sense : -slice->arc,
+                  .part = layer->part};
 
-  if (out->n > 0 && continues(s, &out->span[out->n - 1], &span)) {
-    out->span[out->n - 1].x2 = x2;
-    return true;
+  if (depth < w->open.n) {
+    sg_span *last = &out->span[w->open.item[depth]];
+    if (continues(s, last, &span)) {
+      last->x2 = x2;
+      return true;
+    }
+    w->open.item[depth] = out->n;
+  } else if (!SG_PUSH(w->open, out->n)) {
+    w->failed = true;
+    return false;
   }
   if (!sg_list_grow(&out->span, out->n, &out->room, sizeof *out->span)) {
     w->failed = true;
     return false;
   }
   out->span[out->n++] = span;
+  return true;
+}
+
+static bool
+add_spans(sg_shading_work *w, int32_t x1, int32_t x2, sg_spans *out)
+{
+  for (size_t i = 0; i < w->layer.n; i++) {
+    if (!add_span(w, i, x1, x2, out)) {
+      return false;
+    }
+  }
   return true;
 }
 
@@ -123,19 +150,20 @@ sweep_between(sg_shading_work *w, int32_t x1, int32_t x2, sg_spans *out)
 {
   while (x1 < x2) {
     int32_t to = x2;
-    size_t seen, last;
+    size_t last;
 
     for (;;) {
       order(w, x1, to);
-      seen = sg_walk_slices(w, w->active.item, w->active.n, &last);
+      if (!sg_walk_slices(w, w->active.item, w->active.n, &last)) {
+        return false;
+      }
       int32_t cut = to - x1 > 1 ? find_change(w, x1, to, last) : x1;
       if (cut == x1) {
         break;
       }
       to = cut;
     }
-    if (seen < w->active.n &&
-        !add_span(w, w->active.item[seen].slice, x1, to, out)) {
+    if (!add_spans(w, x1, to, out)) {
       return false;
     }
     x1 = to;
@@ -214,6 +242,7 @@ sg_shading_line(const sg_shading *scene, sg_shading_work *w, double y,
 
   w->scene = scene;
   out->n = 0;
+  w->open.n = 0;
   w->active.n = 0;
   if (!sg_slices_of_line(w, y) || !list_ends(w)) {
     return false;

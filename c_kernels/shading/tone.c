@@ -75,3 +75,28 @@ sg_tone(const sg_tones *tones, const double normal[3])
   }
   return kept(tone);
 }
+
+static double
+power_of(double base, unsigned power)
+{
+  double out = 1.0;
+
+  for (; power > 0; power /= 2, base *= base) {
+    out *= power % 2 == 1 ? base : 1.0;
+  }
+  return out;
+}
+
+uint32_t
+sg_shine_at(const sg_shine *shine, const double normal[3])
+{
+  double sum = 0.0;
+
+  for (unsigned i = 0; i < shine->ways; i++) {
+    double along = sg_dot(shine->way[i].to, normal);
+    if (along > 0) {
+      sum += shine->way[i].factor * power_of(along, shine->power);
+    }
+  }
+  return kept(sum);
+}

@@ -14,6 +14,7 @@
 #define SG_TONE_WAYS 9    /* most lights */
 #define SG_TONE_SIDE 128  /* normals along a side of the table */
 #define SG_RAMP      1024 /* steps of a ramp */
+#define SG_SHINE_MOST 1000000 /* the highest power */
 
 /* `least` or more, and factor * (normal . to). */
 typedef struct sg_tone_way {
@@ -34,6 +35,18 @@ typedef struct sg_tones {
 
 /* The tone of a side that looks along `normal`, a unit vector of the model. */
 uint32_t sg_tone(const sg_tones *tones, const double normal[3]);
+
+/* Light of its own that a side throws back: at a place the sum of factor times
+ * (normal . to)^power, where that is above 0; `to` halves the angle between the
+ * eye and a light. */
+typedef struct sg_shine {
+  unsigned power; /* 1 .. SG_SHINE_MOST */
+  unsigned ways;
+  sg_tone_way way[SG_TONE_WAYS];
+} sg_shine;
+
+/* Light, 0 .. SG_TONE_MOST. */
+uint32_t sg_shine_at(const sg_shine *shine, const double normal[3]);
 
 /* The unit vector (right, up, towards the eye) of an entry of the table: half
  * of an octahedron, flattened. */

@@ -2,62 +2,28 @@
  * kernel of boolean.pl, stays/3. A test holds the two together.
  */
 #include "arrangement_rows.h"
-#include "doors/boolean.h"
-#include "expression.h"
+#include "expression_reader.h"
 
 /* ---- expressions ---- */
 
-/* An operation of which operands are still to come. */
-typedef struct level {
-  size_t node, operands;
-} level;
-
-static bool
-add_node(sg_call *call, const sg_expression_node_fact *fact, level *top,
-         size_t *levels, sg_expression *out)
+static size_t
+add_node(void *to, size_t parent, sg_operation operation, int32_t of)
 {
-  bool leaf = fact->operation == SG_LEAF;
-  size_t at = sg_expression_add(out, *levels > 0 ? top[*levels - 1].node : 0,
-                                fact->operation, leaf ? fact->of : 0);
-
-  if (at == SIZE_MAX) {
-    return sg_call_no_memory(call);
-  }
-  if (leaf ? fact->of < 1
-           : fact->of < (fact->operation == SG_DIFFERENCE ? 1 : 0)) {
-    return sg_call_domain(call, leaf ? "segment" : "operands", 2);
-  }
-  if (*levels > 0) {
-    top[*levels - 1].operands--;
-  }
-  if (!leaf) {
-    top[(*levels)++] = (level){at, (size_t)fact->of};
-  }
-  while (*levels > 0 && top[*levels - 1].operands == 0) {
-    --*levels;
-  }
-  return true;
+  return sg_expression_add(to, parent, operation, of);
 }
 
-/* Nodes come before their operands. */
 static bool
 read_expression(sg_call *call, const sg_expression_node_fact_list *nodes,
                 sg_expression *out)
 {
-  level *top = sg_call_alloc(call, (nodes->n + 1) * sizeof *top);
-  size_t levels = 0;
+  const sg_expression_reader reader = {.argument = 2,
+                                       .leaf = "segment",
+                                       .leaves = INT32_MAX,
+                                       .add = add_node,
+                                       .to = out};
 
-  for (size_t i = 0; top && i < nodes->n; i++) {
-    if (i > 0 && levels == 0) {
-      return sg_call_domain(call, "expression", 2);
-    }
-    if (!add_node(call, &nodes->at[i], top, &levels, out)) {
-      return false;
-    }
-  }
-  return top && (nodes->n == 0 || levels > 0
-                     ? sg_call_domain(call, "expression", 2)
-                     : sg_expression_seal(out) || sg_call_no_memory(call));
+  return sg_expression_read(call, &reader, nodes) &&
+         (sg_expression_seal(out) || sg_call_no_memory(call));
 }
 
 /* ---- senses ---- */

@@ -34,6 +34,13 @@ render_option(option(look, '', value, 'FILE',
 render_option(option(light, '', value, 'X,Y,Z',
     'the light comes from there in the picture: X to the right, Y up, Z \c
      towards the eye')).
+render_option(option('see-through', '', each, 'N[=A]',
+    'segment N, a number or a name, lets through what is behind it; A: how \c
+     opaque it is, 0 to 1 (0.3, as is usual); may be repeated')).
+render_option(option(section, '', each, 'PLANE',
+    'cut open and hatched at x=5, y=5 or z=5; at x, y or z, through the \c
+     middle; or at A,B,C,D, without what is where A*X + B*Y + C*Z + D > 0; \c
+     may be repeated')).
 render_option(option(background, '', value, 'COLOUR',
     'a name, or R,G,B, 0 to 255 (white, as is usual); none: clear, in .png')).
 render_option(option(dpi, '', number(1), 'N',
@@ -66,6 +73,11 @@ render_option_ko(look,
     '색과 빛: look(1, colour(red)) 같은 사실 파일 (docs/render.md)').
 render_option_ko(light,
     '빛이 그림에서 오는 쪽: X는 오른쪽, Y는 위, Z는 눈 쪽').
+render_option_ko('see-through',
+    '세그먼트 N(번호나 이름)을 통해 뒤의 것이 보인다. A: 불투명도 0~1(보통 0.3). 여러 번 쓸 수 있다').
+render_option_ko(section,
+    'x=5, y=5, z=5에서, x, y, z는 가운데에서 잘라 해칭한다. A,B,C,D는 \c
+A*X + B*Y + C*Z + D > 0 인 쪽을 뗀다. 여러 번 쓸 수 있다').
 render_option_ko(background,
     '색 이름이나 R,G,B(0~255). 보통 white. none: 투명(.png)').
 render_option_ko(dpi, '.png에 적는 인치당 점의 수').

@@ -5,16 +5,19 @@
 :- use_module('../colour', [colour_name/2, colour_rgb/2]).
 :- use_module('../csg/csg', [root_segment/1]).
 :- use_module('../csg/csg_matrix', [identity_matrix/1]).
+:- use_module('../csg/csg_term', [plain_name/2]).
 :- use_module('../kernel', [image_png/3, image_ppm/2]).
 :- use_module('../model/look_file', [look_file_added/2]).
 :- use_module('../model/model', [load_model/2]).
 :- use_module('../output', [writing/3]).
 :- use_module('../picture/view',
-              [current_view/4, set_projection/1, set_view/3]).
+              [current_view/4, set_projection/1, set_view/3, view_matrix/3]).
 :- use_module('../shading/shaded_picture',
               [ shaded_picture/4, empty_picture/3, picture_image/3,
                 solid_box/2 ]).
 :- use_module('../shading/shading_scene', [shaded_eye/3, shaded_model/3]).
+:- use_module('../shading/shading_section', [sectioned_model/3]).
+:- use_module('../picture/section', [section_plane/4]).
 :- use_module('../sheet/sheet_view', [view_towards/3]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
@@ -25,7 +28,7 @@
               [ some_files/2, outputs/3, some_outputs/1, no_model_replaced/2,
                 output_written/2, usage_error/1
               ]).
-:- use_module(library(apply), [maplist/2, maplist/3, maplist/4]).
+:- use_module(library(apply), [foldl/4, maplist/2, maplist/3, maplist/4]).
 :- use_module(library(lists), [member/2]).
 :- use_module(library(option), [option/2, option/3]).
 /** <module> The verb render: a shaded picture of solids.
@@ -77,7 +80,8 @@ shaded_scene_of(Options, Wanted, Scene) :-
     shown_roots(Options, Roots),
     up_matrix(Options, Turned),
     shaded_model(Roots, Turned, Model0),
-    placed(Options, Roots, Turned, Model0, Model, Eye),
+    placed(Options, Roots, Turned, Model0, Model1, Away, Eye),
+    sections_cut(Options, Model0, Away, Eye, Model1, Model),
     (   shaded_picture(Model, Eye, Wanted, Scene)
     ->  true
     ;   print_message(warning, sanggwan(nothing_seen)),
@@ -119,10 +123,10 @@ up_rows(z, Matrix) :-
 up_rows(y, [[1,0,0,0], [0,0,-1,0], [0,1,0,0]]).
 up_rows(x, [[0,0,-1,0], [0,1,0,0], [1,0,0,0]]).
 
-%   placed(Options, Roots, Turned, Model0, Model, Eye): an eye looks at the
-%   origin, so what --eye looks at is moved there.
+%   placed(Options, Roots, Turned, Model0, Model, Away, Eye): an eye looks at the
+%   origin, so what --eye looks at is moved there, from Away.
 
-placed(Options, Roots, Turned, Model0, Model, Eye) :-
+placed(Options, Roots, Turned, Model0, Model, Away, Eye) :-
     (   option(projection(Kind0), Options)
     ->  set_projection(Kind0)
     ;   true
@@ -131,7 +135,7 @@ placed(Options, Roots, Turned, Model0, Model, Eye) :-
     ->  true
     ;   View = model
     ),
-    looked(View, Options, Roots, Turned, Model0, Model),
+    looked(View, Options, Roots, Turned, Model0, Model, Away),
     current_view(Theta, Phi, Rho0, Kind),
     (   Kind == central,
         \+ ( view(_, _, Given), Given > 0.0 )
@@ -140,15 +144,15 @@ placed(Options, Roots, Turned, Model0, Model, Eye) :-
     ),
     shaded_eye(Model, view(Theta,Phi,Rho,Kind), Eye).
 
-looked(model, _, _, _, Model, Model).
-looked(view(_,Theta,Phi,_), Options, _, _, Model, Model) :-
+looked(model, _, _, _, Model, Model, [0,0,0]).
+looked(view(_,Theta,Phi,_), Options, _, _, Model, Model, [0,0,0]) :-
     (   option(view(Text), Options),
         split_string(Text, ",", " ", [_,_,RhoText])
     ->  number_string(Rho, RhoText)
     ;   Rho = 0
     ),
     set_view(Theta, Phi, Rho).
-looked(eye(At,Target0), Options, Roots, Turned, Model0, Model) :-
+looked(eye(At,Target0), Options, Roots, Turned, Model0, Model, Away) :-
     (   Target0 == middle
     ->  solid_middle(Model0, Target)
     ;   Target = Target0
@@ -163,8 +167,10 @@ looked(eye(At,Target0), Options, Roots, Turned, Model0, Model) :-
     (   option(projection(central), Options)
     ->  maplist(moved_row, Turned, Target, Matrix),
         shaded_model(Roots, Matrix, Model),
+        Away = Target,
         Rho is sqrt(X*X + Y*Y + Z*Z)
     ;   Model = Model0,
+        Away = [0,0,0],
         Rho = 0
     ),
     set_view(Theta, Phi, Rho).
@@ -182,6 +188,47 @@ solid_middle(Model, [X,Y,Z]) :-
         Z is (Z1+Z2)/2
     ;   X = 0.0, Y = 0.0, Z = 0.0
     ).
+
+%   sections_cut(Options, Model0, Away, Eye, Model1, Model): --section says
+%   planes of Model0, which has been moved from Away and is Model1. What is on
+%   the side of the eye goes; of a plane with four numbers what is above it.
+
+sections_cut(Options, Model0, Away, Eye, Model1, Model) :-
+    option(section(Texts), Options, []),
+    foldl(section_cut(Model0, Away, Eye), Texts, Model1, Model).
+
+section_cut(Whole, Away, Eye, Text, Model0, Model) :-
+    (   section_plane(Text, solid_box(Whole), Plane0, Axis)
+    ->  Plane0 = plane(A,B,C,D0),
+        Away = [X,Y,Z],
+        D is D0 + A*X + B*Y + C*Z,
+        to_eye(Axis, plane(A,B,C,D), Eye, Plane)
+    ;   usage_error(sheet(section(Text)))
+    ),
+    (   sectioned_model([Plane], Model0, Model)
+    ->  true
+    ;   solid_box(Whole, Box)
+    ->  usage_error(sheet(section_past(Text, Box)))
+    ;   usage_error(sheet(section_past(Text, none)))
+    ).
+
+to_eye(none, Plane, _, Plane) :-
+    !.
+to_eye(_, plane(A,B,C,D), eye(Theta,Phi,Rho,Kind,_), Plane) :-
+    view_matrix(Theta, Phi, [_,_,r(X,Y,Z)]),
+    Towards is -(A*X + B*Y + C*Z),
+    (   Kind == central
+    ->  Height is Rho*Towards + D
+    ;   Height = Towards
+    ),
+    (   Height < -1.0e-9
+    ->  maplist(negative, [A,B,C,D], Turned),
+        Plane =.. [plane|Turned]
+    ;   Plane = plane(A,B,C,D)
+    ).
+
+negative(X, Y) :-
+    Y is -X.
 
 %   far_enough(Model, Rho0, Rho): three times as far as the farthest corner of
 %   the box round all.
@@ -313,6 +360,8 @@ looks_read(Options) :-
                print_message(informational, sanggwan(look_in_vain(Name))))
     ;   true
     ),
+    option('see-through'(Texts), Options, []),
+    forall(member(Text, Texts), seen_through(Text)),
     (   option(light(Text), Options)
     ->  light_way(Text, Way),
         findall(F, light(1, strength(F)), Strengths),
@@ -321,6 +370,34 @@ looks_read(Options) :-
         forall(member(F, Strengths), assert_fact(light(1, strength(F)))),
         assert_fact(light(1, Way))
     ;   true
+    ).
+
+%   seen_through(Text): N or N=A; a segment or its name, and how opaque it is.
+
+seen_through(Text) :-
+    atomic_list_concat([Name|Value], =, Text),
+    (   Value == []
+    ->  A = 0.3
+    ;   Value = [AText],
+        atom_number(AText, A),
+        A >= 0,
+        A =< 1
+    ),
+    !,
+    named_segments(Name, Ss),
+    forall(member(S, Ss),
+           ( retractall_facts(look(S, opacity(_))),
+             assert_fact(look(S, opacity(A))) )).
+seen_through(Text) :-
+    usage_error(bad_value('--see-through', Text, 'N, N=A (A: 0..1)')).
+
+named_segments(Name, Ss) :-
+    (   \+ atom_number(Name, _),
+        findall(S, ( segment(S, _, Term), plain_name(Term, Name) ), Ss0),
+        Ss0 = [_|_]
+    ->  Ss = Ss0
+    ;   segment_asked(Name, S),
+        Ss = [S]
     ).
 
 light_way(Text, picture(X,Y,Z)) :-

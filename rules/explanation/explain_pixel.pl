@@ -15,11 +15,11 @@
 :- use_module('../shading/shading_scene',
               [ scene_handle/2, scene_leaf/2, scene_place/2, scene_root/2,
                 scene_size/2, shaded_eye/3, shaded_model/2 ]).
-:- use_module('../shading/surface_look', [look_source/3, scene_looks/4]).
+:- use_module('../shading/surface_look', [look_source/4, scene_looks/4]).
 :- use_module('../shading/surface_ramp', [ramp/3]).
 :- use_module('../shading/surface_tone',
               [picture_normal/2, tone/3, tone_sum/3]).
-:- use_module('../store', [look/2, segment/3]).
+:- use_module('../store', [segment/3]).
 :- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
 :- use_module(library(lists),
               [append/2, append/3, member/2, nth0/3, nth1/3, sum_list/2]).
@@ -306,8 +306,7 @@ look_because(R, S, Colours, Look, Because) :-
     decided_by(surface_look/4, By),
     (   By \== default
     ->  Because = [because(look_by_rule(Colour,By), [])]
-    ;   look_source(R, S, Segment),
-        look(Segment, colour(_))
+    ;   look_source(R, S, colour(_), Segment)
     ->  Because = [because(look_of(Segment,Colour), [])]
     ;   Because = [because(look_of_palette(Colour,Colours), [])]
     ).

@@ -14,12 +14,18 @@ scene is that of kernel/shading.pl.
 %!              -Image:image) is det.
 %
 %   Image is Scene in dots; Lines, 1, 2, 4, 8 or 16, cross each. Looks are
-%   look(Tones, Ramp). Tones is sum(Constant, Ways): the tone of a side is
+%   look(Tones, Ramp, Opacity, Shine, Stripes). Tones is sum(Constant, Ways): the tone of a side is
 %   that, from 0 to 1, with for each way(X, Y, Z, Factor, Least) Factor times
 %   the product of the unit vectors (X, Y, Z) and normal, but at least Least.
 %   Or table(Axes, Tones): Axes are 9 numbers, what is right, up and towards
 %   the eye in the model, Tones are those of the normals of image_normals/1.
-%   Ramp has 1,025 light(R, G, B), of the tones 0, 1/1024, ... 1. Leaves has
+%   Ramp has 1,025 light(R, G, B), of the tones 0, 1/1024, ... 1. Opacity, 0 to
+%   1, is how much of its light comes from the face, as in shading_layers/4.
+%   Shine is shine(Power, Ways): for each way(X, Y, Z, Factor, _), (X, Y, Z)
+%   being half-way between eye and light, white light is added, Factor times
+%   the product with the normal to the power Power. Stripes is stripes(Step,
+%   Way): dark stripes across a flat face, where X + Way*Y is less than Step/4
+%   behind a multiple of Step, in 1/256 dot; Step 0: none. Leaves has
 %   for leaf 1, 2, ... of Scene the places of Looks, from 0: first that of the
 %   leaf, then those of its faces 1, 2, ..., as many as differ. Background is
 %   rgb(R, G, B) in bytes, or `none`: dots have an alpha.

@@ -56,6 +56,18 @@ Leaves are, each with its Number, which several may have:
 %
 %   @error domain_error(scan_line, Y): not in the picture
 
+%!  shading_layers(+Scene:shading, +Y:number, +Leaves:list(list(number)),
+%!                 -Layers:list(shading_layer)) is det.
+%
+%   Layers are layer(X1, X2, Root, Leaf, Face, Part): what is seen on the line Y
+%   where faces are see-through, Part of the light there being that face's.
+%   Leaves has for leaf 1, 2, ... how opaque it is, 0 to 1, then how its faces
+%   1, 2, ... are, as many as differ. At each face where a root begins or ends
+%   as much of the light is its own as it is opaque, and the rest comes from
+%   behind. Where a face is opaque nothing behind it is seen.
+%
+%   @error domain_error(scan_line, Y), domain_error(opacity, Leaves)
+
 %!  shading_point(+Scene:shading, +X:number, +Y:number, -Span:shading_span,
 %!                -Depth:number, -Normal:vector) is semidet.
 %

@@ -39,6 +39,12 @@ look_en(only(Name, Arity)) -->
 %
 %   What should stand there, see look_expected/2.
 
+expected_look_en(opacity) -->
+    !,
+    [ 'opacity(A), A a number from 0 (clear) to 1 (opaque)' ].
+expected_look_en(shine) -->
+    !,
+    [ 'shine(F, N), F a number from 0 to 1, N a whole number from 1 to 1000' ].
 expected_look_en(_) -->
     { findall(Name, colour_name(Name, _), Names),
       atomic_list_concat(Names, ', ', All)
@@ -54,4 +60,8 @@ expected_light_en(any) -->
     [ 'picture(X, Y, Z) (from there in the picture: right, up, towards the \c
        eye), direction(X, Y, Z) (this way in the model) or strength(F)' ].
 expected_light_en(colour) -->
+    expected_light_en(any).
+expected_light_en(opacity) -->
+    expected_light_en(any).
+expected_light_en(shine) -->
     expected_light_en(any).

@@ -40,6 +40,12 @@ look_ko(only(Name, Arity)) -->
 %
 %   What should stand there, see look_expected/2.
 
+expected_look_ko(opacity) -->
+    !,
+    [ 'opacity(A). A는 0(투명)에서 1(불투명)까지의 수' ].
+expected_look_ko(shine) -->
+    !,
+    [ 'shine(F, N). F는 0에서 1까지의 수, N은 1에서 1000까지의 정수' ].
 expected_look_ko(_) -->
     { findall(Name, colour_name(Name, _), Names),
       atomic_list_concat(Names, ', ', All)
@@ -55,4 +61,8 @@ expected_light_ko(any) -->
     [ 'picture(X, Y, Z) (그림에서 오는 쪽: 오른쪽, 위, 눈 쪽), \c
        direction(X, Y, Z) (모델에서 가는 쪽), 또는 strength(F)' ].
 expected_light_ko(colour) -->
+    expected_light_ko(any).
+expected_light_ko(opacity) -->
+    expected_light_ko(any).
+expected_light_ko(shine) -->
     expected_light_ko(any).

@@ -9,6 +9,10 @@
 /** <module> The properties that look/2 and light/2 may have.
 
     look(S, colour(C))           C a name of colour.pl, or rgb(R,G,B)
+    look(S, opacity(A))          0, clear, to 1, opaque
+    look(S, shine(F,N))          white light that it throws back: F, 0 to 1, as
+                                 strong as a light, and the higher N, 1 to 1000,
+                                 the sharper
     light(N, picture(X,Y,Z))     it comes from there in the picture: X to the
                                  right, Y up, Z towards the eye
     light(N, direction(X,Y,Z))   it goes this way, in the model
@@ -20,12 +24,25 @@
 %   True when Property is one of look/2.
 
 is_look(Property) :-
-    nonvar(Property),
-    Property = colour(Colour),
-    nonvar(Colour),
-    ( atom(Colour) ; Colour = rgb(_,_,_), ground(Colour) ),
-    colour_rgb(Colour, _),
+    ground(Property),
+    look_holds(Property),
     !.
+
+look_holds(colour(Colour)) :-
+    ( atom(Colour) ; Colour = rgb(_,_,_) ),
+    colour_rgb(Colour, _).
+look_holds(opacity(A)) :-
+    part(A).
+look_holds(shine(F,N)) :-
+    part(F),
+    integer(N),
+    N >= 1,
+    N =< 1000.
+
+part(X) :-
+    number(X),
+    X >= 0,
+    X =< 1.
 
 %!  is_light(@Property) is semidet.
 %
@@ -53,7 +70,7 @@ coordinate(X) :-
 %!  look_expected(@Property, -Expected) is det.
 %
 %   Expected says in a message what should stand where Property stands:
-%   `colour`, `strength`, `way` or `any`.
+%   `colour`, `opacity`, `shine`, `strength`, `way` or `any`.
 
 look_expected(Property, Expected) :-
     nonvar(Property),
@@ -63,6 +80,8 @@ look_expected(Property, Expected) :-
 look_expected(_, any).
 
 expected(colour(_), colour).
+expected(opacity(_), opacity).
+expected(shine(_,_), shine).
 expected(strength(_), strength).
 expected(Property, way) :-
     way(Property, _).

@@ -10,7 +10,7 @@
 :- use_module(mesh, [read_mesh/3, write_mesh/3, mesh_ending/2]).
 :- use_module(model_file, [read_model/3]).
 :- use_module(model_writer, [write_model/1]).
-:- use_module(openscad, [read_csg/2, term_colour/2]).
+:- use_module(openscad, [read_csg/2, term_looks/2]).
 :- use_module(parameter, [settings_of/2, settings_met/2]).
 :- use_module(parameter_about, [ranges_told/0, settings_used/1]).
 :- use_module('../primitive/primitive_rows', [add_primitive/2, without_rows/1]).
@@ -138,9 +138,10 @@ csg_added(File) :-
     ord_subtract(Now, Before, New),
     forall(( member(N, [S|New]),
              segment(N, _, Own),
-             term_colour(Own, Colour),
-             \+ look(N, colour(_)) ),
-           assert_fact(look(N, colour(Colour)))).
+             term_looks(Own, Looks),
+             \+ look(N, _),
+             member(Look, Looks) ),
+           assert_fact(look(N, Look))).
 
 segments(Ss) :-
     findall(S, segment(S, _, _), Ss0),

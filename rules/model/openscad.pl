@@ -1,6 +1,6 @@
 :- module(sg_openscad,
           [ read_csg/2,                 % +File, -Term
-            term_colour/2               % +Term, -Colour
+            term_looks/2                % +Term, -Looks
           ]).
 :- use_module(openscad_argument, [openscad_argument/4, openscad_error/2]).
 :- use_module(openscad_extrusion, [linear_extruded/3, rotate_extruded/3]).
@@ -23,8 +23,9 @@ OpenSCAD makes (openscad_leaf.pl). A node is one of
                         (region.pl); linear_extrude and rotate_extrude make
                         solids of it
 
-The outermost colour of a solid is its name, colour(rgb(R,G,B)), from which
-term_colour/2 has it; how clear it is, and convexity, are passed over. Of the
+The outermost colour of a solid is its name, colour(rgb(R,G,B)), or, of what is
+see-through, colour(rgb(R,G,B),A), from which term_looks/2 has it; convexity is
+passed over. Of the
 modifiers `#` says nothing about the model, what has `*` or `%` is not part of
 it, and where a node has `!` it is all of the model.
 
@@ -166,23 +167,31 @@ coloured(Node, Meaning) :-
     (   Meaning0 = solid(Term0),
         node_colour(Node, Colour)
     ->  uncoloured(Term0, Term),
-        Meaning = solid(named(colour(Colour), Term))
+        Meaning = solid(named(Colour, Term))
     ;   Meaning = Meaning0
     ).
 
 %   node_colour(Node, Colour): fails of one that OpenSCAD does not know, which
 %   it writes as numbers below 0.
 
-node_colour(node(_, _, Arguments, _, _), rgb(R,G,B)) :-
-    memberchk(1-[R0,G0,B0|_], Arguments),
-    maplist(colour_byte, [R0,G0,B0], [R,G,B]).
+node_colour(node(_, _, Arguments, _, _), Colour) :-
+    memberchk(1-[R0,G0,B0|Alpha], Arguments),
+    maplist(colour_byte, [R0,G0,B0], [R,G,B]),
+    (   Alpha = [A],
+        number(A),
+        A >= 0,
+        A < 1
+    ->  Colour = colour(rgb(R,G,B),A)
+    ;   Colour = colour(rgb(R,G,B))
+    ).
 
 colour_byte(Part, Byte) :-
     number(Part),
     Part >= 0,
     Byte is min(255, round(Part*255)).
 
-uncoloured(named(colour(_), Term0), Term) :-
+uncoloured(named(Name, Term0), Term) :-
+    name_looks(Name, _),
     !,
     uncoloured(Term0, Term).
 uncoloured(at(Steps, Term0), at(Steps, Term)) :-
@@ -197,18 +206,21 @@ uncoloured(Term0, Term) :-
     Term =.. [Operation,Operands].
 uncoloured(Term, Term).
 
-%!  term_colour(+Term, -Colour) is semidet.
+%!  term_looks(+Term, -Looks) is semidet.
 %
-%   Colour, rgb(R,G,B), is that of a solid of read_csg/2, an operand or its
-%   name for all.
+%   Looks are the properties of look/2 that a solid of read_csg/2 has, an
+%   operand or its name for all.
 
-term_colour(named(Name, Term), Colour) :-
-    (   Name = colour(Colour0)
-    ->  Colour = Colour0
-    ;   term_colour(Term, Colour)
+term_looks(named(Name, Term), Looks) :-
+    (   name_looks(Name, Looks0)
+    ->  Looks = Looks0
+    ;   term_looks(Term, Looks)
     ).
-term_colour(at(_, Term), Colour) :-
-    term_colour(Term, Colour).
+term_looks(at(_, Term), Looks) :-
+    term_looks(Term, Looks).
+
+name_looks(colour(Colour), [colour(Colour)]).
+name_looks(colour(Colour,A), [colour(Colour),opacity(A)]).
 
 subtracted(Node, Meaning) :-
     operands(Node, Meanings0),

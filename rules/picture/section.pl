@@ -1,5 +1,6 @@
 :- module(sg_section,
           [ section_plane/3,            % +Text, -Plane, -Axis
+            section_plane/4,            % +Text, :Box, -Plane, -Axis
             cut_away/2,                 % +Plane, -Section
             section_lines/3,            % +Section, +OperandLines, -Lines
             section_edges/3,            % +Section, ?N, -Edges
@@ -23,6 +24,7 @@
               [foldl/4, maplist/2, maplist/3, maplist/4]).
 :- use_module(library(lists), [append/2, member/2]).
 :- use_module(library(ordsets), [ord_memberchk/2]).
+:- meta_predicate section_plane(+, 1, -, -).
 /** <module> Sections: the model cut open by a plane.
 
 What is above the plane, where the eye stands, is taken away, exactly: a solid
@@ -36,30 +38,35 @@ below stays, and where it ends is a line; of a curve the pieces below.
 */
 
 %!  section_plane(+Text, -Plane, -Axis) is semidet.
+%!  section_plane(+Text, :Box, -Plane, -Axis) is semidet.
 %
-%   Text says where to cut: `x=5`, `x` (through the middle of the model, which
-%   is the current world), or `A,B,C,D`. Plane is plane(A,B,C,D), the eye
-%   being where A*X + B*Y + C*Z + D > 0: for x on the right, for y in front (at
-%   -y), for z above. Axis is x, y, z, or none.
+%   Text says where to cut: `x=5`, `x` (through the middle of the model), or
+%   `A,B,C,D`. Plane is plane(A,B,C,D), the eye being where A*X + B*Y + C*Z +
+%   D > 0: for x on the right, for y in front (at -y), for z above. Axis is x,
+%   y, z, or none. The model is the current world, or what call(Box, B) says,
+%   as model_box/1.
 
 section_plane(Text, Plane, Axis) :-
+    section_plane(Text, sg_section:model_box, Plane, Axis).
+
+section_plane(Text, Box, Plane, Axis) :-
     split_string(Text, "=", " ", [AxisText|Value]),
     atom_string(Axis0, AxisText),
     downcase_atom(Axis0, Axis),
     memberchk(Axis, [x,y,z]),
     !,
-    axis_value(Value, Axis, At),
+    axis_value(Value, Box, Axis, At),
     axis_plane(Axis, At, Plane).
-section_plane(Text, plane(A,B,C,D), none) :-
+section_plane(Text, _, plane(A,B,C,D), none) :-
     split_string(Text, ",", " ", Parts),
     maplist(decimal_number, Parts, [A,B,C,D]),
     once(( member(N, [A,B,C]), N =\= 0 )).
 
-axis_value([], Axis, At) :-
-    model_box(box(X1,Y1,Z1,X2,Y2,Z2)),
+axis_value([], Box, Axis, At) :-
+    call(Box, box(X1,Y1,Z1,X2,Y2,Z2)),
     memberchk(Axis-Low-High, [x-X1-X2, y-Y1-Y2, z-Z1-Z2]),
     At is (Low+High)/2.
-axis_value([Text], _, At) :-
+axis_value([Text], _, _, At) :-
     decimal_number(Text, At).
 
 axis_plane(x, At, plane(1,0,0,D)) :-

@@ -2,6 +2,7 @@
           [ slice/3,                    % +Scene, +Y, -Slice
             met/4,                      % +Scene, +X, +Y, -Groups
             seen_at/4,                  % +Scene, +X, +Y, -Seen
+            seen_layers/4,              % +Scene, +X, +Y, -Layers
             line_spans/3,               % +Scene, +Y, -Spans
             seen_side/5                 % +Scene, +X, +Y, -Depth, -Normal
           ]).
@@ -10,7 +11,7 @@
 :- use_module(shading_scene, 
               [scene_handle/2, scene_place/2, scene_root/2, scene_tolerance/2]).
 :- use_module(library(apply), [foldl/4]).
-:- use_module(library(lists), [member/2]).
+:- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(ordsets), [ord_symdiff/3]).
 /** <module> What is seen at a point of a shaded picture: the definition.
 
@@ -103,7 +104,7 @@ first_seen([group(_,Mets)|Groups], Scene, In0, Seen) :-
     foldl(toggled, Mets, In0, In),
     (   scene_root(Scene, root(R,Nodes)),
         holds(Nodes, [], In)
-    ->  owner(Scene, R, Mets, S-F),
+    ->  owner(Scene, R, Mets, 1, S-F),
         Seen = seen(R,S,F)
     ;   first_seen(Groups, Scene, In, Seen)
     ).
@@ -151,16 +152,17 @@ operation_value(difference, [First|Others], Value) :-
     ;   Value = false
     ).
 
-%   owner(Scene, R, Mets, S-F): of a group after which root R is there, the
-%   face that is seen is one that makes R true: that of a leaf entered, or of
-%   one left that is taken away. Of several the first leaf, and its first face.
+%   owner(Scene, R, Mets, Way, S-F): of a group at which root R begins, Way 1, or
+%   ends, -1, the face that is seen is one that makes it so: to begin, that of a
+%   leaf entered, or of one left that is taken away; to end, the other way
+%   round. Of several the first leaf, and its first face.
 
-owner(Scene, R, Mets, S-F) :-
+owner(Scene, R, Mets, Way, S-F) :-
     findall(Rank-(S1-F1),
             ( member(met(Place,F1,Sense), Mets),
               scene_place(Scene, place(Place,R,S1)),
               sign_of(Scene, Place, Sign),
-              (   Sense*Sign > 0
+              (   Sense*Sign*Way > 0
               ->  Rank = 1
               ;   Rank = 2
               ) ),
@@ -199,6 +201,40 @@ operands_signed(Count, Which, Nodes0, Nodes, Sign0, Place, Sign) :-
     Fewer is Count-1,
     arg(1, Which, Operation),
     operands_signed(Fewer, other(Operation), Nodes1, Nodes, Sign0, Place, Sign).
+
+%!  seen_layers(+Scene, +X, +Y, -Layers) is det.
+%
+%   Layers are what would be seen at (X, Y), in dots, if all were see-through,
+%   the nearest first: seen(R, S, F) where the root R begins, or ends. Of one
+%   group what ends is nearer than what begins.
+%
+%   @error domain_error(scan_line, Y)
+
+seen_layers(Scene, X, Y, Layers) :-
+    met(Scene, X, Y, Groups),
+    findall(root(R,Nodes), scene_root(Scene, root(R,Nodes)), Roots),
+    layers(Groups, Scene, Roots, [], Layers).
+
+layers([], _, _, _, []).
+layers([group(_,Mets)|Groups], Scene, Roots, In0, Layers) :-
+    foldl(toggled, Mets, In0, In),
+    findall(Way-R,
+            ( member(Way, [-1,1]), member(root(R,Nodes), Roots),
+              change(Way, Nodes, In0, In) ),
+            Changed),
+    findall(seen(R,S,F),
+            ( member(Way-R, Changed), owner(Scene, R, Mets, Way, S-F) ),
+            New),
+    append(New, Layers1, Layers),
+    layers(Groups, Scene, Roots, In, Layers1).
+
+change(Way, Nodes, In0, In) :-
+    (   holds(Nodes, [], In0)
+    ->  Way =:= -1,
+        \+ holds(Nodes, [], In)
+    ;   Way =:= 1,
+        holds(Nodes, [], In)
+    ).
 
 %!  line_spans(+Scene, +Y, -Spans) is det.
 %

@@ -10,7 +10,7 @@
               [scene_handle/2, shaded_box/3, shaded_eye/3, shaded_scene/5]).
 :- use_module(surface_look, [scene_looks/4]).
 :- use_module(surface_ramp, [look_ramp/2]).
-:- use_module(surface_tone, [look_tones/2]).
+:- use_module(surface_tone, [look_shine/2, look_tones/2]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(option), [option/2, option/3]).
 /** <module> A shaded picture in dots.
@@ -103,11 +103,28 @@ picture_image(Scene, Options, Image) :-
     ;   colour_rgb(Background0, Background)
     ),
     scene_looks(Scene, Colours, Looks, Leaves),
-    maplist(kernel_look(Shade), Looks, KernelLooks),
+    option(size(Size), Options, 1260-888),
+    stripes_step(Size, Step),
+    maplist(kernel_look(Shade, Step), Looks, KernelLooks),
     scene_handle(Scene, Handle),
     image_shade(Handle, Lines, KernelLooks, Leaves, Background, Image).
 
-kernel_look(Shade, Look0, look(Tones,Ramp)) :-
+%   stripes_step(Size, Step): how far stripes of sections are apart, in 1/256
+%   dot.
+
+stripes_step(Width-Height, Step) :-
+    Step is 256*max(5, min(Width, Height)//60).
+
+kernel_look(Shade, Step, Look0, look(Tones,Ramp,Opacity,Shine,Stripes)) :-
     Look = [shade(Shade)|Look0],
     look_tones(Look, Tones),
-    look_ramp(Look, Ramp).
+    look_ramp(Look, Ramp),
+    look_shine(Look, Shine),
+    (   memberchk(opacity(Opacity0), Look)
+    ->  Opacity = Opacity0
+    ;   Opacity = 1
+    ),
+    (   memberchk(hatched(Way), Look)
+    ->  Stripes = stripes(Step,Way)
+    ;   Stripes = stripes(0,1)
+    ).

@@ -1,19 +1,20 @@
 :- module(sg_surface_look,
           [ surface_look/4,             % +R, +S, +Face, -Look
-            look_source/3,              % +R, +S, -Segment
+            look_source/4,              % +R, +S, ?Property, -Segment
             scene_looks/4               % +Scene, +Colours, -Looks, -Leaves
           ]).
 :- use_module('../csg/csg', [node/4]).
 :- use_module('../decision', [decision/2, decision_is_default/1]).
+:- use_module('../model/look_term', [property_slot/2]).
 :- use_module('../store', [look/2]).
 :- use_module(shading_scene, [scene_leaf/2, scene_root/2]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists),
-              [append/2, append/3, list_to_set/2, member/2, nth0/3]).
+              [append/2, append/3, list_to_set/2, member/2, nth0/3, selectchk/3]).
 /** <module> How a face looks (CB-8).
 
-A look is a list of properties, those of look/2. The nearest that has a colour
-wins: the segment of the leaf, the nodes above it, the root. What is taken away
+A look is a list of properties, those of look/2. Of each the nearest wins: that
+of the segment of the leaf, of the nodes above it, of the root. What is taken away
 shows the body that it was taken from: behind the operands of a difference but
 the first one comes the first one, before the node itself. Without any colour a
 face has that of a palette, by roots.
@@ -24,29 +25,45 @@ face has that of a palette, by roots.
 %!  surface_look(+R, +S, +Face, -Look:list) is semidet.
 %
 %   True when the Face, as in face_of/3, of segment S (0: of none), a leaf of
-%   the root R, has the properties Look. Where it fails, or Look has no
-%   colour(C), the palette has one. A decision, asked once for each face before
-%   a picture is made.
+%   the root R, has the properties Look: colour(C), opacity(A), shine(F,N), as
+%   in look/2; and hatched, which the face of a section is. Where it fails, or
+%   Look has no colour(C), the palette has one. A decision, asked once for each
+%   face before a picture is made.
 
-surface_look(R, S, _, Look) :-
-    look_source(R, S, Segment),
-    findall(Property, look(Segment, Property), Look).
+surface_look(R, S, Face, Look) :-
+    findall(Property, look_source(R, S, Property, _), All),
+    nearest(All, [], Look0),
+    (   Face == section
+    ->  Look = [hatched|Look0]
+    ;   Look = Look0
+    ).
 
-%!  look_source(+R, +S, -Segment) is semidet.
+%   nearest(All, Slots, Look): of those with one slot the first.
+
+nearest([], _, []).
+nearest([Property|All], Slots, Look) :-
+    property_slot(Property, Slot),
+    (   memberchk(Slot, Slots)
+    ->  nearest(All, Slots, Look)
+    ;   Look = [Property|Look1],
+        nearest(All, [Slot|Slots], Look1)
+    ).
+
+%!  look_source(+R, +S, ?Property, -Segment) is nondet.
 %
-%   True when the look of leaf S (0: of none) of the root R is that of Segment,
-%   the nearest one that has any.
+%   True when leaf S (0: of none) of the root R may have the Property, for
+%   Segment has it; the nearest first.
 
-look_source(R, S, Segment) :-
+look_source(R, S, Property, Segment) :-
     look(_, _),
+    !,
     (   S =:= 0
     ->  N = R
     ;   N = S
     ),
     seen_way(R, N, Way),
     member(Segment, Way),
-    \+ \+ look(Segment, _),
-    !.
+    look(Segment, Property).
 
 %   seen_way(R, S, Way): the segments whose look S may have, the nearest first.
 
@@ -98,7 +115,7 @@ scene_looks(Scene, Colours, Looks, Leaves) :-
         \+ look(_, _)
     ->  Asked = nothing
     ;   decision_is_default(surface_look/4)
-    ->  Asked = leaves
+    ->  Asked = leaves                  % faces look alike
     ;   Asked = faces
     ),
     maplist(leaf_looks(Asked, Colours, Roots), All, Own),
@@ -120,12 +137,23 @@ leaf_looks(Asked, Colours, Roots, leaf(Number,R,S,_,Faces), Looks) :-
     ;   once(nth0(Place, Roots, R))
     ),
     palette_colour(Place, Colour),
-    asked_looks(Asked, R, S, Faces, Colour, Looks).
+    asked_looks(Asked, R, S, Faces, Place-Colour, Looks).
 
-asked_looks(nothing, _, _, _, Colour, [[colour(Colour)]]).
-asked_looks(leaves, R, S, _, Colour, [Look]) :-
+%   asked_looks(Asked, R, S, Faces, Place-Colour, Looks): sections of neighbours
+%   are hatched two ways.
+
+asked_looks(_, R, S, [1-section], Place-Colour, [Look]) :-
+    !,
+    face_look(R, S, section, Colour, Look0),
+    (   selectchk(hatched, Look0, Look1)
+    ->  Way is 1 - 2*(Place mod 2),
+        Look = [hatched(Way)|Look1]
+    ;   Look = Look0
+    ).
+asked_looks(nothing, _, _, _, _-Colour, [[colour(Colour)]]).
+asked_looks(leaves, R, S, _, _-Colour, [Look]) :-
     face_look(R, S, any, Colour, Look).
-asked_looks(faces, R, S, Faces, Colour, [Palette|Looks]) :-
+asked_looks(faces, R, S, Faces, _-Colour, [Palette|Looks]) :-
     Palette = [colour(Colour)],
     findall(Look,
             ( face_names(1, Faces, Name), face_look(R, S, Name, Colour, Look) ),

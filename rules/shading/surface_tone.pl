@@ -2,7 +2,8 @@
           [ tone/3,                     % +Look, +Normal, -Tone
             tone_sum/3,                 % +Shade, -Constant, -Ways
             picture_normal/2,           % +Normal, -InPicture
-            look_tones/2                % +Look, -Tones
+            look_tones/2,               % +Look, -Tones
+            look_shine/2                % +Look, -Shine
           ]).
 :- use_module('../decision', [decision/2, decision_is_default/1]).
 :- use_module('../kernel', [image_normals/1]).
@@ -166,4 +167,28 @@ normal_tone(Look, Normal, Tone) :-
         number(Tone0)
     ->  Tone is max(0.0, min(1.0, float(Tone0))) + 0.0
     ;   Tone = 0.0
+    ).
+
+%!  look_shine(+Look, -Shine) is det.
+%
+%   Shine is that of Look for image_shade/6: under `lambert` each light is
+%   thrown back, half-way between it and the eye the most. The eye is where the
+%   middle of the picture is seen from.
+
+look_shine(Look, shine(Power,Ways)) :-
+    (   memberchk(shine(Strength,Power0), Look),
+        memberchk(shade(lambert), Look)
+    ->  Power = Power0,
+        lights(Lights),
+        view_axes(Axes),
+        findall(Way,
+                ( member(lit(X,Y,Z,F), Lights),
+                  Z1 is Z+1.0,
+                  max(abs(X), max(abs(Y), Z1)) > 1.0e-9,
+                  unit([X,Y,Z1], [A,B,C]),
+                  Factor is Strength*F,
+                  model_way(Axes, way(A,B,C,Factor,0.0), Way) ),
+                Ways)
+    ;   Power = 1,
+        Ways = []
     ).

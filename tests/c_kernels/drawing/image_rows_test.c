@@ -53,6 +53,9 @@ one_look(void)
   look.tones.sum.constant = 0.25;
   look.tones.sum.ways = (sg_tone_way_list){&way, 1, 0};
   look.ramp = (sg_ramp_light_list){light, 1025, 0};
+  look.opacity = 1;
+  look.shine = (sg_shading_shine){.power = 1};
+  look.stripes = (sg_stripes){0, 1};
   return (sg_shading_look_list){&look, 1, 0};
 }
 
@@ -208,8 +211,23 @@ refused(void)
   CHECK("a look that is not there",
         !sg_door_image_shade(&call, scene, 1, &looks, &leaves, &none, &image) &&
             is_domain("shading_look", 4));
-  looks.at->ramp.n = 7;
   one[0] = 0;
+  looks.at->opacity = 1.5;
+  CHECK("more than opaque",
+        !sg_door_image_shade(&call, scene, 1, &looks, &leaves, &none, &image) &&
+            is_domain("opacity", 3));
+  looks = one_look();
+  looks.at->shine.power = 0;
+  CHECK("no power",
+        !sg_door_image_shade(&call, scene, 1, &looks, &leaves, &none, &image) &&
+            is_domain("shading_shine", 3));
+  looks = one_look();
+  looks.at->stripes.step = 3;
+  CHECK("narrow stripes",
+        !sg_door_image_shade(&call, scene, 1, &looks, &leaves, &none, &image) &&
+            is_domain("shading_stripes", 3));
+  looks = one_look();
+  looks.at->ramp.n = 7;
   CHECK("a short ramp",
         !sg_door_image_shade(&call, scene, 1, &looks, &leaves, &none, &image) &&
             is_domain("shading_ramp", 3));

@@ -103,13 +103,13 @@ sums_of(const sg_shaded *in)
   sg_dot_row row;
   sg_spans spans = {0};
   sums out = {0};
-  sg_shading_work *work = sg_shading_work_open(in->scene);
+  sg_shading_work *work = sg_shading_work_open(in->scene, in->opacities);
   bool good = work && sg_cover_open(&row, SIDE);
 
   for (int32_t y = 0; good && y < SIDE; y++) {
     good = sg_cover_row(&row, in, work, &spans, y);
     for (int32_t x = 0; good && x < SIDE; x++) {
-      double part = row.sum[x][3] / (256.0 * in->lines);
+      double part = row.sum[x][3] / (256.0 * in->lines * SG_OPAQUE);
       out.area += part;
       out.x += part * (x + 0.5);
       out.y += part * (y + 0.5);
@@ -131,7 +131,7 @@ sphere_of(double x, double y, double r, unsigned lines)
   sg_shading *scene = sphere_scene(SIDE, SIDE, x, y, r);
   sg_shaded in = {.scene = scene,
                   .lines = lines,
-                  .looks = {&look, first, of},
+                  .looks = {&look, {first, of}},
                   .clear = true};
 
   lit_from_eye(&look);
@@ -150,6 +150,55 @@ sphere_of(double x, double y, double r, unsigned lines)
                                           fabs(sum.y / sum.area - y) < 0.01));
   CHECK("a sphere lit from the eye",
         fabs(sum.tone / sum.area - 2.0 / 3) < 2 / (r * r) + 0.002);
+  sg_shading_close(scene);
+}
+
+/* A ball of glass: as much as both its sides stop. */
+static void
+see_through(double opacity)
+{
+  static sg_face_look look;
+  const uint32_t first[] = {0, 0, 1}, of[] = {0};
+  const uint32_t part = (uint32_t)(opacity * SG_OPAQUE);
+  const sg_opacities opacities = {&part, {first, of}};
+  sg_shading *scene = sphere_scene(SIDE, SIDE, 64, 64, 50);
+  sg_shaded in = {.scene = scene,
+                  .lines = 4,
+                  .looks = {&look, {first, of}},
+                  .opacities = &opacities,
+                  .clear = true};
+
+  lit_from_eye(&look);
+  sums sum = sums_of(&in);
+  double stops = opacity + (1 - opacity) * opacity;
+
+  CHECK("two sides stop light",
+        fabs(sum.area / (pi * 2500) - stops) < 0.001 * stops);
+  CHECK("both are lit from the eye",
+        fabs(sum.tone / sum.area - 2.0 / 3) < 0.003);
+  sg_shading_close(scene);
+}
+
+/* Light thrown back to the eye: the mean of cos^n over a disc is 2 / (n + 2).
+ */
+static void
+shine(unsigned power)
+{
+  static sg_face_look look;
+  const uint32_t first[] = {0, 0, 1}, of[] = {0};
+  sg_shading *scene = sphere_scene(SIDE, SIDE, 64, 64, 60);
+  sg_shaded in = {.scene = scene,
+                  .lines = 4,
+                  .looks = {&look, {first, of}},
+                  .clear = true};
+
+  memset(&look, 0, sizeof look);
+  look.shine = (sg_shine){.power = power, .ways = 1};
+  look.shine.way[0] = (sg_tone_way){{0, 0, 1}, 1, 0};
+  sums sum = sums_of(&in);
+
+  CHECK("the mean of a shine",
+        fabs(sum.tone / sum.area * (power + 2) / 2 - 1) < 0.01);
   sg_shading_close(scene);
 }
 
@@ -182,7 +231,7 @@ threads(void)
   sg_shading *scene = sphere_scene(SIDE, SIDE, 60.3, 71.9, 50);
   sg_shaded in = {.scene = scene,
                   .lines = 4,
-                  .looks = {&look, first, of},
+                  .looks = {&look, {first, of}},
                   .background = {SG_LIGHT_MOST, SG_LIGHT_MOST, SG_LIGHT_MOST}};
   sg_shading_extent box;
 
@@ -220,6 +269,13 @@ main(void)
     double y = 64 + check_below(&seed, 1000) / 100.0 - 5;
     sphere_of(x, y, r, 1u << (k % 5));
   }
+  see_through(0.5);
+  see_through(0.3);
+  see_through(1);
+  shine(1);
+  shine(2);
+  shine(13);
+  shine(40);
   threads();
   return check_report();
 }

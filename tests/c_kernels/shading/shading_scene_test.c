@@ -283,7 +283,7 @@ main(void)
     }
     add_tree(s, kind);
     CHECK("sealed", sg_shading_seal(s, NULL) == SG_SHADING_GOOD);
-    sg_shading_work *work = sg_shading_work_open(s);
+    sg_shading_work *work = sg_shading_work_open(s, NULL);
     for (double y = 8.3; y < SIDE; y += 9) {
       compare_line(s, work, b, kind, central, y);
     }

@@ -1,8 +1,10 @@
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
 :- use_module(library(lists)).
+:- use_module(library(pairs)).
 :- use_module(library(random)).
 :- use_module(rules(csg/csg)).
+:- use_module(rules(kernel)).
 :- use_module(rules(shading/seen)).
 :- use_module(rules(shading/shading_scene)).
 :- use_module(rules(store)).
@@ -130,5 +132,70 @@ test(two_roots, Wrong == []) :-
                 ( view(View), scene(View, Scene),
                   findall(Bad, ( between(0, 99, K), Y is K+0.125,
                                  wrong(Scene, Y, Bad) ), Wrong) )).
+
+% wrong_layers(Scene, Y, Wrong): each layer has half of the light that those
+% before it let through.
+wrong_layers(Scene, Y, wrong(Y,X,Kernel,Rule)) :-
+    scene_handle(Scene, Handle),
+    findall([0.5], scene_leaf(Scene, _), Leaves),
+    shading_layers(Handle, Y, Leaves, Layers),
+    findall(X, ( member(layer(X1,X2,_,_,_,_), Layers), member(X, [X1,X2]) ), Ends0),
+    sort(Ends0, Ends),
+    append(_, [X1,X2|_], Ends),
+    X2-X1 >= 16,
+    member(Part, [1r7,4r9,5r6]),
+    X is (X1 + Part*(X2-X1))/256,
+    findall(P-seen(R,S,F),
+            ( member(layer(X3,X4,R,S,F,P), Layers), X3 =< X1, X4 >= X2 ),
+            Parts0),
+    sort(1, @>=, Parts0, Parts),
+    pairs_keys_values(Parts, Ps, Kernel),
+    seen_layers(Scene, X, Y, Rule),
+    (   Kernel \== Rule
+    ;   nth1(I, Ps, P),
+        P =\= 0.5**I
+    ).
+
+test(layers_are_the_rule, Wrong == []) :-
+    set_random(seed(7)),
+    cases(Cases),
+    findall(Terms-View-What,
+            ( between(1, Cases, I),
+              Deep is 1 + I mod 2,
+              tree(Deep, Term1),
+              tree(1, Term2),
+              Terms = [Term1,Term2],
+              findall(View, view(View), Views),
+              nth0(Which, Views, View),
+              Which =:= I mod 4,
+              in_world_of(Terms,
+                          ( scene(View, Scene),
+                            findall(Bad,
+                                    ( between(0, 3, K),
+                                      Y is 25*K+6.25+1/8,
+                                      wrong_layers(Scene, Y, Bad) ),
+                                    What) )),
+              What \== [] ),
+            Wrong).
+test(layers_end, Seen == [seen(1,1,2),seen(2,2,2),seen(2,2,1),seen(1,1,1)]) :-
+    in_world_of([cylinder(radius(2),height(3)),
+                 at([translate(0,0,1)], box(size(1,1,1)))],
+                ( scene(view(270.0,0.0,0.0,parallel), Scene),
+                  X is 12.5*4.1, Y is 12.5*3.9,
+                  seen_layers(Scene, X, Y, Seen) )).
+test(opaque_layers_are_spans, Layers == Spans) :-
+    in_world_of([box(size(2,2,2)),
+                 at([translate(1,1,0)], sphere(radius(1)))],
+                ( scene(view(300.0,65.0,20.0,central), Scene),
+                  scene_handle(Scene, Handle),
+                  shading_layers(Handle, 40.3, [[1],[1]], Layers0),
+                  findall(span(X1,X2,R,S,F),
+                          member(layer(X1,X2,R,S,F,1.0), Layers0), Layers),
+                  line_spans(Scene, 40.3, Spans) )).
+test(opacity_of_a_layer, error(domain_error(opacity,_))) :-
+    in_world_of([box(size(2,2,2))],
+                ( scene(view(300.0,65.0,20.0,central), Scene),
+                  scene_handle(Scene, Handle),
+                  shading_layers(Handle, 40, [[1.5]], _) )).
 
 :- end_tests(seen).

@@ -1,12 +1,13 @@
 /* Shaded pictures: against the evaluated boundary, drawn by a buffer of depths;
    the same solid said in other ways; looks, tones and ramps by rules. */
-% covers: surface_look, surface_tone, surface_ramp, image, image_rows
+% covers: shading_section, surface_look, surface_tone, surface_ramp, image, image_rows
 :- module(test_shaded_picture, []).
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
 :- use_module(library(lists)).
 :- use_module(library(pairs)).
 :- use_module(library(plunit)).
+:- use_module(library(readutil)).
 :- use_module(library(yall)).
 :- use_module(rules(colour)).
 :- use_module(rules(csg/csg)).
@@ -14,7 +15,9 @@
 :- use_module(rules(kernel)).
 :- use_module(rules(picture/view)).
 :- use_module(rules(shading/seen)).
+:- use_module(rules(shading/shaded_picture)).
 :- use_module(rules(shading/shading_scene)).
+:- use_module(rules(shading/shading_section)).
 :- use_module(rules(shading/surface_look)).
 :- use_module(rules(shading/surface_ramp)).
 :- use_module(rules(shading/surface_tone)).
@@ -230,6 +233,108 @@ test(hole_is_of_the_body_before_the_root, Colours == [Red,White]) :-
 test(tool_alone, Colours == [Blue,rgb(118,160,208),White]) :-
     white(White), blue(Blue),
     flat_colours("look(3, colour(blue)).", [], Colours).
+% ---- see-through, sections -------------------------------------------------
+
+%   Red glass before white: both sides of it, each of half of what comes.
+test(see_through, true(Apart =< 0.006)) :-
+    in_model("segment(1, solid, box(size(4,4,4))). view(270, 0, 0).
+              look(1, colour(red)). look(1, opacity(0.5)).",
+             shaded_dots([shade(flat),smooth(1),size(40-40)], Dots)),
+    arg(820, Dots, RGB),
+    red(rgb(R0,G0,B0)),
+    maplist([C,L]>>(srgb_light(C, L0), L is 0.75*L0 + 0.25*65535),
+            [R0,G0,B0], [R,G,B]),
+    light_apart(RGB, R, G, B, Apart).
+test(clear, Colours == [White]) :-
+    white(White),
+    flat_colours("look(9, opacity(0)).", [], Colours).
+test(nearest_of_each_property, true(Look == [colour(red),opacity(0.5)])) :-
+    hole(Hole),
+    string_concat(Hole, "look(9, opacity(0.2)). look(9, colour(blue)).
+                         look(2, colour(red)). look(3, opacity(0.5)).", Text),
+    in_model(Text, once(surface_look(9, 3, any, Look0))),
+    msort(Look0, Look).
+test(opaque_in_glass, Colours == [Blue,White]) :-
+    white(White), blue(Blue),
+    in_model("segment(1, solid, box(size(4,4,2))). view(300, 40, 0).
+              segment(2, solid, box(size(3,2,1))).
+              look(1, opacity(0)). look(2, colour(blue)).",
+             shaded_bytes([shade(flat),smooth(1),size(60-60)], Bytes)),
+    colours(Bytes, Colours).
+
+%   A section is what the part below its plane is, but for its stripes.
+test(section, [forall(member(Plane, [plane(1,0,0,-0.3),plane(1,2,3,0.5)])),
+               true(Sectioned == Split)]) :-
+    hole(Hole),
+    in_model(Hole, sections_spans([Plane], 9, Sectioned)),
+    format(string(Text), "segment(10, solid, split(9, ~q, below)).~n~w",
+           [Plane,Hole]),
+    in_model(Text, sections_spans([], 10, Split)).
+test(section_kept_whole, true(Whole == Kept)) :-
+    hole(Hole),
+    in_model(Hole, sections_spans([], 9, Whole)),
+    setup_call_cleanup(
+        ( tmp_file_stream(File, Out, [encoding(utf8), extension(pl)]),
+          write(Out, "may_section(S, _) :- S > 9.\n"),
+          close(Out) ),
+        in_model(Hole,
+                 ( use_rules(File),
+                   shaded_model([9], Model),
+                   (   sectioned_model([plane(1,0,0,0)], Model, _)
+                   ->  Kept = cut
+                   ;   sections_spans([], 9, Kept)
+                   ) )),
+        delete_file(File)).
+test(section_past, fail) :-
+    hole(Hole),
+    in_model(Hole, ( shaded_model([9], Model),
+                     sectioned_model([plane(1,0,0,-9)], Model, _) )).
+%   A quarter of a cut has a quarter of its light.
+test(stripes, true(abs(Light/(240*240) - 0.8125) < 0.002)) :-
+    in_model("segment(1, solid, box(size(4,4,4))). view(270, 90, 0).
+              look(1, colour(white)).",
+             ( shaded_model([1], Model0),
+               sectioned_model([plane(0,-1,0,0)], Model0, Model),
+               shaded_eye(Model, view(270,90,0,parallel), Eye),
+               Options = [size(300-300),shade(flat),background(black)],
+               shaded_picture(Model, Eye, Options, Scene),
+               picture_image(Scene, Options, Image),
+               image_lights(Image, Lights) )),
+    sum_list(Lights, Sum),
+    Light is Sum/65535.
+
+image_lights(Image, Lights) :-
+    setup_call_cleanup(
+        tmp_file_stream(binary, File, Out),
+        ( image_ppm(Image, Out), close(Out),
+          read_file_to_codes(File, Codes, [type(binary)]) ),
+        delete_file(File)),
+    length(Codes, N),
+    Head is N - 300*300*3,
+    length(Before, Head),
+    append(Before, Bytes, Codes),
+    lights_of(Bytes, Lights).
+
+lights_of([], []).
+lights_of([R,_,_|Bytes], [Light|Lights]) :-
+    srgb_light(R, Light),
+    lights_of(Bytes, Lights).
+
+%   sections_spans(Planes, S, Spans): where anything is seen, and how deep.
+sections_spans(Planes, S, Spans) :-
+    shaded_model([S], Model0),
+    sectioned_model(Planes, Model0, Model),
+    shaded_eye(Model, view(300,60,0,parallel), Eye),
+    shaded_scene(Model, Eye, place(12.5,-4.0,4.0), 100-100, Scene),
+    findall(Y-X1-X2-Depth,
+            ( between(0, 99, Row), Y is Row+0.375,
+              line_spans(Scene, Y, Line),
+              member(span(X1,X2,_,_,_), Line),
+              X is (X1+X2)/512,
+              seen_side(Scene, X, Y, Depth0, _),
+              Depth is round(Depth0*1.0e5) ),
+            Spans).
+
 % ---- tones and ramps -------------------------------------------------------
 
 %   What the kernel shows of a flat face is what the rules say of its normal.
