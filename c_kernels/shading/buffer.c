@@ -39,7 +39,8 @@ do_band(void *data, size_t band)
   bands *all = data;
   sg_spans spans = {0};
   sg_dot_row cover = {0};
-  sg_shading_work *work = sg_shading_work_open(all->in->scene, all->in->opacities);
+  sg_shading_work *work =
+      sg_shading_work_open(all->in->scene, all->in->opacities);
 
   if (!work || !sg_cover_open(&cover, all->image->width) ||
       !band_rows(all, band, &cover, work, &spans)) {

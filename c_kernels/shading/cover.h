@@ -2,8 +2,9 @@
  *
  * Layer: kernel. A dot is crossed by `lines` scan lines. Each span counts as
  * wide as it is, in 1/256 dot, so a dot has whole sums, and no rounding but
- * that of the light, of which a see-through face has a part. Flat faces have one light; of others it is that of the
- * normal in the middle of a dot, once for all its lines.
+ * that of the light, of which a see-through face has a part. Flat faces have
+ * one light; of others it is that of the normal in the middle of a dot, once
+ * for all its lines.
  */
 #ifndef SG_COVER_H
 #define SG_COVER_H
@@ -38,8 +39,8 @@ typedef struct sg_shaded {
   unsigned lines; /* 1, 2, 4, 8 or 16 */
   sg_looks looks;
   const sg_opacities *opacities; /* null: all is opaque */
-  uint16_t background[3]; /* light */
-  bool clear;             /* no background: dots have an alpha */
+  uint16_t background[3];        /* light */
+  bool clear;                    /* no background: dots have an alpha */
 } sg_shaded;
 
 /* Sums of a row of dots. */

@@ -10,10 +10,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define SG_TONE_MOST 65536
-#define SG_TONE_WAYS 9    /* most lights */
-#define SG_TONE_SIDE 128  /* normals along a side of the table */
-#define SG_RAMP      1024 /* steps of a ramp */
+#define SG_TONE_MOST  65536
+#define SG_TONE_WAYS  9       /* most lights */
+#define SG_TONE_SIDE  128     /* normals along a side of the table */
+#define SG_RAMP       1024    /* steps of a ramp */
 #define SG_SHINE_MOST 1000000 /* the highest power */
 
 /* `least` or more, and factor * (normal . to). */

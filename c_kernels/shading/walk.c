@@ -60,7 +60,8 @@ owner(const sg_shading_work *w, const sg_active *active, size_t from, size_t to,
   for (size_t i = from; i < to; i++) {
     bool may = root < 0 ? root_holds(w, &active[i])
                         : leaf_of(w, &active[i])->root == root;
-    if (may && (best == to || is_before(w, &active[i], &active[best], begins))) {
+    if (may &&
+        (best == to || is_before(w, &active[i], &active[best], begins))) {
       best = i;
     }
   }

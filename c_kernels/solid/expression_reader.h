@@ -10,9 +10,9 @@
 #include "expression.h"
 
 typedef struct sg_expression_reader {
-  int argument;          /* of the call: it is refused */
-  const char *leaf;      /* what a leaf that is refused should have been */
-  int32_t leaves;        /* a leaf is 1 .. leaves */
+  int argument;     /* of the call: it is refused */
+  const char *leaf; /* what a leaf that is refused should have been */
+  int32_t leaves;   /* a leaf is 1 .. leaves */
   /* Adds a node below the node `parent`, 0 for the first, and returns its
    * number; SIZE_MAX: no memory. */
   size_t (*add)(void *to, size_t parent, sg_operation operation, int32_t of);

@@ -187,10 +187,8 @@ shine(unsigned power)
   static sg_face_look look;
   const uint32_t first[] = {0, 0, 1}, of[] = {0};
   sg_shading *scene = sphere_scene(SIDE, SIDE, 64, 64, 60);
-  sg_shaded in = {.scene = scene,
-                  .lines = 4,
-                  .looks = {&look, {first, of}},
-                  .clear = true};
+  sg_shaded in = {
+      .scene = scene, .lines = 4, .looks = {&look, {first, of}}, .clear = true};
 
   memset(&look, 0, sizeof look);
   look.shine = (sg_shine){.power = power, .ways = 1};
