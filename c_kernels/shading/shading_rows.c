@@ -2,7 +2,7 @@
 #include "doors/shading.h"
 #include "shading_private.h"
 #include "shading_segment_rows.h"
-#include "solid/expression_reader.h"
+#include "solid/expression_node_rows.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -2,7 +2,7 @@
  * kernel of boolean.pl, stays/3. A test holds the two together.
  */
 #include "arrangement_rows.h"
-#include "expression_reader.h"
+#include "expression_node_rows.h"
 
 /* ---- expressions ---- */
 

@@ -1,7 +1,7 @@
 /* shading_rows_test.c -- a scene through the functions of the doors, without
  * Prolog: a cube of rows, a ball, a ring; and what is refused.
  *
- * covers: shading_segment_rows
+ * covers: shading_segment_rows, expression_node_rows
  */
 #include "doors/shading.h"
 

@@ -1,5 +1,5 @@
-/* expression_reader.c -- see expression_reader.h. */
-#include "expression_reader.h"
+/* expression_node_rows.c -- see expression_node_rows.h. */
+#include "expression_node_rows.h"
 
 /* An operation of which operands are still to come. */
 typedef struct level {

@@ -1,10 +1,10 @@
-/* expression_reader.h -- expressions from rows: each operation before its
+/* expression_node_rows.h -- expressions from rows: each operation before its
  * operands.
  *
  * Layer: rows.
  */
-#ifndef SG_EXPRESSION_READER_H
-#define SG_EXPRESSION_READER_H
+#ifndef SG_EXPRESSION_NODE_ROWS_H
+#define SG_EXPRESSION_NODE_ROWS_H
 
 #include "doors/boolean.h"
 #include "expression.h"
