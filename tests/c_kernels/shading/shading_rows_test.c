@@ -111,6 +111,29 @@ seen(void)
   sg_shading_close(scene);
 }
 
+/* The cube of glass on one line: its front, half as much of its back. */
+static void
+layers(void)
+{
+  sg_shading_leaf_fact leaf = rows_leaf(1, 12);
+  sg_shading *scene = open_scene(&leaf, 1, 1);
+  double half[] = {0.5};
+  sg_number_list own = {half, 1, 0};
+  const sg_list_number_list opacities = {&own, 1, 0};
+  sg_shading_layer_list out = {0};
+
+  CHECK("two layers",
+        scene && sg_door_shading_layers(&call, scene, 45, &opacities, &out) &&
+            out.n == 2 && out.at[0].part == 0.5 && out.at[1].part == 0.25 &&
+            out.at[0].face == 2 && out.at[1].face != 2 &&
+            out.at[0].x1 == 50 * 256 && out.at[1].x2 == 60 * 256);
+  half[0] = -1;
+  CHECK("less than clear",
+        !sg_door_shading_layers(&call, scene, 45, &opacities, &out) &&
+            is_domain("opacity", 3));
+  sg_shading_close(scene);
+}
+
 static void
 refused(void)
 {
@@ -140,6 +163,7 @@ main(void)
   call.world = world;
   CHECK("a cube", add_cube(world, 1));
   seen();
+  layers();
   refused();
   sg_call_close(&call);
   sg_world_let_go(world);
