@@ -69,6 +69,7 @@ sandbox:safe_primitive(sg_seen:slice(_,_,_)).
 sandbox:safe_primitive(sg_seen:met(_,_,_,_)).
 sandbox:safe_primitive(sg_seen:seen_at(_,_,_,_)).
 sandbox:safe_primitive(sg_seen:seen_layers(_,_,_,_)).
+sandbox:safe_primitive(sg_surface_look:line_layers(_,_,_)).
 sandbox:safe_primitive(sg_seen:line_spans(_,_,_)).
 sandbox:safe_primitive(sg_seen:seen_side(_,_,_,_,_)).
 sandbox:safe_primitive(sg_hidden_lines:hidden_by(_,_,_,_,_,_)).

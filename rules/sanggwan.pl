@@ -83,6 +83,7 @@ module that has it.
             [ slice/3, met/4, seen_at/4, seen_layers/4, line_spans/3,
               seen_side/5
             ]).
+:- reexport(shading/surface_look, [line_layers/3]).
 
 :- topic(unfolding, "Unfolding: developments and patterns").
 :- reexport(unfolding/unfold, [unfold/2, unfold/3]).

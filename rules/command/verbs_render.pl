@@ -9,6 +9,7 @@
 :- use_module('../kernel', [image_png/3, image_ppm/2]).
 :- use_module('../model/look_file', [look_file_added/2]).
 :- use_module('../model/model', [load_model/2]).
+:- use_module('../near', [is_rounding/2]).
 :- use_module('../output', [writing/3]).
 :- use_module('../picture/view',
               [current_view/4, set_projection/1, set_view/3, view_matrix/3]).
@@ -123,8 +124,8 @@ up_rows(z, Matrix) :-
 up_rows(y, [[1,0,0,0], [0,0,-1,0], [0,1,0,0]]).
 up_rows(x, [[0,0,-1,0], [0,1,0,0], [1,0,0,0]]).
 
-%   placed(Options, Roots, Turned, Model0, Model, Away, Eye): an eye looks at the
-%   origin, so what --eye looks at is moved there, from Away.
+%   placed(Options, Roots, Turned, Model0, Model, Away, Eye): an eye looks at
+%   the origin, so what --eye looks at is moved there, from Away.
 
 placed(Options, Roots, Turned, Model0, Model, Away, Eye) :-
     (   option(projection(Kind0), Options)
@@ -221,7 +222,8 @@ to_eye(_, plane(A,B,C,D), eye(Theta,Phi,Rho,Kind,_), Plane) :-
     ->  Height is Rho*Towards + D
     ;   Height = Towards
     ),
-    (   Height < -1.0e-9
+    (   Height < 0,
+        \+ is_rounding(Height, 1)
     ->  maplist(negative, [A,B,C,D], Turned),
         Plane =.. [plane|Turned]
     ;   Plane = plane(A,B,C,D)

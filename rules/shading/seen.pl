@@ -152,9 +152,9 @@ operation_value(difference, [First|Others], Value) :-
     ;   Value = false
     ).
 
-%   owner(Scene, R, Mets, Way, S-F): of a group at which root R begins, Way 1, or
-%   ends, -1, the face that is seen is one that makes it so: to begin, that of a
-%   leaf entered, or of one left that is taken away; to end, the other way
+%   owner(Scene, R, Mets, Way, S-F): of a group at which root R begins, Way 1,
+%   or ends, -1, the face that is seen is one that makes it so: to begin, that
+%   of a leaf entered, or of one left that is taken away; to end, the other way
 %   round. Of several the first leaf, and its first face.
 
 owner(Scene, R, Mets, Way, S-F) :-

@@ -8,7 +8,7 @@
 :- use_module('../kernel', [image_extent/2, image_shade/6]).
 :- use_module(shading_scene,
               [scene_handle/2, shaded_box/3, shaded_eye/3, shaded_scene/5]).
-:- use_module(surface_look, [scene_looks/4]).
+:- use_module(surface_look, [look_opacity/2, scene_looks/4]).
 :- use_module(surface_ramp, [look_ramp/2]).
 :- use_module(surface_tone, [look_shine/2, look_tones/2]).
 :- use_module(library(apply), [maplist/3]).
@@ -120,10 +120,7 @@ kernel_look(Shade, Step, Look0, look(Tones,Ramp,Opacity,Shine,Stripes)) :-
     look_tones(Look, Tones),
     look_ramp(Look, Ramp),
     look_shine(Look, Shine),
-    (   memberchk(opacity(Opacity0), Look)
-    ->  Opacity = Opacity0
-    ;   Opacity = 1
-    ),
+    look_opacity(Look, Opacity),
     (   memberchk(hatched(Way), Look)
     ->  Stripes = stripes(Step,Way)
     ;   Stripes = stripes(0,1)

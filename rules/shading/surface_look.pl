@@ -1,22 +1,26 @@
 :- module(sg_surface_look,
           [ surface_look/4,             % +R, +S, +Face, -Look
             look_source/4,              % +R, +S, ?Property, -Segment
-            scene_looks/4               % +Scene, +Colours, -Looks, -Leaves
+            scene_looks/4,              % +Scene, +Colours, -Looks, -Leaves
+            look_opacity/2,             % +Look, -Opacity
+            line_layers/3               % +Scene, +Y, -Layers
           ]).
 :- use_module('../csg/csg', [node/4]).
 :- use_module('../decision', [decision/2, decision_is_default/1]).
+:- use_module('../kernel', [shading_layers/4]).
 :- use_module('../model/look_term', [property_slot/2]).
 :- use_module('../store', [look/2]).
-:- use_module(shading_scene, [scene_leaf/2, scene_root/2]).
+:- use_module(shading_scene, [scene_handle/2, scene_leaf/2, scene_root/2]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists),
-              [append/2, append/3, list_to_set/2, member/2, nth0/3, selectchk/3]).
+              [ append/2, append/3, list_to_set/2, member/2, nth0/3, selectchk/3
+              ]).
 /** <module> How a face looks (CB-8).
 
 A look is a list of properties, those of look/2. Of each the nearest wins: that
-of the segment of the leaf, of the nodes above it, of the root. What is taken away
-shows the body that it was taken from: behind the operands of a difference but
-the first one comes the first one, before the node itself. Without any colour a
+of the segment of the leaf, of the nodes above it, of the root. What is taken
+away shows the body that it was taken from: behind the operands of a difference
+but the first one comes the first one, before the node itself. Without any colour a
 face has that of a palette, by roots.
 */
 
@@ -200,3 +204,30 @@ palette(160, 130, 190).
 palette(222, 202, 96).
 palette(96, 176, 176).
 palette(200, 140, 170).
+
+%!  line_layers(+Scene, +Y, -Layers) is det.
+%
+%   Layers are layer(X1, X2, R, S, F, Part): on the line Y, in dots, between X1
+%   and X2, in 1/256 dot, Part of the light comes from face F of leaf S of root
+%   R, as far as looks let it through. Where all is opaque they are the spans of
+%   line_spans/3, each with 1.0.
+%
+%   @error domain_error(scan_line, Y)
+
+line_layers(Scene, Y, Layers) :-
+    scene_looks(Scene, root, Looks, Leaves),
+    maplist(look_opacity, Looks, Opacities),
+    maplist(places_opacities(Opacities), Leaves, Opaque),
+    scene_handle(Scene, Handle),
+    shading_layers(Handle, Y, Opaque, Layers).
+
+%!  look_opacity(+Look, -Opacity) is det.
+
+look_opacity(Look, A) :-
+    (   memberchk(opacity(A0), Look)
+    ->  A = A0
+    ;   A = 1
+    ).
+
+places_opacities(Opacities, Places, Leaf) :-
+    findall(A, ( member(Place, Places), nth0(Place, Opacities, A) ), Leaf).

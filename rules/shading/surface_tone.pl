@@ -7,6 +7,7 @@
           ]).
 :- use_module('../decision', [decision/2, decision_is_default/1]).
 :- use_module('../kernel', [image_normals/1]).
+:- use_module('../near', [is_rounding/2]).
 :- use_module('../picture/view', [current_view/4, view_matrix/3]).
 :- use_module('../store', [light/2]).
 :- use_module(library(apply), [maplist/3]).
@@ -184,7 +185,8 @@ look_shine(Look, shine(Power,Ways)) :-
         findall(Way,
                 ( member(lit(X,Y,Z,F), Lights),
                   Z1 is Z+1.0,
-                  max(abs(X), max(abs(Y), Z1)) > 1.0e-9,
+                  \+ ( is_rounding(X, 1), is_rounding(Y, 1),
+                       is_rounding(Z1, 1) ),
                   unit([X,Y,Z1], [A,B,C]),
                   Factor is Strength*F,
                   model_way(Axes, way(A,B,C,Factor,0.0), Way) ),

@@ -1,6 +1,7 @@
 /* Shaded pictures: against the evaluated boundary, drawn by a buffer of depths;
    the same solid said in other ways; looks, tones and ramps by rules. */
-% covers: shading_section, surface_look, surface_tone, surface_ramp, image, image_rows
+% covers: surface_look, surface_tone, surface_ramp, image, image_rows
+% covers: shading_section
 :- module(test_shaded_picture, []).
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
@@ -261,6 +262,12 @@ test(opaque_in_glass, Colours == [Blue,White]) :-
               look(1, opacity(0)). look(2, colour(blue)).",
              shaded_bytes([shade(flat),smooth(1),size(60-60)], Bytes)),
     colours(Bytes, Colours).
+
+test(layers_by_looks, Parts == [0.25,0.1875]) :-
+    in_model("segment(1, solid, box(size(4,4,4))). view(270, 0, 0).
+              look(1, opacity(0.25)).",
+             ( shading_scene(40-40, Scene), line_layers(Scene, 20.3, Layers) )),
+    findall(Part, member(layer(_,_,1,1,_,Part), Layers), Parts).
 
 %   A section is what the part below its plane is, but for its stripes.
 test(section, [forall(member(Plane, [plane(1,0,0,-0.3),plane(1,2,3,0.5)])),
