@@ -250,7 +250,7 @@ example(seen_at/4, 'facts/two_cubes.pl',
 example(seen_layers/4, 'facts/two_cubes.pl',
         "shading_scene(320-200, _Scene), \c
          seen_layers(_Scene, 160, 99.9, [First|_]).",
-        "First = seen(1,1,_)").
+        "First = layer(_,1,1,_)").
 example(line_layers/3, 'facts/two_cubes.pl',
         "shading_scene(320-200, _Scene), line_layers(_Scene, 99.9, [First|_]).",
         "First = layer(_,_,1,1,_,1.0)").

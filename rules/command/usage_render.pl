@@ -52,7 +52,8 @@ render_option(option(dpi, '', number(1), 'N',
 
 shown_option(Spec) :-
     Spec = option(Name, _, _, _, _),
-    member(Name, [size,window,smooth,shade,colours,look,light,background]),
+    member(Name, [ size, window, smooth, shade, colours, look, light,
+                   'see-through', section, background ]),
     render_option(Spec).
 
 %!  render_option_ko(?Name, -Help) is nondet.

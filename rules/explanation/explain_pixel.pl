@@ -7,18 +7,20 @@
 :- use_module('../csg/csg', [root_segment/1]).
 :- use_module('../colour', [colour_rgb/2]).
 :- use_module('../kernel',
-              [image_dot/4, shading_place/5, shading_point/6, srgb_light/2]).
+              [ image_dot/4, shading_layers/4, shading_place/5,
+                shading_point/6, srgb_light/2 ]).
 :- use_module('../picture/view', [current_view/4]).
-:- use_module('../shading/seen', [line_spans/3, met/4, slice/3]).
+:- use_module('../shading/seen', [met/4, seen_layers/4, slice/3]).
 :- use_module('../shading/shaded_picture',
               [picture_image/3, shaded_picture/4]).
 :- use_module('../shading/shading_scene',
               [ scene_handle/2, scene_leaf/2, scene_place/2, scene_root/2,
                 scene_size/2, shaded_eye/3, shaded_model/2 ]).
-:- use_module('../shading/surface_look', [look_source/4, scene_looks/4]).
+:- use_module('../shading/surface_look', [look_opacity/2, look_source/4, scene_looks/4, scene_opacities/2]
+              ).
 :- use_module('../shading/surface_ramp', [ramp/3]).
 :- use_module('../shading/surface_tone',
-              [picture_normal/2, tone/3, tone_sum/3]).
+              [look_shine/2, picture_normal/2, tone/3, tone_sum/3]).
 :- use_module('../store', [segment/3]).
 :- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
 :- use_module(library(lists),
@@ -54,7 +56,8 @@ pixel_because(X, Y, Options, [because(pixel(X,Y,Bytes), Because)]) :-
     image_dot(Image, X, Y, Bytes),
     option(smooth(Lines), Options, 4),
     All is 256*Lines,
-    dot_parts(Scene, X, Y, Lines, Parts),
+    scene_opacities(Scene, Opaque),
+    dot_parts(Scene, X, Y, Lines, Opaque, Parts),
     option(colours(Colours), Options, root),
     scene_looks(Scene, Colours, Looks, Leaves),
     maplist(part_because(seen(Scene,X,Y,All,Options,Looks,Leaves)), Parts,
@@ -72,39 +75,80 @@ picture_scene(Options, Scene) :-
         shaded_picture(Model, Eye, Options, Scene)
     ).
 
-%   dot_parts(Scene, X, Y, Lines, Parts): part(Covered, R, Leaf, F, At), the
-%   largest first: so many 1/256 dots of all lines show face F; At is X1-Y1, in
-%   the middle of the widest piece.
+%   dot_parts(Scene, X, Y, Lines, Opaque, Parts): part(Share, R, Leaf, F, Z, At),
+%   the largest first: of all lines face F has so many 1/256 dots, each counted
+%   as much as its light comes from that face; At is X1-Y1, in the middle of the
+%   widest piece, where it has the depth Z. Opaque is as of scene_opacities/2.
 
-dot_parts(Scene, X, Y, Lines, Parts) :-
+dot_parts(Scene, X, Y, Lines, Opaque, Parts) :-
     Last is Lines-1,
-    findall(seen(R,Leaf,F)-piece(Wide,X1,Y1),
+    findall(seen(R,Leaf,F,Nth)-piece(Share,X1,Y1,Z),
             ( between(0, Last, K),
               Y1 is Y + (K+0.5)/Lines,
-              dot_span(Scene, X, Y1, span(A,B,R,Leaf,F)),
-              Wide is B-A,
-              X1 is (A+B)/512.0 ),
+              dot_cell(Scene, X, Y1, Opaque, A, B),
+              X1 is (A+B)/512.0,
+              seen_layers(Scene, X1, Y1, Layers),
+              layer_shares(Layers, Opaque, 1.0, [], Shares),
+              member(share(Z,R,Leaf,F,Nth,Part), Shares),
+              Share is (B-A)*Part ),
             Pieces0),
     keysort(Pieces0, Pieces),
     group_pairs_by_key(Pieces, Groups),
-    findall(Covered-part(Covered,R,Leaf,F,X1-Y1),
-            ( member(seen(R,Leaf,F)-Own, Groups),
-              findall(W, member(piece(W,_,_), Own), Ws),
-              sum_list(Ws, Covered),
-              sort(1, @>=, Own, [piece(_,X1,Y1)|_]) ),
+    findall(Sum-part(Sum,R,Leaf,F,Z,X1-Y1),
+            ( member(seen(R,Leaf,F,_)-Own, Groups),
+              findall(S, member(piece(S,_,_,_), Own), Ss),
+              sum_list(Ss, Sum),
+              sort(1, @>=, Own, [piece(_,X1,Y1,Z)|_]) ),
             Parts0),
     sort(1, @>=, Parts0, Sorted),
     pairs_values(Sorted, Parts).
 
-dot_span(Scene, X, Y, span(A,B,R,Leaf,F)) :-
-    line_spans(Scene, Y, Spans),
-    member(span(X1,X2,R,Leaf,F), Spans),
-    A is max(X1, 256*X),
-    B is min(X2, 256*X + 256),
-    A < B.
+%   dot_cell(Scene, X, Y, Opaque, A, B): between A and B, in 1/256 dot, the same
+%   is seen on the line Y through dot X.
+
+dot_cell(Scene, X, Y, Opaque, A, B) :-
+    scene_handle(Scene, Handle),
+    shading_layers(Handle, Y, Opaque, Layers),
+    Left is 256*X,
+    Right is Left+256,
+    findall(End,
+            ( member(layer(X1,X2,_,_,_,_), Layers),
+              member(End, [X1,X2]),
+              End > Left,
+              End < Right ),
+            Ends),
+    sort([Left,Right|Ends], Cuts),
+    append(_, [A,B|_], Cuts).
+
+%   layer_shares(Layers, Opaque, Left, Before, Shares): Shares are share(Z, R,
+%   Leaf, F, Nth, Part) of those of Layers (seen_layers/4) that light comes from:
+%   the Nth layer of that face has that Part of it, as long as something is Left.
+
+layer_shares([], _, _, _, []).
+layer_shares([layer(Z,R,Leaf,F)|Layers], Opaque, Left0, Before, Shares) :-
+    face_opacity(Opaque, Leaf, F, A),
+    Part is Left0*A,
+    Left is Left0-Part,
+    findall(F, member(Leaf-F, Before), Same),
+    length(Same, Nth),
+    (   Part > 0
+    ->  Shares = [share(Z,R,Leaf,F,Nth,Part)|Shares1]
+    ;   Shares = Shares1
+    ),
+    (   Left > 0
+    ->  layer_shares(Layers, Opaque, Left, [Leaf-F|Before], Shares1)
+    ;   Shares1 = []
+    ).
+
+face_opacity(Opaque, Leaf, F, A) :-
+    nth1(Leaf, Opaque, Own),
+    (   nth0(F, Own, A0)
+    ->  A = A0
+    ;   Own = [A|_]
+    ).
 
 background_because(Parts, All, Options, Because) :-
-    findall(C, member(part(C,_,_,_,_), Parts), Cs),
+    findall(C, member(part(C,_,_,_,_,_), Parts), Cs),
     sum_list(Cs, Covered),
     (   Covered < All
     ->  Percent is 100.0*(All-Covered)/All,
@@ -116,26 +160,26 @@ background_because(Parts, All, Options, Because) :-
 %   part_because(Seen, Part, Because)
 
 part_because(seen(Scene,X,Y,All,Options,Looks,Leaves),
-             part(Covered,R,Leaf,F,X1-Y1),
+             part(Covered,R,Leaf,F,Z,X1-Y1),
              because(seen_part(Percent,What,Leaf,S,Name,R), Because)) :-
     Percent is 100.0*Covered/All,
     leaf_names(Scene, Leaf, F, What, S, Name),
-    walked(Scene, X1, Y1, Walk),
+    walked(Scene, X1, Y1, Z, Walk),
     place_because(Scene, X1, Y1, Walk, Place),
     tree_because(Scene, Leaf, Walk, Tree),
     before_because(Scene, X1, Y1, Walk, Before),
-    behind_because(Scene, X1, Y1, Walk, Behind),
     nth1(Leaf, Leaves, Places),
     (   nth0(F, Places, LookPlace)
     ->  true
     ;   Places = [LookPlace|_]
     ),
     nth0(LookPlace, Looks, Look),
+    behind_because(Scene, X1, Y1, Walk, Look, Behind),
     option(colours(Colours), Options, root),
     look_because(R, S, Colours, Look, LookWhy),
     option(shade(Shade), Options, lambert),
-    tone_because(Scene, X, Y, X1-Y1, part(R,Leaf,F), [shade(Shade)|Look],
-                 ToneWhy),
+    side_normal(Scene, X, Y, X1-Y1, part(R,Leaf,F), Walk, Normal),
+    tone_because(Normal, [shade(Shade)|Look], ToneWhy),
     append([Place,Tree,Before,Behind,LookWhy,ToneWhy], Because).
 
 %   leaf_names(Scene, Leaf, F, What, S, Name): What the face F is of leaf number
@@ -171,16 +215,16 @@ bare_name(Term, Name) :-
                 *         LINE OF SIGHT        *
                 *******************************/
 
-%   walked(Scene, X, Y, Walk): walk(Before, Group, In, Behind): the groups
-%   before what is seen at (X, Y), each passed(Group, In) with the places of the
-%   leaves that the line of sight is in after it; the Group that is seen; and
-%   groups behind it, likewise.
+%   walked(Scene, X, Y, Z, Walk): walk(Before, Group, In, Behind): the groups
+%   before the one at the depth Z, each passed(Group, In) with the places of the
+%   leaves that the line of sight is in after it; that Group; and groups behind
+%   it, likewise.
 
-walked(Scene, X, Y, walk(Before,Group,In,Behind)) :-
+walked(Scene, X, Y, Z, walk(Before,Group,In,Behind)) :-
+    Group = group(Z, _),
     met(Scene, X, Y, Groups),
     passed(Groups, [], All),
     append(Before, [passed(Group,In)|Behind], All),
-    holding_root(Scene, In, _),
     !.
 
 passed([], _, []).
@@ -191,10 +235,6 @@ passed([Group|Groups], In0, [passed(Group,In)|Passed]) :-
 
 toggled(met(Place,_,_), In0, In) :-
     ord_symdiff(In0, [Place], In).
-
-holding_root(Scene, In, R) :-
-    scene_root(Scene, root(R,Nodes)),
-    false_reason(R, Nodes, In, true).
 
 place_because(Scene, X, Y, walk(_,group(Z,_),_,_),
               [because(seen_place(Point), [])]) :-
@@ -208,7 +248,10 @@ model_place(Scene, X, Y, Z, Point) :-
 
 tree_because(Scene, Leaf, walk(_,group(_,Mets),_,_), Because) :-
     met_of(Scene, Leaf, Mets, met(Place,_,Sense)),
-    tree_way(Scene, Place, Way),
+    (   tree_way(Scene, Place, Way0)
+    ->  Way = Way0
+    ;   Way = []                        % a section
+    ),
     maplist(step_because, Way, Steps),
     (   Sense < 0
     ->  append(Steps, [because(inner_side, [])], Because)
@@ -251,12 +294,15 @@ passed_met(Scene, Mets, In, Apart, Statement, Why) :-
     Statement = passed(Way,What,Leaf,S,Name,Apart),
     (   \+ ( member(met(Other,_,_), Rest),
              scene_place(Scene, place(Other,R,_)) )
-    ->  scene_root(Scene, root(R,Nodes)),       % said once of a root
-        false_reason(R, Nodes, In, Reason),
+    ->  false_reason(Scene, R, In, Reason),     % said once of a root
         reason_because(Scene, R, Reason, Why)
     ;   Why = []
     ).
 
+reason_because(_, R, true, [because(lets_through(R), [])]) :-
+    !.
+reason_because(_, R, cut, [because(cut_away(R), [])]) :-
+    !.
 reason_because(_, R, outside_all(N,Operation,Count),
                [because(outside_all(Operation,N,Count,R), [])]) :-
     !.
@@ -271,10 +317,14 @@ reason_because(Scene, R, outside(Place),
 apart(point(X1,Y1,Z1), point(X2,Y2,Z2), Apart) :-
     Apart is sqrt((X1-X2)**2 + (Y1-Y2)**2 + (Z1-Z2)**2).
 
-%   behind_because(Scene, X, Y, Walk, Because): faces behind it at which a solid
-%   begins again, and the background where there is none.
+%   behind_because(Scene, X, Y, Walk, Look, Because): faces behind it at which a
+%   solid begins again, or that it is see-through.
 
-behind_because(Scene, X, Y, walk(_,group(Z,_),In,Behind), Because) :-
+behind_because(_, _, _, _, Look, [because(see_through(A), [])]) :-
+    look_opacity(Look, A),
+    A < 1,
+    !.
+behind_because(Scene, X, Y, walk(_,group(Z,_),In,Behind), _, Because) :-
     model_place(Scene, X, Y, Z, Point),
     begun(Behind, Scene, In, Begun),
     findall(because(hidden_face(What,Leaf,S,Name,R,Apart), []),
@@ -287,9 +337,9 @@ behind_because(Scene, X, Y, walk(_,group(Z,_),In,Behind), Because) :-
 begun([], _, _, []).
 begun([passed(group(Z,Mets),In)|Behind], Scene, In0, Begun) :-
     findall(begun(R,Z,Leaf,F),
-            ( scene_root(Scene, root(R,Nodes)),
-              false_reason(R, Nodes, In, true),
-              \+ false_reason(R, Nodes, In0, true),
+            ( scene_root(Scene, root(R,_)),
+              false_reason(Scene, R, In, true),
+              \+ false_reason(Scene, R, In0, true),
               once(( member(met(Place,F,_), Mets),
                      scene_place(Scene, place(Place,R,Leaf)) )) ),
             New),
@@ -311,20 +361,83 @@ look_because(R, S, Colours, Look, Because) :-
     ;   Because = [because(look_of_palette(Colour,Colours), [])]
     ).
 
-%   tone_because(Scene, X, Y, At, Part, Look, Because): the tone of a bent face
-%   is that in the middle of the dot, where it is seen there.
+%   side_normal(Scene, X, Y, At, Part, Walk, Normal): in the model. That of a
+%   bent face is taken in the middle of the dot, where it is seen there; behind
+%   others it follows from the depth near At.
 
-tone_because(Scene, X, Y, X1-Y1, part(R,Leaf,F), Look,
-             [because(normal(Right,Up,Towards), []),
-              because(tone(Tone,ToneBy), Shares),
-              because(ramp(Shade,RampBy,RGB), [])]) :-
+side_normal(Scene, X, Y, X1-Y1, part(R,Leaf,F), Walk, Normal) :-
     scene_handle(Scene, Handle),
     XM is X+0.5,
     YM is Y+0.5,
     (   shading_point(Handle, XM, YM, span(_,_,R,Leaf,F), _, Normal0)
     ->  Normal = Normal0
-    ;   shading_point(Handle, X1, Y1, _, _, Normal)
+    ;   shading_point(Handle, X1, Y1, span(_,_,R,Leaf,F), _, Normal0)
+    ->  Normal = Normal0
+    ;   Walk = walk(_,group(Z,Mets),_,_),
+        member(Met, Mets),
+        Met = met(Place,F,_),
+        scene_place(Scene, place(Place,R,Leaf)),
+        near_place(Scene, X1, Y1, Met, right, Right),
+        near_place(Scene, X1, Y1, Met, down, Down)
+    ->  model_place(Scene, X1, Y1, Z, Here),
+        Behind is Z+1.0,
+        model_place(Scene, X1, Y1, Behind, Far),
+        maplist(way_from(Here), [Right,Down,Far], [A,B,C]),
+        cross(A, B, N),
+        unit_against(C, N, Normal)
+    ;   Normal = unknown
+    ).
+
+%   near_place(Scene, X, Y, Met, Way, Point): Point of the same slice a little to
+%   the right, or down; if it ends there, on the other side.
+
+near_place(Scene, X, Y, Met, Way, Step-Point) :-
+    member(Step, [0.01,-0.01]),
+    (   Way == right
+    ->  X1 is X+Step,
+        Y1 = Y
+    ;   X1 = X,
+        Y1 is Y+Step
     ),
+    catch(met(Scene, X1, Y1, Groups), error(domain_error(_,_),_), fail),
+    member(group(Z,Mets), Groups),
+    memberchk(Met, Mets),
+    model_place(Scene, X1, Y1, Z, Point),
+    !.
+
+way_from(point(X0,Y0,Z0), Step-point(X1,Y1,Z1), vector(X,Y,Z)) :-
+    !,
+    X is (X1-X0)/Step,
+    Y is (Y1-Y0)/Step,
+    Z is (Z1-Z0)/Step.
+way_from(Here, Point, Way) :-
+    way_from(Here, 1.0-Point, Way).
+
+cross(vector(A,B,C), vector(D,E,F), vector(X,Y,Z)) :-
+    X is B*F-C*E,
+    Y is C*D-A*F,
+    Z is A*E-B*D.
+
+%   unit_against(Way, Vector, Unit)
+
+unit_against(vector(A,B,C), vector(X0,Y0,Z0), vector(X,Y,Z)) :-
+    Length is sqrt(X0*X0 + Y0*Y0 + Z0*Z0),
+    (   A*X0 + B*Y0 + C*Z0 > 0
+    ->  Factor is -1/Length
+    ;   Factor is 1/Length
+    ),
+    X is Factor*X0,
+    Y is Factor*Y0,
+    Z is Factor*Z0.
+
+%   tone_because(Normal, Look, Because)
+
+tone_because(unknown, _, []).
+tone_because(Normal, Look, Because) :-
+    Normal = vector(_, _, _),
+    Because = [because(normal(Right,Up,Towards), []),
+               because(tone(Tone,ToneBy), Shares),
+               because(ramp(Shade,RampBy,RGB), [])|More],
     picture_normal(Normal, Seen),
     Seen = vector(Right0,Up0,Towards0),
     maplist(rounded, [Right0,Up0,Towards0], [Right,Up,Towards]),
@@ -342,7 +455,23 @@ tone_because(Scene, X, Y, X1-Y1, part(R,Leaf,F), Look,
     ;   Shares = []
     ),
     decided_by(ramp/3, RampBy),
-    ramp_bytes(Look, Tone, RGB).
+    ramp_bytes(Look, Tone, RGB),
+    findall(because(Statement, []), more_light(Look, Normal, Statement),
+            More).
+
+%   more_light(Look, Normal, Statement): what is added to the light of the tone.
+
+more_light(Look, vector(X,Y,Z), shine(F,N,Added)) :-
+    memberchk(shine(F,N), Look),
+    look_shine(Look, shine(Power,Ways)),
+    Ways = [_|_],
+    findall(Light,
+            ( member(way(A,B,C,Factor,_), Ways),
+              Light is Factor*max(0.0, A*X+B*Y+C*Z)**Power ),
+            Lights),
+    sum_list(Lights, Added).
+more_light(Look, _, hatched) :-
+    memberchk(hatched(_), Look).
 
 rounded(X0, X) :-
     X is round(X0*1.0e9)/1.0e9 + 0.0.
@@ -412,10 +541,11 @@ unseen_because(S, Options, [because(Statement, Because)]) :-
     segment(S, Kind, _),
     picture_scene(Options, Scene),
     findall(Place, place_of(Scene, S, Place), Places),
+    scene_opacities(Scene, Opaque),
     (   Places == []
     ->  Statement = not_in_picture(S, Kind),
         Because = []
-    ;   seen_dots(Scene, S, Places, Dots, X, Y),
+    ;   seen_dots(Scene, Opaque, Places, Dots, X, Y),
         Dots > 0
     ->  Statement = seen_after_all(S, Dots, X, Y),
         Because = []
@@ -423,7 +553,7 @@ unseen_because(S, Options, [because(Statement, Because)]) :-
         sampled_places(Scene, Places, Samples),
         findall(Reason-at(X1,Y1),
                 ( member(sample(Place,X1,Y1), Samples),
-                  unseen_at(Scene, Place, X1, Y1, Reason) ),
+                  unseen_at(Scene, Opaque, Place, X1, Y1, Reason) ),
                 Reasons),
         unseen_reasons(Reasons, Because)
     ).
@@ -442,10 +572,11 @@ place_of(Scene, S, Place) :-
     ->  true
     ).
 
-%   seen_dots(Scene, S, Places, Dots, X, Y): about how many dots show them, and
-%   one of these.
+%   seen_dots(Scene, Opaque, Places, Dots, X, Y): about how many dots show them,
+%   and one of these.
 
-seen_dots(Scene, _, Places, Dots, X, Y) :-
+seen_dots(Scene, Opaque, Places, Dots, X, Y) :-
+    scene_handle(Scene, Handle),
     findall(Leaf,
             ( member(Place, Places), scene_place(Scene, place(Place,_,Leaf)) ),
             Leaves0),
@@ -455,8 +586,8 @@ seen_dots(Scene, _, Places, Dots, X, Y) :-
     findall(Wide-at(X1,Row),
             ( between(0, Last, Row),
               Middle is Row+0.5,
-              line_spans(Scene, Middle, Spans),
-              member(span(A,B,_,Leaf,_), Spans),
+              shading_layers(Handle, Middle, Opaque, Layers),
+              member(layer(A,B,_,Leaf,_,_), Layers),
               memberchk(Leaf, Leaves),
               Wide is B-A,
               X1 is (A+B)//512 ),
@@ -496,41 +627,40 @@ place_slice(Scene, Places, Y, Place, X1, X2) :-
     scene_place(Scene, place(Place,_,Leaf)),
     memberchk(Place, Places).
 
-%   unseen_at(Scene, Place, X, Y, Reason): of each of its faces there.
+%   unseen_at(Scene, Opaque, Place, X, Y, Reason): of each of its faces there.
 
-unseen_at(Scene, Place, X, Y, Reason) :-
+unseen_at(Scene, Opaque, Place, X, Y, Reason) :-
     met(Scene, X, Y, Groups),
     passed(Groups, [], All),
-    append(Before, [passed(group(_,Mets),In)|_], All),
+    append(Before, [passed(group(Z,Mets),In)|_], All),
     memberchk(met(Place,_,_), Mets),
     scene_place(Scene, place(Place,R,_)),
-    scene_root(Scene, root(R,Nodes)),
     (   append(_, [passed(_,In0)], Before)
     ->  true
     ;   In0 = []
     ),
-    false_reason(R, Nodes, In, Now),
-    false_reason(R, Nodes, In0, Was),
+    false_reason(Scene, R, In, Now),
+    false_reason(Scene, R, In0, Was),
     (   Now == true,
         Was == true
     ->  Reason = buried(R)
     ;   Now == true
-    ->  seen_before(Before, Scene, Reason)
+    ->  seen_before(Scene, Opaque, X, Y, Z, Reason)
     ;   Was \== true
     ->  reason_because(Scene, R, Now, [because(Why, _)]),
         Reason = not_there(Why)
     ;   Reason = back(R)
     ).
 
-seen_before(Before, Scene, hidden(R,Leaf,S,Name)) :-
-    append(_, [passed(group(_,Mets),In)|_], Before),
-    holding_root(Scene, In, R),
+seen_before(Scene, Opaque, X, Y, Z, hidden(R,Leaf,S,Name)) :-
+    seen_layers(Scene, X, Y, Layers),
+    member(layer(Z1,R,Leaf,F), Layers),
+    Z1 < Z,
+    face_opacity(Opaque, Leaf, F, A),
+    A >= 1,
     !,
-    member(met(Place,_,_), Mets),
-    scene_place(Scene, place(Place,R,Leaf)),
-    leaf_names(Scene, Leaf, 0, _, S, Name),
-    !.
-seen_before(_, _, thin).
+    leaf_names(Scene, Leaf, 0, _, S, Name).
+seen_before(_, _, _, _, _, thin).
 
 %   unseen_reasons(Reasons, Because): each with how often it was met and where,
 %   the most frequent first; backs only if there is nothing else.

@@ -1,11 +1,13 @@
 :- module(sg_explain_tree,
           [ tree_way/3,                 % +Scene, +Place, -Way
-            false_reason/4,             % +R, +Nodes, +In, -Reason
+            false_reason/4,             % +Scene, +R, +In, -Reason
             takes_away/1                % +Step
           ]).
 :- use_module('../csg/csg_term', [is_node_term/1, node_parts/4]).
-:- use_module('../shading/shading_scene', [scene_place/2, scene_root/2]).
+:- use_module('../shading/shading_scene',
+              [scene_leaf/2, scene_place/2, scene_root/2]).
 :- use_module('../store', [segment/3]).
+:- use_module(library(lists), [member/2]).
 
 /** <module> Explain: the tree of a shaded root, with the names of its nodes.
 
@@ -18,15 +20,30 @@ so that each node has the segment it is, or 0.
 %
 %   Way leads from leaf Place of the kernel up to its root, the nearest first:
 %   operand(I, Count, Operation, N), it is operand I of Count of the Operation
-%   that segment N is, or 0; placed(N), it is placed elsewhere as segment N.
+%   that segment N is, or 0; placed(N), it is placed elsewhere as segment N. A
+%   section has no way.
 
 tree_way(Scene, Place, Way) :-
     scene_place(Scene, place(Place,R,_)),
-    scene_root(Scene, root(R,Nodes)),
+    root_tree(Scene, R, Nodes, _),
     way(Nodes, _, R, [], Place, Found),
     nonvar(Found),
     !,
     Way = Found.
+
+%   root_tree(Scene, R, Nodes, Sections): Nodes are those of R itself; Sections
+%   are the places of what it is intersected with, the last one first.
+
+root_tree(Scene, R, Nodes, Sections) :-
+    once(scene_root(Scene, root(R,All))),
+    findall(Leaf, scene_leaf(Scene, leaf(Leaf,R,_,section,_)), Leaves),
+    cut_open(Leaves, All, Nodes, Sections).
+
+cut_open([_|Leaves], [node(intersection,2),node(leaf,Place)|All], Nodes,
+         [Place|Places]) :-
+    !,
+    cut_open(Leaves, All, Nodes, Places).
+cut_open(_, Nodes, Nodes, []).
 
 %   way(Nodes0, Nodes, What, Above, Place, Found): What, a segment, a term or
 %   `unknown`, is between Nodes0 and Nodes.
@@ -104,16 +121,23 @@ shown_as(Operation, Operands, Operation, Operands).
 takes_away(operand(I,_,difference,_)) :-
     I > 1.
 
-%!  false_reason(+R, +Nodes, +In, -Reason) is det.
+%!  false_reason(+Scene, +R, +In, -Reason) is det.
 %
-%   Reason is `true` if the tree Nodes of root R holds inside the leaves whose
-%   places are In. Else it says why it does not: taken_away(N, J, Operation),
-%   operand J of the node that is segment N, or 0, of what is there otherwise;
-%   outside_all(N, Operation, Count), the line is in no operand of it; or
-%   outside(Place), in no leaf Place.
+%   Reason is `true` if the tree of root R holds inside the leaves whose places
+%   are In. Else it says why it does not: `cut`, by a plane;
+%   taken_away(N, J, Operation), operand J of the node that is segment N, or 0,
+%   of what is there otherwise; outside_all(N, Operation, Count), the line is in
+%   no operand of it; or outside(Place), in no leaf Place.
 
-false_reason(R, Nodes, In, Reason) :-
-    reason(Nodes, _, R, In, Reason).
+false_reason(Scene, R, In, Reason) :-
+    root_tree(Scene, R, Nodes, Sections),
+    reason(Nodes, _, R, In, Reason0),
+    (   Reason0 == true,
+        member(Place, Sections),
+        \+ memberchk(Place, In)
+    ->  Reason = cut
+    ;   Reason = Reason0
+    ).
 
 reason([Node|Nodes0], Nodes, What0, In, Reason) :-
     resolved(What0, [], What, _),
@@ -134,6 +158,8 @@ reasons([What|Whats], Nodes0, Nodes, In, [Reason|Reasons]) :-
     reason(Nodes0, Nodes1, What, In, Reason),
     reasons(Whats, Nodes1, Nodes, In, Reasons).
 
+node_reason(union, [], _, cut) :-       % nothing of it is on that side
+    !.
 node_reason(union, Reasons, N, Reason) :-
     (   memberchk(true, Reasons)
     ->  Reason = true

@@ -49,6 +49,18 @@ pixel_statement_en(taken_away(J, Operation, N, R)) -->
 pixel_statement_en(outside_leaf(Leaf, S, Name, R)) -->
     { leaf(Leaf, S, Name, Word), root(R, Root) },
     [ '~w is not there: it is outside ~w'-[Root, Word] ].
+pixel_statement_en(lets_through(R)) -->
+    { root(R, Root) },
+    [ '~w is there, and light from behind comes through it'-[Root] ].
+pixel_statement_en(cut_away(R)) -->
+    { root(R, Root) },
+    [ '~w is not there: a plane cuts it away'-[Root] ].
+pixel_statement_en(see_through(A)) -->
+    [ 'it is see-through: ~4g of the light is its own'-[A] ].
+pixel_statement_en(shine(F, N, Added)) -->
+    [ 'its shine(~w, ~w) adds ~5g of white light'-[F, N, Added] ].
+pixel_statement_en(hatched) -->
+    [ 'as the face of a section it is hatched: a quarter of it is dark' ].
 pixel_statement_en(hidden_face(Face, Leaf, S, Name, R, Behind)) -->
     { leaf(Leaf, S, Name, Word), root(R, Root) },
     [ 'it hides ~p of ~w, of ~w, ~6g behind it'-[Face, Word, Root, Behind] ].

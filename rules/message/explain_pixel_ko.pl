@@ -49,6 +49,18 @@ pixel_statement_ko(taken_away(J, Operation, N, R)) -->
 pixel_statement_ko(outside_leaf(Leaf, S, Name, R)) -->
     { leaf(Leaf, S, Name, Word), root(R, Root) },
     [ '~w은(는) 아직 없다. ~w의 밖이다'-[Root, Word] ].
+pixel_statement_ko(lets_through(R)) -->
+    { root(R, Root) },
+    [ '~w은(는) 거기에 있고, 뒤에서 오는 빛이 지나간다'-[Root] ].
+pixel_statement_ko(cut_away(R)) -->
+    { root(R, Root) },
+    [ '~w은(는) 거기에 없다. 평면이 잘라 낸다'-[Root] ].
+pixel_statement_ko(see_through(A)) -->
+    [ '반투명하다. 빛 가운데 ~4g만 자신의 것이다'-[A] ].
+pixel_statement_ko(shine(F, N, Added)) -->
+    [ 'shine(~w, ~w)이(가) 흰 빛 ~5g을(를) 더한다'-[F, N, Added] ].
+pixel_statement_ko(hatched) -->
+    [ '단면이므로 해칭한다. 넷 가운데 하나가 어둡다' ].
 pixel_statement_ko(hidden_face(Face, Leaf, S, Name, R, Behind)) -->
     { leaf(Leaf, S, Name, Word), root(R, Root) },
     [ '~6g만큼 뒤에 있는 ~w의 ~w의 ~p을(를) 가린다'-

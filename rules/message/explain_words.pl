@@ -145,6 +145,11 @@ statement_keys(passed, [way, face, leaf, segment, name, before]).
 statement_keys(outside_all, [operation, segment, count, root]).
 statement_keys(taken_away, [operand, operation, segment, root]).
 statement_keys(outside_leaf, [leaf, segment, name, root]).
+statement_keys(lets_through, [root]).
+statement_keys(cut_away, [root]).
+statement_keys(see_through, [opacity]).
+statement_keys(shine, [strength, power, light]).
+statement_keys(hatched, []).
 statement_keys(hidden_face, [face, leaf, segment, name, root, behind]).
 statement_keys(look_by_rule, [colour, rules]).
 statement_keys(look_of, [segment, colour]).

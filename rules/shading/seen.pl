@@ -205,8 +205,8 @@ operands_signed(Count, Which, Nodes0, Nodes, Sign0, Place, Sign) :-
 %!  seen_layers(+Scene, +X, +Y, -Layers) is det.
 %
 %   Layers are what would be seen at (X, Y), in dots, if all were see-through,
-%   the nearest first: seen(R, S, F) where the root R begins, or ends. Of one
-%   group what ends is nearer than what begins.
+%   the nearest first: layer(Z, R, S, F) where the root R begins, or ends, at a
+%   group of the depth Z. Of one group what ends is nearer than what begins.
 %
 %   @error domain_error(scan_line, Y)
 
@@ -216,13 +216,13 @@ seen_layers(Scene, X, Y, Layers) :-
     layers(Groups, Scene, Roots, [], Layers).
 
 layers([], _, _, _, []).
-layers([group(_,Mets)|Groups], Scene, Roots, In0, Layers) :-
+layers([group(Z,Mets)|Groups], Scene, Roots, In0, Layers) :-
     foldl(toggled, Mets, In0, In),
     findall(Way-R,
             ( member(Way, [-1,1]), member(root(R,Nodes), Roots),
               change(Way, Nodes, In0, In) ),
             Changed),
-    findall(seen(R,S,F),
+    findall(layer(Z,R,S,F),
             ( member(Way-R, Changed), owner(Scene, R, Mets, Way, S-F) ),
             New),
     append(New, Layers1, Layers),

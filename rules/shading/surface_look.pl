@@ -3,6 +3,7 @@
             look_source/4,              % +R, +S, ?Property, -Segment
             scene_looks/4,              % +Scene, +Colours, -Looks, -Leaves
             look_opacity/2,             % +Look, -Opacity
+            scene_opacities/2,          % +Scene, -Leaves
             line_layers/3               % +Scene, +Y, -Layers
           ]).
 :- use_module('../csg/csg', [node/4]).
@@ -215,11 +216,19 @@ palette(200, 140, 170).
 %   @error domain_error(scan_line, Y)
 
 line_layers(Scene, Y, Layers) :-
+    scene_opacities(Scene, Leaves),
+    scene_handle(Scene, Handle),
+    shading_layers(Handle, Y, Leaves, Layers).
+
+%!  scene_opacities(+Scene, -Leaves) is det.
+%
+%   Leaves has for each leaf how opaque it is, then how its faces are, as
+%   shading_layers/4.
+
+scene_opacities(Scene, Opaque) :-
     scene_looks(Scene, root, Looks, Leaves),
     maplist(look_opacity, Looks, Opacities),
-    maplist(places_opacities(Opacities), Leaves, Opaque),
-    scene_handle(Scene, Handle),
-    shading_layers(Handle, Y, Opaque, Layers).
+    maplist(places_opacities(Opacities), Leaves, Opaque).
 
 %!  look_opacity(+Look, -Opacity) is det.
 

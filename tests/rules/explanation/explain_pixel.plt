@@ -16,7 +16,10 @@
 :- use_module(rules(message/explain_pixel_ko)).
 :- use_module(rules(message/explain_words)).
 :- use_module(rules(shading/seen)).
+:- use_module(rules(picture/view)).
+:- use_module(rules(shading/shaded_picture)).
 :- use_module(rules(shading/shading_scene)).
+:- use_module(rules(shading/shading_section)).
 :- use_module(tests('rules/shading/shaded_model')).
 
 :- meta_predicate in_text(+, 0).
@@ -174,6 +177,80 @@ test(rules_are_named, true) :-
     By \== default,
     memberchk(tone(_,default), All).
 
+% ---- see-through, cut open -------------------------------------------------
+
+%   A glass box before a red one; light of a dot is the sum of its parts.
+glass("segment(1, solid, at([translate(0,0,3)], box(size(4,4,1)))).
+       segment(2, solid, at([translate(1,1,0)], sphere(radius(0.9),
+                                                       facets(48)))).
+       look(1, opacity(0.4)). look(2, colour(red)). look(2, opacity(0.7)).
+       view(290, 20, 0).").
+
+test(light_is_the_sum_of_parts, Wrong == []) :-
+    glass(Text),
+    Options = [size(41-37), background(black)],
+    in_text(Text, findall(X-Y-Bytes-Sums,
+                          ( between(2, 34, Y), Y mod 7 =:= 0,
+                            between(2, 38, X), X mod 7 =:= 1,
+                            explanation(pixel(X,Y), Options,
+                                        [because(pixel(X,Y,Bytes),Parts)]),
+                            Parts = [_,_|_],
+                            \+ memberchk(because(background_part(_,_),_),
+                                         Parts),
+                            sums(Parts, [0,0,0], Sums),
+                            \+ near_light(Bytes, Sums) ),
+                          Wrong)).
+test(layers_of_glass, Ps == [40.0,25.2,24.0,7.56]) :-
+    glass(Text),
+    Options = [size(41-37), window(b(-6.0,-6.0,6.0,6.0))],
+    in_text(Text, said_parts(pixel(24,14), Options, Ps, Statements)),
+    memberchk(see_through(0.4), Statements),
+    memberchk(lets_through(1), Statements).
+
+said_parts(Item, Options, Ps, Statements) :-
+    explanation(Item, Options, Because),
+    findall(S, ( sub_term(T, Because), nonvar(T), T = because(S,_) ),
+            Statements),
+    findall(P-Z, ( member(seen_part(P0,_,L,_,_,_), Statements), Z = L,
+                   P is round(P0*1000)/1000.0 ), Ps0),
+    findall(P, member(P-_, Ps0), Ps).
+
+sums([], Sums, Sums).
+sums([because(seen_part(P,_,_,_,_,_),Because)|Parts], [R0,G0,B0], Sums) :-
+    memberchk(because(ramp(_,_,[R1,G1,B1]),_), Because),
+    maplist(srgb_light, [R1,G1,B1], [R2,G2,B2]),
+    R is R0+P/100*R2, G is G0+P/100*G2, B is B0+P/100*B2,
+    sums(Parts, [R,G,B], Sums).
+
+%   The ends of edges and bent faces have a tone of their own in each piece.
+near_light(Bytes, Sums) :-
+    maplist(srgb_light, Bytes, Light),
+    maplist(near_part, Light, Sums).
+
+near_part(A, B) :-
+    abs(A-B) =< 0.02*65535.
+
+test(cut_open, true) :-
+    in_text("segment(1, solid, difference([box(size(4,4,4)),
+                                           at([translate(1,1,1)],
+                                              box(size(1,1,1)))])).
+             look(1, shine(0.5, 4)). view(270, 90, 0).",
+            ( shaded_model([1], Model0),
+              sectioned_model([plane(0,-1,0,1)], Model0, Model),
+              current_view(Theta, Phi, Rho, Kind),
+              shaded_eye(Model, view(Theta,Phi,Rho,Kind), Eye),
+              shaded_picture(Model, Eye, [size(40-40)], Scene),
+              said_parts(pixel(8,8), [scene(Scene)], Ps, All),
+              said_parts(pixel(28,24), [scene(Scene)], _, Pit),
+              tree_way(Scene, 1, Way) )),
+    Ps == [100.0],
+    memberchk(seen_part(_,section,_,0,section,1), All),
+    memberchk(hatched, All),
+    memberchk(shine(0.5,4,_), All),
+    memberchk(cut_away(1), All),
+    Way == [operand(1,2,difference,1)],
+    memberchk(taken_away(2,difference,1,1), Pit).
+
 % ---- why nothing is seen ---------------------------------------------------
 
 test(under_the_plate, nondet) :-
@@ -269,8 +346,8 @@ agrees(Scene, X, Y) :-
 first([], _, _, none).
 first([group(_,Mets)|Groups], In0, Scene, First) :-
     foldl_toggled(Mets, In0, In),
-    (   scene_root(Scene, root(R,Nodes)),
-        false_reason(R, Nodes, In, true)
+    (   scene_root(Scene, root(R,_)),
+        false_reason(Scene, R, In, true)
     ->  First = R-Mets
     ;   first(Groups, In, Scene, First)
     ).
