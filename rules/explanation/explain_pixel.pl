@@ -16,8 +16,9 @@
 :- use_module('../shading/shading_scene',
               [ scene_handle/2, scene_leaf/2, scene_place/2, scene_root/2,
                 scene_size/2, shaded_eye/3, shaded_model/2 ]).
-:- use_module('../shading/surface_look', [look_opacity/2, look_source/4, scene_looks/4, scene_opacities/2]
-              ).
+:- use_module('../shading/surface_look',
+              [ look_opacity/2, look_source/4, scene_looks/4,
+                scene_opacities/2 ]).
 :- use_module('../shading/surface_ramp', [ramp/3]).
 :- use_module('../shading/surface_tone',
               [look_shine/2, picture_normal/2, tone/3, tone_sum/3]).
@@ -75,8 +76,8 @@ picture_scene(Options, Scene) :-
         shaded_picture(Model, Eye, Options, Scene)
     ).
 
-%   dot_parts(Scene, X, Y, Lines, Opaque, Parts): part(Share, R, Leaf, F, Z, At),
-%   the largest first: of all lines face F has so many 1/256 dots, each counted
+%   dot_parts(Scene, X, Y, Lines, Opaque, Parts): part(Share, R, Leaf, F, Z,
+%   At), the largest first: of all lines face F has so many 1/256 dots, each counted
 %   as much as its light comes from that face; At is X1-Y1, in the middle of the
 %   widest piece, where it has the depth Z. Opaque is as of scene_opacities/2.
 
@@ -121,8 +122,9 @@ dot_cell(Scene, X, Y, Opaque, A, B) :-
     append(_, [A,B|_], Cuts).
 
 %   layer_shares(Layers, Opaque, Left, Before, Shares): Shares are share(Z, R,
-%   Leaf, F, Nth, Part) of those of Layers (seen_layers/4) that light comes from:
-%   the Nth layer of that face has that Part of it, as long as something is Left.
+%   Leaf, F, Nth, Part) of those of Layers (seen_layers/4) that light comes
+%   from: the Nth layer of that face has that Part of it, as long as something
+%   is Left.
 
 layer_shares([], _, _, _, []).
 layer_shares([layer(Z,R,Leaf,F)|Layers], Opaque, Left0, Before, Shares) :-
@@ -388,8 +390,8 @@ side_normal(Scene, X, Y, X1-Y1, part(R,Leaf,F), Walk, Normal) :-
     ;   Normal = unknown
     ).
 
-%   near_place(Scene, X, Y, Met, Way, Point): Point of the same slice a little to
-%   the right, or down; if it ends there, on the other side.
+%   near_place(Scene, X, Y, Met, Way, Point): Point of the same slice a little
+%   to the right, or down; if it ends there, on the other side.
 
 near_place(Scene, X, Y, Met, Way, Step-Point) :-
     member(Step, [0.01,-0.01]),

@@ -16,7 +16,8 @@ scene is that of kernel/shading.pl.
 %   Image is Scene in dots; Lines, 1, 2, 4, 8 or 16, cross each. Looks are
 %   look(Tones, Ramp, Opacity, Shine, Stripes). Tones is sum(Constant, Ways):
 %   the tone of a side is that, from 0 to 1, with for each way(X, Y, Z,
-%   Factor, Least) Factor times the product of the unit vectors (X, Y, Z) and normal, but at least Least.
+%   Factor, Least) Factor times the product of the unit vectors (X, Y, Z) and
+%   normal, but at least Least.
 %   Or table(Axes, Tones): Axes are 9 numbers, what is right, up and towards
 %   the eye in the model, Tones are those of the normals of image_normals/1.
 %   Ramp has 1,025 light(R, G, B), of the tones 0, 1/1024, ... 1. Opacity, 0 to

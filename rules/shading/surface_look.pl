@@ -21,8 +21,8 @@
 A look is a list of properties, those of look/2. Of each the nearest wins: that
 of the segment of the leaf, of the nodes above it, of the root. What is taken
 away shows the body that it was taken from: behind the operands of a difference
-but the first one comes the first one, before the node itself. Without any colour a
-face has that of a palette, by roots.
+but the first one comes the first one, before the node itself. Without any
+colour a face has that of a palette, by roots.
 */
 
 :- decision(surface_look/4, "How a face of a leaf looks in a shaded picture").
