@@ -77,9 +77,10 @@ picture_scene(Options, Scene) :-
     ).
 
 %   dot_parts(Scene, X, Y, Lines, Opaque, Parts): part(Share, R, Leaf, F, Z,
-%   At), the largest first: of all lines face F has so many 1/256 dots, each counted
-%   as much as its light comes from that face; At is X1-Y1, in the middle of the
-%   widest piece, where it has the depth Z. Opaque is as of scene_opacities/2.
+%   At), the largest first: of all lines face F has so many 1/256 dots, each
+%   counted as much as its light comes from that face; At is X1-Y1, in the
+%   middle of the widest piece, where it has the depth Z. Opaque is as of
+%   scene_opacities/2.
 
 dot_parts(Scene, X, Y, Lines, Opaque, Parts) :-
     Last is Lines-1,
