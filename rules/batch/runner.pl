@@ -63,7 +63,7 @@ manifest_run(Manifest, Options, Status) :-
     (   option(list(true), Options)
     ->  jobs_listed(Manifest, Options),
         Status = 0
-    ;   interrupts_noted(sg_runner:checked_run(Manifest, Options, Status))
+    ;   checked_run(Manifest, Options, Status)
     ).
 
 checked_run(Manifest, Options, Status) :-
@@ -75,7 +75,9 @@ checked_run(Manifest, Options, Status) :-
     only_known(Manifest, Options),
     option(out(Out), Options),
     with_store(Out, Store,
-               sg_runner:stored_run(Manifest, Options, Store, Count, Status)).
+               sg_runner:interrupts_noted(sg_runner:stored_run(Manifest, Options,
+                                                               Store, Count,
+                                                               Status))).
 
 %   wanted(Job, Options): of the shard, and of those that are named.
 
@@ -113,7 +115,7 @@ only_known(Manifest, Options) :-
                 *          INTERRUPTS          *
                 *******************************/
 
-%   The first Ctrl-C lets the jobs that run end; the second one ends them.
+%   While jobs run, the first Ctrl-C lets these end; the second one ends them.
 
 :- meta_predicate interrupts_noted(0).
 

@@ -13,6 +13,7 @@
 :- use_module('../store', [look/2]).
 :- use_module(shading_scene, [scene_handle/2, scene_leaf/2, scene_root/2]).
 :- use_module(library(apply), [maplist/3]).
+:- use_module(library(error), [must_be/2]).
 :- use_module(library(lists),
               [ append/2, append/3, list_to_set/2, member/2, nth0/3, selectchk/3
               ]).
@@ -213,11 +214,13 @@ palette(200, 140, 170).
 %   R, as far as looks let it through. Where all is opaque they are the spans of
 %   line_spans/3, each with 1.0.
 %
+%   @error instantiation_error: Scene is not known
 %   @error domain_error(scan_line, Y)
 
 line_layers(Scene, Y, Layers) :-
-    scene_opacities(Scene, Leaves),
+    must_be(nonvar, Scene),
     scene_handle(Scene, Handle),
+    scene_opacities(Scene, Leaves),
     shading_layers(Handle, Y, Leaves, Layers).
 
 %!  scene_opacities(+Scene, -Leaves) is det.

@@ -277,9 +277,12 @@ END
 batch each.pl -o each
 check 'json is an option of check' report_is 'done 2'
 
-# Whoever gave it too many jobs sees it.
+# Whoever gave it too many jobs sees it, and one Ctrl-C ends it.
 echo "job(a(N), draw, ['cube.pl'], [view(N, 30), output('%.svg')]) @ N in 1..100000000." >huge.pl
-timeout -s INT 10 "$sanggwan" batch huge.pl -o huge 2>"$work/err"
+timeout --preserve-status -s INT -k 60 6 "$sanggwan" batch huge.pl -o huge \
+  2>"$work/err"
+status=$?
+check 'a manifest that is looked through is interrupted' status_is 130
 check 'how far the check is' has 'jobs looked at'
 
 # To look through ten thousand jobs needs no more memory than one.

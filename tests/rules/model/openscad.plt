@@ -102,7 +102,7 @@ means("color([1, 0, 0, 1]) { render(convexity = 2) { cube(); } }",
 means("color([0, 0.5, 1, 0.5]) { group() { color([1, 0, 0, 1]) { cube(); }
        multmatrix([[1,0,0,2],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) {
        color([1, 1, 0, 1]) { cube(); } } } }",
-      named(colour(rgb(0,128,255)),
+      named(colour(rgb(0,128,255),0.5),
             union([at([translate(0.5,0.5,0)], box(size(1,1,1))),
                    at([translate(2,0,0)],
                       at([translate(0.5,0.5,0)], box(size(1,1,1))))]))).
