@@ -75,9 +75,9 @@ checked_run(Manifest, Options, Status) :-
     only_known(Manifest, Options),
     option(out(Out), Options),
     with_store(Out, Store,
-               sg_runner:interrupts_noted(sg_runner:stored_run(Manifest, Options,
-                                                               Store, Count,
-                                                               Status))).
+               sg_runner:interrupts_noted(
+                             sg_runner:stored_run(Manifest, Options, Store,
+                                                  Count, Status))).
 
 %   wanted(Job, Options): of the shard, and of those that are named.
 
