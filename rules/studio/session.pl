@@ -26,7 +26,7 @@
                          text_octets/2]).
 :- use_module(select, [selected/3, selection_forgotten/0]).
 :- use_module(world_state, [in_state/3, made_once/4]).
-:- use_module(library(apply), [maplist/3]).
+:- use_module(library(apply), [maplist/2, maplist/3]).
 :- use_module(library(lists), [append/2, append/3, member/2, nth1/3]).
 /** <module> A session: frames in, frames out (docs/protocol.md).
 
