@@ -10,6 +10,7 @@
 :- use_module(library(lists), [append/3, member/2, nth1/3, reverse/2]).
 :- use_module(library(pairs), [pairs_values/2]).
 :- use_module(library(readutil), [read_line_to_string/2]).
+:- use_module(library(utf8), [utf8_codes/3]).
 /** <module> Reports of batches become one.
 
 Of all lines only their places are kept in memory; each is read again when it is
@@ -57,10 +58,11 @@ merged(html, Output, Places, Counts) :-
 
 %   report_places(File, Places0, Places): Key-place(File, Offset, Head, Outcome)
 %   of each line in File, the last one first. Key is Manifest-Number, Head
-%   head(Manifest, Folder).
+%   head(Manifest, Folder). Lines are read as octets: the last one may be cut
+%   off inside a letter.
 
 report_places(File, Places0, Places) :-
-    catch(open(File, read, In, [encoding(utf8)]), error(Formal, _),
+    catch(open(File, read, In, [encoding(octet)]), error(Formal, _),
           cannot_read(File, Formal)),
     call_cleanup(lines_places(In, File, head('', '.'), 0, Places0, Places),
                  close(In)).
@@ -117,8 +119,10 @@ text_after(Text, Key, End, Value) :-
     !,
     sub_string(Rest, 0, Before, _, Value).
 
-other_line(Text, Head0, Head) :-
-    catch(atom_json_dict(Text, Dict, []), error(_, _), fail),
+other_line(Octets, Head0, Head) :-
+    string_codes(Octets, Bytes),
+    phrase(utf8_codes(Codes), Bytes),
+    catch(atom_json_dict(Codes, Dict, []), error(_, _), fail),
     is_dict(Dict),
     (   get_dict(batch, Dict, Manifest0),
         get_dict(folder, Dict, Folder0)
