@@ -12,7 +12,8 @@
 :- use_module(shape, [layer_faces/4, rectangle_loop/3]).
 :- use_module(library(apply), [foldl/4, maplist/2, maplist/3, maplist/4]).
 :- use_module(library(lists),
-              [ append/2, append/3, member/2, numlist/3, same_length/2, sum_list/2
+              [ append/2, append/3, member/2, numlist/3, same_length/2,
+                sum_list/2
               ]).
 :- use_module(library(ordsets), [ord_subtract/3]).
 /** <module> Primitives with flat faces. For shapes see shape.pl.
