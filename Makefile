@@ -124,9 +124,12 @@ $(B)/boot: $(B)/engine/boot.o $(OBJS)
 # The rules' documentation as plain facts, for help/1.
 $(B)/documentation.pl: tools/documentation.pl $(RULES) $(B)/sanggwan.so
 	swipl -f none -p foreign=$(B) $< -- $@
-$(B)/sanggwan.prc: $(B)/boot $(B)/documentation.pl
+$(B)/deflated.prc: $(B)/boot $(B)/documentation.pl
 	$(B)/boot -q -f none -O --on-error=status -g "$(strip $(LOAD))" \
 	  -g "$(strip $(SAVE))" -t halt
+# Inflating it would take a tenth of the time of a short command.
+$(B)/sanggwan.prc: tools/stored.pl $(B)/deflated.prc
+	swipl -f none $< -- $(B)/deflated.prc $@
 # The rules alone, compiled: for a host in which Prolog already runs.
 $(B)/embedded.qlf: $(B)/boot $(RULES)
 	@echo ":- module(sg_embedded, []). :- use_module('$(CURDIR)/rules/sanggwan', [])." \
