@@ -5,12 +5,13 @@
 #include "engine/search.h"
 #include "number/bounds.h"
 
-#include <math.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Up to so many are sorted by insertion. */
-enum { FEW = 16 };
+/* Up to so many are sorted by insertion. Where a line meets more masks than
+ * MANY in a cell, these are sorted. */
+enum { FEW = 16, MANY = 64 };
 
 /* ---- the grid ---- */
 
@@ -57,15 +58,6 @@ find_mask_way(sg_mask_grid *masks)
   return one;
 }
 
-/* The largest float that is not above x. */
-static float
-float_below(double x)
-{
-  float f = (float)x;
-
-  return (double)f > x ? nextafterf(f, -INFINITY) : f;
-}
-
 static void
 make_boxes(sg_mask_grid *masks)
 {
@@ -76,10 +68,10 @@ make_boxes(sg_mask_grid *masks)
     const sg_scene_mask *mask = &scene->mask[i];
     sg_mask_box *box = &masks->box[i];
     for (int k = 0; k < 2; k++) {
-      box->low[k] = float_below(mask->low[k] - e);
-      box->high[k] = -float_below(-mask->high[k] - e);
+      box->low[k] = sg_float_below(mask->low[k] - e);
+      box->high[k] = -sg_float_below(-mask->high[k] - e);
     }
-    box->low[2] = float_below(mask->low[2]); /* what masks are sorted by */
+    box->low[2] = sg_float_below(mask->low[2]); /* what masks are sorted by */
   }
 }
 
@@ -96,13 +88,25 @@ sg_mask_grid_init(sg_mask_grid *masks, const sg_scene *scene,
   make_boxes(masks);
   bool along = find_mask_way(masks);
 
-  return sg_grid_init(&masks->grid, scene->masks, shape_of_mask, masks,
-                      scene->close, along, cancel, memory);
+  if (!sg_grid_init(&masks->grid, scene->masks, shape_of_mask, masks,
+                    scene->close, along, cancel, memory)) {
+    return false;
+  }
+  masks->near =
+      calloc((size_t)masks->grid.nx * masks->grid.ny, sizeof *masks->near);
+  *memory = masks->near != NULL;
+  return *memory;
 }
 
 void
 sg_mask_grid_clear(sg_mask_grid *masks)
 {
+  size_t cells = (size_t)masks->grid.nx * masks->grid.ny;
+
+  for (size_t i = 0; masks->near && i < cells; i++) {
+    free(atomic_load(&masks->near[i]));
+  }
+  free(masks->near);
   sg_grid_clear(&masks->grid);
   free(masks->box);
   *masks = (sg_mask_grid){0};
@@ -153,21 +157,24 @@ sort_hidden(sg_hidden *part, size_t n)
   }
 }
 
-/* True if both ends are certainly outside of one side of the mask, as
- * sg_mask_hides() would find with a root and two divisions. */
+/* True if one side of the mask certainly keeps nothing of the line, as
+ * sg_mask_hides() would find with a root and two divisions: one end is outside
+ * of it, and the other is not inside. */
 static bool
 is_beside(const sg_scene *scene, const sg_scene_mask *mask, const double a[3],
           const double b[3])
 {
-  double e = SG_SLACK * scene->close;
+  double e = scene->close;
 
   for (int k = 0; k < 3; k++) {
     const double *p = scene->at[mask->v[k]];
     const double *q = scene->at[mask->v[(k + 1) % 3]];
     double x = q[0] - p[0], y = q[1] - p[1];
-    double far = -e * (fabs(x) + fabs(y));
-    if (x * (a[1] - p[1]) - y * (a[0] - p[0]) < far &&
-        x * (b[1] - p[1]) - y * (b[0] - p[0]) < far) {
+    double at_a = x * (a[1] - p[1]) - y * (a[0] - p[0]);
+    double at_b = x * (b[1] - p[1]) - y * (b[0] - p[0]);
+    double outside = -SG_SLACK * e * (fabs(x) + fabs(y));
+    double inside = e / SG_SLACK * sg_larger(fabs(x), fabs(y));
+    if (sg_smaller(at_a, at_b) < outside && sg_larger(at_a, at_b) < inside) {
       return true;
     }
   }
@@ -195,6 +202,8 @@ typedef struct asking {
   sg_hiddens *out;
   bool enough;
   double in[2]; /* where the line is in the cell at hand */
+  size_t known; /* so many were found when it was last looked whether they hide
+                   all of the line there */
 } asking;
 
 /* Whether what was found hides all of the line that is in the cell. */
@@ -289,32 +298,79 @@ find_in(asking *q, const sg_grid_shape *shape, unsigned x, unsigned y)
   }
 }
 
-/* The masks of one cell, nearest first, up to the line's far end; or, if some
- * are enough, until these hide all of the line in the cell: masks that hide
- * more of it are in other cells too. */
+/* How far the line goes away from the eye in the cell at hand and near it. */
+static double
+far_end_in(const asking *q)
+{
+  const double *a = q->a, *b = q->b;
+  double x = b[0] - a[0], y = b[1] - a[1];
+  double more = SG_REACH * q->masks->grid.margin / sqrt(x * x + y * y);
+  double from = a[2] + sg_larger(0.0, q->in[0] - more) * (b[2] - a[2]);
+  double to = a[2] + sg_smaller(1.0, q->in[1] + more) * (b[2] - a[2]);
+
+  return more < 1.0 ? sg_larger(from, to) : q->far;
+}
+
+/* Whether nothing more is wanted of the cell at hand: some are enough, and
+ * these hide all of the line there. Masks that hide more of it are in other
+ * cells too. */
+static bool
+is_done(asking *q)
+{
+  if (!q->enough || q->out->n == 0 || q->out->n == q->known) {
+    return false;
+  }
+  q->known = q->out->n;
+  return cell_is_hidden(q);
+}
+
+static bool
+ask_mask(asking *q, uint32_t m)
+{
+  const sg_mask_box *box = &q->masks->box[m];
+
+  return q->low[0] > box->high[0] || q->high[0] < box->low[0] ||
+         q->low[1] > box->high[1] || q->high[1] < box->low[1] || try_mask(q, m);
+}
+
+/* Those of a cell that come nearer there than the line's far end there. */
+static bool
+ask_near(asking *q, size_t cell)
+{
+  const sg_grid *grid = &q->masks->grid;
+  const sg_mask_order *near = sg_mask_grid_near(q->masks, cell);
+  uint32_t far = sg_depth_order(-sg_float_below(-far_end_in(q)));
+  size_t n = grid->start[cell + 1] - grid->start[cell];
+  bool good = near != NULL;
+
+  for (size_t i = 0; good && i < n && near[i] >> 32 < far && !is_done(q); i++) {
+    good = ask_mask(q, (uint32_t)near[i]);
+  }
+  return good;
+}
+
+/* The masks of one cell up to the line's far end, by their nearest corner; if
+ * these are many, the others by how near they come in this cell. */
 static bool
 ask_cell(asking *q, const sg_grid_shape *shape, unsigned x, unsigned y)
 {
   const sg_grid *grid = &q->masks->grid;
-  size_t cell = (size_t)y * grid->nx + x, found = SIZE_MAX;
+  size_t cell = (size_t)y * grid->nx + x;
+  uint32_t begin = grid->start[cell], end = grid->start[cell + 1];
 
-  for (uint32_t i = grid->start[cell]; i < grid->start[cell + 1]; i++) {
-    if (q->enough && q->out->n > 0 && q->out->n != found) {
-      if (found == SIZE_MAX) {
-        find_in(q, shape, x, y);
-      }
-      found = q->out->n;
-      if (cell_is_hidden(q)) {
-        return true;
-      }
-    }
-    const sg_mask_box *box = &q->masks->box[grid->item[i]];
-    if (box->low[2] >= q->far) {
+  q->known = SIZE_MAX;
+  if (begin < end && (q->enough || end - begin > MANY)) {
+    find_in(q, shape, x, y);
+  }
+  for (uint32_t i = begin; i < end && !is_done(q); i++) {
+    uint32_t m = grid->item[i];
+    if (q->masks->box[m].low[2] >= q->far) {
       return true;
     }
-    if (q->low[0] <= box->high[0] && q->high[0] >= box->low[0] &&
-        q->low[1] <= box->high[1] && q->high[1] >= box->low[1] &&
-        !try_mask(q, grid->item[i])) {
+    if (i - begin == MANY && isfinite(q->far)) {
+      return ask_near(q, cell);
+    }
+    if (!ask_mask(q, m)) {
       return false;
     }
   }

@@ -3,8 +3,9 @@
  *
  * Layer: kernel. Both walk the cells of a grid along the line and leave out by
  * a few comparisons what certainly does not matter; the tests of hide.h decide.
- * A grid is not changed by questions: any number of threads may ask, each with
- * what it has seen.
+ * Any number of threads may ask, each with what it has seen. What a question
+ * finds out of a cell, the grid keeps for the next one; no answer depends on
+ * it.
  */
 #ifndef SG_HIDE_SEARCH_H
 #define SG_HIDE_SEARCH_H
@@ -62,11 +63,16 @@ typedef struct sg_mask_box {
   float low[3], high[2];
 } sg_mask_box;
 
+/* The masks of one cell by how near they come there: a depth that no point of
+ * the mask in this cell is nearer than, by sg_depth_order(), then the mask. */
+typedef uint64_t sg_mask_order;
+
 typedef struct sg_mask_grid {
   const sg_scene *scene;
   double way[2]; /* x of the grid: that of most sides, if they have one */
   sg_grid grid;
-  sg_mask_box *box; /* [masks] */
+  sg_mask_box *box;               /* [masks] */
+  _Atomic(sg_mask_order *) *near; /* [cells of the grid] null: not asked yet */
 } sg_mask_grid;
 
 /* Requires: the scene stays open as long. False: stopped by the cancellation,

@@ -7,6 +7,9 @@
 
 #include "hide_search.h"
 
+#include <math.h>
+#include <string.h>
+
 /* Rounding is far below this part of what is compared. */
 #define SG_SLACK 1.000001
 
@@ -25,6 +28,33 @@ sg_line_shape(const double a[2], const double b[2], sg_grid_shape *out)
 {
   *out = (sg_grid_shape){2, {{a[0], a[1]}, {b[0], b[1]}}};
 }
+
+/* The largest float that is not above x. */
+static inline float
+sg_float_below(double x)
+{
+  float f = (float)x;
+
+  return (double)f > x ? nextafterf(f, -INFINITY) : f;
+}
+
+/* What a mask hides may reach beyond it at a sharp corner: by so many margins
+ * of the grid. */
+enum { SG_REACH = 64 };
+
+/* Unsigned integers in the order of the floats. */
+static inline uint32_t
+sg_depth_order(float x)
+{
+  uint32_t bits;
+
+  x += 0.0F; /* no -0.0 */
+  memcpy(&bits, &x, sizeof bits);
+  return bits >> 31 ? ~bits : bits | UINT32_C(1) << 31;
+}
+
+/* All items of a cell, nearest first; of the grid. Null: no memory. */
+const sg_mask_order *sg_mask_grid_near(const sg_mask_grid *masks, size_t cell);
 
 /* Makes `way` its x. */
 static inline void

@@ -146,6 +146,18 @@ all_overlaps(const sg_line_grid *lines, size_t line, sg_seen *seen,
 }
 
 static size_t left_out; /* masks that need not be asked */
+static size_t sorted; /* cells whose masks were sorted by how near they come */
+
+static size_t
+sorted_cells(const sg_mask_grid *masks)
+{
+  size_t n = 0;
+
+  for (size_t c = 0; c < (size_t)masks->grid.nx * masks->grid.ny; c++) {
+    n += masks->near[c] != NULL;
+  }
+  return n;
+}
 
 /* Every line of a scene is asked; *answers grows by what was found. */
 static bool
@@ -174,6 +186,7 @@ finds_all(const sg_scene *scene, size_t *answers)
     *answers += hiddens.n + overlaps.n;
     good = good && enough_masks(&masks, k, &seen_masks, &hiddens, &left_out);
   }
+  sorted += sorted_cells(&masks);
   sg_mask_grid_clear(&masks);
   sg_line_grid_clear(&lines);
   sg_seen_clear(&seen_masks);
@@ -193,20 +206,36 @@ let_stand_in(sg_scene *scene)
   }
 }
 
+/* Long things that lie one way, across the axes of the picture. */
 static void
-random_scenes(void)
+shear(model *m)
 {
-  size_t wrong = 0, answers = 0;
+  for (size_t i = 0; i < m->vertices; i++) {
+    double *at = m->vertex[i].model;
+    at[0] += 4 * at[1];
+    at[2] += 3 * at[1];
+  }
+}
 
-  for (unsigned seed = 1; seed <= 200; seed++) {
+/* How many of these scenes are answered wrongly. */
+static size_t
+wrong_scenes(unsigned from, unsigned to, int triangles, int boxes,
+             size_t *answers)
+{
+  size_t wrong = 0;
+
+  for (unsigned seed = from; seed <= to; seed++) {
     model *m = model_new();
     bool coarse = seed % 2;
     sg_scene_model *seen;
     sg_scene *scene;
 
     srand(seed);
-    random_triangles(m, coarse, 40);
-    random_boxes(m, coarse, 6);
+    random_triangles(m, coarse, triangles);
+    random_boxes(m, coarse, boxes);
+    if (seed % 3 == 0) {
+      shear(m);
+    }
     if (coarse) {
       model_project(m, 90 * (rand() % 4), 90 * (rand() % 3), 9, seed % 4 == 1);
     } else {
@@ -214,7 +243,7 @@ random_scenes(void)
     }
     scene = model_scene(m, NULL, &seen);
     let_stand_in(scene);
-    if (!finds_all(scene, &answers)) {
+    if (!finds_all(scene, answers)) {
       fprintf(stderr, "scene %u\n", seed);
       wrong++;
     }
@@ -222,8 +251,20 @@ random_scenes(void)
     sg_scene_model_close(seen);
     free(m);
   }
-  CHECK("joins find all", wrong == 0);
+  return wrong;
+}
+
+static void
+random_scenes(void)
+{
+  size_t answers = 0;
+
+  CHECK("joins find all", wrong_scenes(1, 200, 40, 6, &answers) == 0);
   CHECK("and there was something to find", answers > 10000);
+  sorted = 0;
+  CHECK("also where very many lie behind one another",
+        wrong_scenes(201, 212, 500, 20, &answers) == 0);
+  CHECK("which are sorted cell by cell", sorted > 100);
 }
 
 /* The parts of a scene, drawn by a thread pool. */
