@@ -3,6 +3,7 @@
 
 #include "image_png.h"
 #include "raster_rows.h"
+#include "shading/face_look_rows.h"
 #include "shading/srgb.h"
 
 #include <stdio.h>
@@ -95,48 +96,6 @@ read_look(sg_call *call, const sg_shading_look *fact, sg_face_look *out)
          read_ramp(call, &fact->ramp, &out->ramp);
 }
 
-/* Leaf after leaf, the first one is leaf 1. */
-static bool
-read_leaves(sg_call *call, const sg_list_count_list *leaves, size_t looks,
-            sg_looks *out)
-{
-  size_t n = 0;
-
-  for (size_t i = 0; i < leaves->n; i++) {
-    n += leaves->at[i].n;
-  }
-  uint32_t *first = sg_call_alloc(call, (leaves->n + 2) * sizeof *first);
-  uint32_t *of = sg_call_alloc(call, (n + 1) * sizeof *of);
-  uint32_t at = 0;
-
-  if (!first || !of) {
-    return false;
-  }
-  first[0] = 0;
-  for (size_t i = 0; i < leaves->n; i++) {
-    first[i + 1] = at;
-    for (size_t j = 0; j < leaves->at[i].n; j++) {
-      if (leaves->at[i].at[j] >= looks) {
-        return sg_call_domain(call, "shading_look", LEAVES);
-      }
-      of[at++] = (uint32_t)leaves->at[i].at[j];
-    }
-  }
-  first[leaves->n + 1] = at;
-  out->numbers = (sg_face_numbers){first, of};
-  return true;
-}
-
-static bool
-read_opacity(sg_call *call, double fact, uint32_t *out)
-{
-  if (!(fact >= 0 && fact <= 1)) {
-    return sg_call_domain(call, "opacity", LOOKS);
-  }
-  *out = (uint32_t)(fact * SG_OPAQUE + 0.5);
-  return true;
-}
-
 /* What is see-through, if anything is. */
 static bool
 read_looks(sg_call *call, const sg_shading_look_list *list,
@@ -149,12 +108,14 @@ read_looks(sg_call *call, const sg_shading_look_list *list,
 
   for (size_t i = 0; look && opacity && i < list->n; i++) {
     if (!read_look(call, &list->at[i], &look[i]) ||
-        !read_opacity(call, list->at[i].opacity, &opacity[i])) {
+        !sg_opacity_read(call, list->at[i].opacity, LOOKS, &opacity[i])) {
       return false;
     }
     clear = clear || opacity[i] < SG_OPAQUE;
   }
-  if (!look || !opacity || !read_leaves(call, leaves, list->n, &out->looks)) {
+  if (!look || !opacity ||
+      !sg_face_numbers_read(call, leaves, list->n, LEAVES,
+                            &out->looks.numbers)) {
     return false;
   }
   out->looks.look = look;

@@ -89,7 +89,7 @@ struct sg_shading {
   SG_LIST_OF(sg_shading_body) body;
   SG_LIST_OF(sg_shading_root) root;
   SG_LIST_OF(sg_known_surface) known;
-  uint32_t known_now; /* what polygons that are added stand for */
+  uint32_t known_now; /* what polygons that are added stand for, or 0 */
   double back[4][4];  /* from the picture to the model, but for a factor */
   sg_expression expression; /* the union of all roots */
   size_t root_node;         /* of the last root */

@@ -132,11 +132,14 @@ sg_shading_add_ring(sg_shading *s, const sg_shading_ring *ring)
   t.round = malloc(t.n * sizeof *t.round);
   t.side = malloc(t.m * sizeof *t.side);
   sg_shading_end end = SG_SHADING_NO_MEMORY;
+  uint32_t known = sg_shading_add_known(s, SG_KNOWN_TORUS, f, ring->k, 0.0);
+
   if (t.round && t.side && fill_turn(t.round, t.n) && fill_turn(t.side, t.m) &&
-      sg_shading_set_known(s, SG_KNOWN_TORUS, f, ring->k, 0.0)) {
+      known > 0) {
     sg_cross(f[1], f[2], across);
+    sg_shading_stand_for(s, known);
     end = add_facets(s, &t, sg_dot(across, f[3]) < 0);
-    s->known_now = 0;
+    sg_shading_stand_for(s, 0);
   }
   free(t.round);
   free(t.side);

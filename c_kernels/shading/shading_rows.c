@@ -1,5 +1,7 @@
 /* shading_rows.c -- scenes from terms, and their lines. */
 #include "doors/shading.h"
+
+#include "face_look_rows.h"
 #include "shading_private.h"
 #include "shading_segment_rows.h"
 #include "solid/expression_node_rows.h"
@@ -55,6 +57,41 @@ read_polygon(sg_call *call, sg_shading *scene, int32_t number,
                     sg_shading_add_polygon(scene, fact->face,
                                            (const double(*)[3])p, count, loops),
                     number);
+}
+
+/* Polygons, and the surfaces that they stand for. */
+static bool
+read_flat(sg_call *call, sg_shading *scene, const sg_shading_leaf_fact *fact)
+{
+  const sg_smooth_surface_list *surfaces = &fact->flat.surfaces;
+  uint32_t *known = sg_call_alloc(call, (surfaces->n + 1) * sizeof *known);
+  bool good = known != NULL;
+
+  for (size_t i = 0; good && i < surfaces->n; i++) {
+    const sg_smooth_surface *said = &surfaces->at[i];
+    size_t rows = (size_t)sg_known_surface_rows(said->kind);
+
+    if (said->frame.n != 3 * rows) {
+      return sg_call_domain(call, "shading_surface", 2);
+    }
+    known[i + 1] = sg_shading_add_known(scene, said->kind,
+                                        (const double(*)[3])said->frame.at,
+                                        said->a, said->b);
+    good = known[i + 1] > 0 || sg_call_no_memory(call);
+  }
+  for (size_t i = 0; good && i < fact->flat.polygons.n; i++) {
+    const sg_shading_polygon_fact *polygon = &fact->flat.polygons.at[i];
+
+    if (polygon->surface > surfaces->n) {
+      return sg_call_domain(call, "shading_surface", 2);
+    }
+    known[0] = 0;
+    sg_shading_stand_for(scene, known[polygon->surface]);
+    good = read_polygon(call, scene, fact->flat.number, &fact->flat.points,
+                        polygon);
+  }
+  sg_shading_stand_for(scene, 0);
+  return good;
 }
 
 static bool
@@ -113,11 +150,7 @@ read_faces(sg_call *call, sg_shading *scene, const sg_shading_leaf_fact *fact)
 
   switch (fact->is) {
   case SG_SHADING_LEAF_FACT_FLAT:
-    for (size_t i = 0; good && i < fact->flat.polygons.n; i++) {
-      good = read_polygon(call, scene, number, &fact->flat.points,
-                          &fact->flat.polygons.at[i]);
-    }
-    return good;
+    return read_flat(call, scene, fact);
   case SG_SHADING_LEAF_FACT_ROUND:
     for (size_t i = 0; good && i < fact->round.pieces.n; i++) {
       good = read_piece(call, scene, number, &fact->round.pieces.at[i]);
@@ -280,48 +313,30 @@ sg_door_shading_spans(sg_call *call, sg_shading *scene, double y,
 
 /* ---- layers ---- */
 
-/* Leaf after leaf, the first one is leaf 1. */
 static bool
-read_opacities(sg_call *call, const sg_list_number_list *leaves,
-               sg_opacities *out)
+read_opacities(sg_call *call, const sg_number_list *looks,
+               const sg_list_count_list *leaves, sg_opacities *out)
 {
-  size_t n = 0;
+  uint32_t *opacity = sg_call_alloc(call, (looks->n + 1) * sizeof *opacity);
 
-  for (size_t i = 0; i < leaves->n; i++) {
-    n += leaves->at[i].n;
-  }
-  uint32_t *first = sg_call_alloc(call, (leaves->n + 2) * sizeof *first);
-  uint32_t *of = sg_call_alloc(call, (n + 1) * sizeof *of);
-  uint32_t *opacity = sg_call_alloc(call, (n + 1) * sizeof *opacity);
-  uint32_t at = 0;
-
-  if (!first || !of || !opacity) {
-    return false;
-  }
-  first[0] = 0;
-  for (size_t i = 0; i < leaves->n; i++) {
-    first[i + 1] = at;
-    for (size_t j = 0; j < leaves->at[i].n; j++, at++) {
-      double fact = leaves->at[i].at[j];
-      if (!(fact >= 0 && fact <= 1)) {
-        return sg_call_domain(call, "opacity", 3);
-      }
-      of[at] = at;
-      opacity[at] = (uint32_t)(fact * SG_OPAQUE + 0.5);
+  for (size_t i = 0; opacity && i < looks->n; i++) {
+    if (!sg_opacity_read(call, looks->at[i], 3, &opacity[i])) {
+      return false;
     }
   }
-  first[leaves->n + 1] = at;
-  *out = (sg_opacities){opacity, {first, of}};
-  return true;
+  out->opacity = opacity;
+  return opacity &&
+         sg_face_numbers_read(call, leaves, looks->n, 4, &out->numbers);
 }
 
 bool
 sg_door_shading_layers(sg_call *call, sg_shading *scene, double y,
-                       const sg_list_number_list *leaves,
+                       const sg_number_list *looks,
+                       const sg_list_count_list *leaves,
                        sg_shading_layer_list *out)
 {
-  sg_opacities opacities;
-  sg_shading_work *work = read_opacities(call, leaves, &opacities)
+  sg_opacities opacities = {0};
+  sg_shading_work *work = read_opacities(call, looks, leaves, &opacities)
                               ? open_work(call, scene, y, &opacities)
                               : NULL;
   sg_spans spans = {0};

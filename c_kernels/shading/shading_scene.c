@@ -228,24 +228,20 @@ sg_shading_add_polygon(sg_shading *s, int32_t face, const double (*p)[3],
 
 /* ---- known surfaces ---- */
 
-bool
-sg_shading_set_known(sg_shading *s, sg_known_surface_kind kind,
+uint32_t
+sg_shading_add_known(sg_shading *s, sg_known_surface_kind kind,
                      const double frame[][3], double a, double b)
 {
   sg_known_surface known;
 
   sg_known_surface_init(&known, kind, frame, a, b);
-  if (!SG_PUSH(s->known, known)) {
-    return false;
-  }
-  s->known_now = (uint32_t)s->known.n;
-  return true;
+  return SG_PUSH(s->known, known) ? (uint32_t)s->known.n : 0;
 }
 
 void
-sg_shading_set_flat(sg_shading *s)
+sg_shading_stand_for(sg_shading *s, uint32_t known)
 {
-  s->known_now = 0;
+  s->known_now = known;
 }
 
 /* ---- roots ---- */

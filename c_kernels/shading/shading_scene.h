@@ -65,13 +65,13 @@ sg_shading_end sg_shading_add_polygon(sg_shading *scene, int32_t face,
 /* A piece of the last leaf, which has no polygons. */
 sg_shading_end sg_shading_add_piece(sg_shading *scene,
                                     const sg_shading_piece *piece);
-/* Facets of the last leaf that are added from here on stand for this surface:
- * they are seen with its normals. As sg_known_surface_init(), by which `frame`
- * is to be understood. False: no memory. */
-bool sg_shading_set_known(sg_shading *scene, sg_known_surface_kind kind,
-                          const double frame[][3], double a, double b);
-/* From here on they stand for themselves. */
-void sg_shading_set_flat(sg_shading *scene);
+/* A surface that facets may stand for, as sg_known_surface_init(): its number,
+ * from 1; 0: no memory. */
+uint32_t sg_shading_add_known(sg_shading *scene, sg_known_surface_kind kind,
+                              const double frame[][3], double a, double b);
+/* Polygons that are added from here on stand for this surface: they are seen
+ * with its normals. 0, as at first: for themselves. */
+void sg_shading_stand_for(sg_shading *scene, uint32_t known);
 
 /* A torus (sqrt(x^2 + y^2) - 1)^2 + h^2 = k^2, as facets. */
 typedef struct sg_shading_ring {

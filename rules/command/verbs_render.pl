@@ -16,6 +16,7 @@
 :- use_module('../shading/shaded_picture',
               [ shaded_picture/4, empty_picture/3, picture_image/3,
                 solid_box/2 ]).
+:- use_module('../shading/shading_leaf', [bent_faces/2]).
 :- use_module('../shading/shading_scene', [shaded_eye/3, shaded_model/3]).
 :- use_module('../shading/shading_section', [sectioned_model/3]).
 :- use_module('../picture/section', [section_plane/4]).
@@ -81,12 +82,26 @@ shaded_scene_of(Options, Wanted, Scene) :-
     shown_roots(Options, Roots),
     up_matrix(Options, Turned),
     shaded_model(Roots, Turned, Model0),
+    forall(bent_leaf(Model0, S, Count, P, Off),
+           print_message(warning, sanggwan(not_flat(S, Count, P, Off)))),
     placed(Options, Roots, Turned, Model0, Model1, Away, Eye),
     sections_cut(Options, Model0, Away, Eye, Model1, Model),
     (   shaded_picture(Model, Eye, Wanted, Scene)
     ->  true
     ;   print_message(warning, sanggwan(nothing_seen)),
         empty_picture(Eye, Wanted, Scene)
+    ).
+
+%   bent_leaf(Model, S, Count, P, Off): a leaf of segment S, or of a term in
+%   root S, has Count faces that are not flat, the worst P, by Off.
+
+bent_leaf(model(Leaves,_,_), S, Count, P, Off) :-
+    member(leaf(_,Root,Own,Term,_), Leaves),
+    callable(Term),
+    bent_faces(Term, bent(Count,P,Off)),
+    (   Own =:= 0
+    ->  S = Root
+    ;   S = Own
     ).
 
 %   shown_roots(Options, Roots): the solids among what is asked for.

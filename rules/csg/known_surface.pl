@@ -1,6 +1,7 @@
 :- module(sg_known_surface,
           [ known_surfaces/1,           % -Known
             segment_surfaces/3,         % +S, -Surfaces, -Runs
+            term_surfaces/3,            % +Term, -Surfaces, -Runs
             stands_for/2,               % +Turn, +Surface
             plain_surface/2,            % +Surface, -Numbers
             flat_bend/1,                % -Degrees
@@ -107,8 +108,16 @@ segment_surfaces(S, Surfaces, Runs) :-
 primitive_surfaces(S, Surfaces, Runs) :-
     segment(S, _, Term),
     primitive_term(Term),
-    catch(primitive_parts(Term, Parts, Named),
-          error(model_error(_), _), fail),
+    catch(term_surfaces(Term, Surfaces, Runs), error(model_error(_), _), fail).
+
+%!  term_surfaces(+Term, -Surfaces:list, -Runs:list) is det.
+%
+%   The same of the polygons of the primitive Term.
+%
+%   @error as primitive_shape/4
+
+term_surfaces(Term, Surfaces, Runs) :-
+    primitive_parts(Term, Parts, Named),
     surface_runs(Parts, 1, Named, Runs),
     findall(Surface,
             ( member(_-Placed, Named), plain_surface(Placed, Surface) ),

@@ -21,15 +21,14 @@ scene is that of kernel/shading.pl.
 %   Or table(Axes, Tones): Axes are 9 numbers, what is right, up and towards
 %   the eye in the model, Tones are those of the normals of image_normals/1.
 %   Ramp has 1,025 light(R, G, B), of the tones 0, 1/1024, ... 1. Opacity, 0 to
-%   1, is how much of its light comes from the face, as in shading_layers/4.
+%   1, is how much of its light comes from the face, as in shading_layers/5.
 %   Shine is shine(Power, Ways): for each way(X, Y, Z, Factor, _), (X, Y, Z)
 %   being half-way between eye and light, white light is added, Factor times
 %   the product with the normal to the power Power. Stripes is stripes(Step,
 %   Way): dark stripes across a flat face, where X + Way*Y is less than Step/4
 %   behind a multiple of Step, in 1/256 dot; Step 0: none. Leaves has
-%   for leaf 1, 2, ... of Scene the places of Looks, from 0: first that of the
-%   leaf, then those of its faces 1, 2, ..., as many as differ. Background is
-%   rgb(R, G, B) in bytes, or `none`: dots have an alpha.
+%   places of Looks, as in shading_layers/5. Background is rgb(R, G, B) in
+%   bytes, or `none`: dots have an alpha.
 %
 %   @error domain_error(shading_lines, Lines), domain_error(shading_look, N),
 %          domain_error(raster_size, W-H)

@@ -10,9 +10,13 @@ divided by the fourth coordinate.
 
 Leaves are, each with its Number, which several may have:
 
-    flat(Number, Points, Polygons)    polygon(Face, Loops): loops of places in
-                                      Points, from 1, counter-clockwise seen
-                                      from outside, holes clockwise
+    flat(Number, Points, Surfaces, Polygons)
+                                      polygon(Face, Surface, Loops): loops of
+                                      places in Points, from 1,
+                                      counter-clockwise seen from outside, holes
+                                      clockwise; it has the normals of the one
+                                      of Surfaces (known_surface.pl) for which
+                                      it stands, 0: its own
     round(Number, Pieces)             piece(Kind, Frame, K, Low, LowFace, High,
                                       HighFace, Face): what is bounded by the
                                       surface of Kind `sphere` or `tapered` and
@@ -56,17 +60,20 @@ Leaves are, each with its Number, which several may have:
 %
 %   @error domain_error(scan_line, Y): not in the picture
 
-%!  shading_layers(+Scene:shading, +Y:number, +Leaves:list(list(number)),
+%!  shading_layers(+Scene:shading, +Y:number, +Opacities:list(number),
+%!                 +Leaves:list(list(count)),
 %!                 -Layers:list(shading_layer)) is det.
 %
 %   Layers are layer(X1, X2, Root, Leaf, Face, Part): what is seen on the line Y
 %   where faces are see-through, Part of the light there being that face's.
-%   Leaves has for leaf 1, 2, ... how opaque it is, 0 to 1, then how its faces
-%   1, 2, ... are, as many as differ. At each face where a root begins or ends
+%   Opacities are how opaque looks are, 0 to 1. Leaves has for leaf 1, 2, ... of
+%   Scene the places of looks, from 0: first that of the leaf, then those of its
+%   faces 1, 2, ..., as many as differ. At each face where a root begins or ends
 %   as much of the light is its own as it is opaque, and the rest comes from
 %   behind. Where a face is opaque nothing behind it is seen.
 %
-%   @error domain_error(scan_line, Y), domain_error(opacity, Leaves)
+%   @error domain_error(scan_line, Y), domain_error(opacity, Opacities),
+%          domain_error(shading_look, Leaves)
 
 %!  shading_point(+Scene:shading, +X:number, +Y:number, -Span:shading_span,
 %!                -Depth:number, -Normal:vector) is semidet.

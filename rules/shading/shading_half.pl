@@ -11,9 +11,9 @@ is in front of the eye where that is, and only its plane is ever seen.
 
 %!  half_leaf(+Plane, +Box, -Half) is det.
 %
-%   Half is flat(Points, Polygons) for what is below Plane = plane(A,B,C,D) in
-%   and round Box = box(X1,Y1,Z1,X2,Y2,Z2), its face 1 in the plane; or `all` or
-%   `none`, if the plane passes at a distance.
+%   Half is flat(Points, [], Polygons) for what is below Plane = plane(A,B,C,D)
+%   in and round Box = box(X1,Y1,Z1,X2,Y2,Z2), its face 1 in the plane; or `all`
+%   or `none`, if the plane passes at a distance.
 
 half_leaf(plane(A0,B0,C0,D0), Box0, Half) :-
     maplist(float_of, [A0,B0,C0,D0], Plane),
@@ -129,12 +129,12 @@ loop_of(Sides, First, At, [At|Loop]) :-
 
 %   indexed(Loops, Half): with places of their points, each once.
 
-indexed(Loops, flat(Points,Polygons)) :-
+indexed(Loops, flat(Points,[],Polygons)) :-
     append(Loops, All),
     sort(All, Points),
     foldl(polygon_of(Points), Loops, 1-[], _-Polygons).
 
-polygon_of(Points, Loop, F-Polygons, G-[polygon(F,[Is])|Polygons]) :-
+polygon_of(Points, Loop, F-Polygons, G-[polygon(F,0,[Is])|Polygons]) :-
     maplist(place_in(Points), Loop, Is),
     G is F+1.
 

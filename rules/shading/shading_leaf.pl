@@ -1,29 +1,38 @@
 :- module(sg_shading_leaf,
           [ term_leaf/4,                % +Term, -Parts, -Shape, -Faces
+            bent_faces/2,               % +Term, -Bent
             rows_leaf/4                 % +S, +Matrix, -Parts, -Faces
           ]).
-:- use_module('../csg/known_surface', [plain_surface/2, stands_for/2]).
+:- use_module('../csg/known_surface',
+              [plain_surface/2, stands_for/2, term_surfaces/3]).
+:- use_module('../kernel', [fill_triangles/2, shape_write/4]).
+:- use_module('../primitive/primitive_facets', [finer_primitive/3]).
 :- use_module('../primitive/primitive',
               [ primitive_faces/3, primitive_name/2, primitive_parts/3,
                 primitive_shape/4
               ]).
 :- use_module('../polygon/triangulation', [complete_segments/1]).
-:- use_module('../store', [t/6]).
+:- use_module('../store',
+              [assert_fact/1, facts_transaction/1, segment/3, t/6]).
+:- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [maplist/3]).
-:- use_module(library(lists), [append/2, append/3, member/2]).
+:- use_module(library(lists), [append/2, append/3, last/2, member/2, nth1/3]).
 /** <module> The leaves of a shaded picture, from terms and from rows.
 
-A part is flat(Points, Polygons) or round(Pieces), see kernel/shading.pl.
-Spheres, hemispheres, eggs, cylinders and cones are round, also hollow ones:
-what their terms say (known_surface.pl), if they have enough facets to stand
-for it. All others are flat: a facet is seen as a facet.
+A part is flat(Points, Surfaces, Polygons) or round(Pieces), see
+kernel/shading.pl. Spheres, hemispheres, eggs, cylinders and cones are round,
+also hollow ones: what their terms say (known_surface.pl), if they have enough
+facets to stand for it. What else is curved (turnings, mitred pipes,
+transitions) has facets, with the normals of the surfaces for which they stand,
+and as many as a picture needs. All others are flat: a facet is seen as a facet.
 */
 
 %!  term_leaf(+Term, -Parts, -Shape, -Faces) is det.
 %
 %   True when the primitive Term, placed, is made of Parts. Shape is `leaf` of
 %   one part, `without`: of two, the first without the second. Faces are F-What,
-%   What as in face_of/3, with curved(Part) for a smooth surface.
+%   What as in face_of/3, with curved(Part) for a smooth surface. Faces that are
+%   not flat (bent_faces/2) are their triangles.
 %
 %   @error as primitive_shape/4
 
@@ -37,10 +46,114 @@ term_leaf(Term, Parts, Shape, Faces) :-
     Parts = Parts0,
     Shape = Shape0,
     Faces = Faces0.
-term_leaf(Term, [flat(Points,Polygons)], leaf, Faces) :-
+term_leaf(Term, [flat(Points,[],Polygons)], leaf, Faces) :-
+    may_be_bent(Term),
+    term_triangles(Term, Points, Triangles, [_|_]),
+    !,
+    primitive_faces(Term, Whats, _),
+    findall(F-What, nth1(F, Whats, What), Faces),
+    findall(polygon(F,0,[[A,B,C]]), member(F-[A,B,C], Triangles), Polygons).
+term_leaf(Term0, [flat(Points,Surfaces,Polygons)], leaf, Faces) :-
+    (   widest_facet(Term0, Turn),
+        finer_primitive(Term0, Turn, Finer)
+    ->  Term = Finer
+    ;   Term = Term0
+    ),
     primitive_shape(Term, _, Points, Chains),
     primitive_faces(Term, Whats, _),
-    polygons_of(Chains, Whats, 1, Polygons, Faces).
+    term_surfaces(Term, Surfaces, Runs),
+    maplist(chain_loops, Chains, Loops),
+    face_polygons(Whats, Loops, face(1,0,none), 1, Runs, Polygons, Faces).
+
+%   widest_facet(Term, Turn): of those that stand for a surface with normals.
+
+widest_facet(Term, Turn) :-
+    primitive_parts(Term, Parts, Named),
+    aggregate_all(max(Turn0),
+                  ( member(part(_,curved(Part,Turn0)), Parts),
+                    memberchk(Part-Surface, Named),
+                    stands_for(Turn0, Surface),
+                    plain_surface(Surface, surface(Kind,_,_,_)),
+                    memberchk(Kind, [tapered,turned]) ),
+                  Turn).
+
+%   face_polygons(Whats, Loops, Face, P, Runs, Polygons, Faces): polygons from
+%   P on. Those of one surface are one face: Face is face(F, K, Part), the next
+%   number, and what the last polygon was.
+
+face_polygons([], [], _, _, _, [], []).
+face_polygons([What|Whats], [Loops|Rest], face(F0,K0,Part0), P, Runs0,
+              [polygon(F,K,Loops)|Polygons], Faces) :-
+    run_at(Runs0, P, K, Runs),
+    (   K > 0,
+        What = curved(Part,_)
+    ->  Name = curved(Part)
+    ;   Part = none,
+        Name = What
+    ),
+    (   K > 0,
+        K =:= K0,
+        Part == Part0
+    ->  F is F0-1,
+        Next = F0,
+        Faces = Faces1
+    ;   F = F0,
+        Next is F0+1,
+        Faces = [F-Name|Faces1]
+    ),
+    Q is P+1,
+    face_polygons(Whats, Rest, face(Next,K,Part), Q, Runs, Polygons, Faces1).
+
+%   run_at(Runs0, P, K, Runs): polygon P stands for surface K, 0: for itself;
+%   Runs do not end before it.
+
+run_at([run(_,Last,_)|Runs0], P, K, Runs) :-
+    Last < P,
+    !,
+    run_at(Runs0, P, K, Runs).
+run_at(Runs, P, K, Runs) :-
+    (   Runs = [run(First,_,K0)|_],
+        First =< P,
+        K0 > 0
+    ->  K = K0
+    ;   K = 0
+    ).
+
+%!  bent_faces(+Term, -Bent) is semidet.
+%
+%   True when faces of the primitive Term are not flat: Bent is bent(Count, P,
+%   Distance), how many, which is the worst, and by how much.
+
+bent_faces(Term, bent(Count,P,Off)) :-
+    may_be_bent(Term),
+    term_triangles(Term, _, _, Bent),
+    last(Bent, Off-P),
+    length(Bent, Count).
+
+%   may_be_bent(Term): its points say whether its faces are flat.
+
+may_be_bent(Term) :-
+    primitive_name(Term, polyhedron).
+
+%   term_triangles(Term, Points, Triangles, Bent): Triangles are P-[A,B,C],
+%   places of Points; Bent are Off-P, the worst last. The rows of a segment that
+%   has them are taken back.
+
+term_triangles(Term, Points, Triangles, Bent) :-
+    primitive_shape(Term, Kind, Points, Chains),
+    (   aggregate_all(max(S0), segment(S0, _, _), Last)
+    ->  S is Last+1
+    ;   S = 1
+    ),
+    catch(facts_transaction(
+              ( assert_fact(segment(S, Kind, Term)),
+                shape_write(S, Points, Chains, true),
+                fill_triangles([S], Faults),
+                findall(P-[A,B,C], t(S, P, _, A, B, C), Triangles),
+                throw(sg_triangles(Triangles,Faults)) )),
+          sg_triangles(Triangles,Faults), true),
+    findall(Off-P, member(fault(S,P,not_flat(Off)), Faults), Bent0),
+    msort(Bent0, Bent).
 
 round_name(sphere).
 round_name(hemisphere).
@@ -57,13 +170,6 @@ known_surface_of(Runs, Part-Surface, Part-Known) :-
     forall(member(part(_, curved(Part,Turn)), Runs),
            stands_for(Turn, Surface)),
     once(plain_surface(Surface, Known)).
-
-polygons_of([], [], _, [], []).
-polygons_of([Chain|Chains], [What|Whats], F, [polygon(F,Loops)|Polygons],
-            [F-What|Faces]) :-
-    chain_loops(Chain, Loops),
-    G is F+1,
-    polygons_of(Chains, Whats, G, Polygons, Faces).
 
 %   chain_loops(Chain, Loops): a vertex list (polygon_list.pl): a jump begins a
 %   hole, and loops close where there is one.

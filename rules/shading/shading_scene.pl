@@ -268,7 +268,8 @@ part_added(Number, Part0, Place0-Facts, Place-[Part|Facts]) :-
     part_fact(Part0, Number, Part),
     Place is Place0+1.
 
-part_fact(flat(Points,Polygons), Number, flat(Number,Points,Polygons)).
+part_fact(flat(Points,Surfaces,Polygons), Number,
+          flat(Number,Points,Surfaces,Polygons)).
 part_fact(round(Pieces), Number, round(Number,Pieces)).
 part_fact(ring(Frame,K,Face), Number, ring(Number,Frame,K,Face)).
 part_fact(rows(S,Map), Number, rows(Number,S,Map)).

@@ -88,9 +88,9 @@ root_half(Plane, Facts, Half) :-
 
 half_cut(none, S, _, Number, Place, Number, Place, root(S,[node(union,0)]),
          Cuts, Cuts).
-half_cut(flat(Points,Polygons), S, Nodes, Number0, Place0, Number, Place,
+half_cut(flat(Points,[],Polygons), S, Nodes, Number0, Place0, Number, Place,
          root(S,[node(intersection,2),node(leaf,Place)|Nodes]),
-         [Leaf-flat(Number,Points,Polygons)|Cuts], Cuts) :-
+         [Leaf-flat(Number,Points,[],Polygons)|Cuts], Cuts) :-
     Number is Number0+1,
     Place is Place0+1,
     Leaf = leaf(Number,S,0,section,[1-section]).

@@ -3,12 +3,12 @@
             look_source/4,              % +R, +S, ?Property, -Segment
             scene_looks/4,              % +Scene, +Colours, -Looks, -Leaves
             look_opacity/2,             % +Look, -Opacity
-            scene_opacities/2,          % +Scene, -Leaves
+            scene_opacities/2,          % +Scene, -Opaque
             line_layers/3               % +Scene, +Y, -Layers
           ]).
 :- use_module('../csg/csg', [node/4]).
 :- use_module('../decision', [decision/2, decision_is_default/1]).
-:- use_module('../kernel', [shading_layers/4]).
+:- use_module('../kernel', [shading_layers/5]).
 :- use_module('../model/look_term', [property_slot/2]).
 :- use_module('../store', [look/2]).
 :- use_module(shading_scene, [scene_handle/2, scene_leaf/2, scene_root/2]).
@@ -192,20 +192,15 @@ face_look(R, S, Face, Colour, Look) :-
     ;   Look = [colour(Colour)|Look0]
     ).
 
-palette_colour(Place, rgb(R,G,B)) :-
-    findall(rgb(R0,G0,B0), palette(R0, G0, B0), Palette),
+palette_colour(Place, Colour) :-
+    palette(Palette),
     length(Palette, N),
     K is Place mod N,
-    nth0(K, Palette, rgb(R,G,B)).
+    nth0(K, Palette, Colour).
 
-palette(118, 160, 208).
-palette(222, 158, 78).
-palette(126, 176, 116).
-palette(200, 96, 92).
-palette(160, 130, 190).
-palette(222, 202, 96).
-palette(96, 176, 176).
-palette(200, 140, 170).
+palette([ rgb(118,160,208), rgb(222,158,78), rgb(126,176,116), rgb(200,96,92),
+          rgb(160,130,190), rgb(222,202,96), rgb(96,176,176), rgb(200,140,170)
+        ]).
 
 %!  line_layers(+Scene, +Y, -Layers) is det.
 %
@@ -220,18 +215,16 @@ palette(200, 140, 170).
 line_layers(Scene, Y, Layers) :-
     must_be(nonvar, Scene),
     scene_handle(Scene, Handle),
-    scene_opacities(Scene, Leaves),
-    shading_layers(Handle, Y, Leaves, Layers).
+    scene_opacities(Scene, opaque(Opacities,Leaves)),
+    shading_layers(Handle, Y, Opacities, Leaves, Layers).
 
-%!  scene_opacities(+Scene, -Leaves) is det.
+%!  scene_opacities(+Scene, -Opaque) is det.
 %
-%   Leaves has for each leaf how opaque it is, then how its faces are, as
-%   shading_layers/4.
+%   Opaque is opaque(Opacities, Leaves), as of shading_layers/5.
 
-scene_opacities(Scene, Opaque) :-
+scene_opacities(Scene, opaque(Opacities,Leaves)) :-
     scene_looks(Scene, root, Looks, Leaves),
-    maplist(look_opacity, Looks, Opacities),
-    maplist(places_opacities(Opacities), Leaves, Opaque).
+    maplist(look_opacity, Looks, Opacities).
 
 %!  look_opacity(+Look, -Opacity) is det.
 
@@ -240,6 +233,3 @@ look_opacity(Look, A) :-
     ->  A = A0
     ;   A = 1
     ).
-
-places_opacities(Opacities, Places, Leaf) :-
-    findall(A, ( member(Place, Places), nth0(Place, Opacities, A) ), Leaf).

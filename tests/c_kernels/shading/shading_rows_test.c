@@ -1,7 +1,7 @@
 /* shading_rows_test.c -- a scene through the functions of the doors, without
  * Prolog: a cube of rows, a ball, a ring; and what is refused.
  *
- * covers: shading_segment_rows, expression_node_rows
+ * covers: shading_segment_rows, expression_node_rows, face_look_rows
  */
 #include "doors/shading.h"
 
@@ -118,19 +118,27 @@ layers(void)
   sg_shading_leaf_fact leaf = rows_leaf(1, 12);
   sg_shading *scene = open_scene(&leaf, 1, 1);
   double half[] = {0.5};
-  sg_number_list own = {half, 1, 0};
-  const sg_list_number_list opacities = {&own, 1, 0};
+  size_t place = 0;
+  sg_count_list own = {&place, 1, 0};
+  const sg_number_list looks = {half, 1, 0};
+  const sg_list_count_list leaves = {&own, 1, 0};
   sg_shading_layer_list out = {0};
 
   CHECK("two layers",
-        scene && sg_door_shading_layers(&call, scene, 45, &opacities, &out) &&
+        scene &&
+            sg_door_shading_layers(&call, scene, 45, &looks, &leaves, &out) &&
             out.n == 2 && out.at[0].part == 0.5 && out.at[1].part == 0.25 &&
             out.at[0].face == 2 && out.at[1].face != 2 &&
             out.at[0].x1 == 50 * 256 && out.at[1].x2 == 60 * 256);
   half[0] = -1;
   CHECK("less than clear",
-        !sg_door_shading_layers(&call, scene, 45, &opacities, &out) &&
+        !sg_door_shading_layers(&call, scene, 45, &looks, &leaves, &out) &&
             is_domain("opacity", 3));
+  half[0] = 1;
+  place = 1;
+  CHECK("no such look",
+        !sg_door_shading_layers(&call, scene, 45, &looks, &leaves, &out) &&
+            is_domain("shading_look", 4));
   sg_shading_close(scene);
 }
 

@@ -2,7 +2,7 @@
 /* Why a dot of a shaded picture has its colour: against the definition, against
    the bytes of the picture, and against trees whose answers are known. */
 :- module(test_explain_pixel, []).
-% covers: explain_tree, explain_pixel_en, explain_pixel_ko
+% covers: explain_tree, explain_face, explain_pixel_en, explain_pixel_ko
 :- use_module(library(aggregate)).
 :- use_module(library(lists)).
 :- use_module(library(occurs)).

@@ -143,8 +143,8 @@ rule_layers(Scene, X, Y, Seen) :-
 % before it let through.
 wrong_layers(Scene, Y, wrong(Y,X,Kernel,Rule)) :-
     scene_handle(Scene, Handle),
-    findall([0.5], scene_leaf(Scene, _), Leaves),
-    shading_layers(Handle, Y, Leaves, Layers),
+    findall([0], scene_leaf(Scene, _), Leaves),
+    shading_layers(Handle, Y, [0.5], Leaves, Layers),
     findall(X, ( member(layer(X1,X2,_,_,_,_), Layers), member(X, [X1,X2]) ),
             Ends0),
     sort(Ends0, Ends),
@@ -195,7 +195,7 @@ test(opaque_layers_are_spans, Layers == Spans) :-
                  at([translate(1,1,0)], sphere(radius(1)))],
                 ( scene(view(300.0,65.0,20.0,central), Scene),
                   scene_handle(Scene, Handle),
-                  shading_layers(Handle, 40.3, [[1],[1]], Layers0),
+                  shading_layers(Handle, 40.3, [1], [[0],[0]], Layers0),
                   findall(span(X1,X2,R,S,F),
                           member(layer(X1,X2,R,S,F,1.0), Layers0), Layers),
                   line_spans(Scene, 40.3, Spans) )).
@@ -203,6 +203,11 @@ test(opacity_of_a_layer, error(domain_error(opacity,_))) :-
     in_world_of([box(size(2,2,2))],
                 ( scene(view(300.0,65.0,20.0,central), Scene),
                   scene_handle(Scene, Handle),
-                  shading_layers(Handle, 40, [[1.5]], _) )).
+                  shading_layers(Handle, 40, [1.5], [[0]], _) )).
+test(look_of_a_layer, error(domain_error(shading_look,_))) :-
+    in_world_of([box(size(2,2,2))],
+                ( scene(view(300.0,65.0,20.0,central), Scene),
+                  scene_handle(Scene, Handle),
+                  shading_layers(Handle, 40, [0.5], [[1]], _) )).
 
 :- end_tests(seen).

@@ -1,6 +1,6 @@
 % covers: shading_leaf, shading_half, shading, shading_rows, span, shading_ring,
 % covers: shading_segment_rows, slice, sweep, walk, crossing, flush,
-% covers: shading_body, shading_point
+% covers: shading_body, shading_point, primitive_facets
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
 :- use_module(library(lists)).
@@ -8,6 +8,7 @@
 :- use_module(rules(kernel)).
 :- use_module(rules(primitive/primitive_rows)).
 :- use_module(rules(shading/seen)).
+:- use_module(rules(shading/shading_leaf)).
 :- use_module(rules(shading/shading_scene)).
 :- use_module(rules(store)).
 :- use_module(tests('rules/polyhedron')).
@@ -54,6 +55,8 @@ raised(v(S,V,X,Y,Z0)) :-
     retract_fact(v(S, V, X, Y, Z0)),
     Z is Z0+1,
     assert_fact(v(S, V, X, Y, Z)).
+
+top_eye(Phi, Rho, view(270.0,Phi,Rho,parallel)).
 
 front(view(270.0,90.0,0.0,parallel)).
 top(view(270.0,0.0,0.0,parallel)).
@@ -142,6 +145,52 @@ test(torus_has_true_normals) :-
     abs(NX-0.5) < 0.01,
     abs(NY) < 0.01,
     abs(NZ-sqrt(0.75)) < 0.01.
+test(turning_has_true_normals) :-       % a cylinder, said as a turning
+    top_eye(60.0, 0.0, View),
+    world_of([turning(outline([[0,0],[3,0],[3,4],[0,4]]),facets(12))],
+             ( scene(View, Scene),
+               findall(X-N,
+                       ( member(X, [51.3,62.7,74.1]),
+                         seen_side(Scene, X, 60.0, _, N) ),
+                       Seen),
+               scene_leaf(Scene, leaf(1,1,1,_,Faces)) )),
+    Faces == [1-ring(1),2-curved(edge(2)),3-ring(3)],
+    forall(member(X-vector(NX,_,NZ), Seen),
+           ( abs(NX-(X-50.0)/30) < 0.001, abs(NZ) < 1.0e-9 )).
+test(turning_is_fine) :-                % seen from above: pi R^2
+    top(View),
+    area([turning(outline([[0,0],[4,0],[4,1],[0,1]]),facets(12))], View, [1],
+         Area),
+    abs(Area-1600*pi) < 3.
+test(turning_of_few_facets_is_a_prism, Area =:= 3200) :-
+    top(View),
+    area([turning(outline([[0,0],[4,0],[4,1],[0,1]]),facets(4))], View, [1],
+         Area).
+test(elbow_has_true_normals) :-         % its upright piece
+    front(View),
+    world_of([elbow(diameter(4),radius(6),pieces(3),angle(90),facets(24))],
+             ( scene(View, Scene),
+               seen_side(Scene, 60.0, 45.0, _, vector(NX,_,NZ)) )),
+    abs(NX-0.5) < 0.001,
+    abs(NZ) < 1.0e-9.
+test(bent_faces_are_triangles, Face-Bent == 2-bent(1,2,Bent1)) :-
+    Bent_term = polyhedron(points([[0,0,0],[4,0,0],[4,4,0],[0,4,0],
+                                   [0,0,3],[4,0,3],[4,4,4],[0,4,3]]),
+                           faces([[4,3,2,1],[5,6,7,8],[1,2,6,5],[2,3,7,6],
+                                  [3,4,8,7],[4,1,5,8]])),
+    bent_faces(Bent_term, Bent),
+    Bent = bent(_,_,Bent1),
+    abs(Bent1-0.2462) < 0.001,
+    top(View),
+    world_of([Bent_term],
+             ( scene(View, Scene),
+               scene_handle(Scene, Handle),
+               shading_slices(Handle, 30.0, Slices),
+               scene_spans(Scene, 30.0, [span(_,_,1,1,Face)|_]) )),
+    findall(1, member(slice(1,2,_,_,_,_), Slices), [1,1]).
+test(flat_faces_are_faces, fail) :-
+    bent_faces(polyhedron(points([[0,0,0],[1,0,0],[0,1,0],[0,0,1]]),
+                          faces([[3,2,1],[1,2,4],[2,3,4],[3,1,4]])), _).
 test(rows_are_a_leaf, [Spans,Rows] == [[A],[A]]) :-
     front(View),
     Term = box(size(4,2,3)),
