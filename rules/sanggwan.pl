@@ -11,8 +11,8 @@ module that has it.
 :- reexport(store,
             [ segment/3, v/5, e/5, p/3, plane/6, t/6, line/9, origin/3,
               from_v/4, from_p/5, leaf_v/5, leaf_e/5, leaf_p/3, leaf_t/6,
-              unfolding/2, region/3, sides/4, lies_in/3, piece/3, joint/6,
-              view/3, projection/1,
+              unfolding/2, region/3, sides/4, from_r/4, lies_in/3, piece/3,
+              joint/6, view/3, projection/1,
               title_block/2, look/2, light/2, param/2, param_about/2, formula/2,
               screen/5, contour/13, surface_facing/6, drawn/7 ]).
 
@@ -65,6 +65,7 @@ module that has it.
 :- reexport(solid/operand, [operand_faults/2]).
 :- reexport(solid/repair, [repair_operand/1]).
 :- reexport(gluing/regions, [regions_made/2, region_neighbour/4]).
+:- reexport(solid/glue, [unglue/1, glue_report/2]).
 :- reexport(gluing/cycle, [ loop_cycle/4, radial_cycle/4, disk/4 ]).
 :- reexport(csg/provenance,
             [ vertex_from/4, edge_from/3, polygon_from/5, operand_face/3,

@@ -16,6 +16,7 @@
                                       % ?S2, ?P2, ?A2, ?B2
             region/3,                 % ?S, ?R, ?Role
             sides/4,                  % ?S, ?P, ?Below, ?Above
+            from_r/4,                 % ?S, ?R, ?S0, ?R0
             lies_in/3,                % ?S, ?Item, ?In
             unfolding/2,              % ?S, ?Wish
             piece/3,                  % ?S, ?P, ?K
@@ -189,6 +190,12 @@ refers to any more is freed with its handle by atom garbage collection.
 %
 %   True when the regions behind polygon P and where its normal points are Below
 %   and Above.
+
+%!  from_r(?S, ?R, ?S0, ?R0) is nondet.
+%
+%   True when region R of segment S, a glue, is inside region R0 of its operand
+%   S0: of a solid the inside is 1. A region inside of several operands is where
+%   they overlap.
 
 %!  lies_in(?S, ?Item, ?In) is nondet.
 %
@@ -603,6 +610,7 @@ sandbox:safe_primitive(sg_store:line(_,_,_,_,_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:unfolding(_,_)).
 sandbox:safe_primitive(sg_store:region(_,_,_)).
 sandbox:safe_primitive(sg_store:sides(_,_,_,_)).
+sandbox:safe_primitive(sg_store:from_r(_,_,_,_)).
 sandbox:safe_primitive(sg_store:lies_in(_,_,_)).
 sandbox:safe_primitive(sg_store:piece(_,_,_)).
 sandbox:safe_primitive(sg_store:joint(_,_,_,_,_,_)).

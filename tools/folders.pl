@@ -12,8 +12,8 @@ folder(rules, polygon, 'polygons in the plane').
 folder(rules, primitive, 'primitives, where they stand').
 folder(rules, csg, 'the CSG tree, its leaves').
 folder(rules, penetration, 'where segments meet').
-folder(rules, solid, 'Boolean operations').
 folder(rules, gluing, 'regions of space, cycles').
+folder(rules, solid, 'Boolean operations, glue').
 folder(rules, model, 'models and meshes in files').
 folder(rules, picture, 'views, outlines, hidden lines').
 folder(rules, shading, 'what is seen, line by line').

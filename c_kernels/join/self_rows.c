@@ -182,3 +182,20 @@ sg_door_self_meeting(sg_call *call, const sg_self_kind *kind, const int32_t *s,
   sg_kept_defects_drop(kept);
   return good;
 }
+
+bool
+sg_door_segment_meetings(sg_call *call, int32_t s, int64_t most,
+                         sg_self_segment_list *segments)
+{
+  sg_dense dense;
+  bool good = sg_dense_read(call, &s, 1, &dense);
+
+  if (good && dense.segments == 1) {
+    asking a = {.dense = &dense, .s = 0, .most = most};
+
+    good = add_segment(call, &a, segments);
+    sg_shell_copies_clear(&a.copies);
+  }
+  sg_dense_clear(&dense);
+  return good;
+}

@@ -67,6 +67,8 @@ typedef struct sg_merge_options {
   bool by_size;               /* no more than 2^-13 of the solid's own size: the
                                  tolerance may be that of a far larger model */
   bool separate;              /* never faces of different segments */
+  bool cells;                 /* edges of more than two half-edges stay, also
+                                 in the middle of faces */
   const sg_merge_pair *apart; /* [aparts]: sorted, never these */
   size_t aparts;
   const sg_merge_region *region; /* or null: the solid is all there is */

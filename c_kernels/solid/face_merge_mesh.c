@@ -172,6 +172,45 @@ is_flat(const sg_merge *m, const uint32_t end[2], uint32_t half, uint32_t twin)
          factor * (sg_dot(uv, uv) + sg_dot(vw, vw) + sg_dot(uw, uw));
 }
 
+/* The parts of a face. */
+static size_t
+parts_of(const sg_solid *solid, uint32_t face, size_t *end)
+{
+  size_t at;
+
+  SG_SEARCH(at, 0, solid->parts, solid->part[at].face < face);
+  for (*end = at; *end < solid->parts && solid->part[*end].face == face;
+       ++*end) {
+  }
+  return at;
+}
+
+/* Whether all segments that face f came from are among those of g. */
+static bool
+has_sources_of(const sg_solid *solid, uint32_t f, uint32_t g)
+{
+  size_t end, last, first = parts_of(solid, g, &last);
+  bool all = true;
+
+  for (size_t i = parts_of(solid, f, &end); all && i <= end; i++) {
+    int32_t s = i < end ? solid->part[i].s : solid->face[f].s;
+
+    all = s == solid->face[g].s;
+    for (size_t k = first; !all && k < last; k++) {
+      all = s == solid->part[k].s;
+    }
+  }
+  return all;
+}
+
+static bool
+have_same_sources(const sg_solid *solid, uint32_t f, uint32_t g)
+{
+  return solid->parts == 0
+             ? solid->face[f].s == solid->face[g].s
+             : has_sources_of(solid, f, g) && has_sources_of(solid, g, f);
+}
+
 bool
 sg_merge_may_join(const sg_merge *m, uint32_t f, uint32_t g)
 {
@@ -179,7 +218,7 @@ sg_merge_may_join(const sg_merge *m, uint32_t f, uint32_t g)
   const sg_merge_options *options = m->options;
   sg_merge_pair pair = {{a->s, a->p, a->reversed}, {b->s, b->p, b->reversed}};
 
-  if (options->separate && a->s != b->s) {
+  if (options->separate && !have_same_sources(m->solid, f, g)) {
     return false;
   }
   if (options->aparts == 0) {
@@ -294,7 +333,8 @@ pair_halves(const pairing *mesh, uint32_t v, finds *found)
     unsigned there = count_between(m, v, to, &other);
     if (back == 1 && there == 1) {
       make_twins(m, found, (const uint32_t[2]){v, to}, half, twin);
-    } else if (back > 0 && other == half) { /* once, at the last of them */
+    } else if (back > 0 && other == half && !m->options->cells) {
+      /* once, at the last of them */
       pair_many(m, v, to, found);
     }
   }

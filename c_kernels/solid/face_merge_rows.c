@@ -96,6 +96,9 @@ take_option(sg_call *call, const sg_merge_option *option, sg_merge_options *out,
   case SG_MERGE_OPTION_ORIGINS:
     out->separate = option->origins.which == SG_ORIGINS_SEPARATE;
     break;
+  case SG_MERGE_OPTION_CELLS:
+    out->cells = option->cells.is;
+    break;
   case SG_MERGE_OPTION_BY_SIZE:
     out->by_size = option->by_size.is;
     break;

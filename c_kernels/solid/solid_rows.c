@@ -1,4 +1,5 @@
 /* solid_rows.c -- a solid under way: taken from segments, moved, listed. */
+#include "coincident_faces.h"
 #include "doors/boolean.h"
 #include "solid_move.h"
 #include "solid_take.h"
@@ -150,4 +151,12 @@ sg_door_solid_parts(sg_call *call, sg_solid *solid,
     }
   }
   return true;
+}
+
+bool
+sg_door_solid_coincident_faces(sg_call *call, sg_solid *solid, double tolerance,
+                               size_t *doubles)
+{
+  return sg_coincident_faces(solid, tolerance, &call->cancel, doubles) ||
+         sg_call_ended(call);
 }

@@ -2,10 +2,12 @@
 #include "doors/boolean.h"
 #include "rows/append_rows.h"
 #include "solid_out.h"
+#include "solid_seams.h"
 
 #include "engine/symbol.h"
 #include "engine/term.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 /* What the kernel writes in place; origin/3 follows. */
@@ -205,9 +207,28 @@ write_rows(sg_call *call, sg_world *world, const sg_solid_rows *rows, int32_t s,
   return good;
 }
 
-/* In a world that is claimed. */
+/* Faces end where others do; and what lies in the middle of them. */
 static bool
-write_solid(sg_call *call, sg_world *world, const sg_solid *solid, int32_t s)
+make_seams(sg_call *call, sg_solid_rows *rows, sg_point_loop_fact_list *loops)
+{
+  sg_face_point *point = NULL;
+  size_t n = 0;
+  bool good = (sg_solid_rows_seams(rows, &call->cancel) &&
+               sg_solid_rows_points(rows, &call->cancel, &point, &n)) ||
+              sg_call_ended(call);
+
+  for (size_t i = 0; good && i < n; i++) {
+    good = sg_point_loop_fact_list_add(
+        call, loops, (sg_point_loop_fact){point[i].v, (int32_t)point[i].f + 1});
+  }
+  free(point);
+  return good;
+}
+
+/* In a world that is claimed. `loops`: of cells, or null. */
+static bool
+write_solid(sg_call *call, sg_world *world, const sg_solid *solid, int32_t s,
+            sg_point_loop_fact_list *loops)
 {
   sg_pool *pool = sg_call_pool(call);
   sg_solid_rows rows;
@@ -218,13 +239,15 @@ write_solid(sg_call *call, sg_world *world, const sg_solid *solid, int32_t s)
   bool good = sg_solid_rows_make(solid, pool, &call->cancel, &rows) ||
               sg_call_ended(call);
 
-  good = good && write_rows(call, world, &rows, s, pool);
+  good = good && (!loops || make_seams(call, &rows, loops)) &&
+         write_rows(call, world, &rows, s, pool);
   sg_solid_rows_clear(&rows);
   return good;
 }
 
-bool
-sg_door_solid_write(sg_call *call, sg_solid *solid, int32_t s)
+static bool
+write_to(sg_call *call, const sg_solid *solid, int32_t s,
+         sg_point_loop_fact_list *loops)
 {
   sg_world *world = sg_call_claim(call);
 
@@ -232,8 +255,22 @@ sg_door_solid_write(sg_call *call, sg_solid *solid, int32_t s)
     return false;
   }
   bool good = sg_segment_is_empty(call, world, s) &&
-              no_origins(call, world, s) && write_solid(call, world, solid, s);
+              no_origins(call, world, s) &&
+              write_solid(call, world, solid, s, loops);
 
   sg_world_release(world);
   return good;
+}
+
+bool
+sg_door_solid_write(sg_call *call, sg_solid *solid, int32_t s)
+{
+  return write_to(call, solid, s, NULL);
+}
+
+bool
+sg_door_solid_write_cells(sg_call *call, sg_solid *solid, int32_t s,
+                          sg_point_loop_fact_list *loops)
+{
+  return write_to(call, solid, s, loops);
 }

@@ -200,6 +200,11 @@ example(regions_made/2, 'facts/two_rooms.pl',
         "regions_made(1, _), region(1, R, Role).", "R = 1, Role = cell").
 example(region_neighbour/4, 'facts/two_rooms.pl',
         "regions_made(1, _), region_neighbour(1, 1, 2, P).", "P = 6").
+example(glue_report/2, 'facts/figures/glue_face.pl',
+        "glue_report(3, Report), get_dict(counts, Report, Counts), \c
+         get_dict(faces, Counts, N).", "N = 13").
+example(unglue/1, 'facts/figures/glue_face.pl',
+        "unglue(3), \\+ segment(3, _, _), root_segment(S).", "S = 1").
 example(loop_cycle/4, 'facts/two_rooms.pl',
         "loop_cycle(1, 1, K, Vs).", "K = 1, Vs = [4,3,2,1]").
 example(radial_cycle/4, 'facts/two_rooms.pl',

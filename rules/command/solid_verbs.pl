@@ -1,6 +1,8 @@
 :- encoding(utf8).
 :- module(sg_solid_verbs,
           [ solid_verb/1,               % ?Verb
+            operands_loaded/4,          % +Verb, +Files, +Options, -Sources
+            operands_evaluated/2,       % +Sources, +Options
             solids_written/3,           % +Ss, +Outputs, +Options
             empty_roots_warned/0,
             solid_verb_run/4            % +Verb, +Files, +Options, -Status
@@ -55,12 +57,8 @@ solid_verb(eval).
 solid_verb_run(Verb, Files, Options, 0) :-
     enough_files(Verb, Files),
     outputs(Options, [pl, stl, off, obj, ply], Outputs),
-    asked_nodes(Verb, Files, Options, Sources),
-    all_set(Options),
-    complete_segments,
-    repaired_leaves(Options),
-    catch(evaluate(all, Options), error(Fault, Context),
-          throw_with_file(Fault, Context, Sources)),
+    operands_loaded(Verb, Files, Options, Sources),
+    operands_evaluated(Sources, Options),
     (   member(output(_, Format), Outputs),
         Format \== pl
     ->  true                            % who writes it will say so
@@ -74,6 +72,27 @@ solid_verb_run(Verb, Files, Options, 0) :-
                part_written(Options, S, Output)),
         solids_written(Ss, Together, Options)
     ).
+
+%!  operands_loaded(+Verb, +Files, +Options, -Sources) is det.
+%!  operands_evaluated(+Sources, +Options) is det.
+%
+%   The world has what Files have, mended if that is asked for, and on top the
+%   nodes that Verb makes of it; then these are evaluated. Sources are pairs
+%   File-Last, for errors.
+
+operands_loaded(Verb, Files, Options, Sources) :-
+    asked_nodes(Verb, Files, Options, Sources),
+    all_set(Options),
+    (   option(repair(true), Options)
+    ->  complete_segments,
+        repaired_leaves
+    ;   true
+    ).
+
+operands_evaluated(Sources, Options) :-
+    complete_segments,
+    catch(evaluate(all, Options), error(Fault, Context),
+          throw_with_file(Fault, Context, Sources)).
 
 %   all_set(Options): every parameter that Options set is in one of the models.
 
@@ -143,13 +162,10 @@ enough_files(Verb, Files) :-
     ;   true
     ).
 
-%   repaired_leaves(Options): with --repair, before anything is made of them.
+%   repaired_leaves: with --repair, before anything is made of them.
 
-repaired_leaves(Options) :-
-    (   option(repair(true), Options)
-    ->  forall(( segment(S, solid, _), \+ is_node(S) ), repair_operand(S))
-    ;   true
-    ).
+repaired_leaves :-
+    forall(( segment(S, solid, _), \+ is_node(S) ), repair_operand(S)).
 
 %   throw_with_file(Fault, Context, Sources): an operand is named with its file.
 
@@ -189,6 +205,12 @@ asked_nodes(split, Files, Options, Sources) :-
     split_sides(Options, Known, Sides),
     forall(member(Side, Sides),
            new_node(named(Side, split(Operand, By, Side)), _)).
+asked_nodes(glue, Files, Options, Sources) :-
+    !,
+    maplist(file_roots(glue, Options), Files, Roots, Sources),
+    append(Roots, Operands),
+    fresh_id(segment, 0, S),
+    assert_fact(segment(S, cells, glue(Operands))).
 asked_nodes(Verb, Files, Options, Sources) :-
     file_operands(Files, Verb, Options, Operands, Sources),
     Term =.. [Verb, Operands],
@@ -200,7 +222,11 @@ asked_nodes(Verb, Files, Options, Sources) :-
 file_operands(Files, Verb, Options, Operands, Sources) :-
     maplist(file_operand(Verb, Options), Files, Operands, Sources).
 
-file_operand(Verb, Options, File, Operand, File-Last) :-
+file_operand(Verb, Options, File, Operand, Source) :-
+    file_roots(Verb, Options, File, Roots, Source),
+    joined(Roots, Operand).
+
+file_roots(Verb, Options, File, Roots, File-Last) :-
     findall(S, root_segment(S), Before),
     load_model([File],
                [evaluate(false),triangles(false),others_set(true)|Options]),
@@ -208,8 +234,7 @@ file_operand(Verb, Options, File, Operand, File-Last) :-
     subtract(After, Before, Roots),
     aggregate_all(max(S), segment(S, _, _), Last),
     catch(maplist(open_checked(Verb, Options), Roots), error(Fault, Context),
-          throw_with_file(Fault, Context, [File-Last])),
-    joined(Roots, Operand).
+          throw_with_file(Fault, Context, [File-Last])).
 
 %   open_checked(Verb, Options, S): what is open is mended if that was asked
 %   for and can be. If it is still open, Verb has to be one that takes surfaces;

@@ -36,6 +36,12 @@ verb(check, 'MODEL...',
 verb(cells, 'MODEL...',
      'the regions of space that faces make, and which of them are neighbours',
      '면들이 공간을 나눈 영역, 서로 이웃한 영역').
+verb(glue, 'MODEL MODEL...',
+     'one model in which what coincides is there once, with its regions',
+     '겹치는 것은 한 번만 있는 한 모델과 그 영역들').
+verb(unglue, 'MODEL... -o FILE',
+     'the operands of what was glued, as they were',
+     '붙인 것의 피연산자들을 원래대로').
 verb(convert, 'MODEL... -o FILE',
      'between model files (.pl) and meshes (.stl .off .obj .ply)',
      '모델 파일(.pl)과 메시(.stl .off .obj .ply) 사이의 변환').
@@ -103,6 +109,21 @@ verb_option(cells, option(json, '', flag, '', 'the report as JSON')).
 verb_option(cells, option(output, o, each, 'FILE',
     'the model with its regions (.pl); may be repeated')).
 verb_option(cells, option(format, '', one_of([pl]), 'FORMAT',
+    'the format for -o -')).
+
+verb_option(glue, option(output, o, each, 'FILE',
+    'the operands and what glues them (.pl); may be repeated')).
+verb_option(glue, option(format, '', one_of([pl]), 'FORMAT',
+    'the format for -o -')).
+verb_option(glue, option(tolerance, '', number(0), 'T',
+    'what is nearer than T (model units) touches; 0: nothing else does')).
+verb_option(glue, option(repair, '', flag, '', 'mend the operands first')).
+verb_option(glue, option(neighbours, '', flag, '',
+    'also which regions have faces between them, how many and of what area')).
+verb_option(glue, option(json, '', flag, '', 'the report as JSON')).
+verb_option(unglue, option(output, o, each, 'FILE',
+    'where to (.pl); may be repeated')).
+verb_option(unglue, option(format, '', one_of([pl]), 'FORMAT',
     'the format for -o -')).
 
 verb_option(convert, option(output, o, each, 'FILE',
@@ -434,6 +455,8 @@ verb_option_ko(batch, output,
 example(check, 'sanggwan check facts/cube.pl').
 example(check, 'sanggwan check --json part.stl').
 example(cells, 'sanggwan cells facts/two_rooms.pl --neighbours').
+example(glue, 'sanggwan glue facts/cube.pl facts/pipe_tee.pl -o glued.pl').
+example(unglue, 'sanggwan unglue glued.pl -o parts.pl').
 example(convert, 'sanggwan convert part.stl -o part.pl -o part.off').
 example(convert, 'sanggwan convert --from off --format pl -o - - < part.off').
 example(penetrate, 'sanggwan penetrate facts/figures/fig13.pl -o lines.csv').

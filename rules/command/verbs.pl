@@ -56,6 +56,7 @@
               ]).
 :- use_module(verbs_batch, [batch_run_verb/3]).
 :- use_module(verbs_cells, [cells_run/3]).
+:- use_module(verbs_glue, [glue_run/3, unglue_run/3]).
 :- use_module(verbs_render, [render_run/2, wanted_scene/4]).
 :- use_module(verbs_unfold,
               [ unfold_run/3, roots_apart/1, patterns_given/1,
@@ -100,6 +101,10 @@ verb_run(check, Files, Options, Status) :-
     ).
 verb_run(cells, Files, Options, Status) :-
     cells_run(Files, Options, Status).
+verb_run(glue, Files, Options, Status) :-
+    glue_run(Files, Options, Status).
+verb_run(unglue, Files, Options, Status) :-
+    unglue_run(Files, Options, Status).
 verb_run(convert, Files, Options, 0) :-
     some_files(Files, 'MODEL'),
     outputs(Options, [pl, stl, off, obj, ply], Outputs),

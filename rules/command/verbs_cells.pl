@@ -1,13 +1,18 @@
 :- encoding(utf8).
 :- module(sg_verbs_cells,
-          [ cells_run/3                 % +Files, +Options, -Status
+          [ cells_run/3,                % +Files, +Options, -Status
+            print_cells/3,              % +Language, +Options, +Report
+            print_totals/3,             % +Language, +Word, +Counts
+            reported/2                  % +Outputs, :Goal
           ]).
+:- use_module('../csg/csg', [node/4, root_segment/1]).
 :- use_module('../csg/csg_roots', [roots_alone/0]).
 :- use_module('../gluing/regions', [regions_made/2, law_fault/3]).
 :- use_module('../kernel', [self_meetings/2]).
 :- use_module('../language', [language/1]).
 :- use_module('../model/model', [load_model/2, save_model/1]).
 :- use_module('../plain', [plain_json/2, plain_text/2]).
+:- use_module('../solid/glue', [glue_report/2]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store', [segment/3, facts_transaction/1]).
 :- use_module(solid_verbs, [empty_roots_warned/0]).
@@ -21,9 +26,9 @@
 /** <module> The verb cells: the regions of space between faces.
 
 Each segment is a soup of its own: its faces, turned any way and with any number
-at an edge, divide space. The report is a list of dicts, one for each segment:
-segment, name, counts, regions and neighbours as regions_report/2 has them, and
-faults, a dict of counts.
+at an edge, divide space. Of a glue the regions are known. The report is a list
+of dicts, one for each segment: segment, name, counts, regions and neighbours as
+regions_report/2 has them, and faults, a dict of counts.
 */
 
 %!  cells_run(+Files, +Options, -Status) is det.
@@ -36,13 +41,16 @@ cells_run(Files, Options, Status) :-
     no_model_replaced(Files, Outputs),
     load_model(Files, Options),
     empty_roots_warned,
+    findall(S-Report,
+            ( root_segment(S), node(S, glue, _, _), glue_report(S, Report) ),
+            Glues),
     roots_alone,
     findall(S-Name, segment(S, _, Name), Segments0),
     sort(Segments0, Segments),
     stage(regions, facts_transaction(
-                       maplist(sg_verbs_cells:segment_report,
+                       maplist(sg_verbs_cells:segment_report(Glues),
                                Segments, Reports))),
-    apart_warned,
+    apart_warned(Glues),
     reported(Outputs, sg_verbs_cells:printed(Options, Reports)),
     forall(member(Output, Outputs), output_written(save_model, Output)),
     (   member(Report, Reports),
@@ -51,25 +59,31 @@ cells_run(Files, Options, Status) :-
     ;   Status = 0
     ).
 
-segment_report(S-Term, Report) :-
-    regions_made(S, Regions),
+segment_report(Glues, S-Term, Report) :-
+    (   memberchk(S-Regions, Glues)
+    ->  true
+    ;   regions_made(S, Regions)
+    ),
     format(string(Name), '~w', [Term]),
     findall(Fault-N, law_fault(Regions, Fault, N), Pairs),
     dict_pairs(Faults, _, Pairs),
     Report = Regions.put(_{segment:S, name:Name, faults:Faults}).
 
 %   apart_warned: where polygons meet and have no edge in common, regions run
-%   together.
+%   together. Of Glues it is known where.
 
-apart_warned :-
+apart_warned(Glues) :-
     self_meetings(1, Segments),
     forall(( member(self(S, Counts, [meeting(_, P1, P2, _, _, _)]), Segments),
+             \+ memberchk(S-_, Glues),
              findall(N, member(_-N, Counts), Ns),
              sum_list(Ns, Sum) ),
            print_message(warning, sanggwan(cells_apart(S, Sum, P1, P2)))).
 
-%   reported(Outputs, Goal): on standard error if standard output is for the
-%   model.
+%!  reported(+Outputs, :Goal) is det.
+%
+%   Call Goal, which prints a report: on standard error if standard output is
+%   for the model.
 
 :- meta_predicate reported(+, 0).
 
@@ -94,6 +108,20 @@ printed(Options, Reports) :-
                 /*******************************
                 *             TEXT             *
                 *******************************/
+
+%!  print_totals(+Language, +Word, +Counts) is det.
+%
+%   A line: Word, and Counts as print_cells/3 has them.
+
+print_totals(Language, Word, Counts) :-
+    words(Language, Word, Text),
+    counts_text(Language, Counts,
+                [vertices,edges,faces,loops,parts,regions,shells,genus], All),
+    format("~w: ~w~n", [Text, All]).
+
+%!  print_cells(+Language, +Options, +Report) is det.
+%
+%   The report of one segment; with neighbours(true) the pairs of regions too.
 
 print_cells(Language, Options, Report) :-
     plain_text(Report.name, Name),
@@ -138,13 +166,24 @@ print_region(Language, Region) :-
     counts_text(Language, Region, Keys, Text),
     words(Language, region, Word),
     words(Language, Region.role, Role),
-    format("  ~w ~d: ~w, ~w", [Word, Region.region, Role, Text]),
+    format("  ~w ~d: ~w", [Word, Region.region, Role]),
+    print_inside(Language, Region.get(inside, [])),
+    format(", ~w", [Text]),
     (   Region.volume == null
     ->  nl
     ;   words(Language, area, Area),
         words(Language, volume, Volume),
         format(", ~w ~6g, ~w ~6g~n",
                [Area, Region.area, Volume, Region.volume])
+    ).
+
+print_inside(_, []) :-
+    !.
+print_inside(Language, Operands) :-
+    atomic_list_concat(Operands, ', ', List),
+    (   Language == ko
+    ->  format("(~w 안)", [List])
+    ;   format(" in ~w", [List])
     ).
 
 print_neighbours(Language, Pair) :-
@@ -191,6 +230,7 @@ words(en, fault, 'FAULT') :-
 words(_, Key, Key).
 
 word_ko(segment, '세그먼트').
+word_ko(before,  '붙이기 전').
 word_ko(region,  '영역').
 word_ko(outside, '바깥').
 word_ko(cell,    '세포').

@@ -45,7 +45,7 @@ They have origin(S, node(S), helper(From)) and are neither roots nor written.
 %
 %   True when segment N is a node: Operation of Children, a list of segments in
 %   order, placed by Placement, a list of steps. Operation is `union`,
-%   `intersection`, `difference`, `join`, `same` (its child once more),
+%   `intersection`, `difference`, `join`, `glue`, `same` (its child once more),
 %   split(plane(A,B,C,D), Side), or split(Side): of the first child by the
 %   second. Of a leaf it is `leaf`, without children. An operand that has no
 %   number yet (complete_tree/1) is its term.
@@ -171,6 +171,11 @@ visit_node(Nodes, Kind0, Term0, Seen0, Seen, Kind-Count) :-
     maplist(child_kind(Known), Children, Kept, Kinds),
     foldl(joined_kind(Nodes, Operation), Children, Kinds, solid-0, Kind-Count),
     right_side(Nodes, Operation, Kinds),
+    (   Operation == glue,
+        \+ node_parts(Term, _, _, [])
+    ->  node_error(Nodes, csg(placed(N)))
+    ;   true
+    ),
     few_leaves(Nodes, Count),
     (   Kind == Kind0
     ->  true
@@ -336,8 +341,14 @@ joined_kind(Nodes, Operation, Child, ChildKind-ChildCount, Kind0-Count0,
             Kind-Count) :-
     Count is Count0+ChildCount,
     Nodes = [N|_],
-    (   ChildKind == solid
+    (   Operation == glue
+    ->  glued_child(Nodes, Child, ChildKind),
+        Kind = cells
+    ;   ChildKind == solid
     ->  Kind = Kind0
+    ;   ChildKind == cells
+    ->  cells_child(Nodes, Operation, Child),
+        Kind = Kind0
     ;   ChildKind == surface
     ->  (   memberchk(Operation, [union, join, same])
         ->  Kind = surface
@@ -351,4 +362,29 @@ joined_kind(Nodes, Operation, Child, ChildKind-ChildCount, Kind0-Count0,
             node_error(Nodes, csg(surface(N, Child, Name)))
         )
     ;   node_error(Nodes, csg(curve(N, Child)))
+    ).
+
+%   glued_child(Nodes, Child, Kind): solids and surfaces are glued, and what
+%   was glued already.
+
+glued_child([N|Nodes], Child, Kind) :-
+    (   memberchk(Kind, [solid,surface])
+    ->  true
+    ;   Kind == cells
+    ->  (   node(Child, glue, _, [])
+        ->  true
+        ;   node_error([N|Nodes], csg(cells(N, Child, glue)))
+        )
+    ;   node_error([N|Nodes], csg(curve(N, Child)))
+    ).
+
+%   cells_child(Nodes, Operation, Child): under a Boolean a glue counts as the
+%   union of its solids.
+
+cells_child([N|Nodes], Operation, Child) :-
+    (   node(Child, glue, _, _),
+        \+ memberchk(Operation, [join,same])
+    ->  true
+    ;   functor(Operation, Name, _),
+        node_error([N|Nodes], csg(cells(N, Child, Name)))
     ).

@@ -105,6 +105,7 @@ made_plain(S) :-
     assert_fact(segment(S, Kind, Name)),
     retractall_facts(from_v(S, _, _, _)),
     retractall_facts(from_p(S, _, _, _, _)),
+    retractall_facts(from_r(S, _, _, _)),
     segment_grain(S, Grain),
     (   joined_segment(S)
     ->  retractall_facts(origin(S, _, _)),

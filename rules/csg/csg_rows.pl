@@ -194,6 +194,7 @@ drop_pictures(S) :-
     retractall_facts(piece(S, _, _)),
     retractall_facts(sides(S, _, _, _)),
     retractall_facts(lies_in(S, _, _)),
+    retractall_facts(from_r(S, _, _, _)),
     retractall_facts(region(S, _, _)),
     retractall_facts(contour(S, _, _, _, _, _, _, _, _, _, _, _, _)),
     retractall_facts(surface_facing(S, _, _, _, _, _)),

@@ -26,6 +26,7 @@ A node is a segment whose term, in the third place of segment/3, is
     intersection(Operands)      what is in all of them
     difference(Operands)        what is in the first and in no other
     join(Operands)              their shells side by side, nothing cut
+    glue(Operands)              all of them, what coincides once (glue.pl)
     split(Operand, By, Side)    the part of Operand on one Side of By
     at(Steps, Node)             placed (placing.pl)
     named(Name, Node)           with a name for rules
@@ -42,6 +43,7 @@ Errors are model_error(csg(What)), What being
     side(Side, Sides)        plane(By)
     missing(S, Child)        cycle(Path)
     curve(S, Child)          surface(S, Child, Name)
+    cells(S, Child, Name)    placed(S)
     too_many(S, Leaves)      no_front(S)                not_through(S)
 
 and those of primitives.
@@ -57,6 +59,7 @@ operation_form(union, 'union([Operand, ...])').
 operation_form(intersection, 'intersection([Operand, ...])').
 operation_form(difference, 'difference([Operand, ...])').
 operation_form(join, 'join([Operand, ...])').
+operation_form(glue, 'glue([Operand, ...])').
 operation_form(split, 'split(Operand, plane(A, B, C, D), below), or above; \c
                        split(Operand, Operand, inside), or outside').
 

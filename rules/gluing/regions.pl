@@ -1,5 +1,6 @@
 :- module(sg_regions,
           [ regions_made/2,             % +S, -Report
+            regions_found/2,            % +S, -Report
             regions_report/2,           % +S, -Report
             law_fault/3,                % +Report, -Fault, -Count
             region_neighbour/4          % ?S, ?R1, ?R2, ?P
@@ -47,9 +48,18 @@ all:
 regions_made(S, Report) :-
     facts_transaction(sg_regions:regions_made_now(S, Report)).
 
+%!  regions_found(+S, -Report) is det.
+%
+%   As regions_made/2, of a segment that has no regions yet, in which what lies
+%   in one place is there once. Call it in a transaction.
+
+regions_found(S, Report) :-
+    with_regions(S, sg_regions:regions_kept(S, Report)).
+
 regions_made_now(S, Report) :-
     segment_there(S),
     retractall_facts(sides(S, _, _, _)),
+    retractall_facts(from_r(S, _, _, _)),
     retractall_facts(region(S, _, _)),
     retractall_facts(lies_in(S, _, r(_))),
     complete_segments([S]),

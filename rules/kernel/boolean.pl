@@ -17,6 +17,11 @@ Foreign predicates; see kernel.pl.
 %   the first Most of each as meeting(Kind, P1, P2, X, Y, Z), P1 =< P2, in the
 %   order of the polygons: something they have in common is at X, Y, Z.
 
+%!  segment_meetings(+S:id, +Most:integer,
+%!                   -Segments:list(self_segment)) is det.
+%
+%   As self_meetings/2, of segment S alone, and looked for at each call.
+
 %!  self_meeting(?Kind:self_kind, ?S:int, ?P1:int, -P2:int) is nondet.
 %
 %   True when polygons P1 =< P2 of segment S meet so: all that self_meetings/2
@@ -130,6 +135,15 @@ Foreign predicates; see kernel.pl.
 %   Auxiliary is for the edge V1-V2, and so on; and after merging
 %   part(Face, S0, P0, Sense), Face from 1.
 
+%!  solid_coincident_faces(+Solid:solid, +Tolerance:number,
+%!                         -Doubles:count) is det.
+%
+%   Vertices of Solid in one place become one. Faces that lie on each other,
+%   turned round or not, become one, the first, which has the parts of all;
+%   Doubles of them have gone.
+%
+%   @see c_kernels/solid/coincident_faces.h
+
 /* - - - solid_write_rows.c - - - */
 
 %!  solid_write(+Solid:solid, +S:id) is det.
@@ -138,6 +152,15 @@ Foreign predicates; see kernel.pl.
 %   tests/oracle/solid_rows.pl. Call it in a transaction.
 %
 %   @error permission_error(write, segment, S): it has rows
+
+%!  solid_write_cells(+Solid:solid, +S:id,
+%!                    -Loops:list(point_loop_fact)) is det.
+%
+%   As solid_write/2, of what is glued: a polygon also ends where it has an edge
+%   of others in its middle, there and back. Loops are V-P: vertex V lies in the
+%   middle of polygon P.
+%
+%   @see c_kernels/solid/solid_seams.h
 
 /* - - - solid_over_rows.c - - - */
 
@@ -186,11 +209,12 @@ Foreign predicates; see kernel.pl.
 %   Makes coplanar neighbours in Solid one face each and drops vertices that lie
 %   straight (c_kernels/solid/face_merge.h). Tolerance is a number, or
 %   own(Number), which follows from the coarsest segment. Options:
-%   origins(separate): never faces of different segments; apart(Pairs): never
-%   these, as of solid_neighbours/3; by_size(true): a Tolerance no larger than
-%   2^-13 of the size of Solid; region(Region): Solid is a part of a larger one,
-%   of which only the faces of Region (solid_region/3) are wanted and left; then
-%   it fails if one of these and another might become one.
+%   origins(separate): never faces of different segments; cells(true): edges of
+%   more than two half-edges stay, also in the middle of faces; apart(Pairs):
+%   never these, as of solid_neighbours/3; by_size(true): a Tolerance no larger
+%   than 2^-13 of the size of Solid; region(Region): Solid is a part of a larger
+%   one, of which only the faces of Region (solid_region/3) are wanted and left;
+%   then it fails if one of these and another might become one.
 %
 %   Tight is `none`, or tight(S0, X, Y, Z, Move, Edge, N) if N vertices of
 %   operands vanish farther from what stays than a hundredth of an edge there,

@@ -75,6 +75,14 @@ csg_en(curve(S, Child)) -->
     [ ' is no solid but a curve', nl,
       '  Operations are on solids; penetrate shows where a curve goes \c
        through.' ].
+csg_en(cells(S, Child, Name)) -->
+    operand_en(S, Child),
+    [ ' is a model of cells: ~w needs a solid'-[Name], nl,
+      '  Give its parts; a glue can be glued again, or be cut by a Boolean.' ].
+csg_en(placed(S)) -->
+    operand_name_en(S),
+    [ ' is glued and placed elsewhere', nl,
+      '  Place what is glued: glue([at(Steps, Operand), ...]).' ].
 csg_en(surface(S, Child, Name)) -->
     operand_en(S, Child),
     [ ' is an open surface: ~w needs an inside and an outside'-[Name], nl,

@@ -73,6 +73,14 @@ csg_ko(curve(S, Child)) -->
     operand_ko(S, Child),
     [ ' 은(는) 입체가 아니라 곡선입니다', nl,
       '  연산은 입체에 합니다. 곡선이 지나는 곳은 penetrate 가 보여 줍니다.' ].
+csg_ko(cells(S, Child, Name)) -->
+    operand_ko(S, Child),
+    [ ' 은(는) 세포 모델입니다. ~w 에는 입체가 있어야 합니다'-[Name], nl,
+      '  그 부분들을 주십시오. 붙인 것은 다시 붙이거나 불 연산을 할 수 있습니다.' ].
+csg_ko(placed(S)) -->
+    operand_name_ko(S),
+    [ ' 은(는) 붙인 것인데 다른 자리에 놓였습니다', nl,
+      '  붙일 것을 놓으십시오: glue([at(Steps, Operand), ...]).' ].
 csg_ko(surface(S, Child, Name)) -->
     operand_ko(S, Child),
     [ ' 은(는) 열린 곡면입니다. ~w 에는 안과 밖이 있어야 합니다'-[Name], nl,

@@ -359,6 +359,23 @@ fault_en(result_open) -->
     [ 'the result would not be closed', nl,
       '  Give a larger or smaller --tolerance, or --repair the operands.' ].
 
+fault_en(glue_law(S, Faults)) -->
+    { atomic_list_concat(Faults, ', ', Text) },
+    [ 'segment ~d: what was glued breaks a law (~w), so nothing was glued'-
+      [S, Text], nl,
+      '  Give a larger or smaller --tolerance, or --repair the operands.' ].
+fault_en(glue_meets(S, P1, P2, X, Y, Z)) -->
+    [ 'segment ~d: polygons ~d and ~d would meet at ~6g ~6g ~6g and share \c
+       nothing, so nothing was glued'-[S, P1, P2, X, Y, Z], nl,
+      '  Give a larger or smaller --tolerance, or --repair the operands.' ].
+
+notice_en(glue_overlap(S, S1, S2, R, Volume)) -->
+    [ 'segment ~d: operands ~d and ~d overlap: region ~d, of volume ~6g, is \c
+       inside both'-[S, S1, S2, R, Volume] ].
+notice_en(glue_apart(S)) -->
+    [ 'segment ~d: the operands touch nowhere'-[S] ].
+notice_en(nothing_glued) -->
+    [ 'nothing is glued in this model' ].
 notice_en(opened(contacts)) -->
     [ 'what nearly touches was left as it is: else the result were open', nl,
       '  There may be splinters.' ].

@@ -367,6 +367,23 @@ fault_ko(result_open) -->
     [ '결과가 닫히지 않습니다', nl,
       '  --tolerance 를 바꾸거나 --repair 로 피연산자를 고치십시오.' ].
 
+fault_ko(glue_law(S, Faults)) -->
+    { atomic_list_concat(Faults, ', ', Text) },
+    [ '세그먼트 ~d: 붙인 것이 법칙에 어긋나(~w) 아무것도 붙이지 않았습니다'-
+      [S, Text], nl,
+      '  --tolerance 를 바꾸거나 --repair 로 피연산자를 고치십시오.' ].
+fault_ko(glue_meets(S, P1, P2, X, Y, Z)) -->
+    [ '세그먼트 ~d: 다각형 ~d번과 ~d번이 ~6g ~6g ~6g 에서 공통 요소 없이 \c
+       만나게 되어 아무것도 붙이지 않았습니다'-[S, P1, P2, X, Y, Z], nl,
+      '  --tolerance 를 바꾸거나 --repair 로 피연산자를 고치십시오.' ].
+
+notice_ko(glue_overlap(S, S1, S2, R, Volume)) -->
+    [ '세그먼트 ~d: 피연산자 ~d번과 ~d번이 겹칩니다: 부피 ~6g 인 영역 ~d 이(가) \c
+       둘 다의 안입니다'-[S, S1, S2, Volume, R] ].
+notice_ko(glue_apart(S)) -->
+    [ '세그먼트 ~d: 피연산자들이 아무 데서도 닿지 않습니다'-[S] ].
+notice_ko(nothing_glued) -->
+    [ '이 모델에는 붙인 것이 없습니다' ].
 notice_ko(opened(contacts)) -->
     [ '거의 닿는 곳을 그대로 두었습니다: 아니면 결과가 열립니다', nl,
       '  부스러기가 남을 수 있습니다.' ].

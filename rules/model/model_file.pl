@@ -255,6 +255,8 @@ ready(sides(S, P, Below, Above)) :-
     has_polygon(S, P),
     has_region(S, Below),
     has_region(S, Above).
+ready(from_r(S, R, _, _)) :-
+    has_region(S, R).
 ready(lies_in(S, Item, In)) :-
     has_item(S, Item),
     has_item(S, In).
@@ -412,6 +414,7 @@ later_added(Later) :-
     later_rows(Later, joint/6),
     later_rows(Later, region/3),
     later_rows(Later, sides/4),
+    later_rows(Later, from_r/4),
     later_rows(Later, lies_in/3),
     later_rows(Later, unfolding/2),
     later_setting(Later, view/3),
@@ -645,6 +648,7 @@ row_key(piece(S, P, _), piece, [S, P], piece(S, P, _)).
 row_key(joint(S, J, _, _, _, _), joint, [S, J], joint(S, J, _, _, _, _)).
 row_key(region(S, R, _), region, [S, R], region(S, R, _)).
 row_key(sides(S, P, _, _), sides, [S, P], sides(S, P, _, _)).
+row_key(from_r(S, R, S0, _), from_r, [S, R, S0], from_r(S, R, S0, _)).
 row_key(lies_in(S, Item, _), lies_in, [S, Item], lies_in(S, Item, _)).
 row_key(segment(S, _, _), segment, [S], segment(S, _, _)).
 row_key(line(L, _, _, _, _, _, _, _, _), line, [L],

@@ -8,8 +8,8 @@
 :- use_module('../store',
               [ v/5, e/5, p/3, plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3,
                 leaf_t/6, segment/3, origin/3, from_v/4, from_p/5, line/9,
-                unfolding/2, piece/3, joint/6, region/3, sides/4, lies_in/3,
-                view/3, projection/1,
+                unfolding/2, piece/3, joint/6, region/3, sides/4, from_r/4,
+                lies_in/3, view/3, projection/1,
                 title_block/2, look/2, light/2, param/2, param_about/2,
                 formula/2
               ]).
@@ -21,9 +21,9 @@
 
 Segments in the order of their numbers; in each segment/3, v/5, e/5, p/3,
 plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3, leaf_t/6, origin/3, from_v/4,
-from_p/5, piece/3, joint/6, region/3, sides/4, lies_in/3, every relation in the
-order of its key, and unfolding/2, look/2; before them param/2 and
-param_about/2, after them line/9, view/3, projection/1, title_block/2 and
+from_p/5, piece/3, joint/6, region/3, sides/4, from_r/4, lies_in/3, every
+relation in the order of its key, and unfolding/2, look/2; before them param/2
+and param_about/2, after them line/9, view/3, projection/1, title_block/2 and
 light/2. Floats have the fewest digits that read back to the same float. So
 equal worlds give equal bytes, a small change gives a small difference, and
 read_model/3 brings back the same relations.
@@ -114,6 +114,7 @@ write_segment(Stream, S) :-
     write_rows(Stream, J, joint(S, J, _, _, _, _)),
     write_rows(Stream, R, region(S, R, _)),
     write_rows(Stream, P6, sides(S, P6, _, _)),
+    write_rows(Stream, R1-S1, from_r(S, R1, S1, _)),
     write_rows(Stream, Item, lies_in(S, Item, _)),
     write_rows(Stream, 1, unfolding(S, _)),
     write_rows(Stream, Look, look(S, Look)).

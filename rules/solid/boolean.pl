@@ -4,7 +4,8 @@
             stays/3,                    % +Expression, +Component, -Sense
             senses_by_rule/3,           % +Arrangement, +Expression, -Senses
             expression_leaves/2,        % +Expression, -Leaves
-            select_boundary/3           % +Arrangement, +Expression, -Solid
+            select_boundary/3,          % +Arrangement, +Expression, -Solid
+            boolean_tolerance/3         % +Leaves, +Options0, -Options
           ]).
 :- use_module(arrangement,
               [ with_arrangement/3, components/2, arranged_solid/3,
@@ -88,7 +89,7 @@ boolean(Expression, S) :-
 boolean(Expression, S, Options0) :-
     new_segments_complete,
     expression_leaves(Expression, Leaves),
-    tolerance(Leaves, Options0, Options),
+    boolean_tolerance(Leaves, Options0, Options),
     (   made_around_changes(Expression, Leaves, S, Options, Numbers)
     ->  How = around
     ;   How = whole,
@@ -103,10 +104,15 @@ boolean(Expression, S, Options0) :-
     option(pieces(Numbers), Options0, _),
     option(made(How), Options0, _).
 
-%   What the operands say, not what else is in the world; and of merging, what
-%   the result does, where an operand is far larger.
+%!  boolean_tolerance(+Leaves:list, +Options0:list, -Options:list) is det.
+%
+%   Options have tolerance(Tolerance): the one of Options0, or what Leaves say,
+%   not what else is in the world; and of merging, what the result does, where
+%   an operand is far larger.
+%
+%   @error geometry_error(tolerance(T, Most)), as boolean/3
 
-tolerance(Leaves, Options0, Options) :-
+boolean_tolerance(Leaves, Options0, Options) :-
     segments_tolerance(Leaves, Tolerance, Smallest),
     (   option(tolerance(Given), Options0)
     ->  refuse_large(Given, Smallest),

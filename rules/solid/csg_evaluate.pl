@@ -26,6 +26,7 @@
               [copy_segments/3, drop_boundary/1, drop_pictures/1, was_cut/1]).
 :- use_module('../kernel',
               [segment_meets_itself/1, segments_tolerance/3]).
+:- use_module(glue, [glued_boundary/4]).
 :- use_module(operand, [checked_operand/1, operand_faults/2]).
 :- use_module('../csg/operand_name', [fault_named/2]).
 :- use_module('../stage', [stage/2]).
@@ -36,7 +37,7 @@
 :- use_module('../polygon/triangulation', [complete_segments/1]).
 :- use_module(library(apply), [exclude/3, include/3, maplist/2]).
 :- use_module(library(error), [existence_error/2]).
-:- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(lists), [append/3, list_to_set/2, member/2]).
 :- use_module(library(option), [option/3]).
 :- use_module(library(ordsets), [ord_subtract/3]).
 :- use_module(library(pairs), [pairs_keys/2]).
@@ -54,7 +55,8 @@ under, and no others; and undo, which brings back rows and stamps, needs no
 evaluation.
 
 A `join` puts the boundaries of its operands side by side. Under another
-operation it is their union: the same solid.
+operation it is their union: the same solid. A `glue` keeps all of them, what
+coincides once (glue.pl); under another operation it is the union of its solids.
 
 @see row CB-1; docs/internals/boolean.md
 */
@@ -119,6 +121,9 @@ evaluated_node(Tolerance, S) :-
         Operation \== leaf
     ->  (   Operation == join
         ->  maplist(evaluated_node(Tolerance), Children)
+        ;   Operation == glue
+        ->  glue_operands(S, Operands),
+            maplist(evaluated_node(Tolerance), Operands)
         ;   true
         ),
         made_from(S, Tolerance, From),
@@ -133,6 +138,7 @@ evaluated_node(Tolerance, S) :-
 %   from, a term with the stamps of its leaves:
 %
 %     - join(Stamps, Matrix)                 the shells of other segments
+%     - glue(Operands, Stamps, Tolerance)    operands as they are (glue.pl)
 %     - placed(Leaf-Stamp, Matrix)           a leaf once more (csg_flat.pl)
 %     - of(Expression, Stamps, Tolerance)
 
@@ -143,6 +149,13 @@ made_from(S, _, From) :-
     rounded_matrix(Matrix0, Matrix),
     segment_stamps(Children, Stamps),
     From = join(Stamps, Matrix).
+made_from(S, Tolerance, From) :-
+    node(S, glue, _, _),
+    !,
+    glue_operands(S, Operands),
+    sort(Operands, Segments),
+    segment_stamps(Segments, Stamps),
+    From = glue(Operands, Stamps, Tolerance).
 made_from(S, Tolerance, From) :-
     flat_expression(S, Expression),
     (   Expression == S
@@ -191,6 +204,10 @@ made(join(Stamps, Matrix), _, S, [], whole) :-
     drop_boundary(S),
     pairs_keys(Stamps, Children),
     copy_segments(Children, Matrix, S).
+made(glue(Operands, Stamps, Tolerance), _, S, [], whole) :-
+    drop_boundary(S),
+    tolerance_options(Tolerance, Stamps, Options),
+    glued_boundary(Operands, S, Options, _).
 made(of(Expression, Stamps, Tolerance), Earlier, S, Numbers, How) :-
     (   integer(Expression),
         \+ meets_itself(Expression)
@@ -284,6 +301,28 @@ from_segment(of(_, Stamps, _), S) :-
     member(S-_, Stamps).
 from_segment(join(Stamps, _), S) :-
     member(S-_, Stamps).
+from_segment(glue(_, Stamps, _), S) :-
+    member(S-_, Stamps).
+
+%   glue_operands(S, Operands): those of glue S, and of glues among them, each
+%   once, in order.
+
+glue_operands(S, Operands) :-
+    phrase(glue_operands(S), Operands0),
+    list_to_set(Operands0, Operands).
+
+glue_operands(S) -->
+    { node(S, glue, Children, _) },
+    !,
+    glue_operands_(Children).
+glue_operands(S) -->
+    [S].
+
+glue_operands_([]) -->
+    [].
+glue_operands_([S|Ss]) -->
+    glue_operands(S),
+    glue_operands_(Ss).
 
 segment_dropped(S) :-
     drop_record(S),
@@ -307,14 +346,15 @@ completed_and_current(S) :-
 
 is_current(S) :-
     recorded(S, evaluated(From0)),
-    (   From0 = of(_, _, Tolerance)
+    (   ( From0 = of(_, _, Tolerance) ; From0 = glue(_, _, Tolerance) )
     ->  true
     ;   Tolerance = default
     ),
     made_from(S, Tolerance, From),
     From == From0,                      % an instance has just been made
     up_to_date(S, From),
-    (   node(S, join, Children, _)
+    (   node(S, Operation, Children, _),
+        memberchk(Operation, [join,glue])
     ->  forall(( member(Child, Children), is_node(Child) ), is_current(Child))
     ;   true
     ).

@@ -25,7 +25,8 @@
               ]).
 :- use_module('../polygon/triangulation', [complete_segments/1]).
 :- use_module(library(apply),
-              [foldl/4, foldl/6, include/3, maplist/3, partition/4]).
+              [ exclude/3, foldl/4, foldl/6, include/3, maplist/3, partition/4
+              ]).
 :- use_module(library(assoc),
               [ empty_assoc/1, get_assoc/3, list_to_assoc/2, put_assoc/4 ]).
 :- use_module(library(lists),
@@ -102,6 +103,9 @@ combined(union, Es, _, Expression, Known, Known) :-
     united(Es, Expression).
 combined(join, Es, _, Expression, Known, Known) :-
     united(Es, Expression).
+combined(glue, Es0, _, Expression, Known, Known) :-
+    exclude(is_surface, Es0, Es),
+    united(Es, Expression).
 combined(intersection, Es, _, Expression, Known, Known) :-
     common(Es, Expression).
 combined(difference, [E|Es], _, Expression, Known, Known) :-
@@ -126,6 +130,11 @@ combined(split(Side), [E,Surface], _, Expression, Known0, Known) :-
     ;   true
     ),
     half_of(Side, HalfExpression, E, Expression).
+
+is_surface(S) :-
+    integer(S),
+    segment(S, surface, _),
+    !.
 
 united(Es0, Expression) :-
     foldl(terms_of(union), Es0, [], Reversed),

@@ -94,9 +94,11 @@ windings(void)
 static void
 itself(void)
 {
-  sg_self_segment_list segments = {0};
+  sg_self_segment_list segments = {0}, one = {0};
 
   CHECK("itself", sg_door_self_meetings(&call, 5, &segments));
+  CHECK("one alone", sg_door_segment_meetings(&call, 1, 5, &one) &&
+                         one.n == 1 && one.at[0].s == 1);
   CHECK("all segments", segments.n == 3 && segments.at[1].s == 2);
   CHECK("cubes do not", segments.at[0].counts.n == 0);
 }

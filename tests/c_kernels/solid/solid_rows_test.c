@@ -13,7 +13,7 @@
 
 #include <string.h>
 
-enum { CUBE = 1, WRITTEN = 2 };
+enum { CUBE = 1, WRITTEN = 2, GLUED = 3 };
 
 static sg_solid *
 taken(int32_t s)
@@ -114,6 +114,32 @@ regions(void)
   sg_solid_free(solid);
 }
 
+/* The cube and its copy, which are in one place. */
+static void
+glues(void)
+{
+  int32_t s[2] = {CUBE, WRITTEN};
+  sg_solid *solid = NULL;
+  size_t doubles = 0;
+  sg_point_loop_fact_list loops = {0};
+
+  sg_call_rest(&call);
+  CHECK("both", sg_door_solid_take(&call, &(sg_int_list){s, 2, 2}, &solid) &&
+                    solid->faces == 12 && solid->vertices == 16);
+  CHECK("one of each",
+        sg_door_solid_coincident_faces(&call, solid, 0, &doubles));
+  CHECK("the others are parts",
+        doubles == 6 && solid->faces == 6 && solid->parts == 6 &&
+            solid->part[5].s == WRITTEN && !solid->part[5].reversed);
+  CHECK("as cells",
+        sg_door_solid_write_cells(&call, solid, GLUED, &loops) && loops.n == 0);
+  CHECK("rows",
+        rows_of(SG_V) == 24 && rows_of(SG_P) == 18 && rows_of(SG_FROM_P) == 18);
+  CHECK("not twice", !sg_door_solid_write_cells(&call, solid, GLUED, &loops) &&
+                         was_refused(SG_REFUSED_PERMISSION));
+  sg_solid_free(solid);
+}
+
 static void
 merges(void)
 {
@@ -149,6 +175,7 @@ main(void)
   takes();
   writes();
   regions();
+  glues();
   merges();
   sg_world *world = call.world;
 

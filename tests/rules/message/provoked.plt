@@ -107,6 +107,9 @@ file('role.pl', "edge_role(_, _, _, _, crease).\n").
 % command(Notice, Arguments): the command prints Notice; @(Name) is a file.
 command(do_not_meet, [penetrate, @('far.pl')]).
 command(cells_apart(_,_,_,_), [cells, @('crossing.pl')]).
+command(glue_overlap(_,_,_,_,_), [glue, @('cross.pl')]).
+command(glue_apart(_), [glue, @('far.pl')]).
+command(nothing_glued, [unglue, @('cube.pl'), '-o', @('a.pl')]).
 command(one_segment, [penetrate, @('cube.pl')]).
 command(points_alone(_), [penetrate, @('pin.pl')]).
 command(no_area(_,1,_), [check, @('thin.off')]).

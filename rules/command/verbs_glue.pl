@@ -1,0 +1,118 @@
+:- encoding(utf8).
+:- module(sg_verbs_glue,
+          [ glue_run/3,                 % +Files, +Options, -Status
+            unglue_run/3                % +Files, +Options, -Status
+          ]).
+:- use_module('../csg/csg', [node/4, root_segment/1]).
+:- use_module('../gluing/regions', [regions_report/2]).
+:- use_module('../model/model', [load_model/2, save_model/1]).
+:- use_module('../plain', [plain_json/2]).
+:- use_module('../language', [language/1]).
+:- use_module('../solid/glue', [unglue/1, glue_report/2]).
+:- use_module('../store', [facts_snapshot/1, facts_transaction/1]).
+:- use_module(solid_verbs, [operands_loaded/4, operands_evaluated/2]).
+:- use_module(verb_output,
+              [ some_files/2, outputs/3, some_outputs/1, no_model_replaced/2,
+                output_written/2
+              ]).
+:- use_module(verbs_cells, [print_cells/3, print_totals/3, reported/2]).
+:- use_module(library(apply), [foldl/4, maplist/2]).
+:- use_module(library(http/json), [json_write_dict/3]).
+:- use_module(library(lists), [member/2]).
+:- use_module(library(option), [option/2]).
+/** <module> The verbs glue and unglue.
+
+What is glued is a node of the CSG tree, and its operands are there beside it:
+so that is what is written, and taking it apart again only takes the node away.
+*/
+
+%!  glue_run(+Files, +Options, -Status) is det.
+%
+%   As verb_run/4. The roots of all files are the operands. The report is a dict
+%   as of cells_run/3, and before: the counts of the operands together. What is
+%   written are the operands as they were read, and the glue.
+
+glue_run(Files, Options, 0) :-
+    some_files(Files, 'MODEL'),
+    outputs(Options, [pl], Outputs),
+    no_model_replaced(Files, Outputs),
+    operands_loaded(glue, Files, Options, Sources),
+    facts_snapshot(( operands_evaluated(Sources, Options),
+                     report(Report) )),
+    reported(Outputs, sg_verbs_glue:printed(Options, Report)),
+    maplist(output_written(save_model), Outputs).
+
+%   report(Report): of the glue, which is the only root.
+
+report(Report) :-
+    once(root_segment(S)),
+    glue_report(S, Report0),
+    forall(member(Region, Report0.regions), overlap_warned(S, Region)),
+    operand_counts(S, Before),
+    Report = Report0.put(_{segment:S, name:"glue", faults:_{}, before:Before}),
+    (   untouched(Before, Report.counts)
+    ->  print_message(informational, sanggwan(glue_apart(S)))
+    ;   true
+    ).
+
+overlap_warned(S, Region) :-
+    (   Region.inside = [S1,S2|_]
+    ->  print_message(warning,
+                      sanggwan(glue_overlap(S, S1, S2, Region.region,
+                                            Region.volume)))
+    ;   true
+    ).
+
+untouched(Before, After) :-
+    forall(member(Key, [vertices,edges,faces,parts]),
+           Before.Key =:= After.Key).
+
+%   operand_counts(S, Counts): of all operands together, apart.
+
+operand_counts(S, Counts) :-
+    node(S, _, Operands, _),
+    counts_zero(Zero),
+    foldl(counts_added, Operands, Zero, Counts).
+
+counts_zero(_{ vertices:0, edges:0, faces:0, loops:0, parts:0, regions:1,
+               shells:0, genus:0 }).
+
+counts_added(Operand, Counts0, Counts) :-
+    regions_report(Operand, Report),
+    findall(Key-N,
+            ( get_dict(Key, Counts0, N0),
+              N1 = Report.counts.Key,
+              (   Key == regions
+              ->  N is N0+N1-1
+              ;   N is N0+N1
+              ) ),
+            Pairs),
+    dict_pairs(Counts, _, Pairs).
+
+printed(Options, Report) :-
+    (   option(json(true), Options)
+    ->  plain_json(current_output,
+                   json_write_dict(current_output, Report, [width(78)])),
+        nl
+    ;   language(Language),
+        print_totals(Language, before, Report.before),
+        print_cells(Language, Options, Report)
+    ).
+
+%!  unglue_run(+Files, +Options, -Status) is det.
+%
+%   As verb_run/4: the roots that are glues are taken away, so their operands
+%   are roots again, as they were.
+
+unglue_run(Files, Options, 0) :-
+    some_files(Files, 'MODEL'),
+    outputs(Options, [pl], Outputs),
+    some_outputs(Outputs),
+    no_model_replaced(Files, Outputs),
+    load_model(Files, [evaluate(false),triangles(false)|Options]),
+    findall(S, ( root_segment(S), node(S, glue, _, _) ), Glues),
+    (   Glues == []
+    ->  print_message(warning, sanggwan(nothing_glued))
+    ;   facts_transaction(maplist(unglue, Glues))
+    ),
+    maplist(output_written(save_model), Outputs).

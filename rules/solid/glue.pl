@@ -1,0 +1,280 @@
+:- module(sg_glue,
+          [ glued_boundary/4,           % +Operands, +S, +Options, -Report
+            unglue/1,                   % +S
+            glue_report/2               % +S, -Report
+          ]).
+:- use_module(arrangement,
+              [ with_arrangement/3, components/2, arranged_solid/3,
+                contact_vertices/2
+              ]).
+:- use_module(boolean, [boolean_tolerance/3]).
+:- use_module(contact_origin, [contact_origins/2]).
+:- use_module('../csg/csg', [node/4]).
+:- use_module('../csg/csg_record', [drop_record/1]).
+:- use_module('../csg/csg_rows', [drop_boundary/1]).
+:- use_module('../csg/source', [source_kept/3]).
+:- use_module(faces, [faces_merged/2]).
+:- use_module('../gluing/regions',
+              [regions_found/2, regions_report/2, law_fault/3]).
+:- use_module('../kernel',
+              [ segment_meetings/3, solid_close/1, solid_coincident_faces/3,
+                solid_write_cells/3
+              ]).
+:- use_module('../limits', [limit_value/2]).
+:- use_module(operand, [operand_faults/2]).
+:- use_module('../penetration/resolve', [tolerance_reach/2]).
+:- use_module('../polygon/triangulation', [new_segments_complete/0]).
+:- use_module('../stage', [stage/2]).
+:- use_module('../store',
+              [ v/5, e/5, p/3, segment/3, from_p/5, from_r/4, sides/4, region/3,
+                lies_in/3, assert_fact/1, retractall_facts/1,
+                facts_transaction/1
+              ]).
+:- use_module(library(apply),
+              [convlist/3, foldl/4, include/3, maplist/2, maplist/3]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2, put_assoc/4]).
+:- use_module(library(error), [existence_error/2, type_error/2]).
+:- use_module(library(lists), [member/2]).
+:- use_module(library(option), [option/2]).
+:- use_module(library(ordsets), [ord_memberchk/2, ord_symdiff/3]).
+:- use_module(library(pairs), [group_pairs_by_key/2]).
+/** <module> Glue: operands in one model, each thing once (NG-1 to NG-7).
+
+The operands are arranged as those of a Boolean are; but everything stays. Faces
+that lie on each other become one, which has the sources of all (from_p/5).
+Neighbours in one plane become one face only where no third face is at their
+edge, and where they come from the same operands; edges and vertices of others
+in the middle of a face stay there. Then the regions of space are found, and
+what operands each of them is inside.
+
+The operands keep their rows, so nothing is needed to take them apart again.
+*/
+
+%!  glued_boundary(+Operands:list, +S, +Options:list, -Report) is det.
+%
+%   The rows of segment S, which has none, become the solids and surfaces
+%   Operands glued, with region/3, sides/4, lies_in/3 and from_r/4; Report is as
+%   regions_report/2 has it. Both laws hold. Call it in a transaction. Options:
+%   those of with_arrangement/3.
+%
+%   @error as boolean/3
+%   @error geometry_error(glue_law(S, Faults)): a law does not hold
+%   @error geometry_error(glue_meets(S, P1, P2, X, Y, Z)): two of its polygons
+%          meet there and share nothing
+
+glued_boundary(Operands, S, Options0, Report) :-
+    new_segments_complete,
+    solids_among(Operands, Solids),
+    maplist(closed_operand, Solids),
+    boolean_tolerance(Operands, Options0, Options),
+    with_arrangement(Operands, Options,
+                     sg_glue:everything(Solids, Solid, Contacts)),
+    call_cleanup(
+        ( option(tolerance(Tolerance), Options),
+          tolerance_reach(Tolerance, Reach),
+          solid_coincident_faces(Solid, Reach, _),
+          stage(faces, faces_merged(Solid,
+                                    [ origins(separate),cells(true)
+                                    | Options
+                                    ])),
+          stage(write, solid_write_cells(Solid, S, Loops))
+        ),
+        solid_close(Solid)),
+    contact_origins(S, Contacts),
+    source_kept(Operands, 1, S),
+    forall(member(V-P, Loops), assert_fact(lies_in(S, v(V), p(P)))),
+    stage(join, points_in_faces(S)),
+    stage(regions, regions_found(S, Report)),
+    lawful(S, Report),
+    contents_written(S, Operands).
+
+solids_among(Operands, Solids) :-
+    include(is_solid, Operands, Solids0),
+    sort(Solids0, Solids).
+
+is_solid(S) :-
+    segment(S, solid, _),
+    !.
+
+%   closed_operand(S): whether it is inside out does not matter.
+
+closed_operand(S) :-
+    operand_faults(S, Faults),
+    (   Faults == []
+    ->  true
+    ;   throw(error(geometry_error(operand(S, Faults)), _))
+    ).
+
+lawful(S, Report) :-
+    findall(Fault-N, law_fault(Report, Fault, N), Faults),
+    (   Faults == []
+    ->  true
+    ;   throw(error(geometry_error(glue_law(S, Faults)), _))
+    ).
+
+%   points_in_faces(S): where a vertex lies in the middle of a face exactly
+%   nothing was cut. Nothing else meets that has no vertex or edge in common.
+
+points_in_faces(S) :-
+    limit_value(facets, Most),
+    segment_meetings(S, Most, Segments),
+    forall(( member(self(S, _, Meetings), Segments),
+             member(Meeting, Meetings) ),
+           point_in_face(S, Meeting)).
+
+point_in_face(S, meeting(self_touching, P1, P2, X, Y, Z)) :-
+    (   P = P1,
+        Q = P2
+    ;   P = P2,
+        Q = P1
+    ),
+    corner_at(S, Q, X, Y, Z, V),
+    !,
+    (   lies_in(S, v(V), p(P))
+    ->  true
+    ;   assert_fact(lies_in(S, v(V), p(P)))
+    ).
+point_in_face(S, meeting(_, P1, P2, X, Y, Z)) :-
+    throw(error(geometry_error(glue_meets(S, P1, P2, X, Y, Z)), _)).
+
+corner_at(S, Q, X, Y, Z, V) :-
+    p(S, Q, Es),
+    member(E, Es),
+    e(S, E, V, _, _),
+    v(S, V, X, Y, Z),
+    !.
+
+%   everything(+Solids, -Solid, -Contacts, +Arrangement): all components that
+%   have an area; of a solid that goes through itself only what bounds it.
+
+everything(Solids, Solid, Contacts, Arrangement) :-
+    contact_vertices(Arrangement, Contacts),
+    components(Arrangement, Components),
+    convlist(stays_glued(Solids), Components, Senses),
+    stage(pieces, arranged_solid(Arrangement, Senses, Solid)).
+
+stays_glued(Solids, component(C, S, _, _, Sides, Which), C-1) :-
+    Which \== unknown,
+    (   ord_memberchk(S, Solids)
+    ->  memberchk(side(S, Below, Above), Sides),
+        sign(Below) =\= sign(Above)
+    ;   true
+    ).
+
+%!  glue_report(+S, -Report) is det.
+%
+%   Report is that of regions_report/2, of the boundary of glue S; each of its
+%   regions has `inside`, the list of the operands that it is inside.
+
+glue_report(S, Report) :-
+    regions_report(S, Report0),
+    maplist(region_inside(S), Report0.regions, Regions),
+    Report = Report0.put(regions, Regions).
+
+region_inside(S, Region0, Region) :-
+    findall(S0, from_r(S, Region0.region, S0, _), Inside),
+    region(S, Region0.region, Role),
+    Region = Region0.put(_{inside:Inside, role:Role}).
+
+%!  unglue(+S) is det.
+%
+%   Take the glue S away, a node: its operands are what they were, and roots
+%   again if they are operands of nothing else. One transaction.
+%
+%   @error existence_error(segment, S); type_error(glue, S)
+
+unglue(S) :-
+    (   segment(S, _, _)
+    ->  true
+    ;   existence_error(segment, S)
+    ),
+    (   node(S, glue, _, _)
+    ->  facts_transaction(sg_glue:unglued(S))
+    ;   type_error(glue, S)
+    ).
+
+unglued(S) :-
+    drop_record(S),
+    drop_boundary(S),
+    retractall_facts(segment(S, _, _)).
+
+
+                /*******************************
+                *           CONTENTS           *
+                *******************************/
+
+%   contents_written(S, Operands): write from_r/4 of the regions of S: which of
+%   the solids among Operands each is inside. The outside is inside none; who
+%   crosses a face goes in or out of the solids that it is a part of. A bounded
+%   region inside of none is a `void`.
+
+contents_written(S, Operands) :-
+    solids_among(Operands, Solids),
+    findall(R-Step, crossing(S, Solids, R, Step), Steps0),
+    keysort(Steps0, Steps1),
+    group_pairs_by_key(Steps1, Steps),
+    list_to_assoc(Steps, Around),
+    once(region(S, Outside, outside)),
+    list_to_assoc([Outside-[]], Known0),
+    spread([Outside], Around, Known0, Known),
+    findall(R-Role, region(S, R, Role), Regions),
+    forall(member(R-Role, Regions), content_written(S, R, Role, Known)).
+
+%   crossing(S, Solids, R, to(R1, Through)): a polygon lies between R and R1;
+%   Through are those of Solids that it bounds, in order. One of each two
+%   regions is enough.
+
+crossing(S, Solids, R, to(R1, Through)) :-
+    findall((Below-Above)-P,
+            ( sides(S, P, Below, Above), Below \== Above ), Pairs0),
+    sort(1, @<, Pairs0, Pairs),
+    member((Below-Above)-P, Pairs),
+    findall(S0-Sense,
+            ( from_p(S, P, S0, _, Sense), ord_memberchk(S0, Solids) ), Senses0),
+    sort(Senses0, Senses),
+    through(Senses, Through),
+    (   R-R1 = Below-Above
+    ;   R-R1 = Above-Below
+    ).
+
+%   through(Senses, Through): where a solid lies on itself one goes out of it
+%   and in again.
+
+through([], []).
+through([S-_,S-_|Senses], Through) :-
+    !,
+    through(Senses, Through).
+through([S-_|Senses], [S|Through]) :-
+    through(Senses, Through).
+
+spread([], _, Known, Known).
+spread([R|Rs], Around, Known0, Known) :-
+    get_assoc(R, Known0, Inside),
+    (   get_assoc(R, Around, Steps)
+    ->  foldl(step(Inside), Steps, Rs-Known0, Rs1-Known1)
+    ;   Rs1 = Rs,
+        Known1 = Known0
+    ),
+    spread(Rs1, Around, Known1, Known).
+
+step(Inside0, to(R, Through), Rs-Known0, Rs1-Known) :-
+    (   get_assoc(R, Known0, _)
+    ->  Rs1 = Rs,
+        Known = Known0
+    ;   ord_symdiff(Inside0, Through, Inside),
+        put_assoc(R, Known0, Inside, Known),
+        Rs1 = [R|Rs]
+    ).
+
+content_written(S, R, Role, Known) :-
+    (   get_assoc(R, Known, Inside)
+    ->  true
+    ;   Inside = []
+    ),
+    forall(member(S0, Inside), assert_fact(from_r(S, R, S0, 1))),
+    (   Role == cell,
+        Inside == []
+    ->  retractall_facts(region(S, R, _)),
+        assert_fact(region(S, R, void))
+    ;   true
+    ).

@@ -1,0 +1,402 @@
+/* What is glued: counts by hand and by arithmetic, in place and turned; the
+   regions, what each is inside, and taking it apart again.
+   covers: coincident_faces, solid_seams */
+:- module(test_glue, []).
+:- use_module(library(aggregate)).
+:- use_module(library(apply)).
+:- use_module(library(lists)).
+:- use_module(library(plunit)).
+:- use_module(library(random)).
+:- use_module(library(yall)).
+:- use_module(rules(gluing/cycle)).
+:- use_module(rules(gluing/regions)).
+:- use_module(rules(solid/csg_evaluate)).
+:- use_module(rules(solid/glue)).
+:- use_module(rules(store)).
+:- use_module(tests(rules/polyhedron), [in_new_world/1]).
+
+/* - - - models - - - */
+
+%   A model is a list of terms. c(V, E, F, L, C, R, S, G): what comes out.
+
+model(two(apart), [box(1,[0,0,0]),box(1,[3,0,0])], c(16,24,12,12,2,3,4,0)).
+model(two(vertex), [box(1,[0,0,0]),box(1,[1,1,1])], c(15,24,12,12,1,3,3,0)).
+model(two(edge), [box(1,[0,0,0]),box(1,[1,1,0])], c(14,23,12,12,1,3,3,0)).
+model(two(half_edge), [box(1,[0,0,0]),box(1,[1,1,0.5])],
+      c(16,25,12,12,1,3,3,0)).
+model(two(face), [box(1,[0,0,0]),box(1,[1,0,0])], c(12,20,11,11,1,3,3,0)).
+model(two(nested), [box(3,[0,0,0]),box(1,[0,0,1])], c(16,24,12,12,2,3,4,0)).
+model(two(crossing), [box(2,[0,0,0]),box(2,[1,1,1])],
+      c(22,36,18,18,1,4,4,0)).
+model(on_plate, [size([4,4,1],[0,0,0]),box(1,[0,0,1])],
+      c(16,24,12,13,1,3,3,0)).
+model(fig7, [size([2,2,1],[0,0,0]),size([2,2,1],[1,1,1])],
+      c(18,28,13,13,1,3,3,0)).
+model(fig8(edge), [size([4,4,1],[0,0,0]),tip([2,0.2,1])],
+      c(13,21,11,11,1,3,3,0)).
+model(fig8(face), [size([4,4,1],[0,0,0]),tip([0.3,0.2,1])],
+      c(13,20,11,12,1,3,3,0)).
+model(fig8(ridge), [size([8,8,1],[0,0,0]),roof(1)],
+      c(14,21,11,12,1,3,3,0)).
+model(fig6, [page(0,3,2,0),page(0,3,1,2),page(0,3,-1,2),page(1,4,-2,-1),
+             page(1,4,1,-2)],
+      c(14,18,5,5,1,1,1,0)).
+model(fig4, [pyramid([[-4,-1,-1],[-4,1,-1],[-4,1,1],[-4,-1,1]]),
+             pyramid([[-4,-4,6],[4,-4,6],[4,4,6],[-4,4,6]]),
+             pyramid([[-1,-1,3],[1,-1,3],[1,1,3],[-1,1,3]])],
+      c(13,24,15,15,1,4,4,0)).
+model(fig5, [pyramid([[10,-1,-10],[10,1,-10],[10,1,10],[10,-1,10]]),
+             pyramid([[10,-10,-1],[10,10,-1],[10,10,1],[10,-10,1]])],
+      c(13,28,21,21,1,6,6,0)).
+model(plate_through, [box(2,[0,0,0]),size([4,4,1],[0,0,0.5])], Counts) :-
+    Counts = c(24,40,22,24,1,5,5,1).
+model(flush_sheet, [box(2,[0,0,0]),flat(2,2,1)], c(12,20,11,11,1,3,3,0)).
+model(large_sheet, [box(2,[0,0,0]),flat(4,4,1)], c(16,24,12,13,1,3,3,0)).
+model(book(K), Pages, c(V,E,K,K,1,1,1,0)) :-
+    member(K, [1,2,3,8,64]),
+    findall(Page, book_page(K, Page), Pages),
+    V is 2+2*K,
+    E is 1+3*K.
+model(cubes(N), Boxes, c(V,E,F,F,1,R,R,0)) :-
+    member(N, [1,2,3]),
+    M is N-1,
+    findall(box(1,[X,Y,Z]),
+            ( between(0, M, X), between(0, M, Y), between(0, M, Z) ), Boxes),
+    V is (N+1)**3,
+    E is 3*N*(N+1)**2,
+    F is 3*N*N*(N+1),
+    R is N**3+1.
+model(room, Walls, c(32,60,36,36,1,8,8,0)) :-
+    Walls = [ size([5,5,1],[0,0,-1]),size([5,5,1],[0,0,3]),
+              size([1,5,3],[-2,0,0]),size([1,5,3],[2,0,0]),
+              size([3,1,3],[0,-2,0]),size([3,1,3],[0,2,0]) ].
+model(nested(K), Boxes, c(V,E,F,F,K,R,S,0)) :-
+    member(K, [1,2,5]),
+    findall(box(Size,[0,0,Low]),
+            ( between(1, K, I), Size is 2*I, Low is -I ), Boxes),
+    V is 8*K,
+    E is 12*K,
+    F is 6*K,
+    R is K+1,
+    S is 2*K.
+model(six_pyramids, Pyramids, c(9,20,18,18,1,7,7,0)) :-
+    findall(pyramid(Face), cube_face(Face), Pyramids).
+model(frame(plug), [frame,size([1,1,1],[0,0,0])], c(16,24,12,14,1,3,3,1)).
+model(frame(alone), [frame], c(16,24,10,12,1,2,2,2)).
+
+book_page(K, page(0,1,X,Y)) :-
+    between(1, K, I),
+    A is 2*pi*I/K,
+    X is cos(A),
+    Y is sin(A).
+
+cube_face(Face) :-
+    member(Axis, [0,1,2]),
+    member(Side, [-1,1]),
+    findall(Point,
+            ( member(U-V, [(-1)-(-1),1-(-1),1-1,(-1)-1]),
+              nth0(Axis, Point, Side, [U,V]) ),
+            Face).
+
+%   term(Part, Term)
+
+term(box(A, At), Term) :-
+    term(size([A,A,A], At), Term).
+term(size([A,B,C], [X,Y,Z]), at([translate(X,Y,Z)], box(size(A,B,C)))).
+term(page(Z1, Z2, X, Y),
+     sheet(points([[0,0,Z1],[0,0,Z2],[X,Y,Z1],[X,Y,Z2]]),
+           faces([[1,3,4,2]]))).
+term(flat(A, B, Z), at([translate(0,0,Z)], rectangle(size(A,B)))).
+term(tip([X,Y,Z]), Term) :-
+    Z1 is Z+1,
+    findall([X1,Y1,Z1],
+            ( member(U-V, [(-0.5)-(-0.5),0.5-(-0.5),0.5-0.5,(-0.5)-0.5]),
+              X1 is X+U, Y1 is Y+V ),
+            Base),
+    term(cone([X,Y,Z], Base), Term).
+term(pyramid(Base), Term) :-
+    term(cone([0,0,0], Base), Term).
+term(cone(Apex, Base), polyhedron(points([Apex|Base]), faces(Faces))) :-
+    Out = [[2,3,4,5],[3,2,1],[4,3,1],[5,4,1],[2,5,1]],
+    Base = [A,B,C|_],
+    (   orientation(Apex, A, B, C, Sign),
+        Sign > 0
+    ->  Faces = Out
+    ;   maplist(reverse, Out, Faces)
+    ).
+term(roof(Z),
+     polyhedron(points([[-1,0,Z],[1,0,Z],[-1,-1,Z1],[1,-1,Z1],[1,1,Z1],
+                        [-1,1,Z1]]),
+                faces([[3,4,5,6],[1,2,4,3],[2,1,6,5],[1,3,6],[2,5,4]]))) :-
+    Z1 is Z+1.
+term(frame, difference([box(size(3,3,1)),
+                        at([translate(0,0,-1)], box(size(1,1,3)))])).
+
+%   orientation(O, A, B, C, Sign): of the determinant of A-O, B-O, C-O.
+
+orientation(O, A, B, C, Sign) :-
+    maplist(maplist([X,Y,Z]>>(Z is X-Y)), [A,B,C], [O,O,O],
+            [[A1,A2,A3],[B1,B2,B3],[C1,C2,C3]]),
+    Sign is A1*(B2*C3-B3*C2)-A2*(B1*C3-B3*C1)+A3*(B1*C2-B2*C1).
+
+%   glue_made(Parts, Steps, S): Parts, each placed by Steps, and the glue S.
+
+glue_made(Parts, Steps, S) :-
+    length(Parts, N),
+    numlist(1, N, Ss),
+    maplist(part_made(Steps), Ss, Parts),
+    S is N+1,
+    assert_fact(segment(S, cells, glue(Ss))),
+    evaluate(S).
+
+part_made(Steps, S, Part) :-
+    term(Part, Term),
+    assert_fact(segment(S, solid, at(Steps, named(part, Term)))).
+
+glue_counts(Parts, Steps, Counts) :-
+    in_new_world(( glue_made(Parts, Steps, S),
+                   glue_report(S, Report) )),
+    report_counts(Report, Counts).
+
+report_counts(Report, c(V,E,F,L,C,R,S,G)) :-
+    _{ vertices:V, edges:E, faces:F, loops:L, parts:C, regions:R, shells:S,
+       genus:G } :< Report.counts.
+
+turned(Seed, [rotate(axis(X,Y,Z),Angle),translate(A,B,C)]) :-
+    set_random(seed(Seed)),
+    randoms(X, Y, Z),
+    random(0.0, 360.0, Angle),
+    randoms(A, B, C).
+
+randoms(X, Y, Z) :-
+    maplist(random(-3.0, 3.0), [X,Y,Z]).
+
+:- begin_tests(glue).
+
+test(counts, [forall(model(_, Parts, Wanted)), Counts == Wanted]) :-
+    glue_counts(Parts, [], Counts).
+
+test(turned, [ forall(( model(_, Parts, Wanted), member(Seed, [1,2,3]) )),
+               Counts == Wanted ]) :-
+    turned(Seed, Steps),
+    glue_counts(Parts, Steps, Counts).
+
+%   What each region is inside: two boxes that cross, a wall round a hollow.
+
+test(inside, Insides == [[1],[1,2],[2],[]]) :-
+    insides([box(2,[0,0,0]),box(2,[1,1,1])], Insides).
+
+test(void, Roles == [cell,cell,cell,cell,cell,cell,outside,void]) :-
+    model(room, Walls, _),
+    in_new_world(( glue_made(Walls, [], S),
+                   findall(Role, region(S, _, Role), Roles0) )),
+    msort(Roles0, Roles).
+
+insides(Parts, Insides) :-
+    in_new_world(( glue_made(Parts, [], S),
+                   glue_report(S, Report) )),
+    findall(Inside, ( member(Region, Report.regions),
+                      Inside = Region.inside ), Insides0),
+    sort(Insides0, Insides1),
+    selectchk([], Insides1, Others),
+    append(Others, [[]], Insides).
+
+%   A face that two operands have is there once, and comes from both.
+
+test(shared, Froms == [[1-1,2-(-1)]]) :-
+    model(fig7, Parts, _),
+    in_new_world(( glue_made(Parts, [], S),
+                   findall(Pairs,
+                           ( p(S, P, _),
+                             findall(S0-Sense, from_p(S, P, S0, _, Sense),
+                                     Pairs0),
+                             sort(Pairs0, Pairs),
+                             Pairs = [_,_|_] ),
+                           Froms0) )),
+    Froms0 = Froms.
+
+%   The edge of the paper's figure 6: its pages on each part of it.
+
+test(fig6, Lengths == [[3],[5],[2]]) :-
+    model(fig6, Parts, _),
+    in_new_world(( glue_made(Parts, [], S),
+                   findall(Ns, axis_pages(S, Ns), Lengths) )).
+
+axis_pages(S, Ns) :-
+    member(Z1-Z2, [0.0-1.0,1.0-3.0,3.0-4.0]),
+    v(S, A, 0.0, 0.0, Z1),
+    v(S, B, 0.0, 0.0, Z2),
+    msort([A,B], [V1,V2]),
+    findall(N, ( radial_cycle(S, V1, V2, Pages), length(Pages, N) ), Ns).
+
+%   Figure 8 b and c: a point loop, and a seam that the radial cycle has once.
+
+test(point_loop, Point == [0.3,0.2,1.0]) :-
+    model(fig8(face), Parts, _),
+    in_new_world(( glue_made(Parts, [], S),
+                   lies_in(S, v(V), p(P)),
+                   v(S, V, X, Y, Z),
+                   from_p(S, P, 1, _, 1) )),
+    Point = [X,Y,Z].
+
+test(seam, N-Twice == 3-1) :-
+    model(fig8(ridge), Parts, _),
+    in_new_world(( glue_made(Parts, [], S),
+                   v(S, A, -1.0, 0.0, 1.0),
+                   v(S, B, 1.0, 0.0, 1.0),
+                   msort([A,B], [V1,V2]),
+                   radial_cycle(S, V1, V2, Pages),
+                   length(Pages, Sides),
+                   sort(0, @<, Pages, _),
+                   findall(P, member(page(P,_,_), Pages), Ps0),
+                   sort(Ps0, Ps),
+                   length(Ps, N) )),
+    Twice is Sides-N.
+
+%   Glue in glue is flat, and a Boolean of a glue is one of its solids.
+
+test(flat, Counts == c(12,20,11,11,1,3,3,0)) :-
+    in_new_world(( maplist(part_made([]), [1,2],
+                           [box(1,[0,0,0]),box(1,[1,0,0])]),
+                   assert_fact(segment(3, cells, glue([1,2]))),
+                   assert_fact(segment(4, cells, glue([3,1]))),
+                   evaluate(4),
+                   glue_report(4, Report) )),
+    report_counts(Report, Counts).
+
+test(boolean, Volume =:= 1.5) :-
+    in_new_world(( maplist(part_made([]), [1,2,3],
+                           [ box(1,[0,0,0]),box(1,[1,0,0]),
+                             size([2,1,1],[0.5,0,0.25]) ]),
+                   assert_fact(segment(4, solid,
+                                       intersection([glue([1,2]),3]))),
+                   evaluate(4),
+                   regions_report(4, Report) )),
+    [Cell,_] = Report.regions,
+    Volume = Cell.volume.
+
+%   An edit makes the glue stale; undo needs no evaluation.
+
+test(again, Counts == c(16,24,12,12,2,3,4,0)) :-
+    in_new_world(( glue_made([box(1,[0,0,0]),box(1,[1,0,0])], [], S),
+                   retractall_facts(segment(2, _, _)),
+                   part_made([], 2, box(1,[3,0,0])),
+                   evaluate(S),
+                   glue_report(S, Report) )),
+    report_counts(Report, Counts).
+
+%   Taken apart, everything is as before it was glued.
+
+test(unglue, After-N == Before-16) :-
+    in_new_world(( maplist(part_made([]), [1,2],
+                           [box(1,[0,0,0]),box(1,[1,0,0])]),
+                   glued_apart,
+                   all_rows(Before),
+                   glued_apart,
+                   all_rows(After),
+                   aggregate_all(count, v(_,_,_,_,_), N) )).
+
+glued_apart :-
+    assert_fact(segment(3, cells, glue([1,2]))),
+    evaluate(3),
+    unglue(3).
+
+all_rows(Rows) :-
+    findall(v(A,B,C,D,E), v(A,B,C,D,E), Vs),
+    findall(e(A,B,C,D,E), e(A,B,C,D,E), Es),
+    findall(p(A,B,C), p(A,B,C), Ps),
+    findall(segment(A,B,C), segment(A,B,C), Ss),
+    findall(r(A,B,C), region(A,B,C), Rs),
+    append([Vs,Es,Ps,Ss,Rs], Rows).
+
+test(unglue_none, error(existence_error(segment, 7))) :-
+    in_new_world(unglue(7)).
+test(unglue_other, error(type_error(glue, 1))) :-
+    in_new_world(( part_made([], 1, box(1,[0,0,0])), unglue(1) )).
+
+/* - - - bad input: nothing is glued - - - */
+
+open_box(polyhedron(points([[0,0,0],[1,0,0],[1,1,0],[0,1,0],[0,0,1],[1,0,1],
+                            [1,1,1],[0,1,1]]),
+                    faces([[1,4,3,2],[1,2,6,5],[2,3,7,6],[3,4,8,7],
+                           [4,1,5,8]]))).
+
+test(open, [ error(geometry_error(operand(1, [open_edges(4, _)]))) ]) :-
+    in_new_world(( open_rows(1, solid),
+                   part_made([], 2, box(1,[1,0,0])),
+                   assert_fact(segment(3, cells, glue([1,2]))),
+                   evaluate(3) )).
+
+%   As a surface it is glued: its walls are laminar.
+
+test(open_surface, Counts == c(12,20,10,10,1,2,2,0)) :-
+    in_new_world(( open_rows(1, surface),
+                   part_made([], 2, box(1,[1.5,0.5,0])),
+                   assert_fact(segment(3, cells, glue([1,2]))),
+                   evaluate(3),
+                   glue_report(3, Report) )),
+    report_counts(Report, Counts).
+
+open_rows(S, Kind) :-
+    open_box(polyhedron(points(Points), faces(Faces))),
+    forall(nth1(V, Points, [X0,Y0,Z0]),
+           ( X is float(X0),
+             Y is float(Y0),
+             Z is float(Z0),
+             assert_fact(v(S, V, X, Y, Z)) )),
+    forall(nth1(P, Faces, Vs), loop_rows(S, P, Vs)),
+    assert_fact(segment(S, Kind, open_box)).
+
+loop_rows(S, P, [A|Rest]) :-
+    append(Rest, [A], Next),
+    forall(( nth1(I, [A|Rest], From), nth1(I, Next, To) ),
+           ( E is 4*P+I,
+             assert_fact(e(S, E, From, To, 1)) )),
+    findall(E, ( nth1(I, Next, _), E is 4*P+I ), Es),
+    assert_fact(p(S, P, Es)).
+
+test(gap, Counts == c(16,24,12,12,2,3,4,0)) :-
+    glue_counts([box(1,[0,0,0]),box(1,[1.001,0,0])], [], Counts).
+
+test(noise, Counts == c(12,20,11,11,1,3,3,0)) :-
+    in_new_world(( maplist(part_made([]), [1,2],
+                           [box(1,[0,0,0]),box(1,[1.0000000000000002,0,0])]),
+                   assert_fact(segment(3, cells, glue([1,2]))),
+                   evaluate(3),
+                   glue_report(3, Report) )),
+    report_counts(Report, Counts).
+
+test(twice, Counts == c(8,12,6,6,1,2,2,0)) :-
+    glue_counts([box(1,[0,0,0]),box(1,[0,0,0])], [], Counts).
+
+test(inside_out, Counts == c(12,20,11,11,1,3,3,0)) :-
+    in_new_world(( part_made([], 1, box(1,[0,0,0])),
+                   assert_fact(segment(2, solid,
+                                       at([translate(1,0,0),
+                                           matrix([[1,0,0,0],[0,1,0,0],
+                                                   [0,0,1,0]])],
+                                          box(size(1,1,1))))),
+                   assert_fact(segment(3, cells, glue([1,2]))),
+                   evaluate(3),
+                   glue_report(3, Report) )),
+    report_counts(Report, Counts).
+
+test(curve, error(model_error(csg(curve(2, _))))) :-
+    in_new_world(( assert_fact(v(1, 1, 0.0, 0.0, 0.0)),
+                   assert_fact(segment(1, curve, point)),
+                   assert_fact(segment(2, cells, glue([1]))),
+                   evaluate(2) )).
+
+test(placed, error(model_error(csg(placed(_))))) :-
+    in_new_world(( part_made([], 1, box(1,[0,0,0])),
+                   assert_fact(segment(2, cells,
+                                       at([translate(1,0,0)], glue([1])))),
+                   evaluate(2) )).
+
+test(joined, error(model_error(csg(cells(3, 2, join))))) :-
+    in_new_world(( part_made([], 1, box(1,[0,0,0])),
+                   assert_fact(segment(2, cells, glue([1]))),
+                   assert_fact(segment(3, solid, join([1,2]))),
+                   evaluate(3) )).
+
+:- end_tests(glue).
