@@ -39,6 +39,7 @@ family(apart,      draw,  [1000,2000,4000]).
 family(stack,      draw,  [250,500,1000]).
 family(needles,    draw,  [800,1600,3200,6400]).
 family(identical,  draw,  [400,800,1600,3200]).
+family(base,       draw,  [200,400,800,1600]).
 family(wedges,     draw,  [200,400,800,1600]).
 family(apexes,     draw,  [250,500,1000]).
 family(comb,       draw,  [250,500,1000]).

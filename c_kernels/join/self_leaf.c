@@ -82,6 +82,19 @@ may_meet(void *data, const sg_fan_triangle *a, const sg_fan_triangle *b)
   return sg_self_may_meet(&two) || (j->reach > 0 && !share_corner(a, b));
 }
 
+/* The same of leaves whose corners are named by place: equal ones are none of
+ * them, these have edges in common. */
+static bool
+may_meet_beyond(void *data, const sg_fan_triangle *a, const sg_fan_triangle *b)
+{
+  int same = 0;
+
+  for (int i = 0; i < 9; i++) {
+    same += a->name[i / 3] == b->name[i % 3];
+  }
+  return same < 3 && may_meet(data, a, b);
+}
+
 /* Whether they go through each other; nobody need ask after one that does. */
 static bool
 goes_through(void *data, const sg_fan_triangle *a, const sg_fan_triangle *b)
@@ -176,7 +189,7 @@ join_few(joiner *j, const uint32_t *place, sg_pool *pool,
     j->leaf[i] = named[i];
     memcpy(j->leaf[i].name, &place[3 * i], sizeof j->leaf[i].name);
   }
-  good = good && join(j, may_meet, true, pool, cancel);
+  good = good && join(j, may_meet_beyond, true, pool, cancel);
   free(j->leaf);
   j->leaf = named;
   return good &&

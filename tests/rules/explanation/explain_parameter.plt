@@ -1,5 +1,6 @@
 :- module(test_explain_parameter, []).
 % covers: explain_parameter_en, explain_parameter_ko
+:- use_module(library(aggregate)).
 :- use_module(library(lists)).
 :- use_module(library(plunit)).
 :- use_module(rules(explanation/explain)).
@@ -64,6 +65,29 @@ test(step, true) :-
 test(vertex, true) :-
     says(vertex(5, 1), [], All),
     memberchk(vertex_place(5, 1, (param(x),0,0)), All).
+%   Of an edge the formulas of its ends; if they have none, the sizes of its
+%   segment, once.
+test(edge_of_formulas, Places == [1]) :-
+    says(edge(5, 1), [], [edge_divided(5, 1, 1, 2)|All]),
+    findall(V, member(vertex_place(5, V, _), All), Places),
+    \+ memberchk(segment(_, _), All).
+test(part_of_formulas, Places == [1]) :-
+    says(edge(5, 2), [], [edge(5, 2, 1, 3), part_of(5, 1, 1, 2)|All]),
+    findall(V, member(vertex_place(5, V, _), All), Places),
+    \+ memberchk(segment(_, _), All).
+test(edge_of_primitive, Rs-Places == [84.15]-[]) :-
+    says(edge(1, 1), [], [edge(1, 1, _, _)|All]),
+    findall(R, member(size(radius(R), _), All), Rs),
+    findall(V, member(vertex_place(_, V, _), All), Places).
+test(edge_divided, Sizes-Parts == 1-2) :-
+    between(1, 24, E),
+    says(edge(2, E), [], [edge_divided(2, E, _, _)|All]),
+    !,
+    aggregate_all(count, member(size(size(_, _, _), _), All), Sizes),
+    aggregate_all(count, member(edge_part(2, _, _, _), All), Parts).
+test(edge_without, All == []) :-
+    says(edge(6, 1), [], [edge(6, 1, _, _), edge_whole(6, 1),
+                          edge_polygons(6, [_])|All]).
 test(line, true) :-
     says(line(1), [], All),
     memberchk(size(radius(84.15), radius(param(d)/2)), All),

@@ -1,6 +1,6 @@
-% Many shells of one segment on one edge, and many equal ones: penetrate/2 with
-% shown(true) leaves out what a picture does not show, and the picture is that
-% without it, line for line.
+% Many shells of one segment on one edge or one polygon, and many equal ones:
+% penetrate/2 with shown(true) leaves out what a picture does not show, and the
+% picture is that without it, line for line.
 :- module(test_crowded_picture, []).
 :- use_module(library(plunit)).
 :- use_module(library(apply)).
@@ -86,6 +86,18 @@ random_copies(Shells) :-
             Shells0),
     random_permutation(Shells0, Shells).
 
+% Cones on one polygon, each in the next higher one.
+cones(N, Shells) :-
+    findall(cone(radius(1), height(H), facets(4)),
+            ( between(1, N, I), H is 1+I/8 ), Shells).
+
+random_cone(at([translate(0,0,Z)|Steps],
+               cone(radius(1), top(Top), height(H), facets(4)))) :-
+    random_member(Z, [0,0,0,1]),
+    random_member(Steps, [[],[],[mirror(z)],[rotate(z,90)]]),
+    random_member(Top, [0,0.5,1]),
+    random_between(1, 6, H).
+
 :- begin_tests(crowded_picture).
 
 test(few_wedges, Fewer == false) :-
@@ -105,6 +117,19 @@ test(wedges_and_boxes, [forall(between(1, 12, Seed)), true(Fewer == true)]) :-
     random_box(Box2),
     random_permutation([Box1,Box2|Wedges], Shells),
     same_picture(Shells, _, Fewer).
+%   A polygon that many have in common is cut by a few of them.
+test(one_polygon, true) :-
+    cones(24, Some),
+    same_picture(Some, _-rows(_, Lines1), true),
+    cones(48, More),
+    same_picture(More, _-rows(_, Lines2), true),
+    Lines2 < 2.5*Lines1.
+test(one_polygon_of_random_cones, forall(between(1, 12, Seed))) :-
+    set_random(seed(Seed)),
+    random_between(18, 30, N),
+    length(Shells, N),
+    maplist(random_cone, Shells),
+    same_picture(Shells, _, _).
 test(copies, [forall(between(1, 25, Seed))]) :-
     set_random(seed(Seed)),
     random_copies(Shells),

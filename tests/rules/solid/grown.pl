@@ -35,6 +35,16 @@ grown(identical, N, Shells, 1) :-
     length(Shells, N),
     prism([0.0-0.0,1.0-0.0,1.0-1.0,0.0-1.0], 0.0, 1.0, Shell),
     maplist(=(Shell), Shells).
+%   N pyramids on one square, each in the next one.
+grown(base, N, Shells, Volume) :-
+    findall(Shell,
+            ( between(1, N, I),
+              Height is 1+0.01*I,
+              cone([1.0-0.0,0.0-1.0,-1.0-0.0,0.0-(-1.0)], -1.0,
+                   shell([_|Points], Faces)),
+              Shell = shell([p(0.0,0.0,Height)|Points], Faces) ),
+            Shells),
+    Volume is 2*(2+0.01*N)/3.
 %   Two pyramids on N corners each, with their apexes in one place.
 grown(apexes, N, [Up,Down], Volume) :-
     findall(P, ( between(1, N, I), A is 2*pi*I/N, on_circle(A, P) ), Base),

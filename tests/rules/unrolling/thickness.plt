@@ -98,6 +98,54 @@ test(narrow_top) :-
     To is 0.05*2*200/49,
     near(Area, pi*Sine*(From*From - To*To), 1.0e-4).
 
+%   There it ends in an arc, however few facets the cone has: the middles of its
+%   short edges are as far from the middle of the sector as their ends.
+test(round_end, [forall(member(Top, [0,1,4])), true(Off < 2.0e-3)]) :-
+    in_scene([cone(radius(50), top(Top), height(30), facets(6))],
+             ( true_development(1, side,
+                              [thickness(40),size(outside),chord(1.0e-3)], D),
+               findall(X-Y, v(D, _, X, Y, _), Places),
+               findall(A-B,
+                       ( e(D, _, V1, V2, 1),
+                         v(D, V1, X1, Y1, _), A = X1-Y1,
+                         v(D, V2, X2, Y2, _), B = X2-Y2 ),
+                       Edges) )),
+    Wide is 50-Top,
+    Slant is sqrt(Wide*Wide + 900),
+    From is 50*Slant/Wide - 20*30/Wide,
+    To is 0.05*20*30/Wide,
+    middle(Places, From, Middle),
+    findall(Off1,
+            ( member(A-B, Edges),
+              distance(A, Middle, R1), R1 < 2*To,
+              distance(B, Middle, R2), R2 < 2*To,
+              A = X1-Y1, B = X2-Y2,
+              X is (X1+X2)/2, Y is (Y1+Y2)/2,
+              distance(X-Y, Middle, R),
+              Off1 is abs(R-To) ),
+            Offs),
+    length(Offs, N),
+    N > 6,
+    max_list(Offs, Off).
+
+%   middle(Places, Radius, Middle): of a sector of more than half a circle,
+%   whose middle generator stands upright.
+
+middle(Places, Radius, X-Y) :-
+    pairs_keys_values(Places, Xs, Ys),
+    min_list(Xs, X1),
+    max_list(Xs, X2),
+    max_list(Ys, Y2),
+    min_list(Ys, Y1),
+    X is (X1+X2)/2,
+    (   member(Y, [Y1+Radius,Y2-Radius]),
+        forall(( member(P, Places), distance(P, X-Y, R), R > Radius/2 ),
+               abs(R-Radius) < 0.01*Radius)
+    ->  true
+    ).
+
+distance(X1-Y1, X2-Y2, D) :-
+    D is sqrt((X1-X2)**2 + (Y1-Y2)**2).
 
 %   in_one(D, P): polygon P has one outer loop: N half-edges of K outer loops
 %   have N - 2*K triangles, and more with holes.
