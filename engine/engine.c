@@ -394,16 +394,23 @@ sanggwan_share(const sanggwan_world *world)
   return with_handle(world->handle);
 }
 
+static void
+call_system(const char *name)
+{
+  (void)PL_call_predicate(NULL, PL_Q_CATCH_EXCEPTION,
+                          PL_predicate(name, 0, "system"), 0);
+}
+
 /* A world goes when Prolog collects its handle: at once, not some day, since
- * Prolog does not know how much memory is in it. */
+ * Prolog does not know how much memory is in it. A word that a call has left on
+ * the stacks may still name it: they are tidied first. */
 static void
 collect_handles(void)
 {
   if (!sg_host_obstacle()) {
     pthread_mutex_lock(&ends);
-    (void)PL_call_predicate(NULL, PL_Q_CATCH_EXCEPTION,
-                            PL_predicate("garbage_collect_atoms", 0, "system"),
-                            0);
+    call_system("garbage_collect");
+    call_system("garbage_collect_atoms");
     pthread_mutex_unlock(&ends);
   }
 }
