@@ -21,15 +21,24 @@ static void
 pairs(sg_cut_handle *set)
 {
   sg_cut_candidate_rows all = {0};
+  sg_curve_candidate_rows curves = {0};
   sg_triangle_cut_list cuts = {0};
-  int32_t side, s, p, t;
-  size_t touching = 0;
+  int32_t side, count, s, p, t;
+  size_t touching = 0, end;
 
   CHECK("candidates", sg_door_cut_candidate(&call, set, &all));
-  CHECK("no triangle 9", !sg_door_cut_side(&call, set, 0, 900, &side));
+  end = set->set.model.triangles;
+  CHECK("the last triangle", sg_door_cut_side(&call, set, 0, end - 1, &side));
+  CHECK("no triangle behind it", !sg_door_cut_side(&call, set, 0, end, &side));
   CHECK("is missing",
         call.refusal.how == SG_REFUSED_EXISTENCE && call.refusal.argument == 3);
   call.refusal = (sg_refusal){0};
+  CHECK("nor as the first", !sg_door_cut_enter(&call, set, end, 0, &count));
+  CHECK("is missing there",
+        call.refusal.how == SG_REFUSED_EXISTENCE && call.refusal.argument == 2);
+  call.refusal = (sg_refusal){0};
+  CHECK("solids have no curves",
+        sg_door_curve_candidate(&call, set, &curves) && curves.n == 0);
   for (size_t i = 0; i < all.n; i++) {
     CHECK("cuts",
           sg_door_cut_ends(&call, set, all.at[i].t1, all.at[i].t2, &cuts));

@@ -34,6 +34,40 @@ test_lists(void)
   sg_work_close(s.work);
 }
 
+/* The first vertex that more edges leave than come to, or fewer. */
+static void
+test_balance(void)
+{
+  enum { VERTICES = 6, ROUNDS = 300 };
+  unsigned wrong = 0, found = 0;
+
+  for (int round = 0; round < ROUNDS; round++) {
+    int more[VERTICES] = {0}, edges = 1 + pick(9);
+    int32_t first = SG_WORK_NONE;
+    scene s;
+
+    open_scene(&s, VERTICES, 9, 0);
+    for (int i = 0; i < edges; i++) {
+      int a = pick(VERTICES), b = (a + 1 + pick(VERTICES - 1)) % VERTICES;
+      bool back = pick(3) > 0;
+      sg_work_add(s.work, a, b, 1, 0);
+      more[a]++, more[b]--;
+      if (back) {
+        sg_work_add(s.work, b, a, 1, 0);
+        more[a]--, more[b]++;
+      }
+    }
+    for (int v = VERTICES - 1; v >= 0; v--) {
+      first = more[v] != 0 ? v : first;
+    }
+    wrong += sg_work_unbalanced(s.work) != first;
+    found += first != SG_WORK_NONE;
+    sg_work_close(s.work);
+  }
+  CHECK("the first vertex out of balance", wrong == 0);
+  CHECK("some have one, some none", found > 50 && found < ROUNDS - 10);
+}
+
 static void
 test_hash(void)
 {
@@ -230,6 +264,7 @@ int
 main(void)
 {
   test_lists();
+  test_balance();
   test_hash();
   test_meeting(12, 5, 15, 300);
   test_meeting(60, 9, 150, 60);
