@@ -78,7 +78,7 @@ RULES   := $(wildcard rules/*.pl rules/*/*.pl)
 all: $(B)/sanggwan.so $(if $(wildcard rules/command/cli.pl),sanggwan)
 
 .PHONY: all sanggwan packages so demo test test-all check check-c check-rules check-embed check-cli bless \
-        mutants check-san san tsan coverage covered check-vg lint \
+        mutants check-san san san-text tsan coverage covered check-vg lint \
         docs clean install uninstall bench
 
 # --- objects and libraries -------------------------------------------------
@@ -246,8 +246,20 @@ check-san: $(B)/tests/embed/stress_test
 	@STRESS_SECONDS=60 tests/run $<
 	@OPT=-O1 EXTRA_CFLAGS='$(SAN)' $(MAKE) --no-print-directory -s \
 	  B=$(B)/san san
+	@$(MAKE) --no-print-directory -s san-text
 	@OPT=-O1 EXTRA_CFLAGS='$(TSAN)' $(MAKE) --no-print-directory -s \
 	  B=$(B)/tsan tsan
+# Changed texts of every reader, read by the program with both sanitizers; the
+# rules in it are those of the plain build.
+MADE := documentation.pl deflated.prc sanggwan.prc embedded.qlf
+san-text: $(B)/sanggwan
+	@mkdir -p $(B)/san
+	@cp $(MADE:%=$(B)/%) $(B)/san
+	@OPT=-O1 EXTRA_CFLAGS='$(SAN)' $(MAKE) --no-print-directory -s \
+	  B=$(B)/san $(MADE:%=-o $(B)/san/%) $(B)/san/sanggwan
+	@B=$(B)/san TEXT_FUZZ=$(or $(TEXT_FUZZ),400) TEST_SECONDS=1800 \
+	  ASAN_OPTIONS=detect_leaks=0:use_sigaltstack=0:exitcode=99 \
+	  tests/run tests/cli/text_fuzz.sh
 san: $(B)/sanggwan.so $(C_TESTS) $(CHECKERS)
 	@B=$(B) TEST_SECONDS=1200 tests/run $(C_TESTS)
 	@$(B)/tests/c_kernels/model/mesh_fuzz_test 20000
