@@ -74,6 +74,7 @@ OBJS    := $(patsubst %.c,$(B)/%.o,$(filter-out $(MAINS),$(C_SRC))) \
 # Without Prolog: what the C tests link.
 CORE    := $(filter-out %4pl.o %/install.o %/door_types.o %/door.o %/doors.o,$(OBJS))
 RULES   := $(wildcard rules/*.pl rules/*/*.pl)
+WEB     := $(wildcard web/*)
 
 all: $(B)/sanggwan.so $(if $(wildcard rules/command/cli.pl),sanggwan)
 
@@ -128,8 +129,8 @@ $(B)/deflated.prc: $(B)/boot $(B)/documentation.pl
 	$(B)/boot -q -f none -O --on-error=status -g "$(strip $(LOAD))" \
 	  -g "$(strip $(SAVE))" -t halt
 # Inflating it would take a tenth of the time of a short command.
-$(B)/sanggwan.prc: tools/stored.pl $(B)/deflated.prc
-	swipl -f none $< -- $(B)/deflated.prc $@
+$(B)/sanggwan.prc: tools/stored.pl $(B)/deflated.prc $(WEB)
+	swipl -f none $< -- $(B)/deflated.prc $@ $(WEB)
 # The rules alone, compiled: for a host in which Prolog already runs.
 $(B)/embedded.qlf: $(B)/boot $(RULES)
 	@echo ":- module(sg_embedded, []). :- use_module('$(CURDIR)/rules/sanggwan', [])." \

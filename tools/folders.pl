@@ -26,7 +26,7 @@ folder(rules, pattern, 'patterns on paper').
 folder(rules, problem, 'problem sheets for a class').
 folder(rules, message, 'what people read').
 folder(rules, explanation, 'why something is there').
-folder(rules, studio, 'sessions that others ask').
+folder(rules, studio, 'sessions, the studio').
 folder(rules, batch, 'many jobs, in processes').
 folder(rules, command, 'the command line').
 folder(c_kernels, number, 'exact signs and points').

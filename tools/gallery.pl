@@ -28,7 +28,8 @@ main :-
     page(Pictures),
     length(Pictures, N),
     (   Failed == []
-    ->  format("~d pictures: see docs/gallery/index.html~n", [N])
+    ->  format("~d pictures: see docs/gallery/index.html~n", [N]),
+        format("one of them live: ./sanggwan serve facts/pipe_tee.pl~n")
     ;   format(user_error, "not drawn: ~w~n", [Failed]),
         halt(1)
     ).

@@ -1,9 +1,11 @@
-/* stored.pl -- a saved state with nothing in it compressed.
+/* stored.pl -- a saved state with nothing in it compressed, and the files that
+   the program carries with it.
 
-       swipl -f none tools/stored.pl -- Compressed Stored
+       swipl -f none tools/stored.pl -- Compressed Stored File...
 
    The program reads its state at every start; qsave_program/2 has no option for
-   this.
+   this. It reads a File, when it wants it, as res://File; Prolog itself saves
+   such files in a state without autoloading alone.
 */
 
 :- use_module(library(lists), [member/2]).
@@ -15,13 +17,14 @@
 
 :- initialization(main, main).
 
-main([Compressed, Stored]) :-
+main([Compressed,Stored|Files]) :-
     setup_call_cleanup(
         zip_open(Compressed, read, From, []),
         setup_call_cleanup(
             zip_open(Stored, write, To, []),
             ( zipper_members(From, Members),
-              forall(member(Member, Members), stored(Member, From, To))
+              forall(member(Member, Members), stored(Member, From, To)),
+              forall(member(File, Files), carried(File, To))
             ),
             zip_close(To)),
         zip_close(From)).
@@ -30,9 +33,18 @@ stored(Member, From, To) :-
     zipper_goto(From, file(Member)),
     setup_call_cleanup(
         zipper_open_current(From, In, [type(binary)]),
-        setup_call_cleanup(
-            zipper_open_new_file_in_zip(To, Member, Out,
-                                        [type(binary),method(store)]),
-            copy_stream_data(In, Out),
-            close(Out)),
+        put(Member, In, To),
         close(In)).
+
+carried(File, To) :-
+    setup_call_cleanup(
+        open(File, read, In, [type(binary)]),
+        put(File, In, To),
+        close(In)).
+
+put(Member, In, To) :-
+    setup_call_cleanup(
+        zipper_open_new_file_in_zip(To, Member, Out,
+                                    [type(binary),method(store)]),
+        copy_stream_data(In, Out),
+        close(Out)).

@@ -29,6 +29,7 @@
 :- use_module(usage, [verb/4, verb_options/2, print_usage/1, print_usage/2]).
 :- use_module(user:'../sanggwan').
 :- use_module(user:help, [help/0, help/1]).
+:- use_module('../studio/front', [front/3]).
 :- use_module(verb_session, [serve_run/3]).
 :- use_module(verbs, [verb_run/4, item_explained_there/3]).
 :- use_module('../version', [version/1]).
@@ -273,11 +274,15 @@ verb_in_world(Verb, _, _, _) :-
     throw(error(request_error(verb_refused(Verb)), _)).
 verb_in_world(serve, Files, Options, Status) :-
     !,
-    (   Files = [File|_]
-    ->  usage_error(no_files_taken(serve, File))
-    ;   option(stdio(true), Options)
-    ->  serve_run(sg_cli:sanggwan, sg_cli:explained_there, Status)
-    ;   usage_error(serve_without_stdio)
+    (   option(stdio(true), Options)
+    ->  (   Files = [File|_]
+        ->  usage_error(no_files_taken('serve --stdio', File))
+        ;   serve_run(sg_cli:sanggwan, sg_cli:explained_there, Status)
+        )
+    ;   Files = [_,File|_]
+    ->  usage_error(one_model(serve, File))
+    ;   ( Files = [Model] ; Model = none )
+    ->  front(Model, Options, Status)
     ).
 verb_in_world(Verb, Files, Options, Status) :-
     option(each(true), Options),

@@ -87,9 +87,9 @@ verb(repl, '[MODEL...]',
 verb(problems, 'FILE -o FOLDER',
      'questions, answers and a key for a class (docs/problems.md)',
      '수업을 위한 문제지, 답안지, 정답 (docs/problems.md)').
-verb(serve, '--stdio',
-     'a process that others ask: frames in, frames out (docs/protocol.md)',
-     '다른 프로그램이 묻는 프로세스. 프레임을 받고 프레임으로 답한다').
+verb(serve, '[MODEL] | --stdio',
+     'the studio: a model in the browser (docs/studio.md); or a session',
+     '스튜디오: 브라우저에서 보는 모델 (docs/studio.md). 또는 세션').
 
 %   verb_option(Verb, Option): Option as in arguments.pl, help in English.
 
@@ -302,8 +302,14 @@ verb_option(problems, option(angle, '', one_of([first, third]), 'ANGLE',
 verb_option(problems, option(language, '', one_of([en, ko]), 'LANGUAGE',
     'language of the questions; default en')).
 
+verb_option(serve, option(port, '', whole(1, 65535), 'N',
+    'where browsers find it; default 1989, or one that is free')).
+verb_option(serve, option(host, '', value, 'ADDRESS',
+    'the address to listen at; default 127.0.0.1, this machine alone')).
+verb_option(serve, option(open, '', flag, '',
+    'open the page in the browser of this desktop (as is usual)')).
 verb_option(serve, option(stdio, '', flag, '',
-    'frames on standard input and output; the one way there is')).
+    'no page: frames on standard input and output (docs/protocol.md)')).
 
 %   What may be done with each of many files.
 
@@ -362,7 +368,11 @@ option_ko(each,
     '파일마다 따로, 결과도 파일마다. 실패한 파일이 있어도 나머지를 계속한다. \c
 -o FILE 의 % 는 폴더와 확장자를 뺀 파일 이름').
 option_ko(neighbours, '사이에 면이 있는 영역들, 그 면의 수와 넓이도').
-option_ko(stdio, '표준 입력과 표준 출력의 프레임. 다른 길은 없다').
+option_ko(stdio,
+    '페이지 없이 표준 입력과 표준 출력의 프레임 (docs/protocol.md)').
+option_ko(port, '브라우저가 찾는 번호. 기본값 1989, 쓰고 있으면 빈 번호').
+option_ko(host, '받는 주소. 기본값 127.0.0.1, 이 컴퓨터에서만').
+option_ko(open, '이 데스크톱의 브라우저에서 페이지를 연다 (기본)').
 option_ko(output, '결과 파일. 확장자가 형식을 정하며 여러 번 쓸 수 있다').
 option_ko(format, '-o - 의 형식').
 option_ko(view,
@@ -507,6 +517,7 @@ example(explain, 'sanggwan explain facts/pipe_tee.pl \'why_not(seen(3))\'').
 example(problems, 'sanggwan problems facts/problems/collection.pl -o sheets').
 example(problems, 'sanggwan problems facts/problems/collection.pl \c
 --language ko --angle first --format pdf -o sheets').
+example(serve, 'sanggwan serve facts/pipe_tee.pl').
 example(serve, 'sanggwan serve --stdio < requests > replies').
 example(repl, 'sanggwan repl facts/figures/fig13.pl').
 

@@ -59,9 +59,17 @@ command_en(bad_value(Text, Value, no_normal)) -->
 command_en(bad_value(Text, Value, Form)) -->
     { atom(Form) },
     [ 'option ~w: ~w should look like ~w'-[Text, Value, Form] ].
-command_en(serve_without_stdio) -->
-    [ 'serve needs --stdio: frames on standard input and output', nl,
-      '  There is no server with a web page.' ].
+command_en(one_model(Verb, File)) -->
+    [ '~w shows one model; ~p is one more'-[Verb, File] ].
+command_en(port_taken(Port)) -->
+    [ 'another program listens at port ~w'-[Port], nl,
+      '  Give another --port, or none.' ].
+command_en(port_refused(Port)) -->
+    [ 'this user may not listen at port ~w'-[Port], nl,
+      '  Give a --port from 1024 on.' ].
+command_en(no_address(Host)) -->
+    [ 'this machine has no address ~p to listen at'-[Host], nl,
+      '  Leave --host out: only this machine can reach it then.' ].
 command_en(no_files_taken(Verb, File)) -->
     [ '~w takes no files: ~p'-[Verb, File] ].
 command_en(no_files(What)) -->

@@ -60,9 +60,17 @@ command_ko(bad_value(Text, Value, no_normal)) -->
 command_ko(bad_value(Text, Value, Form)) -->
     { atom(Form) },
     [ '~w: ~w 은(는) ~w 꼴이어야 합니다'-[Text, Value, Form] ].
-command_ko(serve_without_stdio) -->
-    [ 'serve에는 --stdio가 있어야 합니다: 표준 입출력의 프레임', nl,
-      '  웹 페이지가 있는 서버는 없습니다.' ].
+command_ko(one_model(Verb, File)) -->
+    [ '~w 명령은 모델 하나를 보여 줍니다. 하나 더 있는 것: ~p'-[Verb, File] ].
+command_ko(port_taken(Port)) -->
+    [ '다른 프로그램이 포트 ~w번을 쓰고 있습니다'-[Port], nl,
+      '  --port에 다른 번호를 쓰거나 이 옵션을 빼십시오.' ].
+command_ko(port_refused(Port)) -->
+    [ '이 사용자는 포트 ~w번을 쓸 수 없습니다'-[Port], nl,
+      '  --port에 1024 이상을 쓰십시오.' ].
+command_ko(no_address(Host)) -->
+    [ '이 컴퓨터에는 ~p 주소가 없습니다'-[Host], nl,
+      '  --host를 빼십시오. 그러면 이 컴퓨터에서만 열 수 있습니다.' ].
 command_ko(no_files_taken(Verb, File)) -->
     [ '~w 명령은 파일을 받지 않습니다: ~p'-[Verb, File] ].
 command_ko(no_files(What)) -->

@@ -84,6 +84,8 @@ english(sanggwan(What)) -->
 
 notice_en(request(Do)) -->
     session_en(does(Do)).
+notice_en(studio(What)) -->
+    session_en(What).
 
 %   wrong_en(What)//: what is wrong with a model, and what to do.
 

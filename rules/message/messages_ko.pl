@@ -77,6 +77,8 @@ korean(sanggwan(What)) -->
 
 notice_ko(request(Do)) -->
     session_ko(does(Do)).
+notice_ko(studio(What)) -->
+    session_ko(What).
 
 %   wrong_ko(What)//: what is wrong with a model, and what to do.
 

@@ -113,6 +113,22 @@ session_en(owner_alone(journal)) -->
     [ 'the journal has rules, which run code, so only the owner may replay \c
        it', nl,
       '  The owner says "owner":true; "replay":false leaves its changes out.' ].
+session_en(not_offered(Do)) -->
+    [ 'a page does not ask for "~w"'-[Do] ].
+session_en(outside(File)) -->
+    [ '~w is no model in the folder of this studio'-[File], nl,
+      '  Start it there: sanggwan serve MODEL' ].
+session_en(too_many(Most)) -->
+    [ 'more than ~D requests of this page wait'-[Most], nl,
+      '  Ask again when some are answered.' ].
+session_en(session_ended) -->
+    [ 'the session ended before it answered', nl,
+      '  What it had answered is kept; this was not done.' ].
+session_en(open_to_others(Host, Port)) -->
+    [ 'whoever reaches ~w:~w and knows the address below sees and changes \c
+       this model; nothing is encrypted'-[Host, Port], nl,
+      '  Rules, which run code, are not changed there. Without --host only \c
+       this machine is let in.' ].
 session_en(nothing_tried) -->
     [ 'no rules are tried', nl,
       '  Try some first: "do":"rules", with their text as the body.' ].
@@ -151,6 +167,8 @@ session_en(does(cut)) -->
     [ 'says whether an edge is cut or kept in patterns' ].
 session_en(does(text)) -->
     [ 'gives the text of the model, or another text to it' ].
+session_en(does(tree)) -->
+    [ 'gives the segments and parameters of the text, as forms show them' ].
 session_en(does(undo)) -->
     [ 'takes the last change back' ].
 session_en(does(redo)) -->
@@ -191,6 +209,10 @@ wanted_en(options) -->
     [ 'a list of options of the verb' ].
 wanted_en(export) -->
     [ 'a verb and its options, without a model' ].
+wanted_en(offered) -->
+    [ 'a list of options that read and write no files' ].
+wanted_en(download) -->
+    [ 'what the file is to be called, like "tee.pdf"' ].
 wanted_en(port) -->
     [ 'the name of a port' ].
 wanted_en(format) -->

@@ -108,6 +108,22 @@ session_ko(owner_alone(rules)) -->
 session_ko(owner_alone(journal)) -->
     [ '일지에 코드를 실행하는 규칙이 있어 주인만 다시 할 수 있습니다', nl,
       '  주인은 "owner":true라고 합니다. "replay":false는 변경을 뺍니다.' ].
+session_ko(not_offered(Do)) -->
+    [ '페이지에서는 "~w" 요청을 하지 않습니다'-[Do] ].
+session_ko(outside(File)) -->
+    [ '이 스튜디오의 폴더에 있는 모델이 아닙니다: ~w'-[File], nl,
+      '  그 폴더에서 시작하십시오: sanggwan serve MODEL' ].
+session_ko(too_many(Most)) -->
+    [ '이 페이지에서 기다리는 요청이 ~D개를 넘습니다'-[Most], nl,
+      '  답이 온 뒤에 다시 요청하십시오.' ].
+session_ko(session_ended) -->
+    [ '세션이 답하기 전에 끝났습니다', nl,
+      '  답한 것은 모두 남아 있고 이 요청은 하지 않았습니다.' ].
+session_ko(open_to_others(Host, Port)) -->
+    [ '~w:~w 주소에 닿고 아래 주소를 아는 사람은 누구나 이 모델을 보고 고칩니다. \c
+       암호화는 없습니다'-[Host, Port], nl,
+      '  코드를 실행하는 규칙은 거기서 바꾸지 못합니다. --host를 빼면 이 \c
+       컴퓨터에서만 열 수 있습니다.' ].
 session_ko(nothing_tried) -->
     [ '시험하는 규칙이 없습니다', nl,
       '  먼저 시험하십시오: 규칙의 글을 본문으로 하여 "do":"rules".' ].
@@ -146,6 +162,8 @@ session_ko(does(cut)) -->
     [ '전개도에서 모서리를 자를지 이을지 정합니다' ].
 session_ko(does(text)) -->
     [ '모델의 글을 주거나 다른 글로 바꿉니다' ].
+session_ko(does(tree)) -->
+    [ '텍스트의 세그먼트와 매개변수를 양식에 보일 꼴로 줍니다' ].
 session_ko(does(undo)) -->
     [ '마지막 변경을 되돌립니다' ].
 session_ko(does(redo)) -->
@@ -185,6 +203,10 @@ wanted_ko(options) -->
     [ '명령의 선택 사항 목록' ].
 wanted_ko(export) -->
     [ '모델이 없는 명령과 선택 사항' ].
+wanted_ko(offered) -->
+    [ '파일을 읽거나 쓰지 않는 옵션의 목록' ].
+wanted_ko(download) -->
+    [ '파일의 이름, 예를 들어 "tee.pdf"' ].
 wanted_ko(port) -->
     [ '포트의 이름' ].
 wanted_ko(format) -->

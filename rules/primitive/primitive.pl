@@ -1,6 +1,7 @@
 :- module(sg_primitive,
           [ primitive/1,                % ?Name
             primitive_form/2,           % ?Name, -Form
+            primitive_numbers/3,        % ?Name, ?Argument, -Types
             primitive_name/2,           % +Term, -Name
             is_primitive/1,             % @Term
             comma_argument/2,           % +Term, -Argument
@@ -39,7 +40,7 @@
 :- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2, put_assoc/4]).
 :- use_module(library(lists),
-              [append/3, max_list/2, member/2, nth1/3, same_length/2]).
+              [append/3, last/2, max_list/2, member/2, nth1/3, same_length/2]).
 /** <module> Primitives: the table of them, and how they are placed.
 
 A primitive is a term with named arguments, in any order (the table below;
@@ -287,6 +288,16 @@ primitive(Name) :-
 
 primitive_form(Name, Form) :-
     primitive_row(Name, _, _, _, Form).
+
+%!  primitive_numbers(?Name, ?Argument, -Types) is nondet.
+%
+%   The primitive Name has Argument; Types are those (primitive_argument.pl) of
+%   the longest list of values that it may have.
+
+primitive_numbers(Name, Argument, Types) :-
+    primitive_row(Name, _, Arguments, _, _),
+    member(argument(Argument, Forms, _), Arguments),
+    last(Forms, Types).
 
 %!  primitive_name(+Term, -Name) is det.
 %

@@ -5,6 +5,7 @@
           ]).
 :- use_module('../store', [facts_snapshot/1]).
 :- use_module(query, [answer_json/2, read_goal/3]).
+:- use_module(answer_name, [shown_names/2]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [append/3]).
 :- use_module(library(pairs), [pairs_keys_values/3]).
@@ -28,7 +29,8 @@ ask_limits(5, 100 000 000, 256 000 000, 10 000, 50).
 
 %!  asked(+Head:dict, +Id, -Reply:dict) is det.
 %
-%   Reply has the first answers of the goal Head.goal: names, answers, more.
+%   Reply has the first answers of the goal Head.goal: names, answers, left,
+%   cut; `shows` has of each answer the names (select.pl) of what it is about.
 %
 %   @error request_error(What), usage_error(bad_goal(Text, Why)), what the goal
 %   raises
@@ -94,9 +96,10 @@ request_error(What) :-
 
 :- public row/3.
 
-row(Goal, Values, Row) :-
+row(Goal, Values, Row-Shown) :-
     call(Goal),
-    maplist(answer_json, Values, Row).
+    maplist(answer_json, Values, Row),
+    shown_names(Goal, Shown).
 
 goal_is_safe(Goal) :-
     catch(safe_goal(Goal), error(Formal, _), unsafe(Formal)).
@@ -116,10 +119,12 @@ parted(Id, Names, Rows, Cut, Reply) :-
         append(First, [Next|Rest], Rows)
     ->  assertz(asked_(Id, Names, [Next|Rest], Cut)),
         length(Rest, Left0),
-        Left is Left0+1,
-        Reply = _{answers:First, left:Left, cut:Cut}
-    ;   Reply = _{answers:Rows, left:0, cut:Cut}
-    ).
+        Left is Left0+1
+    ;   First = Rows,
+        Left = 0
+    ),
+    pairs_keys_values(First, Answers, Shown),
+    Reply = _{answers:Answers, shows:Shown, left:Left, cut:Cut}.
 
 %!  next_answers(+Head:dict, -Reply:dict) is det.
 %

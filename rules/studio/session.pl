@@ -21,12 +21,14 @@
                 document_world/1, trial_ended/1
               ]).
 :- use_module(job, [captured/2, verb_job/5, worlds_collected/0]).
+:- use_module(model_tree, [text_tree/2]).
 :- use_module(port, [strokes_body/4, view_port/2, viewed/4]).
 :- use_module(protocol, [frame_read/4, frame_write/3, octets_text/2,
                          text_octets/2]).
 :- use_module(select, [selected/3, selection_forgotten/0]).
 :- use_module(world_state, [in_state/3, made_once/4]).
 :- use_module(library(apply), [maplist/2, maplist/3]).
+:- use_module(library(rlimit), [rlimit/3]).
 :- use_module(library(lists), [append/2, append/3, member/2, nth1/3]).
 /** <module> A session: frames in, frames out (docs/protocol.md).
 
@@ -346,17 +348,32 @@ request(fold,     document, folded).
 request(edit,     document, changed(edit)).
 request(cut,      document, changed(cut)).
 request(text,     document, text).
+request(tree,     document, treed).
 request(undo,     document, changed(undo)).
 request(redo,     document, changed(redo)).
 request(rules,    document, rules).
 request(save,     document, saved).
 
-greeted(_, _, Reply, "") :-
+greeted(request(_, Head, _), _, Reply, "") :-
+    memory_limited(Head),
     findall(Request, request(Request, _, _), Offered),
     current_prolog_flag(pid, Pid),
     version(Version),
     Reply = _{ protocol:1, program:"sanggwan", version:Version, pid:Pid,
                offered:Offered }.
+
+%   memory_limited(Head): from now on, if Head says so.
+
+memory_limited(Head) :-
+    (   get_dict(memory_mb, Head, Megabytes)
+    ->  (   integer(Megabytes),
+            Megabytes >= 100
+        ->  Octets is Megabytes*1 000 000,
+            rlimit(data, _, Octets)
+        ;   request_error(bad_key(memory_mb, least(100)))
+        )
+    ;   true
+    ).
 
 run(request(_, Head, Body), Session, Reply, Octets) :-
     session_run(Session, Run),
@@ -586,6 +603,10 @@ text(Request, Session, Reply, Octets) :-
         Reply = _{}
     ;   changed(text, Request, Session, Reply, Octets)
     ).
+
+treed(_, _, Reply, "") :-
+    document_text(Text),
+    text_tree(Text, Reply).
 
 saved(request(_, Head, _), _, Reply, "") :-
     committed(document_saved(Head, Reply)).

@@ -8,9 +8,6 @@
 . "$(dirname "$0")/harness.bash"
 cd "$here" || exit 2
 
-run serve
-check 'without --stdio' status_is 2
-check 'without --stdio: said' has 'needs --stdio'
 run serve --stdio facts/cube.pl
 check 'with a file' status_is 2
 check 'with a file: said' has 'takes no files'

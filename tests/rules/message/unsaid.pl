@@ -27,6 +27,17 @@ unsaid(written_en, unwritten_en(touches(_,meeting(_,_,_,_)))).
 unsaid(written_en, instead_en(other_file)).
 unsaid(true_en, true_en(bent_over(_,_))).
 
+% The studio says it to a page, or listens already: tests/studio/front_test.py.
+unsaid(command_en, command_en(port_taken(_))).
+unsaid(command_en, command_en(port_refused(_))).
+unsaid(session_en, session_en(not_offered(_))).
+unsaid(session_en, session_en(outside(_))).
+unsaid(session_en, session_en(too_many(_))).
+unsaid(session_en, session_en(session_ended)).
+unsaid(session_en, session_en(open_to_others(_,_))).
+unsaid(session_en, wanted_en(offered)).
+unsaid(session_en, wanted_en(download)).
+
 % It has a number of the machine: tests/cli/serve.sh.
 unsaid(session_en, wanted_en(least(_))).
 

@@ -1,0 +1,113 @@
+:- encoding(utf8).
+:- module(sg_studio_words,
+          [ studio_word/3               % ?Key, -English, -Korean
+          ]).
+/** <module> The words of the studio's page, in both languages.
+*/
+
+%!  studio_word(?Key, -English, -Korean) is nondet.
+%
+%   What the page says for Key; {0}, {1} are filled in there.
+
+studio_word(title, 'Sanggwan', '상관').
+studio_word(saved, 'saved', '저장됨').
+studio_word(changed, 'not saved', '저장 안 됨').
+studio_word(connecting, 'connecting …', '연결하는 중 …').
+studio_word(away,
+    'The program does not answer. What it answered before is kept; the \c
+     page tries again.',
+    '프로그램이 답하지 않습니다. 지금까지 답한 것은 남아 있으며 페이지가 다시 연결합니다.').
+studio_word(no_secret,
+    'This address is not complete, or of an earlier start. Open the one \c
+     that the program printed.',
+    '주소가 완전하지 않거나 이전 실행의 것입니다. 프로그램이 출력한 주소를 여십시오.').
+studio_word(undo, 'Undo', '실행 취소').
+studio_word(redo, 'Redo', '다시 실행').
+studio_word(save, 'Save', '저장').
+studio_word(export, 'Export', '내보내기').
+studio_word(open, 'Open', '열기').
+studio_word(language, '한국어', 'English').
+studio_word(tree, 'Tree', '트리').
+studio_word(form, 'Sizes', '치수').
+studio_word(text, 'Text', '텍스트').
+studio_word(rules, 'Rules', '규칙').
+studio_word(ask, 'Ask', '질문').
+studio_word(why, 'Why', '이유').
+studio_word(question, 'Question', '질문').
+studio_word(parameters, 'Parameters', '매개변수').
+studio_word(no_sizes, 'Choose a segment in the tree.', '트리에서 세그먼트를 고르십시오.').
+studio_word(no_numbers, 'It has no sizes of its own.', '고칠 치수가 없습니다.').
+studio_word(no_why,
+    'Click a line: here stands why it is drawn so.',
+    '선을 누르면 왜 그렇게 그려졌는지 여기에 나옵니다.').
+studio_word(nothing_why, 'There is no more to say of it.', '더 설명할 것이 없습니다.').
+studio_word(goal, 'its goal: {0}', '목표: {0}').
+studio_word(shows, 'seen with it', '함께 보이는 것').
+studio_word(answers, '{0} answers', '답 {0}개').
+studio_word(no_answers, 'no', '답이 없습니다').
+studio_word(yes, 'yes', '예').
+studio_word(more, '{0} more', '{0}개 더').
+studio_word(clear, 'Clear', '지우기').
+studio_word(view, 'View of this port', '이 뷰포트의 투상도').
+studio_word(iso, 'pictorial', '입체도').
+studio_word(front, 'front', '정면도').
+studio_word(top, 'top', '평면도').
+studio_word(right, 'right', '우측면도').
+studio_word(left, 'left', '좌측면도').
+studio_word(back, 'back', '배면도').
+studio_word(bottom, 'bottom', '저면도').
+studio_word(unfold, 'flat pattern', '전개도').
+studio_word(ports, 'Ports', '뷰포트').
+studio_word(hidden, 'Hidden lines', '숨은선').
+studio_word(dashed, 'dashed', '파선').
+studio_word(removed, 'left out', '생략').
+studio_word(shown, 'drawn through', '실선').
+studio_word(lines, 'Lines', '선').
+studio_word(feature, 'edges of the shape', '형상의 모서리').
+studio_word(all, 'all edges', '모든 모서리').
+studio_word(penetration, 'penetration lines alone', '상관선만').
+studio_word(central, 'Perspective', '중심 투상').
+studio_word(menu, 'View', '보기').
+studio_word(turn,
+    'Drag, or use the arrow keys, to turn. Enter goes into the lines.',
+    '끌거나 화살표 키로 돌립니다. 엔터를 누르면 선으로 들어갑니다.').
+studio_word(drawing,
+    '{0}: {1} lines, {2} of them hidden',
+    '{0}: 선 {1}개, 그중 숨은선 {2}개').
+studio_word(sheets, 'sheet {0} of {1}', '용지 {0}/{1}').
+studio_word(ms, '{0} ms', '{0} ms').
+studio_word(line, 'line {0}', '선 {0}').
+studio_word(restarted,
+    'The session ended and began again; all that was answered is there.',
+    '세션이 끝나 다시 시작했습니다. 답한 것은 모두 있습니다.').
+studio_word(file_new,
+    'The file was changed by another program.',
+    '다른 프로그램이 파일을 고쳤습니다.').
+studio_word(take, 'Take the file', '파일의 것을 쓰기').
+studio_word(keep_rules, 'Keep', '유지').
+studio_word(discard, 'Discard', '버리기').
+studio_word(tried,
+    'tried: {0} came, {1} went, {2} changed',
+    '시험 중: {0}개 생김, {1}개 없어짐, {2}개 바뀜').
+studio_word(decisions, 'Decisions', '결정').
+studio_word(forget, 'Discard the journal', '일지 버리기').
+studio_word(force, 'Write it nevertheless', '그래도 쓰기').
+studio_word(close, 'Close', '닫기').
+studio_word(replayed,
+    '{0} changes of last time are there again',
+    '지난번에 바꾼 {0}개를 되살렸습니다').
+studio_word(cut, 'Cut here', '여기서 자르기').
+studio_word(join, 'Keep joined', '이어 두기').
+studio_word(either, 'Either', '상관없음').
+studio_word(help, 'Keys', '단축키').
+studio_word(keys,
+    'Ctrl Z undo · Ctrl Y redo · Ctrl S save · / question · T tree · X \c
+     text · F6 next port · 1 to 6 views · Esc clears what is lit',
+    'Ctrl Z 실행 취소 · Ctrl Y 다시 실행 · Ctrl S 저장 · / 질문 · T 트리 · X 텍스트 · F6 \c
+     다음 뷰포트 · 1~6 투상도 · Esc 강조 해제').
+studio_word(done, 'done', '되었습니다').
+studio_word(working, 'working …', '계산 중 …').
+studio_word(stop, 'Stop', '중단').
+studio_word(drawing_of, 'drawing', '도면').
+studio_word(pattern_of, 'flat pattern', '전개도').
+studio_word(model_of, 'model', '모델').

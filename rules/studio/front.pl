@@ -1,0 +1,405 @@
+:- module(sg_front,
+          [ front/3                     % +Model, +Options, -Status
+          ]).
+:- use_module('../version', [version/1]).
+:- use_module(guard,
+              [ host_allowed/2, is_loopback/1, new_secret/1, origin_allowed/2,
+                same_secret/2, security_header/2 ]).
+:- use_module(page_file, [page_file/3, page_words/1]).
+:- use_module(visitor,
+              [ download_taken/3, visitor_answered/3, visitor_asks/4,
+                visitor_joined/4, visitor_left/1, visitor_refused/3,
+                visitors_ended/0, visitors_told/1, visitors_watched/1 ]).
+:- use_module(protocol, [text_octets/2]).
+:- use_module(library(http/json), [json_read_dict/2]).
+:- use_module(library(lists), [member/2]).
+:- use_module(library(option), [option/2, option/3]).
+:- use_module(library(process), [process_create/3]).
+/** <module> The front of the studio: the page, and the way to the sessions.
+
+The front computes nothing, so it always answers. It serves the files of the
+page, and opens a socket for it, on which the page asks what it wants of a
+session (visitor.pl). guard.pl says what is let in.
+
+library(http) is loaded when the front starts: no other verb pays for it.
+*/
+
+% front_(Front, Token, Model): Front is front(Bound, Port, Folder, Owner).
+% open_socket(WebSocket): of a page.
+:- dynamic front_/3, open_socket/1.
+
+%   longest(N): octets of a message of a page. most_sockets(N). hello_within(S):
+%   the first message of a socket.
+
+longest(1_048_576).
+most_sockets(40).
+hello_within(10).
+usual_port(1989).
+
+%!  front(+Model, +Options, -Status) is det.
+%
+%   Serve the studio until it is interrupted, which is raised. Model is the
+%   file that pages show first, or `none`. Options are those of the verb serve:
+%   port(N), host(Address), open(Boolean).
+%
+%   @error usage_error(port_taken(Port)), usage_error(no_address(Host))
+
+front(Model, Options, 130) :-
+    model_folder(Model, Folder),
+    option(host(Host), Options, '127.0.0.1'),
+    libraries_loaded,
+    bound_socket(Host, Options, Socket, Port),
+    (   is_loopback(Host)
+    ->  Owner = true
+    ;   Owner = false,
+        print_message(warning, sanggwan(studio(open_to_others(Host, Port))))
+    ),
+    new_secret(Token),
+    Front = front(Host,Port,Folder,Owner),
+    retractall(front_(_, _, _)),
+    assertz(front_(Front, Token, Model)),
+    called(thread_httpd,
+           http_server(sg_front:answered,
+                       [ port(Host:Port), tcp_socket(Socket), workers(5),
+                         timeout(20), keep_alive_timeout(5), silent(true) ])),
+    shown_at(Host, Name),
+    format(string(Address), "http://~w:~d/#~w", [Name, Port, Token]),
+    format("~w~n", [Address]),
+    flush_output,
+    opened_in_browser(Options, Address),
+    model_file_watched,
+    setup_call_cleanup(true, watching, ( pages_closed, visitors_ended )).
+
+model_folder(none, Folder) :-
+    !,
+    working_directory(Folder0, Folder0),
+    absolute_file_name(Folder0, Folder).
+model_folder(Model, Folder) :-
+    absolute_file_name(Model, Path),
+    (   exists_file(Path)
+    ->  file_directory_name(Path, Folder)
+    ;   throw(error(model_error(cannot_read(missing)), location(Model, 0, 0)))
+    ).
+
+%   called(Module, Goal): of a library that is loaded late.
+
+called(Module, Goal) :-
+    Module:Goal.
+
+libraries_loaded :-
+    load_files([ library(socket), library(http/thread_httpd),
+                 library(http/websocket), library(http/http_dispatch) ],
+               [if(not_loaded), imports([]), silent(true)]).
+
+%   bound_socket(Host, Options, Socket, Port): answers are sent at once; a
+%   socket that waits for more to send costs 40 ms each.
+
+bound_socket(Host, Options, Socket, Port) :-
+    (   option(port(Port0), Options)
+    ->  bound(Host, Port0, Socket, Port)
+    ;   usual_port(Usual),
+        catch(bound(Host, Usual, Socket, Port),
+              error(usage_error(port_taken(_)), _),
+              bound(Host, _, Socket, Port))
+    ).
+
+bound(Host, Port, Socket, Port) :-
+    called(socket, tcp_socket(Socket)),
+    called(socket, tcp_setopt(Socket, reuseaddr)),
+    called(socket, tcp_setopt(Socket, nodelay(true))),
+    catch(called(socket, tcp_bind(Socket, Host:Port)), error(Why, _),
+          ( called(socket, tcp_close_socket(Socket)),
+            not_bound(Why, Host, Port) )),
+    called(socket, tcp_listen(Socket, 64)).
+
+not_bound(Why, Host, Port) :-
+    (   Why = socket_error(eaddrinuse, _)
+    ->  throw(error(usage_error(port_taken(Port)), _))
+    ;   Why = socket_error(eacces, _)
+    ->  throw(error(usage_error(port_refused(Port)), _))
+    ;   throw(error(usage_error(no_address(Host)), _))
+    ).
+
+shown_at('0.0.0.0', Name) :-
+    !,
+    Name = localhost.
+shown_at(Host, Host).
+
+opened_in_browser(Options, Address) :-
+    (   option(open(true), Options, true),
+        ( getenv('DISPLAY', Display) ; getenv('WAYLAND_DISPLAY', Display) ),
+        Display \== ''
+    ->  catch(process_create(path('xdg-open'), [Address],
+                             [ stdin(null), stdout(null), stderr(null),
+                               detached(true), process(_) ]),
+              error(_, _), true)
+    ;   true
+    ).
+
+%   watching: what has to be looked at each second.
+
+watching :-
+    repeat,
+    sleep(1),
+    get_time(Now),
+    visitors_watched(Now),
+    model_file_watched,
+    fail.
+
+% file_seen_(File, Time): when the file was written, as pages know.
+:- dynamic file_seen_/2.
+
+%   model_file_watched: pages hear that the file of the model is another one.
+
+model_file_watched :-
+    front_(_, _, Model),
+    Model \== none,
+    catch(time_file(Model, Time), error(_, _), fail),
+    !,
+    (   file_seen_(Model, Time)
+    ->  true
+    ;   retract(file_seen_(Model, _))
+    ->  assertz(file_seen_(Model, Time)),
+        visitors_told(_{event:"file"})
+    ;   assertz(file_seen_(Model, Time))
+    ).
+model_file_watched.
+
+
+                /*******************************
+                *             HTTP             *
+                *******************************/
+
+:- public answered/1.
+
+%   answered(Request): a request of HTTP, in a thread of library(http).
+
+answered(Request) :-
+    front_(Front, _, _),
+    (   host_allowed(Request, Front)
+    ->  memberchk(method(Method), Request),
+        memberchk(path(Path), Request),
+        replied(Method, Path, Request)
+    ;   reply(400, 'text/plain', "not the address of this program\n")
+    ).
+
+replied(get, '/ws', Request) :-
+    !,
+    front_(Front, _, _),
+    (   origin_allowed(Request, Front)
+    ->  socket_wanted(Request)
+    ;   reply(403, 'text/plain', "not from a page of this program\n")
+    ).
+replied(get, '/words.json', _) :-
+    !,
+    page_words(Text),
+    reply(200, 'application/json', Text).
+replied(get, Path, _) :-
+    atom_concat('/x/', Ticket0, Path),
+    !,
+    atom_string(Ticket0, Ticket),
+    (   download_taken(Ticket, File, Name)
+    ->  download(File, Name)
+    ;   reply(404, 'text/plain', "not there any more\n")
+    ).
+replied(Method, Path, _) :-
+    memberchk(Method, [get,head]),
+    page_file(Path, Type, Text),
+    !,
+    reply(200, Type, Text).
+replied(Method, _, _) :-
+    (   memberchk(Method, [get,head])
+    ->  reply(404, 'text/plain', "not found\n")
+    ;   reply(405, 'text/plain', "not done\n")
+    ).
+
+reply(Status, Type, Text) :-
+    reply_head(Status, Type, '; charset=UTF-8', []),
+    format("~s", [Text]).
+
+reply_head(Status, Type, Charset, More) :-
+    format("Status: ~d~n", [Status]),
+    forall(( security_header(Name, Value) ; member(Name-Value, More) ),
+           format("~w: ~w~n", [Name, Value])),
+    format("Content-type: ~w~w~n~n", [Type, Charset]).
+
+%   download(File, Name): whatever it is, a page of ours is not made of it.
+
+download(File, Name) :-
+    uri_encoded(path, Name, Encoded),
+    format(atom(Disposition), "attachment; filename*=UTF-8''~w", [Encoded]),
+    reply_head(200, 'application/octet-stream', '',
+               ['Content-Disposition'-Disposition]),
+    setup_call_cleanup(
+        open(File, read, In, [type(binary)]),
+        copy_stream_data(In, current_output),
+        close(In)),
+    catch(delete_file(File), error(_, _), true).
+
+uri_encoded(Part, Text, Encoded) :-
+    called(uri, uri_encoded(Part, Text, Encoded)).
+
+
+                /*******************************
+                *            SOCKETS           *
+                *******************************/
+
+socket_wanted(Request) :-
+    most_sockets(Most),
+    predicate_property(open_socket(_), number_of_clauses(Open)),
+    (   \+ memberchk(upgrade(_), Request)
+    ->  reply(400, 'text/plain', "no websocket\n")
+    ;   Open >= Most
+    ->  reply(503, 'text/plain', "too many pages are open\n")
+    ;   called(thread_httpd,
+               http_spawn(sg_front:socket_opened(Request), []))
+    ).
+
+:- public socket_opened/1, socket_used/1.
+
+socket_opened(Request) :-
+    called(websocket,
+           http_upgrade_to_websocket(sg_front:socket_used,
+                                     [guarded(false), timeout(90)], Request)).
+
+%   socket_used(WebSocket): until it is closed. A thread that ends by an error
+%   says nothing, so there is none.
+
+socket_used(WebSocket) :-
+    setup_call_cleanup(
+        assertz(open_socket(WebSocket)),
+        catch(greeted_socket(WebSocket), _, true),
+        ( retractall(open_socket(WebSocket)),
+          catch(close(WebSocket, [force(true)]), error(_, _), true)
+        )).
+
+%   pages_closed: pages are told that the program ends; their threads end then.
+
+pages_closed :-
+    forall(open_socket(WebSocket), ended(WebSocket, 1001, "the program ends")),
+    (   between(1, 5, _),
+        sleep(0.01),
+        \+ open_socket(_)
+    ->  true
+    ;   true
+    ).
+
+greeted_socket(WebSocket) :-
+    front_(Front, Token, Model),
+    stream_pair(WebSocket, In, _),
+    hello_within(Seconds),
+    set_stream(In, timeout(Seconds)),
+    message(WebSocket, Message),
+    (   Message = text(Text),
+        json_dict(Text, Head),
+        get_dict(do, Head, "hello"),
+        get_dict(token, Head, Given),
+        same_secret(Given, Token)
+    ->  set_stream(In, timeout(90)),
+        setup_call_cleanup(
+            visitor_joined(owner, sg_front:message_sent(WebSocket), Socket,
+                           Revision),
+            ( welcomed(Socket, Front, Model, Revision, Head),
+              requests(WebSocket, Front, Socket) ),
+            visitor_left(Socket))
+    ;   ended(WebSocket, 1008, "not the secret of this program")
+    ).
+
+:- public message_sent/2.
+
+message_sent(WebSocket, Octets) :-
+    called(websocket, ws_send(WebSocket, binary(Octets))).
+
+ended(WebSocket, Code, Why) :-
+    catch(called(websocket, ws_send(WebSocket, close(Code, Why))),
+          error(_, _), true).
+
+welcomed(Socket, front(_,_,Folder,Owner), Model, Revision, Head) :-
+    ( get_dict(id, Head, Id), integer(Id) -> true ; Id = null ),
+    version(Version),
+    (   Model == none
+    ->  File = null
+    ;   file_base_name(Model, File)
+    ),
+    models(Folder, Models),
+    visitor_answered(Socket, Id,
+                     _{ do:"hello", version:Version, file:File, rev:Revision,
+                        owner:Owner, models:Models }).
+
+%   models(Folder, Models): what may be opened, by name.
+
+models(Folder, Models) :-
+    catch(directory_files(Folder, Files), error(_, _), Files = []),
+    findall(Name,
+            ( member(File, Files),
+              file_name_extension(_, Ending, File),
+              memberchk(Ending, [pl,stl,off,obj,ply]),
+              atom_string(File, Name) ),
+            Names),
+    sort(Names, Models).
+
+%   requests(WebSocket, Front, Socket): until the page closes it.
+
+requests(WebSocket, Front, Socket) :-
+    message(WebSocket, Message),
+    (   Message = text(Text)
+    ->  request(Text, Front, Socket),
+        requests(WebSocket, Front, Socket)
+    ;   Message = ended(Code, Why)
+    ->  ended(WebSocket, Code, Why)
+    ;   true
+    ).
+
+request(Text, Front, Socket) :-
+    (   json_dict(Text, Head0)
+    ->  (   get_dict(do, Head0, "alive")
+        ->  true
+        ;   (   get_dict(body, Head0, Body0),
+                string(Body0)
+            ->  text_octets(Body0, Body)
+            ;   Body = ""
+            ),
+            visitor_asks(Front, Socket, Head0, Body)
+        )
+    ;   visitor_refused(Socket, null, error(frame_error(not_json), _))
+    ).
+
+json_dict(Text, Dict) :-
+    catch(setup_call_cleanup(
+              open_string(Text, In),
+              json_read_dict(In, Dict),
+              close(In)),
+          error(_, _), fail),
+    is_dict(Dict).
+
+%   message(WebSocket, Message): text(Text), closed, or ended(Code, Why) when
+%   what came is none. library(http) reads messages of any length, so the
+%   length is looked at here.
+
+message(WebSocket, Message) :-
+    called(websocket, ws_read_header(WebSocket, Opcode, Reserved)),
+    longest(Most),
+    (   Opcode == end_of_file
+    ->  Message = closed
+    ;   Opcode =:= 8
+    ->  Message = ended(1000, "")
+    ;   Limit is Most+1,
+        stream_pair(WebSocket, In, _),
+        read_string(In, Limit, Text),
+        string_length(Text, Length),
+        (   Length > Most
+        ->  Message = ended(1009, "too long")
+        ;   Opcode =:= 1,
+            Reserved =:= 0
+        ->  Message = text(Text)
+        ;   Opcode =:= 9
+        ->  pong(WebSocket, Text),
+            message(WebSocket, Message)
+        ;   Opcode =:= 10
+        ->  message(WebSocket, Message)
+        ;   Message = ended(1003, "text alone")
+        )
+    ).
+
+pong(WebSocket, Text) :-
+    called(websocket, ws_send(WebSocket, pong(Text))).

@@ -1,0 +1,341 @@
+:- module(sg_guard,
+          [ host_allowed/2,             % +Request, +Front
+            origin_allowed/2,           % +Request, +Front
+            is_loopback/1,              % +Address
+            same_secret/2,              % +Given, +Token
+            new_secret/1,               % -Token
+            request_allowed/3,          % +Front, +Head, -Allowed
+            file_allowed/3,             % +Folder, +Name, -Path
+            security_header/2           % ?Name, ?Value
+          ]).
+:- use_module(library(apply), [maplist/2]).
+:- use_module(library(lists), [append/3, member/2]).
+/** <module> What a visitor of the studio may do.
+
+A page of another site can send requests to a server on the same machine. So the
+front answers only requests that name it by an address of its own, opens sockets
+only for its own page, and listens only to those who know a secret, which is
+made when the front starts and is in the address that it prints. What these ask
+of a session is looked through here, word by word: what is not listed does not
+get there.
+*/
+
+request_error(What) :-
+    throw(error(request_error(What), _)).
+
+
+                /*******************************
+                *          ADDRESSES           *
+                *******************************/
+
+%!  host_allowed(+Request, +Front) is semidet.
+%
+%   The HTTP request Request says, once, that it is for Front, front(Bound,
+%   Port, _, _): a name of this machine that no one else can give a meaning
+%   to.
+
+host_allowed(Request, front(Bound,Port,_,_)) :-
+    findall(Host-Given, host_given(Request, Host, Given), [Name-Port]),
+    host_name(Bound, Name).
+
+host_given(Request, Host, Port) :-
+    member(host(Host), Request),
+    (   memberchk(port(Port0), Request)
+    ->  Port = Port0
+    ;   Port = 80
+    ).
+
+host_name(_, '127.0.0.1').
+host_name(_, localhost).
+host_name(Bound, Bound) :-
+    Bound \== '0.0.0.0'.
+host_name('0.0.0.0', Name) :-
+    is_address(Name).
+
+%   is_address(Name): four numbers. Who owns a name may point it anywhere; who
+%   writes an address may not.
+
+is_address(Name) :-
+    atomic_list_concat(Parts, '.', Name),
+    Parts = [_,_,_,_],
+    maplist(is_octet, Parts).
+
+is_octet(Part) :-
+    atom_length(Part, Length),
+    Length =< 3,
+    atom_codes(Part, Codes),
+    Codes \== [],
+    forall(member(Code, Codes), ( Code >= 0'0, Code =< 0'9 )),
+    number_codes(N, Codes),
+    N =< 255.
+
+%!  origin_allowed(+Request, +Front) is semidet.
+%
+%   The page that sends Request is the page of Front.
+
+origin_allowed(Request, front(Bound,Port,_,_)) :-
+    findall(Origin, member(origin(Origin), Request), [Origin]),
+    atom_concat('http://', Place, Origin),
+    (   atomic_list_concat([Name,PortText], :, Place)
+    ->  atom_number(PortText, Port)
+    ;   Name = Place,
+        Port == 80
+    ),
+    once(host_name(Bound, Name)).
+
+%!  is_loopback(+Address) is semidet.
+%
+%   What Address, the text of one, reaches is this machine.
+
+is_loopback(localhost).
+is_loopback(Address) :-
+    is_address(Address),
+    atom_concat('127.', _, Address).
+
+
+                /*******************************
+                *            SECRET            *
+                *******************************/
+
+%!  new_secret(-Token:string) is det.
+%
+%   128 bits that nobody can guess.
+
+new_secret(Token) :-
+    setup_call_cleanup(
+        open('/dev/urandom', read, In, [type(binary), buffer(false)]),
+        ( length(Octets, 16),
+          maplist(get_byte(In), Octets)
+        ),
+        close(In)),
+    findall(Text, ( member(Octet, Octets),
+                    format(atom(Text), "~|~`0t~16r~2+", [Octet]) ),
+            Texts),
+    atomics_to_string(Texts, Token).
+
+%!  same_secret(+Given, +Token) is semidet.
+%
+%   The time this takes says nothing of where they differ.
+
+same_secret(Given, Token) :-
+    string(Given),
+    string_length(Token, Length),
+    string_length(Given, Length),
+    string_codes(Given, Codes1),
+    string_codes(Token, Codes2),
+    differences(Codes1, Codes2, 0, Difference),
+    Difference =:= 0.
+
+differences([], [], Difference, Difference).
+differences([A|As], [B|Bs], Difference0, Difference) :-
+    Difference1 is Difference0 \/ (A xor B),
+    differences(As, Bs, Difference1, Difference).
+
+%!  security_header(?Name, ?Value) is nondet.
+%
+%   Every reply has these: the page runs nothing but its own files, speaks with
+%   nobody else, and stands in no frame of another.
+
+security_header('Content-Security-Policy',
+    'default-src \'none\'; script-src \'self\'; style-src \'self\'; \c
+     img-src \'self\' blob:; connect-src \'self\'; base-uri \'none\'; \c
+     form-action \'none\'; frame-ancestors \'none\'').
+security_header('X-Content-Type-Options', nosniff).
+security_header('Referrer-Policy', 'no-referrer').
+security_header('Cross-Origin-Resource-Policy', 'same-origin').
+security_header('Cross-Origin-Opener-Policy', 'same-origin').
+security_header('Cache-Control', 'no-cache').
+
+
+                /*******************************
+                *           REQUESTS           *
+                *******************************/
+
+%!  request_allowed(+Front, +Head:dict, -Allowed:dict) is det.
+%
+%   Allowed is what the session is asked when a visitor of Front sends Head:
+%   keys that are not listed are left out, and those that only the front may say
+%   are the front's. Front is front(_, _, Folder, Owner); Owner is true if
+%   visitors may run code.
+%
+%   @error request_error(not_offered(Do)), request_error(outside(File)),
+%   request_error(owner_alone(rules)), request_error(bad_key(options, offered))
+
+request_allowed(Front, Head, Allowed) :-
+    (   get_dict(do, Head, Do),
+        string(Do),
+        keys(Do, Keys)
+    ->  true
+    ;   ( get_dict(do, Head, Do) ; Do = "" )
+    ->  request_error(not_offered(Do))
+    ),
+    findall(Key-Value,
+            ( member(Key, [do,at,progress|Keys]),
+              get_dict(Key, Head, Value) ),
+            Pairs),
+    dict_pairs(Allowed0, _, Pairs),
+    looked_through(Do, Front, Allowed0, Allowed).
+
+%   keys(Do, Keys): what a request may say.
+
+keys("open",     [file,replay]).
+keys("view",     [port|Keys]) :-
+    view_keys(Keys).
+keys("ask",      [goal]).
+keys("next",     [of]).
+keys("explain",  [item,options,lang]).
+keys("export",   [argv,lang]).
+keys("select",   [names]).
+keys("unfold",   [segment,options,sheet]).
+keys("fold",     [segment,options]).
+keys("edit",     [set]).
+keys("cut",      [segment,edge,keep]).
+keys("text",     []).
+keys("tree",     []).
+keys("undo",     []).
+keys("redo",     []).
+keys("rules",    [try,keep|Keys]) :-
+    view_keys(Keys).
+keys("save",     [file,force]).
+keys("complete", [text]).
+keys("help",     [of]).
+keys("stop",     []).
+
+view_keys([ format,view,projection,lines,hidden,up,crease,size,scale,margin,
+            segments ]).
+
+looked_through("open", front(_,_,Folder,Owner), Head0, Head) :-
+    !,
+    name_of(Head0, Name),
+    file_allowed(Folder, Name, Path),
+    Head = Head0.put(_{file:Path, journal:true, owner:Owner}).
+looked_through("save", front(_,_,Folder,_), Head0, Head) :-
+    get_dict(file, Head0, _),
+    !,
+    name_of(Head0, Name),
+    (   file_name_extension(_, pl, Name)
+    ->  true
+    ;   request_error(bad_key(file, file))
+    ),
+    file_allowed(Folder, Name, Path),
+    Head = Head0.put(file, Path).
+looked_through("rules", front(_,_,_,Owner), Head0, Head) :-
+    ( get_dict(keep, Head0, true) ; get_dict(try, Head0, _) ),
+    !,
+    (   Owner == true
+    ->  Head = Head0.put(owner, true)
+    ;   request_error(owner_alone(rules))
+    ).
+looked_through("export", _, Head, Head) :-
+    !,
+    (   get_dict(argv, Head, [Verb|Options]),
+        memberchk(Verb, ["draw","unfold","convert","render"])
+    ->  options_allowed(Options)
+    ;   request_error(bad_key(argv, export))
+    ).
+looked_through(_, _, Head, Head) :-
+    (   get_dict(options, Head, Options)
+    ->  options_allowed(Options)
+    ;   true
+    ).
+
+name_of(Head, Name) :-
+    (   get_dict(file, Head, Name),
+        string(Name)
+    ->  true
+    ;   request_error(bad_key(file, file))
+    ).
+
+%   options_allowed(Options): none reads or writes a file.
+
+options_allowed(Options) :-
+    (   is_list(Options),
+        forall(member(Option, Options), option_allowed(Option))
+    ->  true
+    ;   request_error(bad_key(options, offered))
+    ).
+
+option_allowed(Option) :-
+    string(Option),
+    (   string_concat("-", _, Option),
+        \+ number_string(_, Option)
+    ->  split_string(Option, "=", "", [Name|Value]),
+        offered(Names),
+        memberchk(Name, Names),
+        ( Value == [] -> true ; Value = [Text], word_allowed(Text) )
+    ;   word_allowed(Option)
+    ).
+
+%   word_allowed(Word): the value of an option. A folder has no place in one.
+
+word_allowed(Word) :-
+    \+ sub_string(Word, _, _, _, "/"),
+    \+ sub_string(Word, _, _, _, "\u0000").
+
+offered([ "--view","--projection","--lines","--hidden","--crease","--up",
+          "--scale","--sheet","--size","--margin","--views","--angle",
+          "--unit","--format","--json","--only","--tabs","--paper","--cut",
+          "--keep","--language","--eye","--target","--title","--part" ]).
+
+
+                /*******************************
+                *            FILES             *
+                *******************************/
+
+%!  file_allowed(+Folder, +Name, -Path) is det.
+%
+%   Path is the file Name of Folder, or of a folder in it, whatever is linked to
+%   what.
+%
+%   @error request_error(outside(Name))
+
+file_allowed(Folder, Name, Path) :-
+    real_path(Folder, Root),
+    (   \+ sub_string(Name, _, _, _, "\u0000"),
+        name_path(Folder, Name, Path0),
+        catch(real_path(Path0, Real), error(_, _), fail),
+        atom_concat(Root, Rest, Real),
+        ( Rest == '' ; Root == (/) ; sub_atom(Rest, 0, 1, _, /) ),
+        file_name_extension(_, Ending, Real),
+        memberchk(Ending, [pl,csg,stl,off,obj,ply])
+    ->  atom_string(Real, Path)
+    ;   request_error(outside(Name))
+    ).
+
+name_path(Folder, Name, Path) :-
+    (   string_concat("/", _, Name)
+    ->  atom_string(Path, Name)
+    ;   atomic_list_concat([Folder,/,Name], Path)
+    ).
+
+%   real_path(Path, Real): without links; what is not there yet may be the last
+%   name alone.
+
+real_path(Path, Real) :-
+    absolute_file_name(Path, Absolute),
+    atomic_list_concat([_|Names], /, Absolute),
+    real_path(Names, '', 40, Real).
+
+real_path([], Real0, _, Real) :-
+    (   Real0 == ''
+    ->  Real = (/)
+    ;   Real = Real0
+    ).
+real_path([Name|Names], Before, Links, Real) :-
+    atomic_list_concat([Before,/,Name], Path),
+    (   catch(read_link(Path, Link, _), error(_, _), fail)
+    ->  Links > 0,
+        Links1 is Links-1,
+        link_path(Before, Link, Target),
+        absolute_file_name(Target, Absolute),
+        atomic_list_concat([_|Names1], /, Absolute),
+        append(Names1, Names, Names2),
+        real_path(Names2, '', Links1, Real)
+    ;   real_path(Names, Path, Links, Real)
+    ).
+
+link_path(Before, Link, Target) :-
+    (   sub_atom(Link, 0, 1, _, /)
+    ->  Target = Link
+    ;   atomic_list_concat([Before,/,Link], Target)
+    ).

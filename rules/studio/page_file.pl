@@ -1,0 +1,66 @@
+:- module(sg_page_file,
+          [ page_file/3,                % +Path, -Type, -Text
+            page_words/1                % -Text
+          ]).
+:- use_module('../message/studio_words', [studio_word/3]).
+:- use_module('../plain', [plain_json/2]).
+:- use_module(library(http/json), [json_write_dict/3]).
+:- use_module(library(readutil), [read_file_to_string/3]).
+/** <module> The files of the studio's page: web/, which the program carries in
+its saved state.
+*/
+
+%!  page_file(+Path, -Type, -Text:string) is semidet.
+%
+%   Path, as in an address, is a file of the page: Text, of this media Type.
+
+page_file(Path, Type, Text) :-
+    served(Path, Name, Type),
+    (   atom_concat('res://web/', Name, Carried),
+        catch(read_file_to_string(Carried, Text0, [encoding(utf8)]),
+              error(_, _), fail)
+    ->  Text = Text0
+    ;   beside(Folder),
+        atomic_list_concat([Folder,/,Name], File),
+        read_file_to_string(File, Text, [encoding(utf8)])
+    ).
+
+%   beside(Folder): where the files are when the rules are not in a saved state.
+
+beside(Folder) :-
+    module_property(sg_page_file, file(File)),
+    file_directory_name(File, Studio),
+    atom_concat(Studio, '/../../web', Folder).
+
+served(/, 'index.html', 'text/html').
+served('/studio.css', 'studio.css', 'text/css').
+served('/icon.svg', 'icon.svg', 'image/svg+xml').
+served(Path, Name, 'text/javascript') :-
+    script(Script),
+    atom_concat(Script, '.js', Name),
+    atom_concat(/, Name, Path).
+
+script(main).
+script(dom).
+script(wire).
+script(words).
+script(picture).
+script(ports).
+script(tree).
+script(panels).
+
+%!  page_words(-Text:string) is det.
+%
+%   The words of the page in both languages, as JSON: {"en": {Key: ...}, "ko":
+%   ...}.
+
+page_words(Text) :-
+    findall(Key-Word, studio_word(Key, Word, _), English),
+    findall(Key-Word, studio_word(Key, _, Word), Korean),
+    dict_pairs(En, _, English),
+    dict_pairs(Ko, _, Korean),
+    with_output_to(string(Text),
+                   plain_json(current_output,
+                              json_write_dict(current_output,
+                                              _{en:En, ko:Ko},
+                                              [width(0)]))).

@@ -1,0 +1,404 @@
+:- module(sg_visitor,
+          [ visitor_joined/4,           % +Visitor, :Send, -Socket, -Revision
+            visitor_left/1,             % +Socket
+            visitor_asks/4,             % +Front, +Socket, +Head, +Body
+            visitor_answered/3,         % +Socket, +Id, +Reply
+            visitor_refused/3,          % +Socket, +Id, +Error
+            visitors_told/1,            % +Head
+            visitors_watched/1,         % +Now
+            visitors_ended/0,
+            download_taken/3            % +Ticket, -Path, -Name
+          ]).
+:- use_module('../message/message_object', [message_object/3]).
+:- use_module('../plain', [plain_json/2]).
+:- use_module(guard, [new_secret/1, request_allowed/3]).
+:- use_module(protocol, [frame_read/4, frame_write/3, text_octets/2]).
+:- use_module(library(filesex), [delete_directory_and_contents/1]).
+:- use_module(library(http/json), [json_write_dict/3]).
+:- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(process),
+              [process_create/3, process_kill/2, process_wait/2]).
+/** <module> Visitors of the studio, and the session process of each.
+
+A visitor has one session, and as many sockets as pages are open: two windows
+show one document. What a page asks goes to the session, its answer comes back
+to that page, and the other pages hear that there is a new revision. A session
+that ends, for whatever reason, is told to its pages; the next request has a new
+one, and the journal of the document has all that was answered.
+*/
+
+:- meta_predicate visitor_joined(+, 1, -, -).
+
+% session_(Visitor, Generation, Pid, In); socket_(Socket, Visitor, Send);
+% pending_(Number, Visitor, Socket, Id, Do, Since, File): Number is the id that
+% the session knows. revision_(Visitor, Revision); used_(Visitor, Time);
+% download_(Ticket, Path, Name, Until); folder_(Folder): of downloads.
+:- dynamic session_/4, socket_/3, pending_/7, revision_/2, used_/2,
+           download_/4, folder_/1.
+
+%   What a visitor may have: waiting requests, seconds for one until it is
+%   stopped and until its session is killed, seconds without any, megabytes of
+%   a session, seconds until a download is fetched.
+
+most(waiting,  64).
+most(stopped,  60).
+most(killed,   75).
+most(idle,     1800).
+most(memory,   1000).
+most(download, 60).
+
+request_error(What) :-
+    throw(error(request_error(What), _)).
+
+
+                /*******************************
+                *            PAGES             *
+                *******************************/
+
+%!  visitor_joined(+Visitor, :Send, -Socket, -Revision) is det.
+%
+%   A page of Visitor has opened Socket; call(Send, Octets) sends it a message,
+%   and Revision is that of the document, 0 if there is none.
+
+visitor_joined(Visitor, Send, Socket, Revision) :-
+    flag(sg_visitor_socket, N, N+1),
+    Socket is N+1,
+    assertz(socket_(Socket, Visitor, Send)),
+    used_now(Visitor),
+    (   revision_(Visitor, Revision0)
+    ->  Revision = Revision0
+    ;   Revision = 0
+    ).
+
+used_now(Visitor) :-
+    get_time(Now),
+    retractall(used_(Visitor, _)),
+    assertz(used_(Visitor, Now)).
+
+%!  visitor_left(+Socket) is det.
+%
+%   Socket is closed. The session stays for a while: the page may come back.
+
+visitor_left(Socket) :-
+    retractall(socket_(Socket, _, _)),
+    forall(retract(pending_(Number, Visitor, Socket, Id, Do, Since, File)),
+           assertz(pending_(Number, Visitor, none, Id, Do, Since, File))).
+
+%!  visitor_answered(+Socket, +Id, +Reply:dict) is det.
+%
+%   The front itself answers request Id of Socket.
+
+visitor_answered(Socket, Id, Reply) :-
+    sent(Socket, Reply.put(id, Id), "").
+
+%!  visitor_refused(+Socket, +Id, +Error) is det.
+%
+%   Request Id of Socket is not done, because of Error.
+
+visitor_refused(Socket, Id, Error) :-
+    message_object(error, Error, Object),
+    sent(Socket, _{id:Id, error:Object}, "").
+
+%!  visitors_told(+Head:dict) is det.
+%
+%   Every page hears Head.
+
+visitors_told(Head) :-
+    forall(socket_(Socket, _, _), sent(Socket, Head, "")).
+
+told(Visitor, But, Head) :-
+    forall(( socket_(Socket, Visitor, _), Socket \== But ),
+           sent(Socket, Head, "")).
+
+%   sent(Socket, Head, Body): four octets, the length of the head; the head; the
+%   body. A page that is gone gets nothing.
+
+sent(Socket, Head, Body) :-
+    (   socket_(Socket, _, Send)
+    ->  with_output_to(string(Text),
+                       plain_json(current_output,
+                                  json_write_dict(current_output, Head,
+                                                  [width(0)]))),
+        text_octets(Text, Json),
+        string_length(Json, H),
+        A is H>>24,
+        B is H>>16 /\ 255,
+        C is H>>8 /\ 255,
+        D is H /\ 255,
+        format(string(Message), "~s~s~s", [[A,B,C,D], Json, Body]),
+        catch(call(Send, Message), error(_, _), true)
+    ;   true
+    ).
+
+
+                /*******************************
+                *           REQUESTS           *
+                *******************************/
+
+%!  visitor_asks(+Front, +Socket, +Head:dict, +Body) is det.
+%
+%   The page of Socket sends the request Head. It is answered some time.
+
+visitor_asks(Front, Socket, Head, Body) :-
+    socket_(Socket, Visitor, _),
+    page_id(Head, Id),
+    catch(asked(Front, Visitor, Socket, Id, Head, Body), Error,
+          visitor_refused(Socket, Id, Error)).
+
+page_id(Head, Id) :-
+    (   get_dict(id, Head, Id0),
+        integer(Id0)
+    ->  Id = Id0
+    ;   Id = null
+    ).
+
+asked(Front, Visitor, Socket, Id, Head, Body) :-
+    request_allowed(Front, Head, Allowed0),
+    most(waiting, Most),
+    findall(x, pending_(_, Visitor, _, _, _, _, _), Waiting),
+    length(Waiting, Length),
+    (   Length < Most
+    ->  true
+    ;   request_error(too_many(Most))
+    ),
+    used_now(Visitor),
+    flag(sg_visitor_request, N, N+1),
+    Number is N+1,
+    question_known(Socket, Allowed0, Allowed1),
+    download_begun(Head, Number, Allowed1, Allowed, File),
+    visitor_mutex(Visitor, Mutex),
+    get_time(Now),
+    with_mutex(Mutex,
+        ( session_ready(Front, Visitor, In),
+          assertz(pending_(Number, Visitor, Socket, Id, Allowed.do, Now,
+                           File)),
+          catch(frame_write(In, Allowed.put(id, Number), Body),
+                error(io_error(_, _), _), true) )).
+
+visitor_mutex(Visitor, Mutex) :-
+    atom_concat('sg_visitor ', Visitor, Mutex).
+
+%   question_known(Socket, Head0, Head): the id of a question, as the session
+%   knows it.
+
+:- dynamic question_/3.
+
+question_known(Socket, Head0, Head) :-
+    (   get_dict(of, Head0, Id),
+        Head0.do == "next"
+    ->  (   question_(Socket, Id, Number)
+        ->  Head = Head0.put(of, Number)
+        ;   request_error(no_answers_left(Id))
+        )
+    ;   Head = Head0
+    ).
+
+%   session_ready(Front, Visitor, In): there is a session; In leads to it.
+
+session_ready(_, Visitor, In) :-
+    session_(Visitor, _, _, In0),
+    !,
+    In = In0.
+session_ready(front(_,_,Folder,_), Visitor, In) :-
+    process_create('/proc/self/exe', [serve, '--stdio'],
+                   [ stdin(pipe(In, [type(binary)])),
+                     stdout(pipe(Out, [type(binary)])),
+                     stderr(null), cwd(Folder), detached(true), process(Pid)
+                   ]),
+    set_stream(In, buffer(full)),
+    flag(sg_visitor_session, N, N+1),
+    assertz(session_(Visitor, N, Pid, In)),
+    thread_create(sg_visitor:reading(Visitor, N, Out), _, [detached(true)]),
+    most(memory, Megabytes),
+    frame_write(In, _{id:0, do:"hello", memory_mb:Megabytes}, "").
+
+:- public reading/3.
+
+%   reading(Visitor, Generation, Out): the thread that reads what a session
+%   answers.
+
+reading(Visitor, Generation, Out) :-
+    catch(frame_read(Out, reply, Head, Body), error(_, _), Head = end_of_file),
+    (   Head == end_of_file
+    ->  catch(close(Out, [force(true)]), error(_, _), true),
+        session_gone(Visitor, Generation)
+    ;   catch(routed(Visitor, Head, Body), error(_, _), true),
+        reading(Visitor, Generation, Out)
+    ).
+
+%   routed(Visitor, Head, Body): to the page that asked.
+
+routed(Visitor, Head, Body) :-
+    get_dict(id, Head, Number),
+    (   get_dict(progress, Head, _)
+    ->  pending_(Number, Visitor, Socket, Id, _, _, _),
+        sent(Socket, Head.put(id, Id), Body)
+    ;   retract(pending_(Number, Visitor, Socket, Id, Do, _, File)),
+        (   Do == "ask"
+        ->  retractall(question_(Socket, Id, _)),
+            assertz(question_(Socket, Id, Number))
+        ;   true
+        ),
+        download_ready(File, Head, Head1),
+        sent(Socket, Head1.put(id, Id), Body),
+        revision_heard(Visitor, Socket, Head)
+    ),
+    !.
+routed(_, _, _).
+
+revision_heard(Visitor, Socket, Head) :-
+    Revision = Head.rev,
+    (   revision_(Visitor, Revision)
+    ->  true
+    ;   retractall(revision_(Visitor, _)),
+        assertz(revision_(Visitor, Revision)),
+        told(Visitor, Socket, _{event:"revision", rev:Revision})
+    ).
+
+%   session_gone(Visitor, Generation): what was asked of it is not answered any
+%   more.
+
+session_gone(Visitor, Generation) :-
+    (   retract(session_(Visitor, Generation, Pid, In))
+    ->  catch(close(In, [force(true)]), error(_, _), true),
+        catch(process_wait(Pid, _), error(_, _), true),
+        retractall(revision_(Visitor, _)),
+        forall(retract(pending_(_, Visitor, Socket, Id, _, _, _)),
+               visitor_refused(Socket, Id,
+                               error(request_error(session_ended), _))),
+        told(Visitor, none, _{event:"restarted"})
+    ;   true
+    ).
+
+
+                /*******************************
+                *          DOWNLOADS           *
+                *******************************/
+
+%   download_begun(Head, Number, Allowed0, Allowed, File): an export goes into a
+%   folder of the front, and is fetched there under the name that the page gave
+%   it. File is file(Path, Name), or none.
+
+download_begun(Head, Number, Allowed0, Allowed, File) :-
+    (   Allowed0.do == "export"
+    ->  (   get_dict(name, Head, Name0),
+            string(Name0),
+            download_name(Name0, Name)
+        ->  true
+        ;   request_error(bad_key(name, download))
+        ),
+        download_folder(Folder),
+        format(atom(Path), "~w/~d-~w", [Folder, Number, Name]),
+        append(Allowed0.argv, ["-o",Path], Argv0),
+        findall(Word, ( member(Word0, Argv0),
+                        format(string(Word), "~w", [Word0]) ),
+                Argv),
+        Allowed = Allowed0.put(argv, Argv),
+        File = file(Path,Name)
+    ;   Allowed = Allowed0,
+        File = none
+    ).
+
+%   download_name(Name0, Name): letters of any language, digits, `-`, `_`, dots
+%   inside.
+
+download_name(Name0, Name) :-
+    string_length(Name0, Length),
+    Length =< 100,
+    file_name_extension(_, Ending, Name0),
+    memberchk(Ending, [svg,pdf,png,dxf,json,pl,stl,off,obj,ply,eps,ps,hpgl,
+                       fold,csv]),
+    string_codes(Name0, [First|Codes]),
+    forall(member(Code, [First|Codes]),
+           ( code_type(Code, csym) ; memberchk(Code, `-.`) )),
+    First \== 0'.,
+    First \== 0'-,
+    atom_string(Name, Name0).
+
+download_folder(Folder) :-
+    with_mutex(sg_visitor_folder,
+        (   folder_(Folder0)
+        ->  Folder = Folder0
+        ;   new_secret(Secret),
+            tmp_file(sanggwan, Tmp),
+            atom_concat(Tmp, Secret, Folder),
+            make_directory(Folder),
+            assertz(folder_(Folder))
+        )).
+
+download_ready(none, Head, Head).
+download_ready(file(Path,Name), Head0, Head) :-
+    (   get_dict(status, Head0, 0),
+        exists_file(Path)
+    ->  new_secret(Ticket),
+        get_time(Now),
+        most(download, Seconds),
+        Until is Now+Seconds,
+        assertz(download_(Ticket, Path, Name, Until)),
+        Head = Head0.put(_{ticket:Ticket, name:Name})
+    ;   Head = Head0
+    ).
+
+%!  download_taken(+Ticket:string, -Path, -Name) is semidet.
+%
+%   Ticket stood for the file Path, which is to be called Name; it does no more.
+
+download_taken(Ticket, Path, Name) :-
+    retract(download_(Ticket, Path, Name, _)),
+    !.
+
+
+                /*******************************
+                *           WATCHING           *
+                *******************************/
+
+%!  visitors_watched(+Now) is det.
+%
+%   Requests that take too long are stopped, sessions that do not stop killed,
+%   and those that nobody uses ended.
+
+visitors_watched(Now) :-
+    most(stopped, Stopped),
+    most(killed, Killed),
+    most(idle, Idle),
+    findall(Visitor-Age,
+            ( session_(Visitor, _, _, _),
+              findall(Since, pending_(_, Visitor, _, _, _, Since, _), Sinces),
+              Sinces = [First|_],
+              Age is Now-First ),
+            Ages),
+    forall(( member(Visitor-Age, Ages), Age > Killed ),
+           session_killed(Visitor)),
+    forall(( member(Visitor-Age, Ages), Age > Stopped ),
+           session_stopped(Visitor)),
+    forall(( session_(Visitor, _, _, _),
+             \+ socket_(_, Visitor, _),
+             used_(Visitor, Time),
+             Now-Time > Idle ),
+           session_killed(Visitor)),
+    forall(( download_(Ticket, Path, _, Until), Until < Now ),
+           ( retractall(download_(Ticket, _, _, _)),
+             catch(delete_file(Path), error(_, _), true) )).
+
+session_stopped(Visitor) :-
+    visitor_mutex(Visitor, Mutex),
+    with_mutex(Mutex,
+        (   session_(Visitor, _, _, In)
+        ->  catch(frame_write(In, _{id:0, do:"stop"}, ""), error(_, _), true)
+        ;   true
+        )).
+
+session_killed(Visitor) :-
+    forall(session_(Visitor, _, Pid, _),
+           catch(process_kill(Pid, kill), error(_, _), true)).
+
+%!  visitors_ended is det.
+%
+%   All sessions are ended; what they were told is in their journals.
+
+visitors_ended :-
+    forall(session_(_, _, Pid, In),
+           ( catch(close(In, [force(true)]), error(_, _), true),
+             catch(process_kill(Pid, kill), error(_, _), true) )),
+    forall(retract(folder_(Folder)),
+           catch(delete_directory_and_contents(Folder), error(_, _), true)).

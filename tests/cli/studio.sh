@@ -1,0 +1,20 @@
+#!/bin/bash
+# studio.sh -- the studio: tests/studio/front_test.py asks its front as pages do,
+# and attacks its guard.
+# covers: front, guard, visitor, page_file, model_tree, answer_name, studio_words
+. "$(dirname "$0")/harness.bash"
+cd "$here" || exit 2
+
+# asked SCRIPT: its tests are counted here.
+asked() {
+  mkdir "$work/$1"
+  PYTHONDONTWRITEBYTECODE=1 timeout 280 python3 tests/studio/"$1" "$sanggwan" \
+    "$work/$1" >"$work/asked" 2>&1
+  grep -v ' passed, ' "$work/asked"
+  local more less
+  read -r more _ less _ < <(tail -1 "$work/asked" | grep ' passed, ')
+  passed=$((passed + ${more:-0})) failed=$((failed + ${less:-1}))
+}
+
+asked front_test.py
+finish

@@ -1,0 +1,348 @@
+// The studio: one document, its panes, and what they tell each other.
+
+import { $, h, arrows, calm, say } from "./dom.js";
+import { w, wordsLoaded, otherTongue, reworded, said } from "./words.js";
+import { Wire, Lost, textOf } from "./wire.js";
+import { Ports, KINDS } from "./ports.js";
+import { Tree } from "./tree.js";
+import { Asking, Why, Text, Rules } from "./panels.js";
+
+const FORMATS = {
+  drawing: ["pdf", "svg", "dxf", "png", "eps", "json"],
+  pattern: ["pdf", "svg", "dxf", "fold"],
+  model: ["stl", "obj", "off", "ply", "pl"],
+};
+const VERBS = { drawing: "draw", pattern: "unfold", model: "convert" };
+
+class Studio {
+  constructor() {
+    this.looks = JSON.parse(localStorage.getItem("looks") || "{}");
+    this.segments = [];
+    this.rev = 0;
+    this.tree = new Tree(this);
+    this.text = new Text(this);
+    this.rules = new Rules(this);
+    this.asking = new Asking(this);
+    this.why = new Why(this);
+    this.ports = new Ports(this, $("ports"));
+    this.left();
+    $("asking").append(this.asking.element, this.why.element);
+    this.bar();
+    reworded(document);
+    document.addEventListener("reworded", () => this.reworded());
+    document.addEventListener("keydown", (event) => this.keyed(event));
+    const token = location.hash.slice(1) || sessionStorage.getItem("secret") || "";
+    if (token) sessionStorage.setItem("secret", token);
+    this.wire = new Wire(token);
+    this.wire.addEventListener("hello", (event) => this.greeted(event.detail));
+    this.wire.addEventListener("away", this.away);
+    this.wire.addEventListener("refused", () => this.banner("no_secret"));
+    this.wire.addEventListener("restarted", () => this.opened(this.file, "restarted"));
+    this.wire.addEventListener("revision", (event) => this.revised(event.detail));
+    this.wire.addEventListener("file", () => this.fileChanged());
+    this.wire.addEventListener("rev", (event) => { this.rev = event.detail; });
+  }
+
+  // --- what stands where ---
+
+  left() {
+    const panes = { tree: this.tree, text: this.text, rules: this.rules };
+    const tabs = h("div", { role: "tablist", class: "tabs", onkeydown: (event) => arrows(tabs, event) });
+    this.leftTo = (name) => {
+      for (const [key, pane] of Object.entries(panes)) {
+        pane.element.hidden = key !== name;
+        tabs.querySelector(`[data-word=${key}]`).setAttribute("aria-selected", String(key === name));
+      }
+      if (this.ready && name !== "tree") panes[name].refresh().catch((error) => this.failed(error));
+      this.pane = name;
+    };
+    for (const key of Object.keys(panes)) {
+      tabs.append(h("button", { role: "tab", "data-word": key, onclick: () => this.leftTo(key) }));
+      panes[key].element.setAttribute("role", "tabpanel");
+    }
+    $("left").append(tabs, ...Object.values(panes).map((pane) => pane.element));
+    this.leftTo("tree");
+    for (const [pane, word] of [["ports", "ports"], ["left", "tree"], ["asking", "ask"]]) {
+      $("panes").append(h("button", { role: "tab", "data-word": word, onclick: () => this.paneTo(pane) }));
+      $("panes").lastChild.dataset.to = pane;
+    }
+    this.paneTo("ports");
+  }
+
+  // On a phone one pane is shown at a time.
+  paneTo(pane) {
+    document.body.dataset.pane = pane;
+    for (const tab of $("panes").children) tab.setAttribute("aria-selected", String(tab.dataset.to === pane));
+  }
+
+  bar() {
+    const button = (word, act, sign) => {
+      const element = sign ? h("button", { onclick: act, "data-label": word }, sign)
+        : h("button", { onclick: act, "data-word": word });
+      return element;
+    };
+    this.undoButton = button("undo", () => this.change("undo"), "↶");
+    this.redoButton = button("redo", () => this.change("redo"), "↷");
+    this.saveButton = button("save", () => this.save());
+    $("menus").append(
+      this.menu("open", () => this.openMenu()), this.saveButton, this.menu("export", () => this.exportMenu()),
+      this.menu("menu", () => this.viewMenu()), this.undoButton, this.redoButton,
+      button("language", () => otherTongue()), this.menu("help", () => [h("p", {}, w("keys"))], "?"));
+  }
+
+  menu(word, made, sign) {
+    const list = h("div", { class: "menu", hidden: true });
+    const key = h("button", { "aria-haspopup": "true", "aria-expanded": "false",
+      [sign ? "data-label" : "data-word"]: word,
+      onclick: () => {
+        list.hidden = !list.hidden;
+        key.setAttribute("aria-expanded", String(!list.hidden));
+        if (!list.hidden) {
+          list.replaceChildren(...made());
+          list.querySelector("button, select, input")?.focus();
+        }
+      } }, sign || "");
+    const box = h("span", { class: "menubox",
+      onkeydown: (event) => {
+        if (event.key === "Escape") { list.hidden = true; key.focus(); event.stopPropagation(); }
+        arrows(list, event);
+      },
+      onfocusout: (event) => { if (!box.contains(event.relatedTarget)) list.hidden = true; } }, key, list);
+    return box;
+  }
+
+  openMenu() {
+    return this.models.map((name) => h("button", { onclick: (event) => {
+      event.target.closest(".menu").hidden = true;
+      this.opened(name);
+    } }, name));
+  }
+
+  exportMenu() {
+    return Object.entries(FORMATS).map(([what, formats]) => h("p", { class: "formats" },
+      h("span", {}, w(what + "_of")),
+      ...formats.map((format) => h("button", { onclick: (event) => {
+        event.target.closest(".menu").hidden = true;
+        this.export(what, format);
+      } }, format))));
+  }
+
+  viewMenu() {
+    const choice = (key, word, values) => {
+      const select = h("select", { onchange: () => { this.looks[key] = select.value; this.looked(); } },
+        ...values.map((value) => h("option", { value }, w(value))));
+      select.value = this.looks[key] || values[0];
+      return h("label", {}, w(word), select);
+    };
+    const central = h("input", { type: "checkbox", checked: this.looks.projection === "central",
+      onchange: () => { this.looks.projection = central.checked ? "central" : "parallel"; this.looked(); } });
+    return [choice("hidden", "hidden", ["dashed", "removed", "shown"]),
+      choice("lines", "lines", ["feature", "all", "penetration"]),
+      h("label", {}, w("central"), central)];
+  }
+
+  looked() {
+    localStorage.setItem("looks", JSON.stringify(this.looks));
+    this.ports.refresh();
+  }
+
+  keep() {
+    this.ports.kept();
+  }
+
+  reworded() {
+    this.tree.draw();
+    this.ports.refresh();
+    this.state();
+    this.why.show(this.names || [], this.from);
+  }
+
+  // --- the document ---
+
+  get isText() {
+    return (this.file || "").endsWith(".pl");
+  }
+
+  greeted(head) {
+    this.models = head.models;
+    this.owner = head.owner;
+    $("banner").hidden = true;
+    clearTimeout(this.awayTimer);
+    const file = this.file || head.file;
+    if (head.rev && this.file === file && this.ready) this.revised(head);
+    else if (file) this.opened(file);
+    else this.banner("open", this.openMenu());
+  }
+
+  away = () => {
+    clearTimeout(this.awayTimer);
+    this.awayTimer = setTimeout(() => this.banner("away"), 800);
+  };
+
+  async opened(file, remark, keys = {}) {
+    if (!file) return;
+    this.file = file;
+    $("file").textContent = file;
+    document.title = `${file} · ${w("title")}`;
+    try {
+      const { head } = await this.wire.ask("open", { file, ...keys });
+      this.segments = head.segments;
+      this.ready = true;
+      this.changes = head.replayed;
+      $("banner").hidden = true;
+      if (remark) this.banner(remark, [], 4000);
+      else if (head.replayed) this.banner("replayed", [], 6000, head.replayed);
+      await this.revised(head);
+      if (this.text.dirty) this.text.done();
+    } catch (error) {
+      this.failed(error, error.head && error.head.error.code === "request_error.journal_of_another"
+        ? [["forget", () => this.opened(file, null, { replay: false })]] : []);
+    }
+  }
+
+  // Every pane shows the new revision.
+  async revised(head) {
+    this.rev = head.rev;
+    $("ports").dataset.rev = head.rev;
+    this.ports.refresh();
+    this.state();
+    try {
+      await this.tree.refresh();
+      if (this.pane === "text") await this.text.refresh();
+      if (this.pane === "rules") await this.rules.refresh();
+    } catch (error) {
+      this.failed(error);
+    }
+    this.state();
+  }
+
+  edited(head) {
+    this.changes = (this.changes || 0) + 1;
+    this.light("came", []);
+    return this.revised(head);
+  }
+
+  state() {
+    $("state").textContent = this.ready ? w(this.changes ? "changed" : "saved") : w("connecting");
+    $("state").className = this.changes ? "changed" : "";
+  }
+
+  async change(request, keys) {
+    try {
+      const { head } = await this.wire.ask(request, keys);
+      this.segments = head.segments;
+      this.text.dirty = false;
+      await this.edited(head);
+    } catch (error) {
+      this.failed(error);
+    }
+  }
+
+  async save(keys = {}) {
+    try {
+      await this.wire.ask("save", keys);
+      this.changes = 0;
+      this.saved = Date.now();
+      this.state();
+      say(w("saved"));
+    } catch (error) {
+      this.failed(error, error.head && error.head.error.code === "request_error.file_changed"
+        ? [["force", () => this.save({ force: true })]] : []);
+    }
+  }
+
+  // The file is another one: if nothing was changed here, it is opened again.
+  fileChanged() {
+    if (Date.now() - (this.saved || 0) < 3000) return;
+    const take = () => this.opened(this.file, null, { replay: false });
+    if (this.changes) this.banner("file_new", [h("button", { onclick: take }, w("take"))]);
+    else take();
+  }
+
+  async export(what, format) {
+    const port = this.ports.focused();
+    const options = what === "drawing" && port.kind !== "unfold"
+      ? ["--view", port.turns ? port.angles.map((angle) => angle.toFixed(4)).join(",") : port.kind] : [];
+    const name = this.file.replace(/\.[^.]*$/, "") + (what === "pattern" ? "_flat." : ".") + format;
+    try {
+      const { head } = await this.wire.ask("export", { argv: [VERBS[what], ...options], name });
+      if (!head.ticket) throw Object.assign(new Error(name), { head });
+      h("a", { href: "x/" + head.ticket, download: head.name }).click();
+    } catch (error) {
+      this.failed(error);
+    }
+  }
+
+  // --- what is pointed at ---
+
+  hovered(port, found) {
+    this.ports.hover(port, found);
+  }
+
+  light(layer, names) {
+    this.ports.light(layer, names);
+  }
+
+  lightSegment(segment) {
+    this.light("chosen", ["s" + segment]);
+  }
+
+  chosen(names, port) {
+    this.names = names;
+    this.from = port || this.from;
+    this.light("chosen", names);
+    return this.why.show(names, this.from);
+  }
+
+  async askAbout(name) {
+    const { head } = await this.wire.ask("select", { names: [name] });
+    this.asking.set(head.selected[0].goal);
+  }
+
+  // --- what is said ---
+
+  wrong(error) {
+    if (error instanceof Lost) return w("away");
+    return error.head && error.head.error ? said(error.head.error) : String(error);
+  }
+
+  failed(error, ways = []) {
+    if (error instanceof Lost) return;
+    const buttons = ways.map(([word, act]) => h("button", { onclick: act }, w(word)));
+    $("banner").replaceChildren(h("span", {}, this.wrong(error)), ...buttons, this.closing());
+    $("banner").hidden = false;
+  }
+
+  closing() {
+    return h("button", { onclick: () => { $("banner").hidden = true; } }, w("close"));
+  }
+
+  banner(word, more = [], milliseconds = 0, ...given) {
+    $("banner").replaceChildren(h("span", {}, w(word, ...given)), ...more, ...(more.length ? [this.closing()] : []));
+    $("banner").hidden = false;
+    if (milliseconds) calm(milliseconds, () => { $("banner").hidden = true; })();
+  }
+
+  // --- keys ---
+
+  keyed(event) {
+    const typing = /^(input|textarea|select)$/i.test(event.target.tagName);
+    const key = event.key.toLowerCase();
+    const control = event.ctrlKey || event.metaKey;
+    if (control && key === "s") this.save();
+    else if (control && !typing && key === "z") this.change(event.shiftKey ? "redo" : "undo");
+    else if (control && !typing && key === "y") this.change("redo");
+    else if (key === "f6") this.ports.next();
+    else if (typing || control || event.altKey) return;
+    else if (key === "/") $("goal").focus();
+    else if (key === "t") this.leftTo("tree");
+    else if (key === "x") this.leftTo("text");
+    else if (key === "escape") { this.asking.clear(); this.chosen([]); this.light("came", []); }
+    else if (/^[1-7]$/.test(key)) this.ports.focused().turnTo(KINDS[key - 1]);
+    else return;
+    event.preventDefault();
+  }
+}
+
+await wordsLoaded();
+window.studio = new Studio();

@@ -1,0 +1,278 @@
+// What stands beside the pictures: questions, reasons, text, rules.
+
+import { h, calm, say } from "./dom.js";
+import { w, said, tongue, reworded } from "./words.js";
+import { Lost, textOf } from "./wire.js";
+
+const NAME = /\b(s\d+(?:[epvj]-?\d+)?|l\d+)\b/;
+
+// Text in which names of lines are buttons.
+function linked(text, studio) {
+  const parts = text.split(new RegExp(NAME, "g"));
+  return parts.map((part, i) => i % 2
+    ? h("button", { class: "name", onclick: () => studio.chosen([part]) }, part) : part);
+}
+
+export class Asking {
+  constructor(studio) {
+    this.studio = studio;
+    this.box = h("input", { id: "goal", type: "text", spellcheck: "false", autocomplete: "off",
+      placeholder: "line(L, S1, P1, A1, B1, S2, P2, A2, B2)", list: "words",
+      oninput: () => this.complete() });
+    this.box.dataset.label = "question";
+    this.words = h("datalist", { id: "words" });
+    this.count = h("span", { class: "remark", role: "status" });
+    this.table = h("div", { class: "answers", tabindex: 0 });
+    this.element = h("form", { class: "panel ask", onsubmit: (event) => { event.preventDefault(); this.ask(); } },
+      h("h2", { "data-word": "ask" }),
+      h("div", { class: "line" }, h("span", { class: "prompt", "aria-hidden": "true" }, "?-"), this.box, this.words,
+        h("button", { class: "main", "data-word": "ask" }),
+        h("button", { type: "button", "data-word": "clear", onclick: () => this.clear() }), this.count),
+      this.table);
+  }
+
+  complete = calm(200, async () => {
+    const word = /[a-z]\w{1,}$/.exec(this.box.value);
+    if (!word) return;
+    try {
+      const { head } = await this.studio.wire.ask("complete", { text: word[0] });
+      const before = this.box.value.slice(0, word.index);
+      this.words.replaceChildren(...head.words.slice(0, 12).map(({ word: name, doc }) =>
+        h("option", { value: before + name.split("/")[0] }, doc)));
+    } catch (error) {
+      if (!(error instanceof Lost)) throw error;
+    }
+  });
+
+  set(goal) {
+    this.box.value = goal;
+    this.box.focus();
+  }
+
+  clear() {
+    this.table.replaceChildren();
+    this.count.textContent = "";
+    this.studio.light("lit", []);
+  }
+
+  async ask() {
+    const goal = this.box.value.trim();
+    if (!goal) return;
+    this.goal = goal;
+    this.count.textContent = w("working");
+    try {
+      const asked = this.studio.wire.ask("ask", { goal });
+      this.number = this.studio.wire.number;
+      const { head, body } = await asked;
+      this.shows = [];
+      this.printed = textOf(body);
+      this.rows = h("tbody");
+      this.show(head, true);
+    } catch (error) {
+      this.count.textContent = "";
+      this.table.replaceChildren(h("p", { class: "bad", role: "alert" }, this.studio.wrong(error)));
+    }
+  }
+
+  show(head, first) {
+    if (first) {
+      this.table.replaceChildren(
+        ...(this.printed ? [h("pre", {}, this.printed)] : []),
+        h("table", {}, h("thead", {}, h("tr", {}, ...head.names.map((name) => h("th", { scope: "col" }, name)))), this.rows));
+      this.total = head.answers.length + head.left;
+    }
+    head.answers.forEach((answer, i) => {
+      const names = head.shows[i];
+      this.rows.append(h("tr", { tabindex: names.length ? 0 : undefined,
+        onclick: () => this.studio.chosen(names),
+        onkeydown: (event) => { if (event.key === "Enter") this.studio.chosen(names); },
+        onpointerenter: () => this.studio.light("hover", names) },
+        ...answer.map((value) => h("td", {}, typeof value === "string" ? value : JSON.stringify(value)))));
+      this.shows.push(...names);
+    });
+    if (this.rest) this.rest.remove();
+    this.rest = null;
+    if (head.left) {
+      this.rest = h("button", { type: "button", onclick: () => this.next() }, w("more", head.left));
+      this.table.append(this.rest);
+    }
+    this.count.textContent = this.total === 0 ? w("no_answers")
+      : head.names.length === 0 ? w("yes") : w("answers", this.total);
+    say(this.count.textContent);
+    this.studio.light("lit", this.shows);
+  }
+
+  async next() {
+    try {
+      const { head } = await this.studio.wire.ask("next", { of: this.number });
+      this.show(head, false);
+    } catch (error) {
+      this.studio.failed(error);
+    }
+  }
+}
+
+export class Why {
+  constructor(studio) {
+    this.studio = studio;
+    this.inner = h("div", { class: "inner", tabindex: 0, "aria-live": "polite" },
+      h("p", { class: "quiet", "data-word": "no_why" }));
+    this.element = h("div", { class: "panel why" }, h("h2", { "data-word": "why" }), this.inner);
+  }
+
+  async show(names, port) {
+    const { studio } = this;
+    if (!names.length) {
+      this.inner.replaceChildren(h("p", { class: "quiet", "data-word": "no_why" }));
+      reworded(this.inner);
+      return;
+    }
+    try {
+      const { head } = await studio.wire.ask("select", { names: names.slice(0, 20) });
+      const items = [];
+      for (const one of head.selected) items.push(...await this.one(one, port));
+      this.inner.replaceChildren(...items);
+      reworded(this.inner);
+      this.inner.scrollTop = 0;
+      studio.light("chosen", [...names, ...head.selected.flatMap(({ shows }) => shows.filter((name) => name.includes("e") && /^s/.test(name) && names[0] && !names[0].includes("e")))]);
+    } catch (error) {
+      this.inner.replaceChildren(h("p", { class: "bad" }, studio.wrong(error)));
+    }
+  }
+
+  async one({ name, goal, explain, shows }, port) {
+    const { studio } = this;
+    const parts = [h("p", { class: "chip" }, h("strong", {}, name), " ",
+      h("button", { class: "goal", onclick: () => studio.asking.set(goal) }, goal))];
+    const looks = port && port.turns ? ["--view", port.angles.map((angle) => angle.toFixed(6)).join(",")]
+      : port && port.kind !== "unfold" ? ["--view", port.kind] : [];
+    for (const item of explain) {
+      const { head, body } = await studio.wire.ask("explain", { item, lang: tongue(), options: looks });
+      const text = head.error ? said(head.error) : textOf(body.slice(0, head.stdout)).trimEnd();
+      parts.push(h("pre", { class: head.error ? "bad" : "" }, ...linked(text, studio)));
+    }
+    if (!explain.length) parts.push(h("p", { class: "quiet", "data-word": "nothing_why" }));
+    const edge = /^s(\d+)e(\d+)$/.exec(name);
+    if (edge && studio.isText) {
+      const wish = (keep) => () => studio.change("cut", { segment: Number(edge[1]), edge: Number(edge[2]), keep });
+      parts.push(h("p", { class: "wishes" },
+        h("button", { "data-word": "cut", onclick: wish(false) }),
+        h("button", { "data-word": "join", onclick: wish(true) }),
+        h("button", { "data-word": "either", onclick: wish(null) })));
+    }
+    if (shows.length) {
+      parts.push(h("p", { class: "shows" }, h("span", { "data-word": "shows" }), " ",
+        ...shows.slice(0, 24).flatMap((other) => linked(other, studio))));
+    }
+    return parts;
+  }
+}
+
+// The text of the model, or of its rules: what is typed is done 400 ms later.
+class Editor {
+  constructor(studio, word) {
+    this.studio = studio;
+    this.field = h("textarea", { spellcheck: "false", wrap: "off", oninput: () => this.typed() });
+    this.field.dataset.label = word;
+    this.wrong = h("p", { class: "bad", role: "alert", hidden: true });
+  }
+
+  typed() {
+    this.dirty = true;
+    this.later();
+  }
+
+  later = calm(400, () => this.done());
+
+  said(error) {
+    const message = error && error.head && error.head.error;
+    this.wrong.hidden = !error;
+    this.wrong.textContent = error ? (message && message.line ? message.line + ": " : "") + this.studio.wrong(error) : "";
+    this.field.setAttribute("aria-invalid", String(Boolean(error)));
+  }
+}
+
+export class Text extends Editor {
+  constructor(studio) {
+    super(studio, "text");
+    this.element = h("div", { class: "panel editor" }, this.field, this.wrong);
+  }
+
+  async refresh() {
+    if (this.dirty || !this.studio.isText) return;
+    const { body } = await this.studio.wire.ask("text");
+    if (this.dirty) return;
+    const text = textOf(body);
+    if (text === this.field.value) return;
+    const { selectionStart, scrollTop } = this.field;
+    this.field.value = text;
+    this.field.setSelectionRange(selectionStart, selectionStart);
+    this.field.scrollTop = scrollTop;
+    this.said(null);
+  }
+
+  async done() {
+    const text = this.field.value;
+    try {
+      const { head } = await this.studio.wire.ask("text", { body: text });
+      if (this.field.value === text) this.dirty = false;
+      this.studio.segments = head.segments;
+      this.said(null);
+      this.studio.edited(head);
+    } catch (error) {
+      if (!(error instanceof Lost)) this.said(error);
+    }
+  }
+}
+
+export class Rules extends Editor {
+  constructor(studio) {
+    super(studio, "rules");
+    this.counts = h("p", { class: "remark", role: "status" });
+    this.decisions = h("ul", { class: "decisions" });
+    this.element = h("div", { class: "panel editor" }, this.field, this.wrong, this.counts,
+      h("p", { class: "wishes" },
+        h("button", { class: "main", "data-word": "keep_rules", onclick: () => this.end(true) }),
+        h("button", { "data-word": "discard", onclick: () => this.end(false) })),
+      h("h2", { "data-word": "decisions" }), this.decisions);
+  }
+
+  async refresh() {
+    if (this.dirty) return;
+    const { head, body } = await this.studio.wire.ask("rules");
+    this.field.value = textOf(body);
+    this.field.readOnly = !this.studio.owner || !this.studio.isText;
+    this.decisions.replaceChildren(...head.decisions.map(({ decision, doc, by }) =>
+      h("li", { class: by, title: doc }, h("code", {}, decision), " ", doc)));
+  }
+
+  async done() {
+    const { studio } = this;
+    const text = this.field.value;
+    try {
+      const { head } = await studio.wire.ask("rules", { try: true, body: text, ...studio.looks });
+      this.said(null);
+      this.counts.textContent = w("tried", head.count.came, head.count.went, head.count.changed);
+      await studio.revised(head);
+      studio.light("came", [...head.came, ...head.changed]);
+      studio.ports.ghost(head.went);
+    } catch (error) {
+      if (!(error instanceof Lost)) this.said(error);
+    }
+  }
+
+  async end(keep) {
+    try {
+      const { head } = await this.studio.wire.ask("rules", { keep });
+      this.dirty = false;
+      this.counts.textContent = "";
+      this.said(null);
+      this.studio.light("came", []);
+      this.studio.ports.ghost([]);
+      await this.studio.revised(head);
+      this.refresh();
+    } catch (error) {
+      this.studio.failed(error);
+    }
+  }
+}

@@ -1,0 +1,159 @@
+// A picture: strokes as numbers, what is lit, and which line is near a point.
+
+import { s } from "./dom.js";
+
+// The strokes of a reply (docs/protocol.md).
+export function strokesOf({ head, body }) {
+  const n = new Int32Array(body);
+  const strokes = [];
+  for (let i = 0; i < n.length;) {
+    const [look, segment, ends, e, p] = n.subarray(i, i + 5);
+    const edges = n.subarray(i + 5, i + 5 + e);
+    const points = n.subarray(i + 5 + e, i + 5 + e + 2 * p);
+    strokes.push({ look, segment, closed: ends >> 2 === 2, edges, points });
+    i += 5 + e + 2 * p;
+  }
+  return { strokes, looks: head.looks, sheet: head.sheet, place: head.place, texts: head.texts || [] };
+}
+
+const pair = (points, i) => `${points[2 * i]} ${points[2 * i + 1]}`;
+
+function wholePath(stroke) {
+  const { points } = stroke;
+  let d = `M${points[0]} ${points[1]}L`;
+  for (let i = 2; i < points.length; i++) d += points[i] + " ";
+  return stroke.closed ? d + "Z" : d;
+}
+
+// The part of a stroke that shows the edges for which `of` holds.
+function partPath(stroke, of) {
+  const { edges, points } = stroke;
+  const pieces = points.length / 2 - 1;
+  if (edges.length < pieces) {
+    return [...edges].some(of) ? wholePath(stroke) : "";
+  }
+  let d = "";
+  for (let i = 0; i < edges.length; i++) {
+    if (of(edges[i])) d += `M${pair(points, i)}L${pair(points, (i + 1) % (pieces + 1))}`;
+  }
+  return d;
+}
+
+export const nameOf = (segment, edge) => `s${segment}e${edge}`;
+
+export class Picture {
+  constructor(layers = ["gone", "came", "lit", "chosen", "hover"]) {
+    this.lines = s("g", { class: "lines" });
+    this.letters = s("g", { class: "letters" });
+    this.layers = {};
+    this.svg = s("svg", { preserveAspectRatio: "xMidYMid meet" }, this.lines, this.letters);
+    for (const layer of layers) {
+      this.layers[layer] = s("path", { class: layer });
+      this.svg.append(this.layers[layer]);
+    }
+    this.shown = null;
+    this.lit = {};
+  }
+
+  show(picture) {
+    this.shown = picture;
+    const paths = picture.looks.map(() => "");
+    for (const stroke of picture.strokes) paths[stroke.look] += wholePath(stroke);
+    this.lines.replaceChildren(...picture.looks.map(([visibility, role], i) =>
+      s("path", { class: `${visibility} ${role}`, d: paths[i] })));
+    this.letters.replaceChildren(...picture.texts.map(([x, y, high, anchor, text]) => {
+      const element = s("text", { x, y, "font-size": high * 1.4,
+        "text-anchor": { left: "start", right: "end" }[anchor] || "middle" });
+      element.textContent = text;
+      return element;
+    }));
+    this.look(0, 0, ...picture.sheet);
+    for (const layer of Object.keys(this.lit)) this.light(layer, this.lit[layer]);
+    this.layers.hover.setAttribute("d", "");
+  }
+
+  look(x, y, width, height) {
+    this.box = [x, y, width, height];
+    this.svg.setAttribute("viewBox", this.box.join(" "));
+  }
+
+  // Looks at all but the lines of one role.
+  fit(but) {
+    const { strokes, looks } = this.shown;
+    let [left, top, right, bottom] = [Infinity, Infinity, -Infinity, -Infinity];
+    for (const { look, points } of strokes) {
+      if (looks[look][1] === but) continue;
+      for (let i = 0; i < points.length; i += 2) {
+        left = Math.min(left, points[i]);
+        right = Math.max(right, points[i]);
+        top = Math.min(top, points[i + 1]);
+        bottom = Math.max(bottom, points[i + 1]);
+      }
+    }
+    if (right < left) return;
+    const edge = 0.06 * Math.max(right - left, bottom - top);
+    this.look(left - edge, top - edge, right - left + 2 * edge, bottom - top + 2 * edge);
+  }
+
+  // Lights the lines of these names, a Set of s2, s2e7.
+  light(layer, names) {
+    this.lit[layer] = names;
+    let d = "";
+    if (names.size && this.shown) {
+      for (const stroke of this.shown.strokes) {
+        d += names.has(`s${stroke.segment}`) ? wholePath(stroke)
+          : partPath(stroke, (edge) => names.has(nameOf(stroke.segment, edge)));
+      }
+    }
+    this.layers[layer].setAttribute("d", d);
+  }
+
+  // Lines that an older picture had.
+  ghost(picture, names) {
+    let d = "";
+    for (const stroke of picture.strokes) {
+      d += partPath(stroke, (edge) => names.has(nameOf(stroke.segment, edge)));
+    }
+    this.layers.gone.setAttribute("d", d);
+  }
+
+  hover(found) {
+    this.layers.hover.setAttribute("d", found
+      ? partPath(found.stroke, (edge) => edge === found.edge) : "");
+  }
+
+  // The line nearest to a point of the screen, if one is within some pixels; a
+  // visible one before a hidden one.
+  near(clientX, clientY, within = 9) {
+    const matrix = this.svg.getScreenCTM();
+    if (!this.shown || !matrix) return null;
+    const { x, y } = new DOMPoint(clientX, clientY).matrixTransform(matrix.inverse());
+    let best = null;
+    let least = (within / matrix.a) ** 2;
+    for (const stroke of this.shown.strokes) {
+      const { points, edges } = stroke;
+      const n = points.length / 2;
+      const behind = this.shown.looks[stroke.look][0] === "hidden" ? 4 : 1;
+      for (let i = 0; i + 1 < n + (stroke.closed ? 1 : 0); i++) {
+        const j = (i + 1) % n;
+        const ax = points[2 * i], ay = points[2 * i + 1];
+        const dx = points[2 * j] - ax, dy = points[2 * j + 1] - ay;
+        const along = dx * dx + dy * dy;
+        const t = along ? Math.max(0, Math.min(1, ((x - ax) * dx + (y - ay) * dy) / along)) : 0;
+        const far = ((ax + t * dx - x) ** 2 + (ay + t * dy - y) ** 2) * behind;
+        if (far < least) {
+          least = far;
+          const edge = edges.length >= n - 1 ? edges[i] : edges[0];
+          best = { stroke, edge, segment: stroke.segment, name: nameOf(stroke.segment, edge) };
+        }
+      }
+    }
+    return best;
+  }
+
+  // How many strokes there are, and how many of them are hidden.
+  counts() {
+    const { strokes, looks } = this.shown;
+    return [strokes.length, strokes.filter(({ look }) => looks[look][0] === "hidden").length];
+  }
+}

@@ -1,0 +1,333 @@
+// View ports: each shows one picture of the document, and fills itself.
+
+import { h, calm, say } from "./dom.js";
+import { w, said } from "./words.js";
+import { Picture, strokesOf } from "./picture.js";
+import { Lost } from "./wire.js";
+
+export const KINDS = ["iso", "front", "top", "right", "left", "back", "bottom", "unfold"];
+const PICTORIAL = [315, 54.735610317245346];
+const MM = 25.4 / 96;
+
+class Port {
+  constructor(studio, kind, place) {
+    this.studio = studio;
+    this.name = "p" + place;
+    this.picture = new Picture();
+    this.under = null;
+    this.choice = h("select", { onchange: () => this.turnTo(this.choice.value) },
+      ...KINDS.map((key) => h("option", { value: key, "data-word": key })));
+    this.choice.dataset.label = "view";
+    this.remark = h("span", { class: "remark" });
+    this.canvas = h("div", { class: "canvas", tabindex: 0, role: "img" }, this.picture.svg);
+    this.element = h("figure", { class: "port" },
+      h("figcaption", {}, this.choice, this.remark), this.canvas);
+    this.kind = kind;
+    this.choice.value = kind;
+    this.angles = [...PICTORIAL];
+    this.sheet = 1;
+    this.scale = null;
+    this.listen();
+  }
+
+  listen() {
+    const { canvas } = this;
+    canvas.addEventListener("pointerdown", (event) => this.pressed(event));
+    canvas.addEventListener("pointermove", (event) => this.moved(event));
+    canvas.addEventListener("pointerup", (event) => this.released(event));
+    canvas.addEventListener("pointercancel", () => { this.fingers.clear(); this.drag = null; });
+    canvas.addEventListener("pointerleave", () => this.pointAt(null));
+    canvas.addEventListener("wheel", (event) => this.wheeled(event), { passive: false });
+    canvas.addEventListener("dblclick", (event) => this.doubled(event));
+    canvas.addEventListener("keydown", (event) => this.keyed(event));
+    this.fingers = new Map();
+    const sized = calm(60, () => this.refresh());
+    new ResizeObserver(() => sized()).observe(canvas);
+  }
+
+  get turns() {
+    return this.kind === "iso";
+  }
+
+  turnTo(kind) {
+    this.kind = kind;
+    this.choice.value = kind;
+    this.scale = null;
+    this.angles = [...PICTORIAL];
+    this.refresh();
+    this.studio.keep();
+  }
+
+  // One request is under way; what is asked meanwhile waits, and the newest wins.
+  refresh() {
+    if (this.kind === "unfold") this.whenQuiet();
+    else this.draw();
+  }
+
+  // Patterns may take seconds: they come when nothing else is wanted, and whoever
+  // asks for something meanwhile stops them.
+  whenQuiet = calm(400, () => {
+    if (this.kind !== "unfold") return;
+    if (this.studio.ports.ports.some((port) => port !== this && port.busy)) this.whenQuiet();
+    else this.draw();
+  });
+
+  async draw() {
+    const { clientWidth, clientHeight } = this.canvas;
+    if (!this.studio.ready || clientWidth < 24 || clientHeight < 24) return;
+    if (this.busy) {
+      this.again = true;
+      return;
+    }
+    this.busy = true;
+    this.element.classList.toggle("late", this.kind === "unfold");
+    try {
+      const reply = await this.asked(clientWidth, clientHeight);
+      if (!reply.head.replaced) this.show(reply);
+    } catch (error) {
+      if (error.message === "interrupted") this.again = true;
+      else if (!(error instanceof Lost)) this.failed(error);
+    }
+    this.busy = false;
+    this.element.classList.remove("late");
+    if (this.again) {
+      this.again = false;
+      this.refresh();
+    }
+  }
+
+  asked(width, height) {
+    const { studio } = this;
+    if (this.kind === "unfold") {
+      return studio.wire.ask("unfold", { sheet: this.sheet });
+    }
+    const keys = {
+      port: this.name, format: "strokes", ...studio.looks,
+      view: this.turns ? this.angles : this.kind,
+      size: [width * MM, height * MM].map((mm) => Math.round(mm * 100) / 100),
+      margin: Math.min(width, height) * MM * 0.07,
+    };
+    if (this.scale) keys.scale = this.scale;
+    return studio.wire.ask("view", keys);
+  }
+
+  show(reply) {
+    const { head } = reply;
+    this.before = this.picture.shown;
+    this.picture.show(strokesOf(reply));
+    this.canvas.classList.remove("empty");
+    this.element.classList.toggle("flat", this.kind === "unfold");
+    if (this.kind === "unfold" && !this.zoomed) this.picture.fit("bar");
+    if (this.zoomed) this.picture.look(...this.zoomed);
+    const [lines, hidden] = this.picture.counts();
+    this.canvas.setAttribute("aria-label", w("drawing", w(this.kind), lines, hidden) +
+      (this.turns ? ". " + w("turn") : ""));
+    this.remark.textContent = this.kind === "unfold" && head.sheets > 1
+      ? w("sheets", this.sheet, head.sheets)
+      : head.ms === undefined ? "" : w("ms", head.ms < 10 ? head.ms.toFixed(1) : Math.round(head.ms));
+    this.element.dataset.rev = head.rev;
+    this.under = null;
+  }
+
+  failed(error) {
+    this.canvas.classList.add("empty");
+    this.remark.textContent = error.head ? said(error.head.error).split("\n")[0] : String(error);
+  }
+
+  // --- pointing ---
+
+  pointAt(found) {
+    if ((found && found.name) === (this.under && this.under.name)) return;
+    this.under = found;
+    this.picture.hover(found);
+    this.canvas.classList.toggle("pointing", Boolean(found));
+    this.studio.hovered(this, found);
+  }
+
+  pressed(event) {
+    this.canvas.focus({ preventScroll: true });
+    this.canvas.setPointerCapture(event.pointerId);
+    this.fingers.set(event.pointerId, [event.clientX, event.clientY]);
+    this.drag = { x: event.clientX, y: event.clientY, moved: false,
+      pans: !this.turns || event.shiftKey || event.button === 1 };
+  }
+
+  moved(event) {
+    if (!this.drag) {
+      this.pointAt(this.picture.near(event.clientX, event.clientY));
+      return;
+    }
+    if (this.fingers.size === 2) {
+      this.pinched(event);
+      return;
+    }
+    const dx = event.clientX - this.drag.x;
+    const dy = event.clientY - this.drag.y;
+    if (!this.drag.moved && Math.hypot(dx, dy) < 4) return;
+    Object.assign(this.drag, { x: event.clientX, y: event.clientY, moved: true });
+    if (this.drag.pans) this.pan(dx, dy);
+    else this.turn(-dx * 0.45, -dy * 0.45);
+  }
+
+  released(event) {
+    this.fingers.delete(event.pointerId);
+    const { drag } = this;
+    this.drag = null;
+    if (!drag) return;
+    if (drag.moved) {
+      this.studio.keep();
+      return;
+    }
+    const found = this.picture.near(event.clientX, event.clientY, event.pointerType === "touch" ? 22 : 9);
+    this.studio.chosen(found ? [found.name] : [], this);
+  }
+
+  doubled(event) {
+    const found = this.picture.near(event.clientX, event.clientY);
+    if (found) this.studio.askAbout(found.name);
+    else this.fit();
+  }
+
+  turn(theta, phi) {
+    if (!this.turns || !this.picture.shown) return;
+    if (!this.scale && this.picture.shown.place) this.scale = this.picture.shown.place[0] / 1000;
+    this.angles = [(this.angles[0] + theta + 720) % 360,
+      Math.max(0, Math.min(180, this.angles[1] + phi))];
+    this.refresh();
+    this.settled();
+  }
+
+  fit() {
+    this.scale = null;
+    this.zoomed = null;
+    this.refresh();
+  }
+
+  // At rest the picture fills the port again, if it does not fit.
+  settled = calm(180, () => {
+    if (this.drag || !this.picture.shown) return;
+    const [width, height] = this.picture.shown.sheet;
+    const over = this.picture.shown.strokes.some(({ points }) =>
+      points.some((n, i) => n < 0 || n > (i % 2 ? height : width)));
+    if (over) this.fit();
+  });
+
+  pan(dx, dy) {
+    const { a } = this.picture.svg.getScreenCTM();
+    const [x, y, width, height] = this.picture.box;
+    this.zoom(x - dx / a, y - dy / a, width, height);
+  }
+
+  zoom(...box) {
+    this.zoomed = box;
+    this.picture.look(...box);
+  }
+
+  closer(factor, clientX, clientY) {
+    if (!this.picture.shown) return;
+    const p = new DOMPoint(clientX, clientY).matrixTransform(this.picture.svg.getScreenCTM().inverse());
+    const [x, y, width, height] = this.picture.box;
+    const full = this.picture.shown.sheet[0];
+    if (width * factor > full * 4 || width * factor < full / 200) return;
+    this.zoom(p.x - (p.x - x) * factor, p.y - (p.y - y) * factor, width * factor, height * factor);
+  }
+
+  wheeled(event) {
+    event.preventDefault();
+    this.closer(Math.exp(Math.max(-60, Math.min(60, event.deltaY)) / 300), event.clientX, event.clientY);
+  }
+
+  pinched(event) {
+    const before = [...this.fingers.values()];
+    this.fingers.set(event.pointerId, [event.clientX, event.clientY]);
+    const after = [...this.fingers.values()];
+    const wide = ([[ax, ay], [bx, by]]) => Math.hypot(ax - bx, ay - by);
+    this.drag.moved = true;
+    this.closer(wide(before) / Math.max(1, wide(after)),
+      (after[0][0] + after[1][0]) / 2, (after[0][1] + after[1][1]) / 2);
+  }
+
+  // --- keys: turning, and going from line to line ---
+
+  keyed(event) {
+    const arrow = { ArrowLeft: [5, 0], ArrowRight: [-5, 0], ArrowUp: [0, 5], ArrowDown: [0, -5] }[event.key];
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.key === "Enter" && !this.walking) this.walk(0);
+    else if (event.key === "Enter") this.studio.chosen([this.under.name], this);
+    else if (event.key === "Escape" && this.walking) this.unwalk();
+    else if (arrow && this.walking) this.walk(arrow[0] < 0 || arrow[1] < 0 ? 1 : -1);
+    else if (arrow) this.turn(...arrow);
+    else if (event.key === "0") this.fit();
+    else if ("+-".includes(event.key)) {
+      const box = this.canvas.getBoundingClientRect();
+      this.closer(event.key === "+" ? 0.8 : 1.25, box.x + box.width / 2, box.y + box.height / 2);
+    } else return;
+    event.preventDefault();
+    event.stopPropagation();
+  }
+
+  walk(step) {
+    const { strokes, looks } = this.picture.shown;
+    if (!strokes.length) return;
+    this.at = step ? (this.at + step + strokes.length) % strokes.length : 0;
+    this.walking = true;
+    const stroke = strokes[this.at];
+    const edge = stroke.edges[0];
+    const name = `s${stroke.segment}e${edge}`;
+    this.pointAt({ stroke, edge, segment: stroke.segment, name });
+    say(`${w("line", name)}, ${looks[stroke.look].join(", ")}`);
+  }
+
+  unwalk() {
+    this.walking = false;
+    this.pointAt(null);
+  }
+}
+
+// The colour monitor: all ports.
+export class Ports {
+  constructor(studio, element) {
+    this.studio = studio;
+    this.element = element;
+    const kinds = JSON.parse(localStorage.getItem("ports") || "null")
+      || ["iso", "unfold", "top", "front", "right"];
+    this.ports = kinds.map((kind, i) => new Port(studio, kind, i));
+    element.replaceChildren(...this.ports.map((port) => port.element));
+    element.dataset.count = this.ports.length;
+  }
+
+  refresh() {
+    for (const port of this.ports) port.refresh();
+  }
+
+  light(layer, names) {
+    const set = new Set(names);
+    for (const port of this.ports) port.picture.light(layer, set);
+  }
+
+  hover(from, found) {
+    const names = new Set(found ? [found.name] : []);
+    for (const port of this.ports) if (port !== from) port.picture.light("hover", names);
+  }
+
+  // Lines that went, where they were.
+  ghost(names) {
+    const set = new Set(names);
+    for (const port of this.ports) {
+      if (port.before) port.picture.ghost(port.before, set);
+    }
+  }
+
+  next() {
+    const at = this.ports.findIndex((port) => port.element.contains(document.activeElement));
+    this.ports[(at + 1) % this.ports.length].canvas.focus();
+  }
+
+  focused() {
+    return this.ports.find((port) => port.element.contains(document.activeElement)) || this.ports[0];
+  }
+
+  kept() {
+    localStorage.setItem("ports", JSON.stringify(this.ports.map((port) => port.kind)));
+  }
+}

@@ -1,0 +1,237 @@
+// The tree of segments, and the form of one: what the text says, with a slider
+// for each number.
+
+import { h } from "./dom.js";
+import { reworded, tongue } from "./words.js";
+import { Lost } from "./wire.js";
+
+const SIGNS = { union: "∪", intersection: "∩", difference: "−", xor: "⊕" };
+
+// named(tee, at(Steps, union([8, 9]))) -> what a row of the tree says.
+function summary(term, path = []) {
+  if (term && term.name === "named") {
+    return { ...summary(term.args[1], [...path, 2]), called: term.args[0] };
+  }
+  if (term && term.name === "at") {
+    return { ...summary(term.args[1], [...path, 2]), placed: term.args[0] };
+  }
+  return { term, path };
+}
+
+const isOperand = (term) => typeof term === "number" || (term && (term.name in SIGNS
+  || term.name === "at" || term.name === "named"));
+
+function operandsOf(term) {
+  const { term: inner } = summary(term);
+  return inner && inner.name in SIGNS ? inner.args[0] : [];
+}
+
+function label(term) {
+  const { term: inner, called } = summary(term);
+  if (typeof inner === "number") return String(inner);
+  return called || (inner && inner.name) || String(inner);
+}
+
+export class Tree {
+  constructor(studio) {
+    this.studio = studio;
+    this.list = h("ul", { role: "tree", class: "tree", onkeydown: (event) => this.keyed(event) });
+    this.list.dataset.label = "tree";
+    this.form = h("div", { class: "form" });
+    this.element = h("div", { class: "panel" },
+      h("h2", { "data-word": "tree" }), this.list,
+      h("h2", { "data-word": "form" }), this.form);
+    this.open = new Set();
+    this.model = { segments: [], params: [], forms: {} };
+  }
+
+  async refresh() {
+    try {
+      const { head } = await this.studio.wire.ask("tree");
+      this.model = head;
+    } catch (error) {
+      if (error instanceof Lost) return;
+      const { segments } = this.studio;
+      this.model = { params: [], forms: {}, segments: segments.map(({ segment, kind, name }) =>
+        ({ segment, kind, term: name })) };
+    }
+    this.draw();
+  }
+
+  draw() {
+    const { segments } = this.model;
+    const byNumber = new Map(segments.map((one) => [one.segment, one]));
+    const used = new Set();
+    const inside = (term) => {
+      const { term: inner } = summary(term);
+      if (typeof inner === "number" && inner !== term) used.add(inner);
+      for (const operand of operandsOf(term)) {
+        if (typeof operand === "number") used.add(operand);
+        else inside(operand);
+      }
+    };
+    for (const { term } of segments) inside(term);
+    this.byNumber = byNumber;
+    const roots = segments.filter(({ segment }) => !used.has(segment));
+    if (!this.drawn) for (const { segment } of roots) this.open.add("/" + segment);
+    this.drawn = true;
+    this.list.replaceChildren(...roots.map(({ segment }) => this.row(segment, "", 1)));
+    this.drawForm();
+    reworded(this.element);
+  }
+
+  row(operand, above, level) {
+    const number = typeof operand === "number" ? operand
+      : typeof summary(operand).term === "number" ? summary(operand).term : null;
+    const one = number === null ? null : this.byNumber.get(number);
+    const term = one ? one.term : operand;
+    const { term: inner } = summary(term);
+    const sign = inner && SIGNS[inner.name];
+    const parts = sign ? operandsOf(term) : [];
+    const key = above + "/" + (number ?? label(operand));
+    const open = this.open.has(key);
+    const chosen = this.segment === number && number !== null;
+    const item = h("li", { role: "treeitem", "aria-level": level, "aria-selected": String(chosen),
+      "aria-expanded": parts.length ? String(open) : undefined, tabindex: chosen || (level === 1 && this.segment === undefined) ? 0 : -1,
+      onclick: (event) => { event.stopPropagation(); this.choose(number, key, parts.length); } },
+      h("span", { class: "row" },
+        h("span", { class: "twist" }, parts.length ? (open ? "▾" : "▸") : ""),
+        h("b", {}, number === null ? "" : String(number)),
+        h("span", { class: "what" }, label(term)),
+        h("i", {}, sign || (inner && inner.name && summary(term).called ? inner.name : ""))));
+    item.dataset.key = key;
+    if (open && parts.length) {
+      item.append(h("ul", { role: "group" }, ...parts.map((part) => this.row(part, key, level + 1))));
+    }
+    return item;
+  }
+
+  choose(number, key, parts) {
+    if (parts && (this.segment === number || number === null || !this.open.has(key))) {
+      if (this.open.has(key)) this.open.delete(key);
+      else this.open.add(key);
+    }
+    if (number !== null) {
+      this.segment = number;
+      this.studio.lightSegment(number);
+    }
+    this.draw();
+    this.list.querySelector(`[data-key="${CSS.escape(key)}"]`)?.focus();
+  }
+
+  keyed(event) {
+    const items = [...this.list.querySelectorAll("[role=treeitem]")];
+    const at = items.indexOf(document.activeElement);
+    if (at < 0) return;
+    const item = items[at];
+    if (event.key === "ArrowDown") items[Math.min(at + 1, items.length - 1)].focus();
+    else if (event.key === "ArrowUp") items[Math.max(at - 1, 0)].focus();
+    else if (event.key === "Enter" || event.key === " ") item.click();
+    else if (event.key === "ArrowRight" && item.getAttribute("aria-expanded") === "false") item.click();
+    else if (event.key === "ArrowLeft" && item.getAttribute("aria-expanded") === "true") item.click();
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  }
+
+  // --- the form ---
+
+  drawForm() {
+    if (this.form.contains(document.activeElement) && this.dragging) return;
+    const rows = [];
+    for (const { param, value, about } of this.model.params) {
+      if (typeof value === "number") rows.push(this.number(param, value, [], { param }, about));
+    }
+    if (rows.length) rows.unshift(h("h3", { "data-word": "parameters" }));
+    const one = this.byNumber && this.byNumber.get(this.segment);
+    if (one && typeof one.term === "object") {
+      const found = [];
+      this.numbers(one.term, [], null, found);
+      rows.push(h("h3", {}, `${one.segment} ${label(one.term)}`));
+      rows.push(...found.map(({ name, value, types, path }) =>
+        this.number(name, value, types, { segment: one.segment, path })));
+      if (!found.length) rows.push(h("p", { class: "quiet", "data-word": "no_numbers" }));
+    } else {
+      rows.push(h("p", { class: "quiet", "data-word": "no_sizes" }));
+    }
+    this.form.replaceChildren(...rows);
+  }
+
+  // The numbers of a term, each with its path (docs/protocol.md, edit).
+  numbers(term, path, within, found) {
+    if (typeof term === "number") {
+      found.push({ name: within.name + (within.many > 1 ? " " + within.at : ""), value: term,
+        types: within.types || [], path, at: within.at });
+    } else if (Array.isArray(term)) {
+      term.forEach((inner, i) => {
+        if (typeof inner !== "number") this.numbers(inner, [...path, i + 1], within, found);
+        else if (within && within.list) {
+          this.numbers(inner, [...path, i + 1], { ...within, at: i + 1, many: term.length }, found);
+        }
+      });
+    } else if (term && typeof term === "object") {
+      const primitive = this.model.forms[term.name];
+      const operation = term.name in SIGNS;
+      term.args.forEach((inner, i) => {
+        if (operation && typeof inner === "number") return;
+        if ((term.name === "named" || term.name === "at") && typeof inner === "number") return;
+        const within1 = primitive ? { types: [] }
+          : { name: term.name, types: within && within.form ? within.form[term.name] : null,
+            at: i + 1, many: term.args.length, list: !operation && !isOperand(term) };
+        if (primitive) within1.form = primitive;
+        else if (within && within.form) within1.types = within.form[term.name] || [];
+        this.numbers(inner, [...path, i + 1], within1, found);
+      });
+    }
+  }
+
+  number(name, value, types, target, about = {}) {
+    const whole = ["facets", "count"].includes((types || [])[0]);
+    const positive = ["length", "radius", "factor", "turn"].includes((types || [])[0]) || whole;
+    const size = Math.abs(value) || 1;
+    const step = about.step ?? (whole ? 1 : 10 ** (Math.floor(Math.log10(size)) - 2));
+    const least = about.min ?? (whole ? Math.min(3, value) : positive ? step : -2 * size - step);
+    const most = about.max ?? (whole ? Math.max(64, 2 * value) : 2 * size + step);
+    const text = about[tongue()];
+    const sent = (text) => {
+      const number = whole ? Math.round(Number(text)) : Number(Number(text).toPrecision(12));
+      if (text !== "" && Number.isFinite(number)) this.set(target, number);
+    };
+    const field = h("input", { type: "number", value, step: "any", onchange: () => sent(field.value) });
+    const slider = h("input", { type: "range", min: least, max: most, step, value,
+      oninput: () => {
+        this.dragging = true;
+        field.value = Number(Number(slider.value).toPrecision(12));
+        sent(slider.value);
+      },
+      onchange: () => { this.dragging = false; this.fresh = true; } });
+    slider.setAttribute("aria-label", name);
+    field.setAttribute("aria-label", name);
+    slider.addEventListener("pointerdown", () => { this.fresh = true; });
+    slider.addEventListener("keydown", () => { this.fresh = true; });
+    return h("label", { class: "number", title: text }, h("span", {}, name), slider, field);
+  }
+
+  // The last value wins: one edit is under way. All edits of one drag are one
+  // step of undo: each takes back the one before it.
+  async set(target, value) {
+    this.next = { target, value };
+    if (this.editing) return;
+    this.editing = true;
+    while (this.next) {
+      const { target: set, value: number } = this.next;
+      this.next = null;
+      try {
+        if (this.dragging && !this.fresh) await this.studio.wire.ask("undo");
+        this.fresh = false;
+        const { head } = await this.studio.wire.ask("edit", { set: { ...set, value: number } });
+        this.studio.segments = head.segments;
+        this.studio.edited(head);
+      } catch (error) {
+        this.fresh = true;
+        this.studio.failed(error);
+      }
+    }
+    this.editing = false;
+  }
+}

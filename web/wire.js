@@ -1,0 +1,85 @@
+// The way to the program: requests out, replies and events in.
+
+const HELLO = 0;
+const decoder = new TextDecoder();
+
+export class Lost extends Error {}
+
+export class Wire extends EventTarget {
+  constructor(token) {
+    super();
+    this.token = token;
+    this.number = HELLO;
+    this.waiting = new Map();
+    this.wait = 250;
+    this.alive = setInterval(() => this.open && this.send({ do: "alive" }), 25000);
+    this.connect();
+  }
+
+  get open() {
+    return this.socket && this.socket.readyState === WebSocket.OPEN;
+  }
+
+  connect() {
+    const socket = new WebSocket(`ws://${location.host}/ws`);
+    socket.binaryType = "arraybuffer";
+    this.socket = socket;
+    socket.onopen = () => this.send({ id: HELLO, do: "hello", token: this.token });
+    socket.onmessage = (event) => this.heard(event.data);
+    socket.onclose = (event) => this.closed(event.code);
+  }
+
+  send(head) {
+    this.socket.send(JSON.stringify(head));
+  }
+
+  closed(code) {
+    for (const { reject } of this.waiting.values()) reject(new Lost("away"));
+    this.waiting.clear();
+    if (code === 1008) {
+      this.dispatchEvent(new Event("refused"));
+      return;
+    }
+    this.dispatchEvent(new Event("away"));
+    setTimeout(() => this.connect(), this.wait);
+    this.wait = Math.min(this.wait * 1.6, 5000);
+  }
+
+  heard(data) {
+    const length = new DataView(data).getUint32(0);
+    const head = JSON.parse(decoder.decode(new Uint8Array(data, 4, length)));
+    const body = data.slice(4 + length);
+    if (head.event) {
+      this.dispatchEvent(new CustomEvent(head.event, { detail: head }));
+    } else if (head.id === HELLO) {
+      this.wait = 250;
+      this.dispatchEvent(new CustomEvent("hello", { detail: head }));
+    } else if (head.progress) {
+      this.dispatchEvent(new CustomEvent("progress", { detail: head.progress }));
+    } else {
+      const asked = this.waiting.get(head.id);
+      this.waiting.delete(head.id);
+      if (!asked) return;
+      if (head.rev !== undefined) {
+        this.dispatchEvent(new CustomEvent("rev", { detail: head.rev }));
+      }
+      if (head.error) asked.reject(Object.assign(new Error(head.error.code), { head }));
+      else asked.resolve({ head, body });
+    }
+  }
+
+  // Resolves to { head, body }; rejects with Lost, or an Error that has the head.
+  ask(request, keys = {}) {
+    if (!this.open) return Promise.reject(new Lost("away"));
+    if (this.slow && this.waiting.has(this.slow)) this.send({ do: "stop" });
+    this.number += 1;
+    const id = this.number;
+    this.slow = request === "unfold" ? id : 0;
+    return new Promise((resolve, reject) => {
+      this.waiting.set(id, { resolve, reject });
+      this.send({ ...keys, id, do: request });
+    });
+  }
+}
+
+export const textOf = (body) => decoder.decode(body);

@@ -1,0 +1,41 @@
+// The words of the page, in the language that the reader chose.
+
+let words = { en: {}, ko: {} };
+let language = "en";
+
+export async function wordsLoaded() {
+  const kept = localStorage.getItem("language");
+  language = kept || ((navigator.language || "").startsWith("ko") ? "ko" : "en");
+  words = await (await fetch("words.json")).json();
+  document.documentElement.lang = language;
+}
+
+export const tongue = () => language;
+
+export function w(key, ...given) {
+  const word = words[language][key];
+  if (word === undefined) throw new Error("no word: " + key);
+  return word.replace(/\{(\d)\}/g, (_, i) => given[i]);
+}
+
+export function otherTongue() {
+  language = language === "ko" ? "en" : "ko";
+  localStorage.setItem("language", language);
+  document.documentElement.lang = language;
+  reworded(document);
+  document.dispatchEvent(new Event("reworded"));
+}
+
+// data-word is the key of the text of an element, data-label of its name.
+export function reworded(root) {
+  for (const element of root.querySelectorAll("[data-word]")) {
+    element.textContent = w(element.dataset.word);
+  }
+  for (const element of root.querySelectorAll("[data-label]")) {
+    element.setAttribute("aria-label", w(element.dataset.label));
+    element.setAttribute("title", w(element.dataset.label));
+  }
+}
+
+// What a message of the program says.
+export const said = (message) => message.words[language];
