@@ -391,7 +391,12 @@ for arguments, said in ((["--port", str(again.port)], b"listens at port"),
                         (["tee.pl"], b"one more")):
     holder = socket.socket()
     holder.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-    holder.bind(("127.0.0.1", again.port))
+    for _ in range(40):
+        try:
+            holder.bind(("127.0.0.1", again.port))
+            break
+        except OSError:
+            time.sleep(0.05)
     holder.listen()
     done = subprocess.run([program, "serve", "tee.pl", "--no-open",
                            *arguments], cwd=models, stdout=subprocess.PIPE,
