@@ -227,15 +227,22 @@ class Studio {
     $("state").className = this.changes ? "changed" : "";
   }
 
-  async change(request, keys) {
-    try {
-      const { head } = await this.wire.ask(request, keys);
-      this.segments = head.segments;
-      this.text.dirty = false;
-      await this.edited(head);
-    } catch (error) {
-      this.failed(error);
-    }
+  // One change after the other; the panes show what the last of them made.
+  change(request, keys) {
+    this.queued = (this.queued || 0) + 1;
+    this.line = (this.line || Promise.resolve()).then(async () => {
+      this.queued -= 1;
+      this.tree.done = null;
+      try {
+        const { head } = await this.wire.ask(request, keys);
+        this.segments = head.segments;
+        this.text.dirty = false;
+        if (!this.queued) await this.edited(head);
+      } catch (error) {
+        if (!this.queued) this.failed(error);
+      }
+    });
+    return this.line;
   }
 
   async save(keys = {}) {
@@ -287,11 +294,12 @@ class Studio {
     this.light("chosen", ["s" + segment]);
   }
 
-  chosen(names, port) {
+  // `role` is that of the line in `port`, where it was chosen.
+  chosen(names, port, role) {
     this.names = names;
     this.from = port || this.from;
     this.light("chosen", names);
-    return this.why.show(names, this.from);
+    return this.why.show(names, this.from, role);
   }
 
   async askAbout(name) {

@@ -120,7 +120,7 @@ export class Why {
     this.element = h("div", { class: "panel why" }, h("h2", { "data-word": "why" }), this.inner);
   }
 
-  async show(names, port) {
+  async show(names, port, role) {
     const { studio } = this;
     if (!names.length) {
       this.inner.replaceChildren(h("p", { class: "quiet", "data-word": "no_why" }));
@@ -130,18 +130,22 @@ export class Why {
     try {
       const { head } = await studio.wire.ask("select", { names: names.slice(0, 20) });
       const items = [];
-      for (const one of head.selected) items.push(...await this.one(one, port));
+      for (const one of head.selected) items.push(...await this.one(one, port, role));
       this.inner.replaceChildren(...items);
       reworded(this.inner);
       this.inner.scrollTop = 0;
-      studio.light("chosen", [...names, ...head.selected.flatMap(({ shows }) => shows.filter((name) => name.includes("e") && /^s/.test(name) && names[0] && !names[0].includes("e")))]);
+      studio.light("chosen", [...names, ...head.selected.flatMap(({ shows }) =>
+        shows.filter((name) => /^s\d+e/.test(name)))]);
     } catch (error) {
       this.inner.replaceChildren(h("p", { class: "bad" }, studio.wrong(error)));
     }
   }
 
-  async one({ name, goal, explain, shows }, port) {
+  async one({ name, goal, explain, shows }, port, role) {
     const { studio } = this;
+    const edge = /^s(\d+)e(\d+)$/.exec(name);
+    const joint = { cut: "seam", fold_up: "fold", fold_down: "fold" }[role];
+    if (edge && joint && port.kind === "unfold") explain = [`${joint}(${edge[1]}, ${edge[2]})`];
     const parts = [h("p", { class: "chip" }, h("strong", {}, name), " ",
       h("button", { class: "goal", onclick: () => studio.asking.set(goal) }, goal))];
     const looks = port && port.turns ? ["--view", port.angles.map((angle) => angle.toFixed(6)).join(",")]
@@ -152,7 +156,6 @@ export class Why {
       parts.push(h("pre", { class: head.error ? "bad" : "" }, ...linked(text, studio)));
     }
     if (!explain.length) parts.push(h("p", { class: "quiet", "data-word": "nothing_why" }));
-    const edge = /^s(\d+)e(\d+)$/.exec(name);
     if (edge && studio.isText) {
       const wish = (keep) => () => studio.change("cut", { segment: Number(edge[1]), edge: Number(edge[2]), keep });
       parts.push(h("p", { class: "wishes" },

@@ -6,11 +6,17 @@ import { s } from "./dom.js";
 export function strokesOf({ head, body }) {
   const n = new Int32Array(body);
   const strokes = [];
+  // A pattern of segment 1 has the edges of segment 1.
+  const laid = new Map();
+  for (const { pattern, of } of head.patterns || []) {
+    const found = /^development\((\d+)/.exec(of);
+    if (found) laid.set(pattern, Number(found[1]));
+  }
   for (let i = 0; i < n.length;) {
     const [look, segment, ends, e, p] = n.subarray(i, i + 5);
     const edges = n.subarray(i + 5, i + 5 + e);
     const points = n.subarray(i + 5 + e, i + 5 + e + 2 * p);
-    strokes.push({ look, segment, closed: ends >> 2 === 2, edges, points });
+    strokes.push({ look, segment: laid.get(segment) ?? segment, closed: ends >> 2 === 2, edges, points });
     i += 5 + e + 2 * p;
   }
   return { strokes, looks: head.looks, sheet: head.sheet, place: head.place, texts: head.texts || [] };
@@ -134,6 +140,7 @@ export class Picture {
       const { points, edges } = stroke;
       const n = points.length / 2;
       const behind = this.shown.looks[stroke.look][0] === "hidden" ? 4 : 1;
+      if (!edges.length) continue;
       for (let i = 0; i + 1 < n + (stroke.closed ? 1 : 0); i++) {
         const j = (i + 1) % n;
         const ax = points[2 * i], ay = points[2 * i + 1];
@@ -144,7 +151,8 @@ export class Picture {
         if (far < least) {
           least = far;
           const edge = edges.length >= n - 1 ? edges[i] : edges[0];
-          best = { stroke, edge, segment: stroke.segment, name: nameOf(stroke.segment, edge) };
+          best = { stroke, edge, segment: stroke.segment, name: nameOf(stroke.segment, edge),
+            role: this.shown.looks[stroke.look][1] };
         }
       }
     }

@@ -179,7 +179,7 @@ class Port {
       return;
     }
     const found = this.picture.near(event.clientX, event.clientY, event.pointerType === "touch" ? 22 : 9);
-    this.studio.chosen(found ? [found.name] : [], this);
+    this.studio.chosen(found ? [found.name] : [], this, found && found.role);
   }
 
   doubled(event) {

@@ -28,7 +28,7 @@ function operandsOf(term) {
 
 function label(term) {
   const { term: inner, called } = summary(term);
-  if (typeof inner === "number") return String(inner);
+  if (typeof inner === "number") return called || "→ " + inner;
   return called || (inner && inner.name) || String(inner);
 }
 
@@ -80,7 +80,8 @@ export class Tree {
     reworded(this.element);
   }
 
-  row(operand, above, level) {
+  // An operand that stands in the term of another segment has that one's sizes.
+  row(operand, above, level, owner) {
     const number = typeof operand === "number" ? operand
       : typeof summary(operand).term === "number" ? summary(operand).term : null;
     const one = number === null ? null : this.byNumber.get(number);
@@ -93,7 +94,7 @@ export class Tree {
     const chosen = this.segment === number && number !== null;
     const item = h("li", { role: "treeitem", "aria-level": level, "aria-selected": String(chosen),
       "aria-expanded": parts.length ? String(open) : undefined, tabindex: chosen || (level === 1 && this.segment === undefined) ? 0 : -1,
-      onclick: (event) => { event.stopPropagation(); this.choose(number, key, parts.length); } },
+      onclick: (event) => { event.stopPropagation(); this.choose(number ?? owner, key, parts.length); } },
       h("span", { class: "row" },
         h("span", { class: "twist" }, parts.length ? (open ? "▾" : "▸") : ""),
         h("b", {}, number === null ? "" : String(number)),
@@ -101,13 +102,13 @@ export class Tree {
         h("i", {}, sign || (inner && inner.name && summary(term).called ? inner.name : ""))));
     item.dataset.key = key;
     if (open && parts.length) {
-      item.append(h("ul", { role: "group" }, ...parts.map((part) => this.row(part, key, level + 1))));
+      item.append(h("ul", { role: "group" }, ...parts.map((part) => this.row(part, key, level + 1, number ?? owner))));
     }
     return item;
   }
 
   choose(number, key, parts) {
-    if (parts && (this.segment === number || number === null || !this.open.has(key))) {
+    if (parts && (this.segment === number || !this.open.has(key))) {
       if (this.open.has(key)) this.open.delete(key);
       else this.open.add(key);
     }
@@ -160,7 +161,8 @@ export class Tree {
   // The numbers of a term, each with its path (docs/protocol.md, edit).
   numbers(term, path, within, found) {
     if (typeof term === "number") {
-      found.push({ name: within.name + (within.many > 1 ? " " + within.at : ""), value: term,
+      const axis = ["translate", "scale", "shift"].includes(within.name) ? "xyz"[within.at - 1] : within.at;
+      found.push({ name: within.name + (within.many > 1 ? " " + axis : ""), value: term,
         types: within.types || [], path, at: within.at });
     } else if (Array.isArray(term)) {
       term.forEach((inner, i) => {
@@ -177,7 +179,7 @@ export class Tree {
         if ((term.name === "named" || term.name === "at") && typeof inner === "number") return;
         const within1 = primitive ? { types: [] }
           : { name: term.name, types: within && within.form ? within.form[term.name] : null,
-            at: i + 1, many: term.args.length, list: !operation && !isOperand(term) };
+            at: i + 1, many: term.args.filter((one) => typeof one === "number").length, list: !operation && !isOperand(term) };
         if (primitive) within1.form = primitive;
         else if (within && within.form) within1.types = within.form[term.name] || [];
         this.numbers(inner, [...path, i + 1], within1, found);
@@ -197,38 +199,40 @@ export class Tree {
       const number = whole ? Math.round(Number(text)) : Number(Number(text).toPrecision(12));
       if (text !== "" && Number.isFinite(number)) this.set(target, number);
     };
-    const field = h("input", { type: "number", value, step: "any", onchange: () => sent(field.value) });
+    const begun = () => { this.drag = (this.drag || 0) + 1; };
+    const field = h("input", { type: "number", value, step: "any",
+      onchange: () => { begun(); sent(field.value); } });
     const slider = h("input", { type: "range", min: least, max: most, step, value,
       oninput: () => {
         this.dragging = true;
         field.value = Number(Number(slider.value).toPrecision(12));
         sent(slider.value);
       },
-      onchange: () => { this.dragging = false; this.fresh = true; } });
+      onchange: () => { this.dragging = false; } });
     slider.setAttribute("aria-label", name);
     field.setAttribute("aria-label", name);
-    slider.addEventListener("pointerdown", () => { this.fresh = true; });
-    slider.addEventListener("keydown", () => { this.fresh = true; });
+    slider.addEventListener("pointerdown", begun);
+    slider.addEventListener("keydown", begun);
     return h("label", { class: "number", title: text }, h("span", {}, name), slider, field);
   }
 
   // The last value wins: one edit is under way. All edits of one drag are one
   // step of undo: each takes back the one before it.
   async set(target, value) {
-    this.next = { target, value };
+    this.next = { target, value, drag: this.drag };
     if (this.editing) return;
     this.editing = true;
     while (this.next) {
-      const { target: set, value: number } = this.next;
+      const { target: set, value: number, drag } = this.next;
       this.next = null;
       try {
-        if (this.dragging && !this.fresh) await this.studio.wire.ask("undo");
-        this.fresh = false;
+        if (drag === this.done) await this.studio.wire.ask("undo");
+        this.done = null;
         const { head } = await this.studio.wire.ask("edit", { set: { ...set, value: number } });
+        this.done = drag;
         this.studio.segments = head.segments;
         this.studio.edited(head);
       } catch (error) {
-        this.fresh = true;
         this.studio.failed(error);
       }
     }

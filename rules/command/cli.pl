@@ -128,6 +128,7 @@ sanggwan(Arguments, Status) :-
 %   model in the current world.
 
 explained_there(Arguments, Status) :-
+    set_language([]),
     setup_call_cleanup(
         asserta(running, Running),
         ended(false, there(Arguments), Status),

@@ -151,6 +151,7 @@ item(edge(S, E), e(S, E, '$VAR'('V1'), '$VAR'('V2'), '$VAR'('Et')), Explain,
     findall(Shown,
             ( member(V, [V1,V2]), name_of(vertex(S, V), Shown)
             ; edge_polygon(S, E, P), name_of(polygon(S, P), Shown)
+            ; e(S, Back, V2, V1, _), name_of(edge(S, Back), Shown)
             ; member(line(L), Lines), name_of(line(L), Shown)
             ; ( joint(S, J, E, _, _, _) ; joint(S, J, _, E, _, _) ),
               name_of(joint(S, J), Shown)

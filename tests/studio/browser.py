@@ -105,6 +105,12 @@ class Browser:
             self.ask("POST", "/actions", {"actions": [
                 {"type": "key", "id": "keys", "actions": actions}]})
 
+    def chord(self, *keys):
+        actions = [{"type": "keyDown", "value": key} for key in keys] + [
+            {"type": "keyUp", "value": key} for key in reversed(keys)]
+        self.ask("POST", "/actions", {"actions": [
+            {"type": "key", "id": "keys", "actions": actions}]})
+
     def pointer(self, *steps):
         """Steps: (x, y) moves there, "down" and "up" press and release."""
         actions = []
