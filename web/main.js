@@ -290,6 +290,17 @@ class Studio {
     this.ports.light(layer, names);
   }
 
+  // Also names that have no line of their own: polygons, vertices, joints,
+  // penetration lines are lit by the edges that show them.
+  async lightAll(layer, names) {
+    const others = names.filter((name) => !/^s\d+(e-?\d+)?$/.test(name)).slice(0, 1000);
+    this.light(layer, names);
+    if (!others.length) return;
+    const { head } = await this.wire.ask("select", { names: others });
+    this.light(layer, [...names, ...head.selected.flatMap(({ shows }) =>
+      shows.filter((name) => /^s\d+e/.test(name)))]);
+  }
+
   lightSegment(segment) {
     this.light("chosen", ["s" + segment]);
   }

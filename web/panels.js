@@ -99,7 +99,7 @@ export class Asking {
     this.count.textContent = this.total === 0 ? w("no_answers")
       : head.names.length === 0 ? w("yes") : w("answers", this.total);
     say(this.count.textContent);
-    this.studio.light("lit", this.shows);
+    this.studio.lightAll("lit", this.shows).catch((error) => this.studio.failed(error));
   }
 
   async next() {

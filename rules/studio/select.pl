@@ -165,7 +165,9 @@ item(edge(S, E), drawn('$VAR'('D'), S, E, '$VAR'('From'), '$VAR'('To'),
 item(polygon(S, P), p(S, P, '$VAR'('Es')), [], Shows) :-
     p(S, P, Es),
     findall(Shown, ( member(E, Es), E =\= 0, Id is abs(E),
-                     name_of(edge(S, Id), Shown) ),
+                     e(S, Id, V1, V2, _),
+                     ( Side = Id ; e(S, Side, V2, V1, _) ),
+                     name_of(edge(S, Side), Shown) ),
             Shows0),
     sort(Shows0, Shows).
 item(vertex(S, V), v(S, V, '$VAR'('X'), '$VAR'('Y'), '$VAR'('Z')),

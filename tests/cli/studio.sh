@@ -1,6 +1,7 @@
 #!/bin/bash
 # studio.sh -- the studio: tests/studio/front_test.py asks its front as pages do,
-# and attacks its guard.
+# and attacks its guard; tests/studio/browser_test.py uses the page in a real
+# browser, if there is one.
 # covers: front, guard, visitor, page_file, model_tree, answer_name, studio_words
 . "$(dirname "$0")/harness.bash"
 cd "$here" || exit 2
@@ -17,4 +18,9 @@ asked() {
 }
 
 asked front_test.py
+if command -v chromedriver >/dev/null && command -v chromium >/dev/null; then
+  asked browser_test.py
+else
+  echo 'skipped: the page in a browser: chromium, chromium-driver are not there'
+fi
 finish

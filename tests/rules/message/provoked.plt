@@ -207,6 +207,7 @@ command(unfold(no_table(_)), [unfold, @('cube.pl'), '--true', '--table',
 
 % elsewhere(Notice, Why): no command here provokes it.
 elsewhere(interrupted, test('tests/cli/bad_output.sh')).
+elsewhere(studio(_), test('tests/studio/front_test.py')).
 elsewhere(progress(_,_), test('tests/cli/bad_output.sh')).
 elsewhere(progress(_,_,_,_,_), test('tests/cli/bad_output.sh')).
 elsewhere(no_memory, test('tests/cli/memory.sh')).

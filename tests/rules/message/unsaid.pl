@@ -32,7 +32,6 @@ unsaid(command_en, command_en(port_taken(_))).
 unsaid(command_en, command_en(port_refused(_))).
 unsaid(session_en, session_en(not_offered(_))).
 unsaid(session_en, session_en(outside(_))).
-unsaid(session_en, session_en(too_many(_))).
 unsaid(session_en, session_en(session_ended)).
 unsaid(session_en, session_en(open_to_others(_,_))).
 unsaid(session_en, wanted_en(offered)).

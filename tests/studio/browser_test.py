@@ -1,0 +1,240 @@
+"""browser_test.py PROGRAM FOLDER: the page of the studio in a real Chromium, in
+English and in Korean: what people do, and what they see then."""
+import os
+import re
+import subprocess
+import sys
+import time
+
+sys.path[:0] = [os.path.dirname(os.path.abspath(__file__)),
+                os.path.join(os.path.dirname(os.path.abspath(__file__)),
+                             "../cli")]
+from browser import Browser  # noqa: E402
+from front import Front  # noqa: E402
+from session import Checks  # noqa: E402
+
+program, folder = sys.argv[1:3]
+checks = Checks()
+check = checks.check
+MODEL = open("facts/figures/fig13.pl").read()
+CONTROL, ENTER, ESCAPE, LEFT = "\ue009", "\ue007", "\ue00c", "\ue012"
+
+# The lines that a port shows, as one text.
+LINES = ("[...document.querySelectorAll('.port')[%d].querySelectorAll('.lines "
+         "path')].map(p => p.getAttribute('d')).join('|')")
+LAYER = "document.querySelectorAll('.port')[%d].querySelector('.%s')" \
+        ".getAttribute('d')"
+# Where a point of the line NAME is on the screen, in port 0.
+POINT = """
+  const picture = studio.ports.ports[0].picture;
+  const [, s, e] = /s(\\d+)e(\\d+)/.exec(arguments[0]);
+  for (const stroke of picture.shown.strokes) {
+    const at = stroke.edges.indexOf(Number(e));
+    if (stroke.segment === Number(s) && at >= 0) {
+      const p = stroke.points, i = 2 * at;
+      const {x, y} = new DOMPoint((p[i] + p[i + 2]) / 2, (p[i + 1] + p[i + 3]) / 2)
+        .matrixTransform(picture.svg.getScreenCTM());
+      return [x, y];
+    }
+  }"""
+
+
+def cli(*arguments):
+    return subprocess.run([program, *arguments], cwd=models, env=env,
+                          stdout=subprocess.PIPE, check=False).stdout
+
+
+def flows(language):
+    words = {"en": {"why": "Why", "answers": "2 answers",
+                    "visible": "visible from"},
+             "ko": {"why": "이유", "answers": "답 2개", "visible": "보인다"}
+             }[language]
+
+    # Open: the page is painted, with what `draw` draws.
+    browser.open(front.address)
+    drawn = browser.wait("studio.ready && studio.ports.ports.every(p => "
+                         "p.kind === 'unfold' || p.picture.shown)")
+    check(language + ": drawn", drawn, browser.log())
+    check(language + ": its words", browser.wait(
+        "document.querySelector('.why h2').textContent === arguments[0]",
+        words["why"]))
+    check(language + ": nothing without words", browser.script(
+        "return [...document.querySelectorAll('[data-word]')].every(e => "
+        "e.textContent)"))
+    head = front_page.ask("view", format="strokes", view="front",
+                          size=[100, 80])[0]
+    check(language + ": as many strokes as the session has",
+          browser.script("return studio.ports.ports.find(p => p.kind === "
+                         "'front').picture.counts()[0]") == head["strokes"])
+
+    # Turn it, by the mouse and by keys; the picture at rest is the exact one.
+    before = browser.script("return " + LINES % 0)
+    box = browser.script("const r = document.querySelector('.canvas')."
+                         "getBoundingClientRect(); return [r.x, r.y, r.width, "
+                         "r.height]")
+    corner = (box[0] + 20, box[1] + box[3] - 20)
+    browser.pointer(corner, "down", (corner[0] + 60, corner[1] - 40),
+                    (corner[0] + 120, corner[1] - 90), "up")
+    check(language + ": it turns", browser.wait(
+        LINES % 0 + " !== arguments[0]", before))
+    browser.keys(LEFT)
+    time.sleep(0.4)
+    theta, phi = browser.script("return studio.ports.ports[0].angles")
+    count = browser.script("return studio.ports.ports[0].picture.counts()")
+    head = front_page.ask("view", format="strokes", view=[theta, phi],
+                          size=[100, 80])[0]
+    check(language + ": the exact picture at rest",
+          count[0] == head["strokes"], (count, head["strokes"]))
+
+    # Click a line: why.
+    x, y = browser.script(POINT, "s1e50")
+    browser.pointer((x, y), "down", "up")
+    why = browser.wait("document.querySelector('.why pre') && "
+                       "document.querySelector('.why pre').textContent")
+    name = browser.script("return document.querySelector('.chip strong')"
+                          ".textContent")
+    segment, edge = re.match(r"s(\d+)e(\d+)$", name).groups()
+    text = cli("explain", "tee.pl", "hidden(%s,%s)" % (segment, edge),
+               "--view", "%f,%f" % (theta, phi), "--lang", language).decode()
+    check(language + ": why, as explain says", text.strip() and
+          (why or "").split() == text.split(), (why, text))
+    check(language + ": the line is lit", browser.script("return " + LAYER %
+                                                         (0, "chosen")))
+
+    # A question: its answers are lit in every port.
+    browser.script("document.getElementById('goal').value = arguments[0]",
+                   "e(1, E, _, _, 1), E < 3")
+    browser.keys(ENTER, "#goal")
+    check(language + ": answers", browser.wait(
+        "document.querySelector('.ask .remark').textContent === arguments[0]",
+        words["answers"]))
+    check(language + ": lit in every port that shows them", browser.script('''
+      return studio.ports.ports.every(({picture, kind}) => kind === "unfold" ||
+        picture.shown.strokes.some(s => s.segment === 1 && s.edges.some(
+          e => e < 3 && e > 0)) === Boolean(picture.layers.lit.getAttribute("d")))
+        && studio.ports.ports[0].picture.layers.lit.getAttribute("d")'''))
+    lit = browser.script("return [...studio.ports.ports[0].picture.lit.lit]")
+    check(language + ": these and no others", sorted(lit) == ["s1e1", "s1e2"],
+          lit)
+    browser.script("document.getElementById('goal').value = 'shell(ls)'")
+    browser.keys(ENTER, "#goal")
+    check(language + ": a refused question is said", browser.wait(
+        "document.querySelector('.ask .bad')"))
+
+    # A slider, then undo; the file has one number more or less.
+    text = front_page.ask("text")[1].decode()
+    browser.script("document.querySelector('.tree [role=treeitem]').click()")
+    browser.wait("document.querySelector('.form input[aria-label=radius]')")
+    before = browser.script("return " + LINES % 0)
+    browser.script("""
+      const slider = document.querySelector('.form input[aria-label=radius]');
+      slider.dispatchEvent(new Event('pointerdown'));
+      for (const value of [0.7, 0.8, 0.85, 0.9]) {
+        slider.value = value; slider.dispatchEvent(new Event('input'));
+      }
+      slider.dispatchEvent(new Event('change'));""")
+    check(language + ": the slider's last value is shown", browser.wait(
+        "!studio.tree.editing && " + LINES % 0 + " !== arguments[0]", before))
+    changed = front_page.ask("text")[1].decode()
+    check(language + ": one number is another", changed ==
+          text.replace("radius(1)", "radius(0.9)", 1), changed)
+    browser.script("document.activeElement.blur()")
+    browser.chord(CONTROL, "z")
+    for _ in range(200):
+        if front_page.ask("text")[1].decode() == text:
+            break
+        time.sleep(0.02)
+    check(language + ": one undo takes the whole drag back",
+          front_page.ask("text")[1].decode() == text)
+    for i in range(50):
+        front_page.ask("edit", set={"segment": 1, "path": [2, 2, 1],
+                                    "value": 2 + i / 50})
+    check(language + ": other windows are followed", browser.wait(
+        "studio.rev === arguments[0]", front_page.ask("tree")[0]["rev"]))
+    browser.script("for (let i = 0; i < 50; i++) studio.change('undo')")
+    revision = None
+    for _ in range(500):
+        head, body = front_page.ask("text")
+        if body.decode() == text:
+            revision = head["rev"]
+            break
+        time.sleep(0.02)
+    check(language + ": undo, 50 times", revision)
+    check(language + ": all ports show one revision", browser.wait(
+        "[...document.querySelectorAll('.port')].filter(p => !p.classList."
+        "contains('flat')).every(p => Number(p.dataset.rev) === arguments[0])",
+        revision))
+
+    # The text; what is wrong with it stands beside it.
+    browser.script("document.querySelector('.tabs [data-word=text]').click()")
+    check(language + ": the text", browser.wait(
+        "studio.text.field.value === arguments[0]", text))
+    typed = "studio.text.field.value = arguments[0]; " \
+            "studio.text.field.dispatchEvent(new Event('input'))"
+    browser.script(typed, text + "segment(3, ")
+    check(language + ": a mistake is said", browser.wait(
+        "!studio.text.wrong.hidden && studio.text.wrong.textContent"))
+    browser.script(typed, text.replace("facets(40)", "facets(12)"))
+    check(language + ": the text is followed", browser.wait(
+        "studio.text.wrong.hidden && !studio.text.dirty"))
+    browser.script("studio.change('undo')")
+
+    # A rule: the lines that came and went.
+    browser.script("document.querySelector('.tabs [data-word=rules]')"
+                   ".click()")
+    browser.wait("document.querySelector('.decisions li')")
+    browser.script(typed.replace("studio.text", "studio.rules"),
+                   "line_role(_, _, outline).\n")
+    check(language + ": a rule or what is wrong with it", browser.wait(
+        "studio.rules.counts.textContent || !studio.rules.wrong.hidden"))
+    browser.script("studio.rules.end(false)")
+    browser.script("document.querySelector('.tabs [data-word=tree]').click()")
+    browser.wait("document.getElementById('banner').hidden")
+
+    # The session is killed; nothing that was done is lost.
+    front_page.ask("edit", set={"segment": 1, "path": [2, 2, 1], "value": 3})
+    text = front_page.ask("text")[1]
+    os.kill(front.sessions()[0], 9)
+    browser.wait("studio.ports.ports[0].busy === false")
+    check(language + ": killed, and there again", browser.wait(
+        "!document.getElementById('banner').hidden"))
+    browser.wait("studio.ready && document.querySelectorAll('.lines "
+                 "path').length > 8")
+    check(language + ": nothing is lost", front_page.ask("text")[1] == text)
+    complaints = [line for line in browser.log() if "favicon" not in line]
+    check(language + ": the browser has no complaints", complaints == [],
+          complaints)
+
+
+for language in ("en", "ko"):
+    models = os.path.join(folder, language)
+    os.makedirs(models)
+    with open(os.path.join(models, "tee.pl"), "w") as out:
+        out.write(MODEL)
+    env = dict(os.environ, XDG_STATE_HOME=os.path.join(models, "state"))
+    front = Front(program, models, "tee.pl", (), env)
+    front_page = front.page()
+    browser = Browser(1440, 900, language)
+    try:
+        flows(language)
+        if language == "en":
+            browser.script("document.querySelector('#bar [data-word=language]'"
+                           ").click()")
+            check("switched live", browser.script(
+                "return document.querySelector('.why h2').textContent")
+                == "이유")
+            browser.size(500, 700)
+            check("a small screen has one pane", browser.wait(
+                "[...document.querySelectorAll('main > *')].filter(e => "
+                "getComputedStyle(e).display !== 'none').length === 1"))
+            check("nothing is wider than it", browser.script(
+                "return document.documentElement.scrollWidth <= innerWidth"))
+        front.process.kill()
+        check(language + ": the front is gone: said", browser.wait(
+            "!document.getElementById('banner').hidden"))
+    finally:
+        browser.end()
+        front_page.close()
+        front.process.kill()
+        front.process.communicate()
+checks.finish()
