@@ -242,6 +242,36 @@ picture(unfolded_15b, 'Development, figure 15, the lying cylinder',
         [unfold,'facts/patterns/fig15.pl','--trim',outside,
          '--only',lying,'--no-numbers']).
 
+% Figures of S.-H. Park, A Study on Geometrical Glue Operation between
+% Non-manifold Models, 1996: docs/gluing.md.
+
+picture(glue_materials, '1996, figure 1',
+        'Cells of two materials, a sheet through both, and a line: one model, \c
+         in which what coincides is there once.',
+        ['facts/figures/glue_materials.pl']).
+picture(glue_exploded, '1996, figure 1, exploded',
+        'Its four cells apart: what is between two of them is one face.',
+        ['facts/figures/glue_materials.pl','--explode','0.5',
+         '--hidden',removed]).
+picture(glue_vertex, '1996, figure 4',
+        'Vertex glue: three pyramids with one apex, one in another, a wire.',
+        ['facts/figures/glue_vertex.pl']).
+picture(glue_crossing, '1996, figure 5, where one plane fails',
+        'Seen in the plane z = 0 one pyramid is inside the other, in the \c
+         plane y = 0 the other way round: they cross, and are cut first.',
+        ['facts/figures/glue_crossing.pl']).
+picture(glue_edge, '1996, figure 6',
+        'Edge glue: five pages have the middle of an edge in common.',
+        ['facts/figures/glue_edge.pl','--hidden',removed]).
+picture(glue_face, '1996, figure 7',
+        'Face glue: the square between two boxes is one face, with a box on \c
+         either side.',
+        ['facts/figures/glue_face.pl']).
+picture(glue_mixed, '1996, figure 8',
+        'Mixed glue: an apex on an edge, one in the middle of a face, and an \c
+         edge in the middle of it.',
+        ['facts/figures/glue_mixed.pl']).
+
 % Fittings: docs/fittings.md.
 picture(fitting_elbow, 'Elbow',
         'Four pieces of plate of 4 mm that meet in mitres; sizes are those of \c

@@ -185,6 +185,9 @@ verb_option(Verb, option(crease, '', number(0), 'DEGREES', Help)) :-
 verb_option(Verb, option(segment, '', each, 'N',
     'only segment N; may be repeated')) :-
     looking_verb(Verb).
+verb_option(draw, option(explode, '', number(0), 'F',
+    'the cells of what is glued apart, moved by F times their way from the \c
+     middle')).
 verb_option(draw, option(scale, '', value, 'N:M',
     'true scale, such as 1:2 or 5:1; or fit, as large as there is room')).
 verb_option(draw, option(unit, '', one_of([mm, cm, m, inch]), 'UNIT',
@@ -385,6 +388,8 @@ option_ko(up,
     '모델의 어느 축이 위인가 (보통 z. .obj 파일은 흔히 y). 먼저 그 축이 \c
 z가 되게 모델을 돌리고, 시점, 방향, 단면은 돌린 모델의 것이다').
 option_ko(scale, '척도. 1:2, 5:1 등, 또는 fit(자리에 맞추어 가장 크게)').
+option_ko(explode,
+    '붙인 것의 세포들을 떼어 그린다. 가운데에서 떨어진 거리의 F배만큼 옮긴다').
 option_ko(unit, '척도를 위한 모델의 단위. 보통 mm').
 option_ko(sheet,
     '테두리가 있는 도면. A4~A0, A3-portrait(세로), A4-landscape(가로) 등. \c

@@ -55,6 +55,7 @@
                 usage_error/1
               ]).
 :- use_module(verbs_batch, [batch_run_verb/3]).
+:- use_module('../gluing/exploded', [cells_exploded/1]).
 :- use_module(verbs_cells, [cells_run/3]).
 :- use_module(verbs_glue, [glue_run/3, unglue_run/3]).
 :- use_module(verbs_render, [render_run/2, wanted_scene/4]).
@@ -244,6 +245,10 @@ roots_ready(Options, PictureOptions, Lines) :-
     empty_roots_warned,
     operand_lines(Lines),
     roots_alone,
+    (   option(explode(Factor), Options)
+    ->  cells_exploded(Factor)
+    ;   true
+    ),
     known_segments(PictureOptions),
     option(up(Axis), Options, z),
     turn_up(Axis).
@@ -260,7 +265,10 @@ sheet_made(Options, Request, Lines, Drawing) :-
 %   world, with the Lines of operands.
 
 pictured(Lines, Options, Eye, PictureOptions) :-
-    segments_cut(Options),
+    (   option(explode(_), Options)     % what was glued is cut already
+    ->  true
+    ;   segments_cut(Options)
+    ),
     maplist(call, Eye),
     (   aside_segments([_|_]),
         \+ option(segments(_), PictureOptions)

@@ -364,18 +364,15 @@ joined_kind(Nodes, Operation, Child, ChildKind-ChildCount, Kind0-Count0,
     ;   node_error(Nodes, csg(curve(N, Child)))
     ).
 
-%   glued_child(Nodes, Child, Kind): solids and surfaces are glued, and what
-%   was glued already.
+%   glued_child(Nodes, Child, Kind): solids, surfaces and curves are glued, and
+%   what was glued already.
 
 glued_child([N|Nodes], Child, Kind) :-
-    (   memberchk(Kind, [solid,surface])
+    (   memberchk(Kind, [solid,surface,curve])
     ->  true
-    ;   Kind == cells
-    ->  (   node(Child, glue, _, [])
-        ->  true
-        ;   node_error([N|Nodes], csg(cells(N, Child, glue)))
-        )
-    ;   node_error([N|Nodes], csg(curve(N, Child)))
+    ;   node(Child, glue, _, [])
+    ->  true
+    ;   node_error([N|Nodes], csg(cells(N, Child, glue)))
     ).
 
 %   cells_child(Nodes, Operation, Child): under a Boolean a glue counts as the

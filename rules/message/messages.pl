@@ -366,6 +366,10 @@ fault_en(glue_law(S, Faults)) -->
     [ 'segment ~d: what was glued breaks a law (~w), so nothing was glued'-
       [S, Text], nl,
       '  Give a larger or smaller --tolerance, or --repair the operands.' ].
+fault_en(glue_wire(S, E, P)) -->
+    [ 'edge ~d of curve ~d runs in the glued polygon ~d, or meets its border \c
+       beside the vertices'-[E, S, P], nl,
+      '  Divide the curve and the face there, or glue a sheet along it.' ].
 fault_en(glue_meets(S, P1, P2, X, Y, Z)) -->
     [ 'segment ~d: polygons ~d and ~d would meet at ~6g ~6g ~6g and share \c
        nothing, so nothing was glued'-[S, P1, P2, X, Y, Z], nl,

@@ -104,7 +104,7 @@ combined(union, Es, _, Expression, Known, Known) :-
 combined(join, Es, _, Expression, Known, Known) :-
     united(Es, Expression).
 combined(glue, Es0, _, Expression, Known, Known) :-
-    exclude(is_surface, Es0, Es),
+    exclude(is_no_solid, Es0, Es),
     united(Es, Expression).
 combined(intersection, Es, _, Expression, Known, Known) :-
     common(Es, Expression).
@@ -131,9 +131,10 @@ combined(split(Side), [E,Surface], _, Expression, Known0, Known) :-
     ),
     half_of(Side, HalfExpression, E, Expression).
 
-is_surface(S) :-
+is_no_solid(S) :-
     integer(S),
-    segment(S, surface, _),
+    segment(S, Kind, _),
+    memberchk(Kind, [surface,curve]),
     !.
 
 united(Es0, Expression) :-

@@ -14,6 +14,7 @@
 :- use_module('../csg/csg_rows', [drop_boundary/1]).
 :- use_module('../csg/source', [source_kept/3]).
 :- use_module(faces, [faces_merged/2]).
+:- use_module(glue_wire, [wires_written/3]).
 :- use_module('../gluing/regions',
               [regions_found/2, regions_report/2, law_fault/3]).
 :- use_module('../kernel',
@@ -31,7 +32,9 @@
                 facts_transaction/1
               ]).
 :- use_module(library(apply),
-              [convlist/3, foldl/4, include/3, maplist/2, maplist/3]).
+              [ convlist/3, foldl/4, include/3, maplist/2, maplist/3,
+                partition/4
+              ]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2, put_assoc/4]).
 :- use_module(library(error), [existence_error/2, type_error/2]).
 :- use_module(library(lists), [member/2]).
@@ -52,27 +55,43 @@ The operands keep their rows, so nothing is needed to take them apart again.
 
 %!  glued_boundary(+Operands:list, +S, +Options:list, -Report) is det.
 %
-%   The rows of segment S, which has none, become the solids and surfaces
-%   Operands glued, with region/3, sides/4, lies_in/3 and from_r/4; Report is as
-%   regions_report/2 has it. Both laws hold. Call it in a transaction. Options:
-%   those of with_arrangement/3.
+%   The rows of segment S, which has none, become the solids, surfaces and
+%   curves Operands glued, with region/3, sides/4, lies_in/3 and from_r/4;
+%   Report is as regions_report/2 has it. Both laws hold. Call it in a
+%   transaction. Options: those of with_arrangement/3.
 %
 %   @error as boolean/3
 %   @error geometry_error(glue_law(S, Faults)): a law does not hold
+%   @error geometry_error(glue_wire(S0, E0, P)): of wires_written/3
 %   @error geometry_error(glue_meets(S, P1, P2, X, Y, Z)): two of its polygons
 %          meet there and share nothing
 
 glued_boundary(Operands, S, Options0, Report) :-
     new_segments_complete,
+    partition(is_curve, Operands, Curves, Others),
+    faces_glued(Others, S, Options0, Reach),
+    stage(rules, wires_written(S, Curves, Reach)),
+    source_kept(Operands, 1, S),
+    stage(regions, regions_found(S, Report)),
+    lawful(S, Report),
+    contents_written(S, Operands).
+
+is_curve(S) :-
+    segment(S, curve, _),
+    !.
+
+faces_glued([], _, _, 0) :-
+    !.
+faces_glued(Operands, S, Options0, Reach) :-
     solids_among(Operands, Solids),
     maplist(closed_operand, Solids),
     boolean_tolerance(Operands, Options0, Options),
+    option(tolerance(Tolerance), Options),
+    tolerance_reach(Tolerance, Reach),
     with_arrangement(Operands, Options,
                      sg_glue:everything(Solids, Solid, Contacts)),
     call_cleanup(
-        ( option(tolerance(Tolerance), Options),
-          tolerance_reach(Tolerance, Reach),
-          solid_coincident_faces(Solid, Reach, _),
+        ( solid_coincident_faces(Solid, Reach, _),
           stage(faces, faces_merged(Solid,
                                     [ origins(separate),cells(true)
                                     | Options
@@ -81,12 +100,8 @@ glued_boundary(Operands, S, Options0, Report) :-
         ),
         solid_close(Solid)),
     contact_origins(S, Contacts),
-    source_kept(Operands, 1, S),
     forall(member(V-P, Loops), assert_fact(lies_in(S, v(V), p(P)))),
-    stage(join, points_in_faces(S)),
-    stage(regions, regions_found(S, Report)),
-    lawful(S, Report),
-    contents_written(S, Operands).
+    stage(join, points_in_faces(S)).
 
 solids_among(Operands, Solids) :-
     include(is_solid, Operands, Solids0),

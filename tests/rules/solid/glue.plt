@@ -1,6 +1,6 @@
 /* What is glued: counts by hand and by arithmetic, in place and turned; the
    regions, what each is inside, and taking it apart again.
-   covers: coincident_faces, solid_seams */
+   covers: coincident_faces, solid_seams, glue_wire */
 :- module(test_glue, []).
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
@@ -10,6 +10,7 @@
 :- use_module(library(yall)).
 :- use_module(rules(gluing/cycle)).
 :- use_module(rules(gluing/regions)).
+:- use_module(rules(model/model)).
 :- use_module(rules(solid/csg_evaluate)).
 :- use_module(rules(solid/glue)).
 :- use_module(rules(store)).
@@ -84,6 +85,24 @@ model(six_pyramids, Pyramids, c(9,20,18,18,1,7,7,0)) :-
 model(frame(plug), [frame,size([1,1,1],[0,0,0])], c(16,24,12,14,1,3,3,1)).
 model(frame(alone), [frame], c(16,24,10,12,1,2,2,2)).
 
+%   Wires: figure 4 with its wire; a cube with a wire and a cube at a corner;
+%   one through a cell; one from inside to a face; one along an edge; one alone.
+
+model(fig4(wire), [wire([0,0,0], [0,0,-3])|Parts], c(14,25,15,15,1,4,4,0)) :-
+    model(fig4, Parts, _).
+model(wire(corner), [box(1,[0,0,0]),box(1,[1,1,1]),
+                     wire([0.5,0.5,1], [0.7,0.2,3])],
+      c(16,25,12,12,1,3,3,0)).
+model(wire(through), [box(2,[0,0,0]),wire([0,0.1,-1], [0.1,0.3,5])],
+      c(12,15,6,8,1,2,2,1)).
+model(wire(inside), [box(2,[0,0,0]),wire([0,0.1,1], [0.1,0.25,2])],
+      c(10,13,6,7,1,2,2,0)).
+model(wire(edge), [box(2,[0,0,0]),wire([1,1,0], [1,1,2])],
+      c(8,12,6,6,1,2,2,0)).
+model(wire(alone), [box(2,[0,0,0]),wire([4,0,0], [5,0,0])],
+      c(10,13,6,6,2,2,3,0)).
+model(wire(only), [wire([4,0,0], [5,0,0])], c(2,1,0,0,1,1,1,0)).
+
 book_page(K, page(0,1,X,Y)) :-
     between(1, K, I),
     A is 2*pi*I/K,
@@ -106,6 +125,7 @@ term(size([A,B,C], [X,Y,Z]), at([translate(X,Y,Z)], box(size(A,B,C)))).
 term(page(Z1, Z2, X, Y),
      sheet(points([[0,0,Z1],[0,0,Z2],[X,Y,Z1],[X,Y,Z2]]),
            faces([[1,3,4,2]]))).
+term(wire([X1,Y1,Z1], [X2,Y2,Z2]), line(from(X1,Y1,Z1), to(X2,Y2,Z2))).
 term(flat(A, B, Z), at([translate(0,0,Z)], rectangle(size(A,B)))).
 term(tip([X,Y,Z]), Term) :-
     Z1 is Z+1,
@@ -180,6 +200,57 @@ test(turned, [ forall(( model(_, Parts, Wanted), member(Seed, [1,2,3]) )),
                Counts == Wanted ]) :-
     turned(Seed, Steps),
     glue_counts(Parts, Steps, Counts).
+
+%   The paper's figures, as they are in files.
+
+test(figures, [ forall(figure(Name, Wanted)), Counts == Wanted ]) :-
+    atomic_list_concat(['facts/figures/glue_',Name,'.pl'], File),
+    in_new_world(( load_model(File),
+                   once(( segment(S, cells, _), region(S, _, _) )),
+                   glue_report(S, Report) )),
+    report_counts(Report, Counts).
+
+figure(materials, c(58,91,38,38,1,5,5,0)).
+figure(vertex, c(14,25,15,15,1,4,4,0)).
+figure(crossing, c(13,28,21,21,1,6,6,0)).
+figure(edge, c(14,18,5,5,1,1,1,0)).
+figure(face, c(18,28,13,13,1,3,3,0)).
+figure(mixed, c(24,38,21,23,1,5,5,0)).
+
+%   Figure 1: cells of two materials, two each; two wires in the outside.
+
+test(materials, Insides-Wires == [[1],[1],[2],[2],[]]-2) :-
+    in_new_world(( load_model('facts/figures/glue_materials.pl'),
+                   glue_report(6, Report) )),
+    findall(Inside, ( member(Region, Report.regions),
+                      Inside = Region.inside ), Insides0),
+    msort(Insides0, [[]|Insides1]),
+    append(Insides1, [[]], Insides),
+    last(Report.regions, Outside),
+    Wires = Outside.wires.
+
+%   Figure 6: the order of the five pages, by the right hand.
+
+test(pages, Ss == [1,2,3,4,5]) :-
+    in_new_world(( load_model('facts/figures/glue_edge.pl'),
+                   v(6, A, 0.0, 0.0, 1.0),
+                   v(6, B, 0.0, 0.0, 3.0),
+                   in_order(A, B, V1, V2, Way),
+                   radial_cycle(6, V1, V2, Pages),
+                   findall(S, ( member(page(P,_,_), Pages),
+                                from_p(6, P, S, _, _) ), Ss0) )),
+    turned_to(Way, Ss0, Ss1),
+    once(append(Before, [1|After], Ss1)),
+    append([1|After], Before, Ss).
+
+in_order(A, B, A, B, 1) :-
+    A < B,
+    !.
+in_order(A, B, B, A, -1).
+
+turned_to(1, Ss, Ss).
+turned_to(-1, Ss0, Ss) :-
+    reverse(Ss0, Ss).
 
 %   What each region is inside: two boxes that cross, a wall round a hollow.
 
@@ -381,11 +452,12 @@ test(inside_out, Counts == c(12,20,11,11,1,3,3,0)) :-
                    glue_report(3, Report) )),
     report_counts(Report, Counts).
 
-test(curve, error(model_error(csg(curve(2, _))))) :-
-    in_new_world(( assert_fact(v(1, 1, 0.0, 0.0, 0.0)),
-                   assert_fact(segment(1, curve, point)),
-                   assert_fact(segment(2, cells, glue([1]))),
-                   evaluate(2) )).
+%   A wire that runs in a face is refused; nothing is glued.
+
+test(wire_in_face, [ error(geometry_error(glue_wire(2, 1, _))) ]) :-
+    glue_counts([box(2,[0,0,0]),wire([0,0,2], [0.5,0,2])], [], _).
+test(wire_on_edge, [ error(geometry_error(glue_wire(2, 1, _))) ]) :-
+    glue_counts([box(2,[0,0,0]),wire([1,1,1], [3,3,1])], [], _).
 
 test(placed, error(model_error(csg(placed(_))))) :-
     in_new_world(( part_made([], 1, box(1,[0,0,0])),

@@ -1,0 +1,135 @@
+:- module(sg_exploded,
+          [ cells_exploded/1            % +Factor
+          ]).
+:- use_module('../csg/csg_rows', [drop_boundary/1]).
+:- use_module('../store',
+              [ v/5, e/5, p/3, t/6, edge_polygon/3, segment/3, region/3,
+                sides/4, assert_fact/1, retractall_facts/1, facts_transaction/1,
+                fresh_id/3
+              ]).
+:- use_module(library(aggregate), [aggregate_all/3]).
+:- use_module(library(apply), [maplist/2]).
+:- use_module(library(lists), [member/2]).
+/** <module> Exploded cells: each region moved out, to be seen.
+
+Each cell becomes a solid of its own, region(S, R), moved away from the middle
+of the model. Faces with one region on both sides go with it, as a surface; what
+is outside stays where it is.
+*/
+
+%!  cells_exploded(+Factor) is det.
+%
+%   Instead of each segment S of kind `cells` whose regions are known
+%   (regions_made/2) there are its regions: the middle of the box of each is
+%   moved by Factor times the way from the middle of the box of S. One
+%   transaction; what was made from S goes with it.
+
+cells_exploded(Factor) :-
+    facts_transaction(
+        forall(( segment(S, cells, _), once(region(S, _, _)) ),
+               sg_exploded:exploded(S, Factor))).
+
+exploded(S, Factor) :-
+    findall(V, v(S, V, _, _, _), Vs),
+    middle(S, Vs, Middle),
+    findall(R-Role, region(S, R, Role), Regions),
+    maplist(region_moved(S, Factor, Middle), Regions),
+    wires_kept(S),
+    drop_boundary(S),
+    retractall_facts(segment(S, _, _)).
+
+middle(S, Vs, m(X, Y, Z)) :-
+    aggregate_all(r(min(X0), max(X0), min(Y0), max(Y0), min(Z0), max(Z0)),
+                  ( member(V, Vs), v(S, V, X0, Y0, Z0) ),
+                  r(X1, X2, Y1, Y2, Z1, Z2)),
+    X is (X1+X2)/2,
+    Y is (Y1+Y2)/2,
+    Z is (Z1+Z2)/2.
+
+%   region_moved(S, Factor, Middle, R-Role)
+
+region_moved(S, Factor, Middle, R-Role) :-
+    findall(P-Sense, border(S, R, P, Sense), Borders),
+    findall(P-1, sides(S, P, R, R), Inner),
+    (   Role == cell
+    ->  polygons_vertices(S, Borders, Vs),
+        middle(S, Vs, Own),
+        shift(Factor, Middle, Own, Shift),
+        copied(S, R, Shift, solid, Borders)
+    ;   Shift = m(0.0, 0.0, 0.0)
+    ),
+    copied(S, R, Shift, surface, Inner).
+
+border(S, R, P, 1) :-
+    sides(S, P, R, Above),
+    Above =\= R.
+border(S, R, P, -1) :-
+    sides(S, P, Below, R),
+    Below =\= R.
+
+shift(Factor, m(X0,Y0,Z0), m(X1,Y1,Z1), m(X,Y,Z)) :-
+    X is Factor*(X1-X0),
+    Y is Factor*(Y1-Y0),
+    Z is Factor*(Z1-Z0).
+
+polygons_vertices(S, Polygons, Vs) :-
+    findall(V,
+            ( member(P-_, Polygons),
+              (   p(S, P, Es),
+                  member(E, Es),
+                  e(S, E, V, _, _)
+              ;   t(S, P, _, A, B, C),
+                  member(V, [A,B,C])
+              ) ),
+            Vs0),
+    sort(Vs0, Vs).
+
+%   copied(S, R, Shift, Kind, Polygons): a new segment has Polygons, P-Sense,
+%   turned over where Sense is -1, moved by Shift; no Polygons, none.
+
+copied(_, _, _, _, []) :-
+    !.
+copied(S, R, Shift, Kind, Polygons) :-
+    fresh_id(segment, 0, N),
+    assert_fact(segment(N, Kind, region(S, R))),
+    polygons_vertices(S, Polygons, Vs),
+    maplist(vertex_copied(S, N, Shift), Vs),
+    maplist(polygon_copied(S, N), Polygons).
+
+vertex_copied(S, N, m(DX,DY,DZ), V) :-
+    v(S, V, X0, Y0, Z0),
+    X is X0+DX,
+    Y is Y0+DY,
+    Z is Z0+DZ,
+    assert_fact(v(N, V, X, Y, Z)).
+
+polygon_copied(S, N, P-Sense) :-
+    p(S, P, Es),
+    forall(member(E, Es),
+           ( e(S, E, V1, V2, Et),
+             turned(Sense, V1, V2, A, B),
+             assert_fact(e(N, E, A, B, Et)) )),
+    assert_fact(p(N, P, Es)),
+    forall(t(S, P, T, A, B, C),
+           ( turned(Sense, B, C, B1, C1),
+             assert_fact(t(N, P, T, A, B1, C1)) )).
+
+turned(1, A, B, A, B).
+turned(-1, A, B, B, A).
+
+%   wires_kept(S): edges of S without a polygon are a curve of their own.
+
+wires_kept(S) :-
+    findall(E-(V1-V2),
+            ( e(S, E, V1, V2, 1),
+              \+ edge_polygon(S, E, _) ),
+            Wires),
+    (   Wires == []
+    ->  true
+    ;   fresh_id(segment, 0, N),
+        assert_fact(segment(N, curve, wires(S))),
+        findall(V, ( member(_-(V1-V2), Wires), member(V, [V1,V2]) ), Vs0),
+        sort(Vs0, Vs),
+        maplist(vertex_copied(S, N, m(0.0,0.0,0.0)), Vs),
+        forall(member(E-(V1-V2), Wires), assert_fact(e(N, E, V1, V2, 1)))
+    ).

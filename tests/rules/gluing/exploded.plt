@@ -1,0 +1,69 @@
+/* Exploded cells: each is closed, as large as it was, where it should be. */
+:- module(test_exploded, []).
+:- use_module(library(apply)).
+:- use_module(library(lists)).
+:- use_module(library(plunit)).
+:- use_module(rules(gluing/exploded)).
+:- use_module(rules(gluing/regions)).
+:- use_module(rules(model/model)).
+:- use_module(rules(solid/glue)).
+:- use_module(rules(store)).
+:- use_module(tests(rules/polyhedron), [in_new_world/1]).
+
+cells_of(File, Factor, Volumes, Kinds, Apart) :-
+    in_new_world(( load_model(File),
+                   once(( segment(S, cells, _), region(S, _, _) )),
+                   glue_report(S, Report),
+                   cells_exploded(Factor),
+                   findall(R-Volume, cell_volume(S, R, Volume), Apart0),
+                   findall(Kind, segment(_, Kind, region(S, _)), Kinds0) )),
+    findall(R-Volume,
+            ( member(Region, Report.regions),
+              Region.role == cell,
+              R = Region.region,
+              Volume = Region.volume ),
+            Volumes),
+    msort(Kinds0, Kinds),
+    sort(Apart0, Apart).
+
+cell_volume(S, R, Volume) :-
+    segment(N, solid, region(S, R)),
+    regions_report(N, Report),
+    findall(V,
+            ( member(Region, Report.regions),
+              Region.role == cell,
+              V = Region.volume ),
+            [Volume]).                  % what is in it may be a void
+
+close_to(R-X, R-Y) :-
+    abs(X-Y) < 1.0e-9.
+
+:- begin_tests(exploded).
+
+test(volumes, [ forall(member(File-N, [ 'facts/figures/glue_face.pl'-2,
+                                        'facts/figures/glue_vertex.pl'-3,
+                                        'facts/figures/glue_crossing.pl'-5,
+                                        'facts/figures/glue_materials.pl'-4
+                                      ])),
+                true(( length(Apart, N), maplist(close_to, Volumes, Apart) ))
+              ]) :-
+    cells_of(File, 0.5, Volumes, _, Apart).
+
+%   What is outside stays: the parts of the sheet that are in no cell.
+
+test(outside, Kinds == [solid,solid,solid,solid,surface]) :-
+    cells_of('facts/figures/glue_materials.pl', 0.5, _, Kinds, _).
+
+%   Two boxes, moved away from each other by half the way between them.
+
+test(moved, Low-High == 0.0 - 2.25) :-
+    in_new_world(( load_model('facts/figures/glue_face.pl'),
+                   cells_exploded(0.5),
+                   findall(Z, v(_, _, _, _, Z), Zs0) )),
+    sort(Zs0, Zs),
+    nth1(1, Zs, Low0),
+    last(Zs, High0),
+    Low is Low0+0.25,
+    High is High0+0.0.
+
+:- end_tests(exploded).
