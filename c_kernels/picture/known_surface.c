@@ -154,9 +154,9 @@ gradient(const sg_known_surface *s, const double p[3], double out[3])
   return false;
 }
 
-/* The coordinates x, y, h of a point of the model. */
-static void
-coordinates(const sg_known_surface *s, const double p[3], double out[3])
+void
+sg_known_surface_place(const sg_known_surface *s, const double p[3],
+                       double out[3])
 {
   double from[3];
 
@@ -174,7 +174,7 @@ placed_gradient(const sg_known_surface *s, const double p[3], double out[3])
 {
   double at[3], grad[3];
 
-  coordinates(s, p, at);
+  sg_known_surface_place(s, p, at);
   if (!gradient(s, at, grad)) {
     return false;
   }
@@ -244,7 +244,7 @@ is_generator(const sg_known_surface *s, const double p[3], const double q[3])
   }
   for (int i = 0; i < 2; i++) {
     double at[3], a, b;
-    coordinates(s, end[i], at);
+    sg_known_surface_place(s, end[i], at);
     a = 1.0 - at[2] + at[2] * s->a;
     b = 1.0 - at[2] + at[2] * s->b;
     if (a < NO_RADIUS || b < NO_RADIUS) { /* its apex */

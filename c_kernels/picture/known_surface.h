@@ -93,6 +93,11 @@ void sg_known_surface_move(const sg_known_surface *surface,
 bool sg_known_surface_normal(const sg_known_surface *surface, const double p[3],
                              const double facet[3], double out[3]);
 
+/* The coordinates x, y, h of a point of the model, of one that is neither a
+ * patch nor free. Inexact. */
+void sg_known_surface_place(const sg_known_surface *surface, const double p[3],
+                            double out[3]);
+
 /* Whether facets of it are folded along straight lines. */
 static inline bool
 sg_known_surface_is_tapered(const sg_known_surface *surface)

@@ -19,7 +19,9 @@
 :- use_module('../primitive/primitive',
               [is_primitive/1, primitive/1, primitive_parts/3]).
 :- use_module('../store',
-              [segment/3, origin/3, assert_fact/1, retractall_facts/1]).
+              [ segment/3, origin/3, from_p/5, assert_fact/1,
+                retractall_facts/1
+              ]).
 :- use_module(library(apply), [foldl/4, foldl/5, maplist/3]).
 :- use_module(library(lists), [append/2, append/3, member/2, nth1/3]).
 /** <module> Which smooth surfaces the polygons of a world stand for, and which
@@ -108,6 +110,7 @@ segment_surfaces(S, Surfaces, Runs) :-
 primitive_surfaces(S, Surfaces, Runs) :-
     segment(S, _, Term),
     primitive_term(Term),
+    \+ from_p(S, _, _, _, _),           % not a part that has kept the name
     catch(term_surfaces(Term, Surfaces, Runs), error(model_error(_), _), fail).
 
 %!  term_surfaces(+Term, -Surfaces:list, -Runs:list) is det.

@@ -81,12 +81,21 @@ line_type_name(Ink, Runs, N0, N, Name) :-
         N = N0
     ;   atom(Type)
     ->  Runs = [Run|_],
-        upcase_atom(Type, Upper),
-        atomic_list_concat([Upper,Run], '_', Name),
+        usual_name(Type, Usual),
+        atomic_list_concat([Usual,Run], '_', Name),
         N = N0
     ;   atom_concat('DASHES_', N0, Name),
         N is N0+1
     ).
+
+%   usual_name(Type, Name): what CAD systems call a line type of ISO 128.
+
+usual_name(chain, Name) =>
+    Name = 'CENTER'.
+usual_name(chain_double, Name) =>
+    Name = 'PHANTOM'.
+usual_name(Type, Name) =>
+    upcase_atom(Type, Name).
 
 %   A layer looks as the first line on it does.
 

@@ -44,7 +44,7 @@ line_style(visible, Role, _, style(Width,Colour,Dashes,Pen,Layer)) :-
 line_style(Visibility, Role, _, style(Width,Colour,Dashes,Pen,Layer)) :-
     line_width(Visibility, Role, Width),
     line_colour(Role, Colour),
-    line_dashes(Visibility, Dashes),
+    line_dashes(Visibility, Role, Dashes),
     line_pen(Visibility, Role, Pen),
     line_layer(Visibility, Role, Layer).
 
@@ -68,6 +68,7 @@ width(visible, field,       0.25).
 width(visible, hatching,    0.25).
 width(visible, cutting,     0.25).
 width(visible, axis,        0.25).
+width(visible, centre_line, 0.25).
 width(visible, construction, 0.13).
 width(visible, any,         0.5).
 width(hidden,  penetration, 0.35).
@@ -83,8 +84,12 @@ line_colour(Role, Colour) :-
     ;   Colour = black
     ).
 
-line_dashes(visible, solid).
-line_dashes(hidden, hidden).
+line_dashes(hidden, _, hidden).
+line_dashes(visible, Role, Dashes) :-
+    (   Role == centre_line
+    ->  Dashes = chain
+    ;   Dashes = solid
+    ).
 
 line_pen(hidden, _, Pen) =>
     Pen = 2.
@@ -113,6 +118,7 @@ sheet_role(cutting_end).
 sheet_role(arrow).
 sheet_role(symbol).
 sheet_role(axis).
+sheet_role(centre_line).
 sheet_role(construction).
 sheet_role(text).
 

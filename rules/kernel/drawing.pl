@@ -186,6 +186,18 @@ Foreign predicates; see kernel.pl.
 %
 %   @error representation_error(look), representation_error(sheet_coordinate)
 
+/* - - - round_extent_rows.c - - - */
+
+%!  round_extents(+Known:list(known_segment), +Ss:set(id),
+%!                -Extents:list(round_extent)) is det.
+%
+%   Extents has extent(S, Surface, Low, High, Begin, Turn) of each surface with
+%   an axis, as of segment_surfaces/3 (known_surface.pl), that polygons of the
+%   segments Ss are facets of, by what Known, of known_surfaces/1, says: along
+%   its W they reach from Low to High, about it from Begin by Turn, in degrees
+%   from its U to its V; 360 if nowhere an eighth of a turn is free of their
+%   vertices. In the order of Ss and of the polygons. Inexact.
+
 /* - - - travel_rows.c - - - */
 
 %!  travel_order(+Start:sheet_point, +Strokes:list(travelled_stroke),

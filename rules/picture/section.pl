@@ -12,6 +12,7 @@
 :- use_module('../decimal', [decimal_number/2]).
 :- use_module('../solid/csg_half_space', [half_space/3]).
 :- use_module('../csg/csg_record', [drop_record/1]).
+:- use_module('../csg/known_surface', [facets_of/2, remember_facets/1]).
 :- use_module('../csg/csg_rows', [drop_boundary/1, segment_box/2]).
 :- use_module('../kernel', [segments_tolerance/3]).
 :- use_module('../primitive/primitive_rows', [add_primitive/2]).
@@ -112,7 +113,19 @@ cut_away(Plane, section(Exact, Pieces)) :-
     maplist(segment_side(Exact), Sorted, Sides),
     once(member(_-cut, Sides)),
     maplist(segment_cut(Exact), Sides, Pieces0),
-    append(Pieces0, Pieces).
+    append(Pieces0, Pieces),
+    remember_surfaces(Pieces),
+    forall(( member(S, Sorted), \+ member(piece(_,S,_,_), Pieces) ),
+           dropped(S)).
+
+%   remember_surfaces(Pieces): of what is left of a segment, as long as it is
+%   there.
+
+remember_surfaces(Pieces) :-
+    findall(N, ( member(piece(S,N,_,_), Pieces), N \== S ), Ns0),
+    sort(Ns0, Ns),
+    facets_of(Ns, Facets),
+    remember_facets(Facets).
 
 exactly(N, R) :-
     R is rational(N).
@@ -140,15 +153,10 @@ half_side(_, Plane, S, Side) :-
     ).
 
 segment_cut(_, S-below, [piece(S,S,below,[])]).
-segment_cut(_, S-above, []) :-
-    dropped(S).
+segment_cut(_, _-above, []).
 segment_cut(Plane, S-cut, [piece(S,N,Kind,Caps)]) :-
     segment(S, Kind, Name),
-    kind_cut(Kind, Plane, S, Name, N, Caps),
-    (   N == S
-    ->  true
-    ;   dropped(S)
-    ).
+    kind_cut(Kind, Plane, S, Name, N, Caps).
 
 dropped(S) :-
     drop_record(S),

@@ -4,19 +4,17 @@
                                         % +Points, +Letters, -Drawing
           ]).
 :- use_module('../csg/csg_rows', [drop_boundary/1]).
-:- use_module('../csg/placed_surface', [placed_surface/3]).
-:- use_module('../near', [is_on_surface/2, is_rounding/2]).
+:- use_module('../near', [is_on_surface/2]).
 :- use_module('../penetration/penetration', [penetrate/2]).
 :- use_module('../sheet/sheet_plan', [seen_drawing/3]).
-:- use_module('../sheet/sheet_view', [view_axes/4, view_seen/5]).
+:- use_module('../sheet/sheet_view', [view_axes/4, view_centres/3, view_seen/5]).
 :- use_module('../store',
               [segment/3, unfolding/2, facts_snapshot/1, retractall_facts/1]).
-:- use_module('../vector', [dot_product/3, vector_sum/3]).
-:- use_module(library(aggregate), [aggregate_all/3]).
+:- use_module('../vector', [dot_product/3]).
 :- use_module(library(apply), [exclude/3, maplist/3]).
 :- use_module(library(lists),
               [append/2, append/3, last/2, list_to_set/2, member/2]).
-:- use_module(library(option), [option/2, option/3]).
+:- use_module(library(option), [option/2]).
 /** <module> What a pupil gets, and what the teacher has.
 
 The question shows each body as if it were alone: where another one hides it, or
@@ -39,11 +37,10 @@ question_drawing(Request, Letters, Drawing) :-
     maplist(seen_apart(Ss, Picture), Views, Seens),
     findall(Text-P-Names, member(letter(Text,P,Names), Letters), Marks),
     dots(Views, Marks, Dots),
-    option(blank(Blank), Request, []),
-    centre_lines(Picture, Views, Blank, Axes),
-    seen_drawing([construction(Dots),axes(Axes)|Request], Seens, Drawing).
+    seen_drawing([construction(Dots)|Request], Seens, Drawing).
 
-seen_apart(Ss, Picture, View, seen(View,Parts,[])) :-
+seen_apart(Ss, Picture, View, seen(View,Parts,[],Centres)) :-
+    view_centres(View, Picture, Centres),
     findall(Own,
             ( member(S, Ss),
               facts_snapshot(sg_problem_drawing:seen_alone(S, Ss, Picture,
@@ -53,7 +50,7 @@ seen_apart(Ss, Picture, View, seen(View,Parts,[])) :-
 
 seen_alone(S, Ss, Picture, View, Parts) :-
     forall(( member(Other, Ss), Other \== S ), dropped(Other)),
-    view_seen(View, [], true, Picture, seen(_,Parts,_)).
+    view_seen(View, [], true, Picture, seen(_,Parts,_,_)).
 
 dropped(S) :-
     retractall_facts(unfolding(S, _)),
@@ -82,16 +79,16 @@ answer_drawing(Request, Generators, Planes, Points, Letters, Drawing) :-
             ),
             Marks),
     dots(Views, Marks, Dots),
-    centre_lines(Picture, Views, [], Axes),
-    exclude(along_axis(Axes), Items0, Items1),
+    exclude(along_centre(Seens), Items0, Items1),
     append(Items1, Dots, Items),
-    seen_drawing([construction(Items),axes(Axes)|Request], Seens, Drawing).
+    seen_drawing([construction(Items)|Request], Seens, Drawing).
 
-%   along_axis(Axes, Item): a light line is not seen on a centre line, and would
-%   fill its gaps.
+%   along_centre(Seens, Item): a light line is not seen on a centre line, and
+%   would fill its gaps.
 
-along_axis(Axes, line(Name, [P,Q])) :-
-    member(axis(Name, A, B), Axes),
+along_centre(Seens, line(Name, [P,Q])) :-
+    member(seen(view(Name,_,_,_),_,_,Centres), Seens),
+    member(centre([A,B],joint), Centres),
     (   lies_on(P-Q, A-B)
     ;   lies_on(A-B, P-Q)
     ),
@@ -195,72 +192,6 @@ one_place(Seen, Q, Texts) :-
     findall(Text, ( member(Text-Other, Seen), in_one_place(Other, Q) ),
             Texts0),
     list_to_set(Texts0, Texts).
-
-%   centre_lines(Picture, Views, Blank, Items): those of axes, and crosses in
-%   circles that are seen as circles; none that lies on another one, none in the
-%   views Blank, and none if facets are drawn as a polyhedron.
-
-centre_lines(Picture, Views, Blank, Items) :-
-    findall(axis(Name, P, Q),
-            ( \+ memberchk(lines(all), Picture),
-              member(View, Views),
-              square(View, Name),
-              \+ memberchk(Name, Blank),
-              findall(P0-Q0, centre_line(View, P0, Q0), Lines0),
-              sort(Lines0, Lines),
-              member(P-Q, Lines),
-              \+ ( member(Other, Lines),
-                   Other \== P-Q,
-                   lies_on(P-Q, Other),
-                   \+ ( lies_on(Other, P-Q), Other @> P-Q ) ) ),
-            Items).
-
-centre_line(View, P, Q) :-
-    segment(S, _, _),
-    placed_surface(S, _, Surface),
-    Surface =.. [Kind,point(X,Y,Z),U0,V0,W0|_],
-    maplist(as_vector, [U0,V0,W0], [U,V,W]),
-    C = p(X,Y,Z),
-    round_line(Kind, View, C, U, V, W, P, Q).
-
-round_line(sphere, View, C, U, V, W, P, Q) :-
-    cross(View, C, [U,V,W], P, Q).
-round_line(Kind, View, C, _, _, W, P, Q) :-
-    memberchk(Kind, [cylinder,cone]),
-    vector_sum(C, W, D),
-    projected(View, C, P),
-    projected(View, D, Q),
-    \+ in_one_place(P, Q).
-round_line(Kind, View, C, U, V, _, P, Q) :-
-    memberchk(Kind, [cylinder,cone]),
-    is_across(View, U),
-    is_across(View, V),
-    cross(View, C, [U,V], P, Q).
-
-%   cross(View, C, Radii, P, Q): across what has these conjugate radii.
-
-cross(View, C, Radii, P, Q) :-
-    projected(View, C, X-Y),
-    maplist(projected(View), Radii, Seen),
-    aggregate_all(sum(A*A), member(A-_, Seen), AA),
-    aggregate_all(sum(B*B), member(_-B, Seen), BB),
-    (   X1 is X-sqrt(AA),
-        X2 is X+sqrt(AA),
-        P = X1-Y,
-        Q = X2-Y
-    ;   Y1 is Y-sqrt(BB),
-        Y2 is Y+sqrt(BB),
-        P = X-Y1,
-        Q = X-Y2
-    ).
-
-as_vector(vector(X,Y,Z), p(X,Y,Z)).
-
-is_across(View, U) :-
-    view_axes(View, _, _, [C1,C2,C3]),
-    dot_product(p(C1,C2,C3), U, Dot),
-    dot_product(U, U, Square),
-    is_rounding(Dot, sqrt(Square)).
 
 %   lies_on(P-Q, A-B): both ends lie on the line from A to B.
 

@@ -38,8 +38,9 @@ no Edges, and segment 0 if they show no segment either. Their roles are
     ends and corners, its arrows
   - `symbol`, `axis`: the symbol of the projection method and its axes
   - `construction`: light lines of an answer, from view to view
+  - `centre_line`: the axes of what is round
 
-The dashes of such lines are drawn already. A text is
+The dashes of such lines are drawn already, but for centre lines. A text is
 
     text(X, Y, Height, Anchor, Text)
 

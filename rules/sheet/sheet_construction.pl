@@ -1,13 +1,15 @@
 :- module(sg_sheet_construction,
-          [ axes_view/4,                % +Request, +PerUnit, +Places, -Views
-            construction_view/7,        % +Request, +PerUnit, +Places, +Axes,
+          [ centre_views/6,             % +Celled, +Marking, +Blank, +PerUnit,
+                                        % +Places, -Views
+            construction_view/7,        % +Request, +PerUnit, +Places, +Centres,
                                         % +Drawn, -Views, -Texts
             view_interrupted/3,         % +Texts, +View0, -View
             item_place/5                % +Name, +P, +PerUnit, +Places, -Point
           ]).
+:- use_module('../near', [is_on_surface/2]).
 :- use_module(lettering, [lettering_width/3]).
 :- use_module(point_text, [point_texts/4]).
-:- use_module(sheet_marks, [chain_line/5]).
+:- use_module(sheet_marks, [plane_line/3]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [append/3, member/2, reverse/2]).
 :- use_module(library(option), [option/2]).
@@ -18,50 +20,71 @@ in sheet.pl, thousandths of a millimetre, y down; Places are those of
 sheet_layout.pl, PerUnit millimetres of a unit of the picture.
 */
 
-%!  axes_view(+Request, +PerUnit, +Places, -Views) is det.
+%!  centre_views(+Celled, +Marking, +Blank, +PerUnit, +Places, -Views) is det.
 %
-%   Views has the centre lines that Request asks for, chain lines; it is [] if
-%   there are none.
+%   Views has the centre lines of the views Celled, cell(Seen, Box, Cell), but
+%   not of those called one of Blank; it is [] if there are none. One that lies
+%   where its view shows the plane of a section, as Marking has it
+%   (sheet_plan.pl), is not drawn: both are chain lines.
 
-axes_view(Request, PerUnit, Places, Views) :-
-    (   option(axes(Items), Request),
-        Items = [_|_]
-    ->  findall(stroke(visible,axis,0,[],Points,joint,joint),
-                ( member(axis(Name,P0,Q0), Items),
-                  item_place(Name, P0, PerUnit, Places, P),
-                  item_place(Name, Q0, PerUnit, Places, Q),
-                  axis_line(P, Q, Points) ),
-                Strokes),
-        Views = [view(axes,Strokes,[])]
-    ;   Views = []
+centre_views(Celled, Marking, Blank, PerUnit, Places, Views) :-
+    findall(stroke(visible,centre_line,0,[],Points,End,End),
+            ( member(cell(seen(View,_,_,Centres),_,_), Celled),
+              View = view(Name, _, _, _),
+              \+ memberchk(Name, Blank),
+              member(centre(Points0,End), Centres),
+              \+ ( member(Section-Name, Marking),
+                   in_plane(View, Section, Points0) ),
+              maplist(view_place(Name, PerUnit, Places), Points0, Points1),
+              centre_points(End, Points1, Points) ),
+            Strokes),
+    (   Strokes == []
+    ->  Views = []
+    ;   Views = [view(centre_lines,Strokes,[])]
     ).
 
-axis_line(X1-Y1, X2-Y2, [A,B]) :-
+in_plane(View, Section, [X1-Y1,X2-Y2]) :-
+    plane_line(View, Section, line(U,V,At)),
+    Size is abs(X2-X1) + abs(Y2-Y1),
+    is_on_surface(U*X1+V*Y1+At, Size),
+    is_on_surface(U*X2+V*Y2+At, Size).
+
+in_plane(View, Section, [X1-Y1,X2-Y2]) :-
+    plane_line(View, Section, line(U,V,At)),
+    Size is abs(X2-X1) + abs(Y2-Y1),
+    is_on_surface(U*X1+V*Y1+At, Size),
+    is_on_surface(U*X2+V*Y2+At, Size).
+
+view_place(Name, PerUnit, Places, P, Point) :-
+    item_place(Name, P, PerUnit, Places, Point).
+
+centre_points(ring, Points, Points).
+centre_points(joint, Points0, Points) :-
+    longer_there(Points0, Points1),
+    reverse(Points1, Points2),
+    longer_there(Points2, Points3),
+    reverse(Points3, Points).
+
+longer_there([X1-Y1,X2-Y2|Points], [X-Y,X2-Y2|Points]) :-
     Length is sqrt((X2-X1)**2 + (Y2-Y1)**2),
     Length > 0,
-    U is (X2-X1)/Length,
-    V is (Y2-Y1)/Length,
-    axis_beyond(Far),
-    XP is X1-Far*U, YP is Y1-Far*V,
-    XQ is X2+Far*U, YQ is Y2+Far*V,
-    chain_line(XP-YP, XQ-YQ, 9000, axis, Lines),
-    member(line(axis,[A0,B0]), Lines),
-    maplist(rounded_point, [A0,B0], [A,B]).
+    centre_beyond(Far),
+    X is round(X1 - Far*(X2-X1)/Length),
+    Y is round(Y1 - Far*(Y2-Y1)/Length).
 
-axis_beyond(3000).
+%   Thousandths of a millimetre.
 
-rounded_point(X0-Y0, X-Y) :-
-    X is round(X0),
-    Y is round(Y0).
+centre_beyond(3000).
 
-%!  construction_view(+Request, +PerUnit, +Places, +Axes, +Drawn, -Views,
+%!  construction_view(+Request, +PerUnit, +Places, +Centres, +Drawn, -Views,
 %!                    -Texts) is det.
 %
-%   Views has the construction lines of Request, or is []. Axes and Drawn are
+%   Views has the construction lines of Request, or is []. Centres and Drawn are
 %   the other views of the sheet: Texts, those beside points, stand where there
 %   is room.
 
-construction_view(Request, PerUnit, Places, Axes, Drawn, Views, Texts) :-
+construction_view(Request, PerUnit, Places, Centres, Drawn, Views,
+                  Texts) :-
     (   option(construction(Items), Request),
         Items = [_|_]
     ->  findall(Stroke,
@@ -75,7 +98,7 @@ construction_view(Request, PerUnit, Places, Axes, Drawn, Views, Texts) :-
                 Points),
         drawn_shapes(Drawn, Shapes),
         stroke_shapes(Strokes0, Lights1),
-        drawn_shapes(Axes, Lights2),
+        drawn_shapes(Centres, Lights2),
         append(Lights1, Lights2, Lights),
         point_texts(Shapes, Lights, Points, Placed),
         findall(Text, member(placed(Text,_), Placed), Texts),

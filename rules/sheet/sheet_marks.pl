@@ -1,6 +1,7 @@
 :- module(sg_sheet_marks,
           [ plane_marks/6,              % +View, +Section, +Box, +Scale,
                                         % +Others, -Marks
+            plane_line/3,               % +View, +Section, -Line
             interrupted/2,              % +Marks, -Interrupted
             label_marks/4,              % +Letter, +Box, +Scale, -Marks
             marks_pads/4,               % +Marks, +Box, +Scale, -Pads
@@ -37,15 +38,10 @@ letter(5.0).                            % how high
 %   with the thick ends keep clear of those of Others. Fails if View does not
 %   see the plane edge-on, or its line goes past Box.
 
-plane_marks(View, view(Letter,_,_,section(plane(A,B,C,D),_,_)),
-            box(X1,Y1,X2,Y2), Scale, Others, Marks) :-
-    view_axes(View, Right, Up, Away),
-    maplist(product([A,B,C]), [Right,Up,Away], [U0,V0,W]),
-    Length is sqrt(U0*U0+V0*V0),
-    is_rounding(W, Length),
-    U is U0/Length,
-    V is V0/Length,
-    At is D/Length*Scale,
+plane_marks(View, Section, box(X1,Y1,X2,Y2), Scale, Others, Marks) :-
+    Section = view(Letter, _, _, _),
+    plane_line(View, Section, line(U,V,At0)),
+    At is At0*Scale,
     maplist(scaled(Scale), [X1,Y1,X2,Y2], [A1,B1,A2,B2]),
     line_ends(U, V, At, box(A1,B1,A2,B2), P, Q),
     Cut = cut(P,Q,U-V,Letter),
@@ -58,6 +54,20 @@ plane_marks(View, view(Letter,_,_,section(plane(A,B,C,D),_,_)),
 
 scaled(Scale, X0, X) :-
     X is X0*Scale.
+
+%!  plane_line(+View, +Section, -Line) is semidet.
+%
+%   View sees the plane of the view Section edge-on: Line is line(U,V,At), U*X +
+%   V*Y + At = 0 in its picture, U and V a unit vector.
+
+plane_line(View, view(_,_,_,section(plane(A,B,C,D),_,_)), line(U,V,At)) :-
+    view_axes(View, Right, Up, Away),
+    maplist(product([A,B,C]), [Right,Up,Away], [U0,V0,W]),
+    Length is sqrt(U0*U0+V0*V0),
+    is_rounding(W, Length),
+    U is U0/Length,
+    V is V0/Length,
+    At is D/Length.
 
 %   least_beyond(Cut, View, Least): Least is how far the line of Cut has to go
 %   on beyond View, a rectangle, so that its arrows and letters are not in

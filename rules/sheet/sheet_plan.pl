@@ -6,7 +6,7 @@
 :- use_module('../picture/section', [model_box/1, section_plane/3]).
 :- use_module(sheet, [placed_part/3]).
 :- use_module(sheet_construction,
-              [ axes_view/4, construction_view/7, item_place/5,
+              [ centre_views/6, construction_view/7, item_place/5,
                 view_interrupted/3
               ]).
 :- use_module(sheet_frame, [frame/5, bare_room/3]).
@@ -79,7 +79,7 @@ views_drawing(Request, Lines, Module:cuts(First,Again), Drawing) :-
 
 %!  seen_drawing(+Request, +Seens, -Drawing) is det.
 %
-%   Drawing shows Seens, seen(View, Parts, []) as of view_seen/5, as Request
+%   Drawing shows Seens, seen(View, Parts, [], Centres) as of view_seen/5, as Request
 %   says, and what Request has besides
 %
 %     - construction(Items)
@@ -88,8 +88,6 @@ views_drawing(Request, Lines, Module:cuts(First,Again), Drawing) :-
 %     dot(Name, P, Text), a small circle with Text where there is room near it.
 %     - question(Texts)
 %     Lines of text in the lower left corner.
-%     - axes(Items)
-%     Centre lines: axis(Name, P, Q), drawn a little beyond P and Q.
 %     - blank(Names)
 %     Views of which there is a frame, and nothing in it.
 %
@@ -159,7 +157,8 @@ sheet_error(What) :-
 %   shown(Hidden, Seen0, Seen): without the hidden lines that are not to be
 %   drawn.
 
-shown(Hidden, seen(View,Parts0,Regions), seen(View,Parts,Regions)) :-
+shown(Hidden, seen(View,Parts0,Regions,Centres),
+      seen(View,Parts,Regions,Centres)) :-
     View = view(_, _, _, Kind),
     (   ( Hidden == removed ; Hidden == usual, Kind \== side )
     ->  exclude(hidden_part, Parts0, Parts)
@@ -192,7 +191,7 @@ sheet_laid(Request, Sections, Boxed, Drawing) :-
     sheet_room(Request, Width, Height, ScaleText, FrameMarks, Room),
     scale_value(Scale, Factor),
     PerUnit is Factor*Unit,
-    findall(Region, ( member(cell(seen(_,_,Regions),_,_), Celled),
+    findall(Region, ( member(cell(seen(_,_,Regions,_),_,_), Celled),
                       member(Region0, Regions),
                       millimetres(PerUnit, Region0, Region) ),
             AllRegions),
@@ -202,12 +201,12 @@ sheet_laid(Request, Sections, Boxed, Drawing) :-
             Views),
     frame_view(FrameMarks, Frame),
     question_view(Request, Room, Question),
-    axes_view(Request, PerUnit, Places, Axes0),
+    centre_views(Celled, Marking, Blank, PerUnit, Places, Centres0),
     append([Views,Frame,Question], Drawn),
-    construction_view(Request, PerUnit, Places, Axes0, Drawn, Construction,
+    construction_view(Request, PerUnit, Places, Centres0, Drawn, Construction,
                       Numbers),
-    maplist(view_interrupted(Numbers), Axes0, Axes),
-    append([Construction,Axes,Views,Frame,Question], AllViews),
+    maplist(view_interrupted(Numbers), Centres0, Centres),
+    append([Construction,Centres,Views,Frame,Question], AllViews),
     W is round(Width*1000),
     H is round(Height*1000),
     Drawing = drawing(sheet(W,H,PerUnit), AllViews).
@@ -265,13 +264,13 @@ question_lines(Request, Lines) :-
 %   choose first.
 
 celled(Boxed, Angle, Celled) :-
-    partition([seen(view(_,_,_,side),_,_)-_]>>true, Boxed, Sides, Others),
+    partition([seen(view(_,_,_,side),_,_,_)-_]>>true, Boxed, Sides, Others),
     foldl(cell_taken(Angle), Sides, []-Celled, Taken-Rest),
     foldl(cell_taken(Angle), Others, Taken-Rest, _-[]).
 
 cell_taken(Angle, Seen-Box, Taken-[cell(Seen,Box,Cell)|Rest],
            [Cell|Taken]-Rest) :-
-    Seen = seen(View, _, _),
+    Seen = seen(View, _, _, _),
     view_cell(View, Angle, Taken, Cell).
 
 %   marking(Sections, Celled, Marking): in which view the plane of each section
@@ -281,7 +280,7 @@ marking(Sections, Celled, Marking) :-
     findall(Section-Name,
             ( member(Section, Sections),
               once(( member(cell(Seen,Box,_), Celled),
-                     Seen = seen(View, _, _),
+                     Seen = seen(View, _, _, _),
                      View = view(Name, _, _, Kind),
                      Kind \== pictorial,
                      View \== Section,
@@ -297,7 +296,7 @@ handy_scale(box(X1,Y1,X2,Y2), Scale) :-
 
 %   view_marks(Marking, Cell, PerUnit, Marks): what is written round a view.
 
-view_marks(Marking, cell(seen(View,_,_),Box,_), PerUnit, Marks) :-
+view_marks(Marking, cell(seen(View,_,_,_),Box,_), PerUnit, Marks) :-
     View = view(Name, _, _, Kind),
     findall(Section, member(Section-Name, Marking), Sections),
     foldl(plane_marked(View, Box, PerUnit), Sections, [], Marked),
@@ -318,7 +317,7 @@ label_marks(Name, box(X1,Y1,X2,Y2), Above, PerUnit, Label) :-
     label_marks(Name, box(X1,Y1,X2,Y), PerUnit, Label).
 
 sight(Marking, PerUnit, Celled, sight(Name,Cell,Box,Pads)) :-
-    Celled = cell(seen(view(Name,_,_,_),_,_), Box, Cell),
+    Celled = cell(seen(view(Name,_,_,_),_,_,_), Box, Cell),
     view_marks(Marking, Celled, PerUnit, Marks),
     marks_pads(Marks, Box, PerUnit, Pads).
 
@@ -497,7 +496,7 @@ scale_text(factor(Factor), Text) :-
                 *           DRAWING            *
                 *******************************/
 
-view_drawn(PerUnit, _, _, Places, Blank, cell(seen(View,_,_),Box,_),
+view_drawn(PerUnit, _, _, Places, Blank, cell(seen(View,_,_,_),Box,_),
            view(Name,[Stroke],[])) :-
     View = view(Name, _, _, _),
     memberchk(Name, Blank),
@@ -515,7 +514,7 @@ view_drawn(PerUnit, _, _, Places, Blank, cell(seen(View,_,_),Box,_),
                     ring,ring).
 view_drawn(PerUnit, Hatching, Marking, Places, _, Celled,
            view(Name,Strokes,Texts)) :-
-    Celled = cell(seen(view(Name,_,_,_),Parts,Regions), _, _),
+    Celled = cell(seen(view(Name,_,_,_),Parts,Regions,_), _, _),
     memberchk(place(Name,X,Y,Left,Top), Places),
     Scale is PerUnit*1000,
     Left1 is Left*1000,

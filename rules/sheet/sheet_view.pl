@@ -5,6 +5,7 @@
             view_seen/5,                % +View, +Lines, :Cut, +Picture,
                                         % -Seen
             view_cell/4,                % +View, +Angle, +Taken, -Cell
+            view_centres/3,             % +View, +Picture, -Centres
             view_axes/4,                % +View, -Right, -Up, -Away
             seen_box/2                  % +Seen, -Box
           ]).
@@ -14,8 +15,9 @@
               [ cut_away/2, section_lines/3, section_edges/3,
                 section_region/4
               ]).
+:- use_module(centre_line, [centre_lines/3]).
 :- use_module(sheet, [picture_parts/1]).
-:- use_module('../store', [screen/5, facts_snapshot/1]).
+:- use_module('../store', [screen/5, segment/3, facts_snapshot/1]).
 :- use_module('../picture/view',
               [ named_view/3, set_view/3, set_projection/1, eye_point/4 ]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
@@ -26,8 +28,9 @@
 
     view(Name, Theta, Phi, Kind)
     Kind    side, one of the six; pictorial; or section(Plane, Axis, Text)
-    seen(View, Parts, Regions)
+    seen(View, Parts, Regions, Centres)
     region(S, Edges)    the cut face of segment S: directed edges A-B
+    centre(Points, End) a centre line, as of centre_lines/3
 
 Parts are as in stroke.pl, points X-Y in the coordinates of the picture. A view
 is made in a snapshot: the world is as it was afterwards.
@@ -151,11 +154,10 @@ farther(at(X0,Y0), Angle, at(X,Y)) :-
 %   Cut is called for that, after what is above the plane was taken away. Fails
 %   if the plane goes past the model.
 
-view_seen(View, Lines, Cut, Picture, seen(View,Parts,Regions)) :-
-    facts_snapshot(sg_sheet_view:seen(View, Lines, Cut, Picture, Parts,
-                                      Regions)).
+view_seen(View, Lines, Cut, Picture, Seen) :-
+    facts_snapshot(sg_sheet_view:seen(View, Lines, Cut, Picture, Seen)).
 
-seen(View, Lines0, Cut, Picture0, Parts, Regions) :-
+seen(View, Lines0, Cut, Picture0, seen(View,Parts,Regions,Centres)) :-
     View = view(_, Theta, Phi, section(Plane,_,_)),
     !,
     cut_away(Plane, Section),
@@ -167,9 +169,30 @@ seen(View, Lines0, Cut, Picture0, Parts, Regions) :-
     maplist(section_part(Section, InPlane), Parts0, Parts),
     findall(region(S,Edges),
             ( seen_region(Section, S, Edges), drawn_segment(Picture0, S) ),
-            Regions).
-seen(view(_,Theta,Phi,_), Lines, _, Picture, Parts, []) :-
-    pictured(Theta, Phi, Lines, Picture, Parts).
+            Regions),
+    view_centres(View, Picture, Centres).
+seen(View, Lines, _, Picture, seen(View,Parts,[],Centres)) :-
+    View = view(_, Theta, Phi, _),
+    pictured(Theta, Phi, Lines, Picture, Parts),
+    view_centres(View, Picture, Centres).
+
+%!  view_centres(+View, +Picture, -Centres:list) is det.
+%
+%   Centres are the centre lines of the current world in View: none in a
+%   pictorial view, and none where Picture shows facets as those of a polyhedron,
+%   or penetration lines alone.
+
+view_centres(View, Picture, Centres) :-
+    (   (   View = view(_, _, _, pictorial)
+        ;   member(Lines, [all,penetration]),
+            memberchk(lines(Lines), Picture)
+        )
+    ->  Centres = []
+    ;   findall(S, ( segment(S, _, _), drawn_segment(Picture, S) ), Ss0),
+        sort(Ss0, Ss),
+        view_axes(View, Right, Up, Away),
+        centre_lines(axes(Right,Up,Away), Ss, Centres)
+    ).
 
 pictured(Theta, Phi, Lines, Picture, Parts) :-
     set_view(Theta, Phi, 0),
@@ -218,7 +241,7 @@ seen_region(Section, S, Edges) :-
 %
 %   Box is box(X1,Y1,X2,Y2) round the parts. Fails if there are none.
 
-seen_box(seen(_,[Part|Parts],_), Box) :-
+seen_box(seen(_,[Part|Parts],_,_), Box) :-
     Part = part(_, _, _, _, _, _, X-Y, _),
     foldl(boxed, [Part|Parts], box(X,Y,X,Y), Box).
 

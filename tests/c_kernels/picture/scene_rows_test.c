@@ -214,6 +214,41 @@ facets(void)
         !asked(1, 11, &out) && is_refused(SG_REFUSED_DOMAIN, 0, 11));
 }
 
+/* The cube's side from x = 0 and the next: how far they reach on a cylinder
+ * about z, whose U is x; its W is 2 long. */
+static void
+extents(void)
+{
+  static double frame[12] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 2};
+  static int32_t s[1] = {CUBE};
+  sg_smooth_surface round = {SG_KNOWN_TAPERED, {frame, 12, 0}, 1, 1};
+  sg_surface_run run = {1, 6, 1};
+  sg_known_segment said = {.is = SG_KNOWN_SEGMENT_KNOWN,
+                           .known = {CUBE, {&round, 1, 0}, {&run, 1, 0}}};
+  const sg_known_segment_list known = {&said, 1, 0};
+  const sg_int_list these = {s, 1, 0};
+  sg_round_extent_list out = {0};
+
+  CHECK("extents",
+        sg_door_round_extents(&call, &known, &these, &out) && out.n == 1);
+  CHECK("along the axis", out.at[0].low == 0 && out.at[0].high == 0.5);
+  CHECK("about it: a quarter from U to V",
+        out.at[0].begin == 0 && out.at[0].turn == 90);
+  frame[0] = frame[1] = 0.5;
+  out = (sg_round_extent_list){0};
+  CHECK("in its middle", sg_door_round_extents(&call, &known, &these, &out) &&
+                             out.n == 1 && out.at[0].turn == 270);
+  round.kind = SG_KNOWN_SPHERE;
+  out = (sg_round_extent_list){0};
+  CHECK("a ball's facets may be wider",
+        sg_door_round_extents(&call, &known, &these, &out) &&
+            out.at[0].turn == 360);
+  round.kind = SG_KNOWN_FREE;
+  out = (sg_round_extent_list){0};
+  CHECK("what has no axis",
+        sg_door_round_extents(&call, &known, &these, &out) && out.n == 0);
+}
+
 static bool
 stop(void *data)
 {
@@ -245,6 +280,7 @@ main(void)
   drawn(scene);
   outlines();
   facets();
+  extents();
   CHECK("another", add_cube(call.world, OTHER));
   CHECK("is not kept", !opened(&kept));
   CHECK("a scene stays", sg_door_scene_near(&call, scene, &(double){0}));

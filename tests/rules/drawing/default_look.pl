@@ -66,6 +66,8 @@ default_look(visible, cutting_end, 700, rgb(0,0,0), rgb(0,0,0), [], 1,
 default_look(visible, arrow, 500, rgb(0,0,0), rgb(0,0,0), [], 1, 'ARROW').
 default_look(visible, symbol, 350, rgb(0,0,0), rgb(0,0,0), [], 1, 'SYMBOL').
 default_look(visible, axis, 250, rgb(0,0,0), rgb(0,0,0), [], 1, 'AXIS').
+default_look(visible, centre_line, 250, rgb(0,0,0), rgb(0,0,0),
+             [6000,750,125,750], 1, 'CENTRE_LINE').
 default_look(visible, text, 700, rgb(0,0,0), rgb(0,0,0), [], 1, 'TEXT').
 % Of patterns.
 default_look(visible, cut, 350, rgb(0,0,0), rgb(0,0,0), [], 1, 'CUT').

@@ -116,7 +116,7 @@ random_stroke(Size, stroke(V,R,S,Edges,Points,Start,End)) :-
         random_between(1, 3, S)
     ;   V = visible,
         random_member(R, [frame,field,hatching,cutting,cutting_end,arrow,
-                          symbol,axis]),
+                          symbol,axis,centre_line]),
         S = 0
     ),
     random_between(2, 6, N),

@@ -4,37 +4,19 @@
 :- use_module(rules(store)).
 :- use_module(rules(sheet/sheet_plan)).
 :- use_module(rules(command/sheet_options)).
+:- use_module(tests('rules/sheet/sheet_of'), [sheet_of/3]).
 :- use_module(rules(sheet/sheet_words)).
 :- use_module(rules(message/sheet_en)).
-:- use_module(rules(csg/csg_roots), [operand_lines/1, roots_alone/0]).
+:- use_module(rules(csg/csg_roots), [roots_alone/0]).
 :- use_module(rules(drawing/drawing), [write_drawing_stream/3]).
 :- use_module(rules(model/model), [load_model/1]).
-:- use_module(rules(penetration/penetration), [penetrate/2]).
 :- use_module(rules(command/verbs), [draw/2]).
 
 % The drawing of a model of facts/ by options as on the command line.
 drawn_sheet(Model, Options, Drawing) :-
     atomic_list_concat(['facts/',Model,'.pl'], Path),
     absolute_file_name(sanggwan(Path), File),
-    drawn_file(File, Options, Drawing).
-
-drawn_file(File, Options, Drawing) :-
-    sheet_request(Options, [lines(feature)], Request0),
-    new_world(World),
-    in_world(World,
-             ( load_model(File),
-               request_facts(Options, [File], Request0, Request),
-               operand_lines(Lines),
-               roots_alone,
-               views_drawing(Request, Lines,
-                             test_sheet_plan:cuts(cut, cut), Drawing) )).
-
-cut :-
-    findall(S, segment(S, _, _), Ss),
-    (   Ss = [_,_|_]
-    ->  penetrate(all, [])
-    ;   true
-    ).
+    sheet_of(File, Options, Drawing).
 
 drawing_view(drawing(_,Views), Name, Strokes, Texts) :-
     memberchk(view(Name,Strokes,Texts), Views).
@@ -113,14 +95,14 @@ test(fit_whatever_the_size, [forall(member(E, [9,12,80]))]) :-
     format(atom(Facts), 'segment(1, solid, box(size(~we~w,~we~w,~we~w))).~n',
            [2.0,E,2.0,E,2.0,E]),
     facts_file(Facts, File),
-    drawn_file(File, [sheet(a4),scale(fit)], Drawing),
+    sheet_of(File, [sheet(a4),scale(fit)], Drawing),
     view_extent(Drawing, front, X1, _, X2, _),
     X2-X1 > 30 000,
     X2-X1 < 160 000.
 test(too_large_for_standard,
      error(usage_error(sheet(no_room('A4'))))) :-
     facts_file('segment(1, solid, box(size(2.0e12,1.0,1.0))).', File),
-    drawn_file(File, [sheet(a4)], _).
+    sheet_of(File, [sheet(a4)], _).
 
 test(a_letter_for_each_section,
      error(usage_error(sheet(many_sections(24))))) :-
@@ -187,7 +169,8 @@ test(no_overlap, [forall(member(Model, [two_cubes,pipe_tee]))]) :-
                 Drawing),
     Drawing = drawing(_, Views),
     findall(r(X1,Y1,X2,Y2),
-            ( member(view(Name,Strokes,_), Views), Name \== frame,
+            ( member(view(Name,Strokes,_), Views),
+              \+ memberchk(Name, [frame,centre_lines]),
               findall(P, ( member(stroke(_,_,_,_,Ps,_,_), Strokes),
                            member(P, Ps) ), All),
               extent(All, X1, Y1, X2, Y2) ),
@@ -217,7 +200,7 @@ test(letters_spared, [forall(member(Model, [ 'cylinder(radius(10),height(50))',
                                              'box(size(18,20,50))' ]))]) :-
     format(atom(Text), 'segment(1, solid, ~w).', [Model]),
     facts_file(Text, File),
-    drawn_file(File, [sheet(a4),section([x,y,'1,1,0,0','x=4'])], Drawing),
+    sheet_of(File, [sheet(a4),section([x,y,'1,1,0,0','x=4'])], Drawing),
     Drawing = drawing(_, Views),
     forall(( member(view(_,Strokes,Texts), Views),
              member(text(X,Y,High,_,_), Texts),
@@ -253,7 +236,7 @@ passes([X1-Y1,X2-Y2], X, Y, High) :-
 % At the largest standard scale it could not be seen.
 test(tiny, true(Wide > 20 000)) :-
     facts_file('segment(1, solid, box(size(1.0e-80,2.0e-80,3.0e-80))).', File),
-    warnings(drawn_file(File, [sheet(a4)], Drawing), Warned),
+    warnings(sheet_of(File, [sheet(a4)], Drawing), Warned),
     Warned = [sheet_tiny(1 000 000 000:1,fit)],
     view_extent(Drawing, front, X1, _, X2, _),
     Wide is X2-X1.
@@ -296,7 +279,7 @@ test(world_stays) :-
              ( load_model(File),
                request_facts([], [File], Request0, Request),
                rows(Before),
-               views_drawing(Request, [], test_sheet_plan:cuts(cut, cut), _),
+               views_drawing(Request, [], sheet_of:cuts(cut, cut), _),
                rows(After) )),
     Before == After.
 
@@ -367,7 +350,7 @@ test(title_block) :-
     format(Out, 'title_block(name, "받침대").~ntitle_block(number, 17).~n\c
                  title_block(date, ''2026-11-21'').~n', []),
     close(Out),
-    drawn_file(File, [sheet(a3),'title-block'(Title),language(ko)], Drawing),
+    sheet_of(File, [sheet(a3),'title-block'(Title),language(ko)], Drawing),
     delete_file(Title),
     texts(Drawing, Texts),
     forall(member(T, ["받침대","17","2026-11-21","척도","도명","100:1","A3"]),
@@ -383,7 +366,7 @@ test(model_title) :-
     format(Out, 'segment(1, solid, box(size(1,2,3))).~n\c
                  title_block(name, "Bracket").~n', []),
     close(Out),
-    drawn_file(File, [sheet(a3)], Drawing),
+    sheet_of(File, [sheet(a3)], Drawing),
     delete_file(File),
     texts(Drawing, Texts),
     memberchk("Bracket", Texts).
@@ -419,7 +402,7 @@ test(fitting_text) :-                   % a long name becomes small
     format(Out, 'segment(1, solid, box(size(1,2,3))).~n\c
                  title_block(name, "~s").~n', [Codes]),
     close(Out),
-    drawn_file(File, [sheet(a3)], Drawing),
+    sheet_of(File, [sheet(a3)], Drawing),
     delete_file(File),
     drawing_view(Drawing, frame, _, Texts),
     string_codes(Name, Codes),
@@ -431,7 +414,7 @@ test(text_that_does_not_fit, High-Start == 1000-"WWW") :-
     format(atom(Facts), 'segment(1, solid, box(size(1,2,3))).~n\c
                          title_block(name, "~s").~n', [Codes]),
     facts_file(Facts, File),
-    drawn_file(File, [sheet(a3)], Drawing),
+    sheet_of(File, [sheet(a3)], Drawing),
     drawing_view(Drawing, frame, _, Texts),
     member(text(_,_,High,middle,Text), Texts),
     string_concat(Kept, "...", Text),
@@ -442,7 +425,7 @@ test(text_that_does_not_fit, High-Start == 1000-"WWW") :-
 test(text_on_one_line) :-
     facts_file('segment(1, solid, box(size(1,2,3))).\n\c
                 title_block(name, "a\\nb\\tc").', File),
-    drawn_file(File, [sheet(a3)], Drawing),
+    sheet_of(File, [sheet(a3)], Drawing),
     drawing_view(Drawing, frame, _, Texts),
     memberchk(text(_,_,_,middle,"a b c"), Texts).
 
