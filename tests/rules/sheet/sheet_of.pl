@@ -20,7 +20,8 @@ sheet_of(File, Options, Drawing) :-
                request_facts(Options, [File], Request0, Request),
                operand_lines(Lines),
                roots_alone,
-               views_drawing(Request, Lines, sheet_of:cuts(cut, cut), Drawing) )).
+               views_drawing(Request, Lines, sheet_of:cuts(cut, cut),
+                             Drawing) )).
 
 cut :-
     findall(S, segment(S, _, _), Ss),
