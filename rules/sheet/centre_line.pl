@@ -39,8 +39,9 @@ centre_lines(Axes, Ss, Lines) :-
             Items),
     seen_lines(Items, Lines).
 
-%   seen_item(Axes, Extent, Item) is nondet: line(P,Q), straight; circle(C,RX,RY),
-%   what is seen end on, its centre and how far it reaches; curve(Points,End).
+%   seen_item(Axes, Extent, Item) is nondet: line(P,Q), straight;
+%   circle(C,RX,RY), what is seen end on, its centre and how far it reaches;
+%   curve(Points,End).
 
 seen_item(Axes, Extent, line(P,Q)) :-
     Extent = extent(_, surface(Kind,_,_,_), Low, High, _, Turn),

@@ -79,8 +79,8 @@ views_drawing(Request, Lines, Module:cuts(First,Again), Drawing) :-
 
 %!  seen_drawing(+Request, +Seens, -Drawing) is det.
 %
-%   Drawing shows Seens, seen(View, Parts, [], Centres) as of view_seen/5, as Request
-%   says, and what Request has besides
+%   Drawing shows Seens, seen(View, Parts, [], Centres) as of view_seen/5, as
+%   Request says, and what Request has besides
 %
 %     - construction(Items)
 %     Light lines, Name being that of a view and P = X-Y a point of its picture:

@@ -179,8 +179,8 @@ seen(View, Lines, _, Picture, seen(View,Parts,[],Centres)) :-
 %!  view_centres(+View, +Picture, -Centres:list) is det.
 %
 %   Centres are the centre lines of the current world in View: none in a
-%   pictorial view, and none where Picture shows facets as those of a polyhedron,
-%   or penetration lines alone.
+%   pictorial view, and none where Picture shows facets as those of a
+%   polyhedron, or penetration lines alone.
 
 view_centres(View, Picture, Centres) :-
     (   (   View = view(_, _, _, pictorial)
