@@ -7,7 +7,8 @@
 :- use_module('../near', [is_on_surface/2]).
 :- use_module('../penetration/penetration', [penetrate/2]).
 :- use_module('../sheet/sheet_plan', [seen_drawing/3]).
-:- use_module('../sheet/sheet_view', [view_axes/4, view_centres/3, view_seen/5]).
+:- use_module('../sheet/sheet_view',
+              [view_axes/4, view_centres/3, view_seen/5]).
 :- use_module('../store',
               [segment/3, unfolding/2, facts_snapshot/1, retractall_facts/1]).
 :- use_module('../vector', [dot_product/3]).

@@ -28,8 +28,8 @@ What lies in one line is one line.
 %
 %   Lines has centre(Points, End) of each centre line of the segments Ss, in the
 %   coordinates of a parallel picture: End is `ring` if it closes, else `joint`,
-%   and it is to go on a little at both ends. Axes, axes(Right, Up, Away), are as
-%   of view_axes/4 (sheet_view.pl).
+%   and it is to go on a little at both ends. Axes, axes(Right, Up, Away), are
+%   as of view_axes/4 (sheet_view.pl).
 
 centre_lines(Axes, Ss, Lines) :-
     known_surfaces(Known),
@@ -145,8 +145,8 @@ in_one_place(Axes, extent(_, surface(_,Frame,_,_), _, _, _, _), X1-Y1,
     reach(Axes, [U,V,W], 1.0, RX, RY),
     is_on_surface(abs(X1-X2) + abs(Y1-Y2), RX+RY).
 
-%   reach(Axes, Radii, Factor, RX, RY): how far across and up the ellipse, or the
-%   ellipsoid, of these conjugate radii reaches, times Factor.
+%   reach(Axes, Radii, Factor, RX, RY): how far across and up the ellipse, or
+%   the ellipsoid, of these conjugate radii reaches, times Factor.
 
 reach(Axes, Radii, Factor, RX, RY) :-
     maplist(projected(Axes), Radii, Seen),
@@ -155,8 +155,8 @@ reach(Axes, Radii, Factor, RX, RY) :-
     RX is Factor*sqrt(XX),
     RY is Factor*sqrt(YY).
 
-%   seen_edge_on(Axes, U, V, Along): all vectors of the plane of U and V are seen
-%   along one line.
+%   seen_edge_on(Axes, U, V, Along): all vectors of the plane of U and V are
+%   seen along one line.
 
 seen_edge_on(Axes, U, V, DX-DY) :-
     projected(Axes, U, UX-UY),
