@@ -8,6 +8,7 @@
 :- use_module('../decimal', [decimal_number/2]).
 :- use_module('../csg/csg_rows', [drop_boundary/1]).
 :- use_module('../csg/placed_surface', [asked_once/1]).
+:- use_module('../development/bend', [doubly_curved/3, named_segment/2]).
 :- use_module('../development/leaf_face', [roots_alone_named/0]).
 :- use_module('../limits', [term_of_text/3]).
 :- use_module('../model/mesh', [write_mesh/3]).
@@ -43,6 +44,7 @@
               [ some_files/2, outputs/3, may_be_written/1, no_model_replaced/2,
                 no_file/1, output_written/2, usage_error/1
               ]).
+:- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [maplist/2, maplist/3, maplist/4]).
 :- use_module(library(lists), [append/2, append/3, last/2, member/2]).
 :- use_module(library(option), [option/2, option/3]).
@@ -74,6 +76,7 @@ unfold_run(Files, Options, 0) :-
     empty_roots_warned,
     roots_apart(Options),
     asked_once(patterns_reported(Files, Options, Flags, All, Ds)),
+    laid_flat_told(Options, Ds),
     tables_written(Options, Ds),
     sheets_once(Options, Ds, Outputs, Options1),
     maplist(written_to(Options1, Ds), Outputs).
@@ -426,6 +429,36 @@ wish_places(Text, Wish, Places) :-
                 /*******************************
                 *            OUTPUT            *
                 *******************************/
+
+%   laid_flat_told(Options, Ds): what --true did not unroll though it is round, or
+%   that it has unrolled nothing.
+
+laid_flat_told(Options, Ds) :-
+    findall(flat(S, Kind, N),
+            ( option(true(true), Options),
+              member(D, Ds),
+              \+ segment(D, _, true_development(_, _)),
+              aggregate_all(bag(Kind), doubly_curved(D, _, Kind), Kinds0),
+              msort(Kinds0, Kinds),
+              clumped(Kinds, Kind, N),
+              named_segment(D, S) ),
+            Flat),
+    forall(member(flat(S, Kind, N), Flat),
+           print_message(warning,
+                         sanggwan(unfold(not_developable(S, Kind, N))))),
+    (   option(true(true), Options),
+        Flat == [],
+        \+ ( member(D, Ds), segment(D, _, true_development(_, _)) )
+    ->  print_message(warning, sanggwan(unfold(nothing_unrolled)))
+    ;   true
+    ).
+
+%   clumped(Kinds, Kind, N) is nondet: N of the sorted Kinds are Kind.
+
+clumped(Kinds, Kind, N) :-
+    sort(Kinds, Each),
+    member(Kind, Each),
+    aggregate_all(count, member(Kind, Kinds), N).
 
 %   tables_written(Options, Ds): of true lengths; of several patterns that have
 %   generators FILE.csv becomes FILE-1.csv, FILE-2.csv, ...

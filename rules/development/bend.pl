@@ -1,6 +1,8 @@
 :- module(sg_bend,
           [ pattern_bent/2,             % +D, +Options
-            bend_deduction/3            % +Degrees, +Options, -Deduction
+            bend_deduction/3,           % +Degrees, +Options, -Deduction
+            doubly_curved/3,            % +D, ?P, -Kind
+            named_segment/2             % +D, -S
           ]).
 :- use_module('../near', [is_rounding/2]).
 :- use_module(bend_corner,
@@ -205,7 +207,9 @@ fold_half(D, Options, E1, E2, P1, P2, Half) :-
         Half is Deduction/2.0
     ).
 
-%   named_segment(D, S): what a user calls it, in messages.
+%!  named_segment(+D, -S) is det.
+%
+%   What a user calls the segment of pattern D, in messages.
 
 named_segment(D, S) :-
     model_segment(D, T),
@@ -350,7 +354,7 @@ sides_kept(D, P, Corners, Offsets) :-
         Left =< 0.0
     ->  Off is Length-Left,
         named_segment(D, S),
-        (   curved_facet(D, P, Kind)
+        (   doubly_curved(D, P, Kind)
         ->  What = bent_facet(S, P, Kind, Off)
         ;   What = bend_too_wide(S, P, Off)
         ),
@@ -358,14 +362,17 @@ sides_kept(D, P, Corners, Offsets) :-
     ;   true
     ).
 
-%   curved_facet(D, P, Kind): polygon P is a facet of a surface of this Kind,
-%   `sphere` or `torus`, that no plate can have by bending.
+%!  doubly_curved(+D, ?P, -Kind) is nondet.
+%
+%   True when polygon P of pattern D is a facet of a surface of this Kind,
+%   `sphere`, `torus` or `bezier`, that no plate can have by bending.
 
-curved_facet(D, P, Kind) :-
+doubly_curved(D, P, Kind) :-
     model_segment(D, S),
+    p(D, P, _),
     facet_surface(S, P, Surface),
     functor(Surface, Kind, _),
-    memberchk(Kind, [sphere,torus]).
+    memberchk(Kind, [sphere,torus,bezier]).
 
 side_length(D, E, Length) :-
     once(e(D, E, A, B, _)),

@@ -220,6 +220,14 @@ unfold_en(root_gone(S, face(P, Name))) -->
     [ 'segment ~d: the root, '-[S] ],
     face_en(face(P, Name)),
     [ ', was trimmed away' ].
+unfold_en(not_developable(S, Kind, N)) -->
+    [ 'segment ~d: --true does not unroll a ~w, which is not developable: ~D \c
+       facets of it are laid flat as they are'-[S, Kind, N], nl,
+      '  More of them, facets(...) in the model, are closer to it.' ].
+unfold_en(nothing_unrolled) -->
+    [ 'nothing was unrolled: the model has no cylinder, cone or transition'-[],
+      nl,
+      '  Without --true the patterns are the same.' ].
 unfold_en(kept_apart(S, N)) -->
     [ 'segment ~d: ~D edge(s) could not be kept: on one side is what is \c
        unrolled, on the other what is flat, in a pattern of its own'-[S, N] ].

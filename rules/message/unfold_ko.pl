@@ -169,6 +169,14 @@ unfold_ko(root_gone(S, face(P, Name))) -->
     [ '세그먼트 ~d: 기준면 '-[S] ],
     face_ko(face(P, Name)),
     [ '이(가) 잘려 나갔습니다' ].
+unfold_ko(not_developable(S, Kind, N)) -->
+    { kind_word(Kind, Word) },
+    [ '세그먼트 ~d: ~w 면은 전개할 수 없어 --true로 펴지 않습니다. 그 조각 ~D개를 \c
+       있는 그대로 평면에 놓습니다'-[S, Word, N], nl,
+      '  모델에서 facets(...)를 늘리면 더 가까워집니다.' ].
+unfold_ko(nothing_unrolled) -->
+    [ '편 것이 없습니다. 모델에 원기둥, 원뿔, 변이관이 없습니다'-[], nl,
+      '  --true 없이도 전개도가 같습니다.' ].
 unfold_ko(kept_apart(S, N)) -->
     [ '세그먼트 ~d: 모서리 ~D개를 이을 수 없습니다. 한쪽은 말린 것을 펴고 다른 \c
        쪽은 평평하여 따로 전개합니다'-[S, N] ].

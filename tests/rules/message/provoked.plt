@@ -188,6 +188,8 @@ command(unfold(nothing_to_unfold), [unfold, @('wire.pl')]).
 command(unfold(several_sheets(_)), [unfold, @('house.pl'), '--page', 'A4',
                                     '-o', -, '--format', svg]).
 command(unfold(attached(_,_,_)), [unfold, @('two_welds.pl')]).
+command(unfold(not_developable(_,_,_)), [unfold, @('ball.pl'), '--true']).
+command(unfold(nothing_unrolled), [unfold, @('cube.pl'), '--true']).
 command(unfold(kept_apart(_,_)), [unfold, @('pipes.pl'), '--true', '--only', 1,
                                   '--no-lines', '--keep', 'side-top']).
 command(unfold(no_segment(_,_)), [unfold, @('cube.pl'), '--only', 7]).
