@@ -57,6 +57,7 @@ solid_verb(eval).
 solid_verb_run(Verb, Files, Options, 0) :-
     enough_files(Verb, Files),
     outputs(Options, [pl, stl, off, obj, ply], Outputs),
+    json_apart(Options, Outputs),
     operands_loaded(Verb, Files, Options, Sources),
     operands_evaluated(Sources, Options),
     (   member(output(_, Format), Outputs),
@@ -66,8 +67,13 @@ solid_verb_run(Verb, Files, Options, 0) :-
     ),
     findall(S, root_segment(S), Ss),
     (   Outputs == []
-    ->  summary(Options, Ss)
-    ;   partition(takes_one(Verb, Ss), Outputs, Apart, Together),
+    ->  summary(Options, Ss),
+        summary_sent_told
+    ;   (   option(json(true), Options)
+        ->  summary(Options, Ss)
+        ;   true
+        ),
+        partition(takes_one(Verb, Ss), Outputs, Apart, Together),
         forall(( member(Output, Apart), member(S, Ss) ),
                part_written(Options, S, Output)),
         solids_written(Ss, Together, Options)
@@ -342,6 +348,27 @@ empty_warned(S) :-
                 /*******************************
                 *            SUMMARY           *
                 *******************************/
+
+%   json_apart(Options, Outputs): the summary and a solid do not both go to
+%   standard output.
+
+json_apart(Options, Outputs) :-
+    (   option(json(true), Options),
+        memberchk(output(-, _), Outputs)
+    ->  usage_error(both_options('--json', '-o -'))
+    ;   true
+    ).
+
+%   summary_sent_told: who sent standard output to part.stl wanted the solid.
+
+summary_sent_told :-
+    (   catch(read_link('/proc/self/fd/1', File, _), error(_, _), fail),
+        file_name_extension(_, Ending, File),
+        memberchk(Ending, [pl, stl, off, obj, ply])
+    ->  file_base_name(File, Base),
+        print_message(warning, sanggwan(summary_sent(Base)))
+    ;   true
+    ).
 
 %   summary(Options, Ss): one line on standard output for each segment.
 

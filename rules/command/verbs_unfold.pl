@@ -117,9 +117,8 @@ roots_apart(Options) :-
 %   table_output(Options, Tables): Tables is a list of what --table says.
 
 table_output(Options, Tables) :-
-    (   option(table(File), Options)
-    ->  ( File == (-) -> true ; may_be_written(File) ),
-        Tables = [output(File, csv)]
+    (   option(table(File0), Options)
+    ->  outputs([output([File0])], [csv], Tables)
     ;   Tables = []
     ).
 

@@ -164,6 +164,9 @@ notice_en(one_segment) -->
     [ 'one segment alone has no penetration lines' ].
 notice_en(empty_result(S, Name)) -->
     [ 'segment ~d (~p) is empty: nothing is left of its operands'-[S, Name] ].
+notice_en(summary_sent(File)) -->
+    [ '~w has this summary, not the solid'-[File], nl,
+      '  Write it with -o ~w instead of > ~w.'-[File, File] ].
 notice_en(wrote(File)) -->
     [ 'wrote ~w'-[File] ].
 notice_en(pen_travel(N, Way, Unsorted)) -->

@@ -1,5 +1,6 @@
 :- module(sg_true_ko,
-          [ true_ko//1                  % +What
+          [ true_ko//1,                 % +What
+            kind_word/2                 % ?Kind, -Word
           ]).
 :- encoding(utf8).
 /** <module> What is wrong with a true development, in Korean.
@@ -67,5 +68,10 @@ true_ko(bent_facet(S, P, Kind, Width)) -->
       '  조각 수(facets)나 --bend-radius, --thickness를 줄이거나, --thickness \c
          없이 얇은 판으로 펼치십시오.' ].
 
+%!  kind_word(?Kind, -Word) is nondet.
+%
+%   Word is Korean for a surface of this Kind that is not developable.
+
 kind_word(sphere, '구').
 kind_word(torus, '원환').
+kind_word(bezier, '베지어 곡면').

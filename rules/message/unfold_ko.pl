@@ -4,6 +4,7 @@
             unfold_ko//1,               % +What
             trim_ko//1                  % +What
           ]).
+:- use_module(true_ko, [kind_word/2]).
 :- use_module(unfold_en, [known_polygons_listed//2, known_segments/2]).
 :- use_module('../unfolding/unfold_wish', [all_forms/1]).
 /** <module> What is wrong with an unfolding, in Korean.

@@ -70,6 +70,7 @@ file('narrow.pl',
      "param(w, 1). segment(1, solid, box(size(param(w),1,1))).\n").
 file('comma.pl',
      "segment(1, solid, cylinder(radius(57,15), height(9))).\n").
+file('ball.pl', "segment(1, solid, sphere(radius(1),facets(12))).\n").
 file('wire.pl', "v(1,1,0,0,0). v(1,2,1,0,0). e(1,1,1,2,1).
 segment(1, curve, wire).\n").
 file('tiny.pl', "segment(1, solid, box(size(1.0e-11,1.0e-11,1.0e-11))).\n").
