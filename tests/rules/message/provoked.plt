@@ -213,6 +213,7 @@ elsewhere(interrupted, test('tests/cli/bad_output.sh')).
 elsewhere(studio(_), test('tests/studio/front_test.py')).
 elsewhere(progress(_,_), test('tests/cli/bad_output.sh')).
 elsewhere(progress(_,_,_,_,_), test('tests/cli/bad_output.sh')).
+elsewhere(summary_sent(_), test('tests/transcripts/solids.txt')).
 elsewhere(no_memory, test('tests/cli/memory.sh')).
 elsewhere(no_help(_,_), test('tests/rules/command/help.plt')).
 elsewhere(prolog_help(_,_), test('tests/rules/command/help.plt')).
