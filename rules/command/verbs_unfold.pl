@@ -429,8 +429,8 @@ wish_places(Text, Wish, Places) :-
                 *            OUTPUT            *
                 *******************************/
 
-%   laid_flat_told(Options, Ds): what --true did not unroll though it is round, or
-%   that it has unrolled nothing.
+%   laid_flat_told(Options, Ds): what --true did not unroll though it is round,
+%   or that it has unrolled nothing.
 
 laid_flat_told(Options, Ds) :-
     findall(flat(S, Kind, N),
