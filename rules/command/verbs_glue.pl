@@ -8,7 +8,7 @@
 :- use_module('../model/model', [load_model/2, save_model/1]).
 :- use_module('../plain', [plain_json/2]).
 :- use_module('../language', [language/1]).
-:- use_module('../solid/glue', [unglue/1, glue_report/2]).
+:- use_module('../solid/glue', [unglue/1, glue_report/2, glue_operands/2]).
 :- use_module('../store', [facts_snapshot/1, facts_transaction/1]).
 :- use_module(solid_verbs, [operands_loaded/4, operands_evaluated/2]).
 :- use_module(verb_output,
@@ -70,7 +70,7 @@ untouched(Before, After) :-
 %   operand_counts(S, Counts): of all operands together, apart.
 
 operand_counts(S, Counts) :-
-    node(S, _, Operands, _),
+    glue_operands(S, Operands),
     counts_zero(Zero),
     foldl(counts_added, Operands, Zero, Counts).
 

@@ -26,7 +26,7 @@
               [copy_segments/3, drop_boundary/1, drop_pictures/1, was_cut/1]).
 :- use_module('../kernel',
               [segment_meets_itself/1, segments_tolerance/3]).
-:- use_module(glue, [glued_boundary/4]).
+:- use_module(glue, [glued_boundary/4, glue_operands/2]).
 :- use_module(operand, [checked_operand/1, operand_faults/2]).
 :- use_module('../csg/operand_name', [fault_named/2]).
 :- use_module('../stage', [stage/2]).
@@ -37,7 +37,7 @@
 :- use_module('../polygon/triangulation', [complete_segments/1]).
 :- use_module(library(apply), [exclude/3, include/3, maplist/2]).
 :- use_module(library(error), [existence_error/2]).
-:- use_module(library(lists), [append/3, list_to_set/2, member/2]).
+:- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(option), [option/3]).
 :- use_module(library(ordsets), [ord_subtract/3]).
 :- use_module(library(pairs), [pairs_keys/2]).
@@ -304,25 +304,6 @@ from_segment(join(Stamps, _), S) :-
 from_segment(glue(_, Stamps, _), S) :-
     member(S-_, Stamps).
 
-%   glue_operands(S, Operands): those of glue S, and of glues among them, each
-%   once, in order.
-
-glue_operands(S, Operands) :-
-    phrase(glue_operands(S), Operands0),
-    list_to_set(Operands0, Operands).
-
-glue_operands(S) -->
-    { node(S, glue, Children, _) },
-    !,
-    glue_operands_(Children).
-glue_operands(S) -->
-    [S].
-
-glue_operands_([]) -->
-    [].
-glue_operands_([S|Ss]) -->
-    glue_operands(S),
-    glue_operands_(Ss).
 
 segment_dropped(S) :-
     drop_record(S),

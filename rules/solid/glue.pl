@@ -1,7 +1,8 @@
 :- module(sg_glue,
           [ glued_boundary/4,           % +Operands, +S, +Options, -Report
             unglue/1,                   % +S
-            glue_report/2               % +S, -Report
+            glue_report/2,              % +S, -Report
+            glue_operands/2             % +S, -Operands
           ]).
 :- use_module(arrangement,
               [ with_arrangement/3, components/2, arranged_solid/3,
@@ -35,12 +36,15 @@
               [ convlist/3, foldl/4, include/3, maplist/2, maplist/3,
                 partition/4
               ]).
-:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2, put_assoc/4]).
+:- use_module(library(assoc),
+              [ get_assoc/3, list_to_assoc/2, ord_list_to_assoc/2,
+                put_assoc/4
+              ]).
 :- use_module(library(error), [existence_error/2, type_error/2]).
-:- use_module(library(lists), [member/2]).
+:- use_module(library(lists), [list_to_set/2, member/2]).
 :- use_module(library(option), [option/2]).
-:- use_module(library(ordsets), [ord_memberchk/2, ord_symdiff/3]).
-:- use_module(library(pairs), [group_pairs_by_key/2]).
+:- use_module(library(ordsets), [ord_symdiff/3]).
+:- use_module(library(pairs), [group_pairs_by_key/2, pairs_keys_values/3]).
 /** <module> Glue: operands in one model, each thing once (NG-1 to NG-7).
 
 The operands are arranged as those of a Boolean are; but everything stays. Faces
@@ -111,6 +115,12 @@ is_solid(S) :-
     segment(S, solid, _),
     !.
 
+%   set_assoc(Set, Assoc): a solid of a thousand is found at once.
+
+set_assoc(Set, Assoc) :-
+    pairs_keys_values(Pairs, Set, Set),
+    ord_list_to_assoc(Pairs, Assoc).
+
 %   closed_operand(S): whether it is inside out does not matter.
 
 closed_operand(S) :-
@@ -165,16 +175,39 @@ corner_at(S, Q, X, Y, Z, V) :-
 everything(Solids, Solid, Contacts, Arrangement) :-
     contact_vertices(Arrangement, Contacts),
     components(Arrangement, Components),
-    convlist(stays_glued(Solids), Components, Senses),
+    set_assoc(Solids, Known),
+    convlist(stays_glued(Known), Components, Senses),
     stage(pieces, arranged_solid(Arrangement, Senses, Solid)).
 
 stays_glued(Solids, component(C, S, _, _, Sides, Which), C-1) :-
     Which \== unknown,
-    (   ord_memberchk(S, Solids)
+    (   get_assoc(S, Solids, _)
     ->  memberchk(side(S, Below, Above), Sides),
         sign(Below) =\= sign(Above)
     ;   true
     ).
+
+%!  glue_operands(+S, -Operands:list) is det.
+%
+%   Operands are those of the glue S, and of glues among them, each once, in
+%   order.
+
+glue_operands(S, Operands) :-
+    phrase(glue_operands(S), Operands0),
+    list_to_set(Operands0, Operands).
+
+glue_operands(S) -->
+    { node(S, glue, Children, _) },
+    !,
+    glue_operands_(Children).
+glue_operands(S) -->
+    [S].
+
+glue_operands_([]) -->
+    [].
+glue_operands_([S|Ss]) -->
+    glue_operands(S),
+    glue_operands_(Ss).
 
 %!  glue_report(+S, -Report) is det.
 %
@@ -224,7 +257,8 @@ unglued(S) :-
 %   region inside of none is a `void`.
 
 contents_written(S, Operands) :-
-    solids_among(Operands, Solids),
+    solids_among(Operands, Solids0),
+    set_assoc(Solids0, Solids),
     findall(R-Step, crossing(S, Solids, R, Step), Steps0),
     keysort(Steps0, Steps1),
     group_pairs_by_key(Steps1, Steps),
@@ -245,7 +279,7 @@ crossing(S, Solids, R, to(R1, Through)) :-
     sort(1, @<, Pairs0, Pairs),
     member((Below-Above)-P, Pairs),
     findall(S0-Sense,
-            ( from_p(S, P, S0, _, Sense), ord_memberchk(S0, Solids) ), Senses0),
+            ( from_p(S, P, S0, _, Sense), get_assoc(S0, Solids, _) ), Senses0),
     sort(Senses0, Senses),
     through(Senses, Through),
     (   R-R1 = Below-Above
