@@ -2,8 +2,6 @@
 #include "png.h"
 #include "raster_rows.h"
 
-enum { LINES = 5 }; /* the argument */
-
 static bool
 is_far(double x)
 {
@@ -12,7 +10,7 @@ is_far(double x)
 
 /* The points in dots, null: refused. */
 static double (*scaled(sg_call *call, const sg_paper_point_list *points,
-                       double scale))[2]
+                       double scale, int argument))[2]
 {
   double(*at)[2] = sg_call_alloc(call, points->n * sizeof *at);
 
@@ -20,7 +18,7 @@ static double (*scaled(sg_call *call, const sg_paper_point_list *points,
     at[i][0] = points->at[i].x * scale;
     at[i][1] = points->at[i].y * scale;
     if (is_far(at[i][0]) || is_far(at[i][1])) {
-      sg_call_domain(call, "raster_coordinate", LINES);
+      sg_call_domain(call, "raster_coordinate", argument);
       return NULL;
     }
   }
@@ -29,7 +27,7 @@ static double (*scaled(sg_call *call, const sg_paper_point_list *points,
 
 static bool
 draw_line(sg_call *call, sg_canvas *canvas, const sg_canvas_line_fact *line,
-          double scale)
+          double scale, int argument)
 {
   sg_brush brush = {.width = line->width * scale, .round = line->round};
 
@@ -37,27 +35,35 @@ draw_line(sg_call *call, sg_canvas *canvas, const sg_canvas_line_fact *line,
     return false;
   }
   if (!(brush.width > 0 && brush.width <= SG_RASTER_SIDE)) {
-    return sg_call_domain(call, "pen_width", LINES);
+    return sg_call_domain(call, "pen_width", argument);
   }
   if (line->points.n == 0) {
-    return sg_call_domain(call, "line_of_points", LINES);
+    return sg_call_domain(call, "line_of_points", argument);
   }
-  double(*at)[2] = scaled(call, &line->points, scale);
+  double(*at)[2] = scaled(call, &line->points, scale, argument);
 
   return at && sg_canvas_line(canvas, &brush, line->points.n,
                               (const double(*)[2])at, &call->cancel);
 }
 
-static bool
-draw_lines(sg_call *call, sg_canvas *canvas,
-           const sg_canvas_line_fact_list *lines, double scale)
+bool
+sg_canvas_lines(sg_call *call, sg_canvas *canvas,
+                const sg_canvas_line_fact_list *lines, double scale,
+                int argument)
 {
   for (size_t i = 0; i < lines->n; i++) {
-    if (!draw_line(call, canvas, &lines->at[i], scale)) {
+    if (!draw_line(call, canvas, &lines->at[i], scale, argument)) {
       return false;
     }
   }
   return true;
+}
+
+bool
+sg_canvas_scale(sg_call *call, double scale, int argument)
+{
+  return (scale > 0 && scale <= 1000) ||
+         sg_call_domain(call, "scale", argument);
 }
 
 bool
@@ -70,17 +76,15 @@ sg_door_canvas_png(sg_call *call, int32_t width, int32_t height, double scale,
   uint8_t *file = NULL;
 
   if (!sg_rgb_colour(call, paper, blank) ||
-      !sg_raster_size(call, width, height)) {
+      !sg_raster_size(call, width, height) ||
+      !sg_canvas_scale(call, scale, 3)) {
     return false;
-  }
-  if (!(scale > 0 && scale <= 1000)) {
-    return sg_call_domain(call, "scale", 3);
   }
   if (!sg_canvas_open(&canvas, width, height, blank)) {
     return sg_call_no_memory(call);
   }
   bool good =
-      draw_lines(call, &canvas, lines, scale) &&
+      sg_canvas_lines(call, &canvas, lines, scale, 5) &&
       (sg_png_write_canvas(&canvas, (uint32_t)(scale * 1e6 + 0.5),
                            &call->cancel, &file, &out->n) == SG_PNG_OK ||
        sg_call_ended(call));

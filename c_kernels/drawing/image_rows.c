@@ -3,6 +3,7 @@
 
 #include "image_png.h"
 #include "raster_rows.h"
+#include "shading/dot_part.h"
 #include "shading/face_look_rows.h"
 #include "shading/srgb.h"
 
@@ -11,7 +12,7 @@
 #include <string.h>
 
 /* The arguments that are refused. */
-enum { LINES = 2, LOOKS = 3, LEAVES = 4, IMAGE = 1 };
+enum { IMAGE = 1, LINES = 2, LOOKS = 3, LEAVES = 4 };
 
 /* ---- looks ---- */
 
@@ -149,6 +150,13 @@ ended(sg_call *call, sg_shading_end end)
                                       : sg_call_ended(call));
 }
 
+static bool
+lines_are_valid(sg_call *call, size_t lines)
+{
+  return (lines > 0 && lines <= SG_COVER_LINES && (lines & (lines - 1)) == 0) ||
+         sg_call_domain(call, "shading_lines", LINES);
+}
+
 bool
 sg_door_image_shade(sg_call *call, sg_shading *scene, size_t lines,
                     const sg_shading_look_list *looks,
@@ -160,13 +168,94 @@ sg_door_image_shade(sg_call *call, sg_shading *scene, size_t lines,
   sg_opacities opacities;
   sg_pool *pool = sg_call_pool(call);
 
-  if (lines == 0 || lines > SG_COVER_LINES || (lines & (lines - 1)) != 0) {
-    return sg_call_domain(call, "shading_lines", LINES);
-  }
-  return pool && sg_raster_size(call, frame->width, frame->height) &&
+  return pool && lines_are_valid(call, lines) &&
+         sg_raster_size(call, frame->width, frame->height) &&
          read_background(call, background, &in) &&
          read_looks(call, looks, leaves, &in, &opacities) &&
          ended(call, sg_shade(&in, pool, &call->cancel, out));
+}
+
+bool
+sg_door_image_strokes(sg_call *call, sg_shading *scene, double tone,
+                      const sg_shading_look_list *looks,
+                      const sg_list_count_list *leaves, double spacing,
+                      double step, sg_image_stroke_list *out)
+{
+  sg_shaded in = {.scene = scene};
+  sg_opacities opacities;
+  sg_tone_strokes strokes = {0};
+
+  if (!(tone >= 0 && tone <= 1)) {
+    return sg_call_domain(call, "tone", 2);
+  }
+  if (!(spacing > 0 && step > 0)) {
+    return sg_call_domain(call, "spacing", spacing > 0 ? 6 : 5);
+  }
+  if (!read_looks(call, looks, leaves, &in, &opacities)) {
+    return false;
+  }
+  bool good =
+      ended(call, sg_tone_strokes_of(scene, &in.looks, spacing,
+                                     (uint32_t)(tone * SG_TONE_MOST + 0.5),
+                                     step, &call->cancel, &strokes));
+  for (size_t i = 0; good && i < strokes.n; i++) {
+    good = sg_image_stroke_list_add(call, out, strokes.item[i]);
+  }
+  free(strokes.item);
+  return good;
+}
+
+static bool
+add_parts(sg_call *call, const sg_dot_parts *parts, double all,
+          sg_image_part_list *out)
+{
+  for (size_t i = 0; i < parts->n; i++) {
+    const sg_dot_part *p = &parts->item[i];
+    sg_image_part part = {.x = (size_t)p->x,
+                          .root = p->root,
+                          .leaf = p->leaf,
+                          .face = p->face,
+                          .share = p->share / all,
+                          .light = {(int32_t)p->light[0], (int32_t)p->light[1],
+                                    (int32_t)p->light[2]}};
+
+    if (!sg_image_part_list_add(call, out, part)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool
+sg_door_image_parts(sg_call *call, sg_shading *scene, size_t lines,
+                    const sg_shading_look_list *looks,
+                    const sg_list_count_list *leaves, size_t y,
+                    sg_image_part_list *out)
+{
+  sg_shaded in = {.scene = scene, .lines = (unsigned)lines};
+  sg_opacities opacities;
+  sg_dot_parts parts = {0};
+  sg_spans spans = {0};
+
+  if (!lines_are_valid(call, lines) ||
+      !read_looks(call, looks, leaves, &in, &opacities)) {
+    return false;
+  }
+  if (y >= (size_t)sg_shading_frame_of(scene)->height) {
+    return sg_call_domain(call, "image_dot", 5);
+  }
+  sg_shading_work *work = sg_shading_work_open(scene, in.opacities);
+  bool good =
+      (work && sg_dot_parts_of(&in, work, &spans, (int32_t)y, &parts)) ||
+      sg_call_no_memory(call);
+
+  good = good && add_parts(call, &parts, 256.0 * in.lines * SG_OPAQUE, out);
+  free(parts.item);
+  free(spans.span);
+  if (work) {
+    sg_shading_work_close(work);
+  }
+  return good;
 }
 
 bool
@@ -202,6 +291,26 @@ sg_door_srgb_light(sg_call *call, size_t byte, size_t *light)
     return sg_call_domain(call, "byte", 1);
   }
   *light = sg_srgb_light((uint8_t)byte);
+  return true;
+}
+
+bool
+sg_door_light_srgb(sg_call *call, size_t light, size_t *byte)
+{
+  if (light > SG_LIGHT_MOST) {
+    return sg_call_domain(call, "light", 1);
+  }
+  *byte = sg_srgb_byte((uint32_t)light);
+  return true;
+}
+
+bool
+sg_door_image_size(sg_call *call, sg_image *image, size_t *width,
+                   size_t *height)
+{
+  (void)call;
+  *width = (size_t)image->width;
+  *height = (size_t)image->height;
   return true;
 }
 

@@ -75,21 +75,42 @@ add_flat(sg_dot_row *cover, const lit *of, int32_t x1, int32_t x2)
   }
 }
 
+/* Whether x is in a stripe, in 1/256 dot; in *left how far it is to the other.
+ */
+static bool
+in_stripe(const sg_stripes *stripes, int32_t x, int64_t y, int32_t *left)
+{
+  int32_t step = stripes->step, wide = step / 4;
+  int32_t at = (int32_t)((x + stripes->way * y) % step);
+
+  at += at < 0 ? step : 0;
+  *left = (at < wide ? wide : step) - at;
+  return at < wide;
+}
+
+/* In a stripe there is a quarter of the light. */
+static void
+darken(uint32_t light[3])
+{
+  for (int c = 0; c < 3; c++) {
+    light[c] /= 4;
+  }
+}
+
 /* Light and dark in turn; y in 1/256 dot. */
 static void
 add_striped(sg_dot_row *cover, const lit *of, const sg_stripes *stripes,
             int32_t x1, int32_t x2, int64_t y)
 {
-  int32_t step = stripes->step, wide = step / 4;
-  const lit dark = {{of->light[0] / 4, of->light[1] / 4, of->light[2] / 4},
-                    of->part};
+  lit dark = *of;
 
+  darken(dark.light);
   while (x1 < x2) {
-    int32_t at = (int32_t)((x1 + stripes->way * y) % step);
-    at += at < 0 ? step : 0;
-    int32_t to = x1 + (at < wide ? wide : step) - at;
-    to = to < x2 ? to : x2;
-    add_flat(cover, at < wide ? &dark : of, x1, to);
+    int32_t left;
+    bool is_dark = in_stripe(stripes, x1, y, &left);
+    int32_t to = x1 + left < x2 ? x1 + left : x2;
+
+    add_flat(cover, is_dark ? &dark : of, x1, to);
     x1 = to;
   }
 }
@@ -170,6 +191,23 @@ add_span(sg_dot_row *cover, const sg_shaded *in, const sg_span *span, int32_t y,
                 (int64_t)(line * DOT));
   } else {
     add_flat(cover, &own, span->x1, span->x2);
+  }
+}
+
+void
+sg_cover_light(const sg_shaded *in, const sg_span *span, double x, double y,
+               uint32_t light[3])
+{
+  const sg_face_look *look =
+      &in->looks
+           .look[sg_face_number(&in->looks.numbers, span->leaf, span->face)];
+  int32_t left;
+
+  light_at(in, look, span, x, y, light);
+  if (look->stripes.step > 0 && sg_shading_is_flat(in->scene, span) &&
+      in_stripe(&look->stripes, (int32_t)(x * DOT), (int64_t)(y * DOT),
+                &left)) {
+    darken(light);
   }
 }
 

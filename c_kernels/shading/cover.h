@@ -59,6 +59,10 @@ void sg_cover_close(sg_dot_row *cover);
 bool sg_cover_row(sg_dot_row *cover, const sg_shaded *in, sg_shading_work *work,
                   sg_spans *spans, int32_t y);
 
+/* The light that a span sends at x, y, in dots. */
+void sg_cover_light(const sg_shaded *in, const sg_span *span, double x,
+                    double y, uint32_t light[3]);
+
 /* The bytes of these dots, 3 a dot, or 4 if it is `clear`: red, green, blue,
  * alpha. `byte` as of sg_srgb_bytes(). */
 void sg_cover_bytes(const sg_dot_row *cover, const sg_shaded *in,

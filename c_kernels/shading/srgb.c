@@ -1,7 +1,7 @@
 /* srgb.c -- see srgb.h. */
 #include "srgb.h"
 
-#include <stddef.h>
+#include "engine/search.h"
 
 /* 65535 f(k / 510), f(v) = v / 12.92 up to 0.04045, then ((v + 0.055) /
  * 1.055)^2.4: of k = 2 b, rounded, the light of byte b; of k = 2 b - 1, rounded
@@ -59,6 +59,15 @@ uint16_t
 sg_srgb_light(uint8_t byte)
 {
   return light_of[2 * (size_t)byte];
+}
+
+uint8_t
+sg_srgb_byte(uint32_t light)
+{
+  size_t at;
+
+  SG_SEARCH(at, 0, UINT8_MAX, light_of[2 * at + 1] <= light);
+  return (uint8_t)at;
 }
 
 void

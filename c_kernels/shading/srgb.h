@@ -13,6 +13,9 @@
 /* The light of a byte. */
 uint16_t sg_srgb_light(uint8_t byte);
 
+/* The byte of a light, 0 .. SG_LIGHT_MOST: the nearest. */
+uint8_t sg_srgb_byte(uint32_t light);
+
 /* Fills the byte of each light: the nearest. */
 void sg_srgb_bytes(uint8_t byte[SG_LIGHT_MOST + 1]);
 

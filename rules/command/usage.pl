@@ -210,6 +210,10 @@ verb_option(draw, option(language, '', one_of([en, ko]), 'LANGUAGE',
     'language of the title block; default en')).
 verb_option(draw, option('no-frame', '', flag, '',
     'a sheet without frame and title block')).
+verb_option(draw, option(shade, '', value, 'SHADE',
+    'shading under the lines, as of render: lambert, gooch, cel=N, zebra=N or \c
+     flat; or hatch, pen strokes where it is dark, in any format; on a sheet \c
+     in pictorial views')).
 verb_option(draw, option(size, '', value, 'WxH',
     'size of the sheet in mm')).
 
@@ -404,6 +408,9 @@ option_ko('title-block',
     '표제란의 사실 파일. 보기: title_block(name, "받침대").').
 option_ko(language, '표제란의 언어. 보통 en').
 option_ko('no-frame', '테두리와 표제란 없이').
+option_ko(shade,
+    '선 아래의 음영: render 처럼 lambert, gooch, cel=N, zebra=N, flat. hatch는 \c
+펜으로 긋는 음영(모든 형식). 시트에서는 입체 뷰에만').
 option_ko(projection, 'parallel(평행) 또는 central(중심)').
 option_ko(hidden, '은선: dashed(점선, 보통), removed(없앰), shown(보임)').
 option_ko(lines, 'feature(보통), all(모두), penetration(상관선만)').

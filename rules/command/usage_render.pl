@@ -43,6 +43,11 @@ render_option(option(section, '', each, 'PLANE',
      may be repeated')).
 render_option(option(background, '', value, 'COLOUR',
     'a name, or R,G,B, 0 to 255 (white, as is usual); none: clear, in .png')).
+render_option(option(palette, '', value, 'N',
+    'no more than N colours (2 to 256), as on the screens of 1989')).
+render_option(option(buffer, '', each, 'KIND=FILE',
+    'what is known of the dots: depth=FILE.pfm, normal=FILE.pfm, id=FILE.csv \c
+     (docs/render.md); may be repeated')).
 render_option(option(dpi, '', number(1), 'N',
     'dots to the inch, written into a .png')).
 
@@ -53,7 +58,7 @@ render_option(option(dpi, '', number(1), 'N',
 shown_option(Spec) :-
     Spec = option(Name, _, _, _, _),
     member(Name, [ size, window, smooth, shade, colours, look, light,
-                   'see-through', section, background ]),
+                   'see-through', section, background, palette ]),
     render_option(Spec).
 
 %!  render_option_ko(?Name, -Help) is nondet.
@@ -81,6 +86,10 @@ render_option_ko(section,
 A*X + B*Y + C*Z + D > 0 인 쪽을 뗀다. 여러 번 쓸 수 있다').
 render_option_ko(background,
     '색 이름이나 R,G,B(0~255). 보통 white. none: 투명(.png)').
+render_option_ko(palette, '색은 많아야 N가지(2~256). 1989년의 화면처럼').
+render_option_ko(buffer,
+    '점마다 아는 것: depth=FILE.pfm(깊이), normal=FILE.pfm(법선), id=FILE.csv \c
+(docs/render.md). 여러 번 쓸 수 있다').
 render_option_ko(dpi, '.png에 적는 인치당 점의 수').
 
 %!  render_example(-Command) is nondet.

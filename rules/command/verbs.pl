@@ -13,6 +13,9 @@
                 with_operand_lines/2
               ]).
 :- use_module('../drawing/drawing', [write_drawing/2, drawing_format/2]).
+:- use_module(verbs_shading,
+              [ shade_asked/3, shade_taken/3, eye_away/2, picture_shaded/5,
+                sheet_shaded/6 ]).
 :- use_module('../explanation/explain',
               [explain/2, explanation/3, print_explanations/1]).
 :- use_module('../sheet/eye', [set_eye/3]).
@@ -38,7 +41,7 @@
                 request_title/2, looking/2,
                 scale_option/2
               ]).
-:- use_module('../sheet/sheet_plan', [views_drawing/4]).
+:- use_module('../sheet/sheet_plan', [views_drawing/5]).
 :- use_module(solid_verbs,
               [ solid_verb/1, solid_verb_run/4, solids_written/3,
                 empty_roots_warned/0 ]).
@@ -152,21 +155,29 @@ verb_run(draw, Files, Options, 0) :-
     outputs(Options, Formats, Outputs),
     some_outputs(Outputs),
     no_model_replaced(Files, Outputs),
+    shade_asked(Options, Outputs, Shade),
     picture_options(Options, PictureOptions),
     drawing_options(Options, DrawingOptions),
     (   sheet_wanted(Options)
     ->  sheet_request(Options, PictureOptions, Request),
         load_model(Files, Options),
+        shade_taken(Shade, Options, Shading),
         request_facts(Options, Files, Request, Full),
         roots_ready(Options, PictureOptions, Lines),
-        sheet_made(Options, Full, Lines, Drawing),
+        sheet_made(Options, Full, Lines, Drawing0, Placed),
+        sheet_shaded(Shade, Shading, Placed, Drawing0, Drawing, Shaded),
         request_title(Full, Title),
-        WriteOptions = [drawing(Drawing),title(Title)|DrawingOptions]
+        append([drawing(Drawing),title(Title)|Shaded], DrawingOptions,
+               WriteOptions)
     ;   eye(Options, Eye),
         load_model(Files, Options),
-        picture_made(Options, Eye, PictureOptions, _),
+        shade_taken(Shade, Options, Shading),
+        roots_ready(Options, PictureOptions, Lines),
+        eye_away(Options, Away),
+        facts_transaction(
+            sg_verbs:pictured(Lines, Options, Eye, PictureOptions)),
         said_if_nothing_drawn,
-        WriteOptions = DrawingOptions
+        picture_shaded(Shade, Shading, Away, DrawingOptions, WriteOptions)
     ),
     said_of_style(DrawingOptions),
     maplist(output_written(drawing_output(WriteOptions)), Outputs).
@@ -253,13 +264,15 @@ roots_ready(Options, PictureOptions, Lines) :-
     option(up(Axis), Options, z),
     turn_up(Axis).
 
-%   sheet_made(Options, Request, Lines, Drawing): see views_drawing/4. Patches
+%   sheet_made(Options, Request, Lines, Drawing, Placed): see views_drawing/5.
+%   Patches
 %   are sewn before a section cuts them.
 
-sheet_made(Options, Request, Lines, Drawing) :-
+sheet_made(Options, Request, Lines, Drawing, Placed) :-
     Cuts = cuts(segments_cut(Options), pieces_cut(Options)),
     facts_snapshot(( borders_sewn(_),
-                     views_drawing(Request, Lines, sg_verbs:Cuts, Drawing) )).
+                     views_drawing(Request, Lines, sg_verbs:Cuts, Drawing,
+                                   Placed) )).
 
 %   pictured(Lines, Options, Eye, PictureOptions): the picture of the current
 %   world, with the Lines of operands.
@@ -320,7 +333,7 @@ draw(File, Options) :-
     facts_snapshot(( operand_lines(Lines),
                      roots_alone,
                      turn_up(Axis),
-                     sheet_made(Options, Full, Lines, Drawing) )),
+                     sheet_made(Options, Full, Lines, Drawing, _) )),
     drawing_output([drawing(Drawing)|Options], File),
     when_written(print_message(informational, sanggwan(wrote(File)))).
 draw(File, Options) :-

@@ -4,18 +4,18 @@
           ]).
 :- use_module('../colour', [colour_name/2, colour_rgb/2]).
 :- use_module('../csg/csg', [root_segment/1]).
-:- use_module('../csg/csg_matrix', [identity_matrix/1]).
 :- use_module('../csg/csg_term', [plain_name/2]).
 :- use_module('../kernel', [image_png/3, image_ppm/2]).
 :- use_module('../model/look_file', [look_file_added/2]).
 :- use_module('../model/model', [load_model/2]).
 :- use_module('../near', [is_rounding/2]).
-:- use_module('../output', [writing/3]).
+:- use_module('../output', [when_written/1, writing/3]).
 :- use_module('../picture/view',
               [current_view/4, set_projection/1, set_view/3, view_matrix/3]).
 :- use_module('../shading/shaded_picture',
               [ shaded_picture/4, empty_picture/3, picture_image/3,
                 solid_box/2 ]).
+:- use_module('../shading/shading_buffer', [write_buffer/3]).
 :- use_module('../shading/shading_leaf', [bent_faces/2]).
 :- use_module('../shading/shading_scene', [shaded_eye/3, shaded_model/3]).
 :- use_module('../shading/shading_section', [sectioned_model/3]).
@@ -25,10 +25,11 @@
 :- use_module('../store',
               [ segment/3, light/2, view/3, assert_fact/1, retractall_facts/1
               ]).
+:- use_module(shading_words, [shade_named/3, up_matrix/2]).
 :- use_module(sheet_options, [looking/2]).
 :- use_module(verb_output,
-              [ some_files/2, outputs/3, some_outputs/1, no_model_replaced/2,
-                output_written/2, usage_error/1
+              [ some_files/2, outputs/3, may_be_written/1, some_outputs/1,
+                no_model_replaced/2, output_written/2, usage_error/1
               ]).
 :- use_module(library(apply), [foldl/4, maplist/2, maplist/3, maplist/4]).
 :- use_module(library(lists), [member/2]).
@@ -46,7 +47,11 @@ whose leaves are as their terms say.
 render_run(Files, Options) :-
     some_files(Files, 'MODEL'),
     outputs(Options, [png,ppm], Outputs),
-    some_outputs(Outputs),
+    buffers(Options, Buffers),
+    (   Buffers == []
+    ->  some_outputs(Outputs)
+    ;   true
+    ),
     no_model_replaced(Files, Outputs),
     findall(Option, render_option(Options, Option), Wanted),
     alpha_formats(Wanted, Outputs),
@@ -54,8 +59,13 @@ render_run(Files, Options) :-
     per_metre(Options, PerMetre),
     load_model(Files, [evaluate(false),rows(false)|Options]),
     looks_read(Options),
-    stage(shade, sg_verbs_render:shaded(Options, Wanted, Image)),
-    maplist(output_written(image_output(Image, PerMetre)), Outputs).
+    stage(shade, sg_verbs_render:shaded_scene_of(Options, Wanted, Scene)),
+    maplist(buffer_written(Scene), Buffers),
+    (   Outputs == []
+    ->  true
+    ;   stage(shade, picture_image(Scene, Wanted, Image)),
+        maplist(output_written(image_output(Image, PerMetre)), Outputs)
+    ).
 
 %!  wanted_scene(+Options, :Load, -Scene, -Wanted) is det.
 %
@@ -72,11 +82,7 @@ wanted_scene(Options, Load, Scene, Wanted) :-
     looks_read(Options),
     shaded_scene_of(Options, Wanted, Scene).
 
-%   shaded(Options, Wanted, Image)
-
-shaded(Options, Wanted, Image) :-
-    shaded_scene_of(Options, Wanted, Scene),
-    picture_image(Scene, Wanted, Image).
+%   shaded_scene_of(Options, Wanted, Scene)
 
 shaded_scene_of(Options, Wanted, Scene) :-
     shown_roots(Options, Roots),
@@ -127,17 +133,6 @@ segment_asked(Text, S) :-
         )
     ;   usage_error(bad_value('--segment', Text, 'N'))
     ).
-
-%   up_matrix(Options, Matrix): as turn_up/1.
-
-up_matrix(Options, Matrix) :-
-    option(up(Axis), Options, z),
-    up_rows(Axis, Matrix).
-
-up_rows(z, Matrix) :-
-    identity_matrix(Matrix).
-up_rows(y, [[1,0,0,0], [0,0,-1,0], [0,1,0,0]]).
-up_rows(x, [[0,0,-1,0], [0,1,0,0], [1,0,0,0]]).
 
 %   placed(Options, Roots, Turned, Model0, Model, Away, Eye): an eye looks at
 %   the origin, so what --eye looks at is moved there, from Away.
@@ -277,12 +272,22 @@ render_option(Options, smooth(N)) :-
     atom_number(Text, N).
 render_option(Options, shade(Shade)) :-
     option(shade(Text), Options),
-    shade_named(Text, Shade).
+    shade_named(Text, [], Shade).
 render_option(Options, colours(By)) :-
     option(colours(By), Options).
 render_option(Options, background(Colour)) :-
     option(background(Text), Options),
     background_named(Text, Colour).
+
+render_option(Options, palette(N)) :-
+    option(palette(Text), Options),
+    (   atom_number(Text, N),
+        integer(N),
+        N >= 2,
+        N =< 256
+    ->  true
+    ;   usage_error(bad_value('--palette', Text, 'N (2..256)'))
+    ).
 
 size_dots(Text, W, H) :-
     (   split_string(Text, "xX", " ", [TextW,TextH]),
@@ -315,28 +320,6 @@ finite(Text, X) :-
     X is float(X0),
     abs(X) =< 1.0e90.
 
-shade_named(Text, Shade) :-
-    (   memberchk(Text, [lambert,gooch,flat])
-    ->  Shade = Text
-    ;   split_string(Text, "=()", "=()", [Name|Number]),
-        atom_string(Kind, Name),
-        steps(Kind, Usual),
-        (   Number = [NumberText|_],
-            NumberText \== ""
-        ->  whole(NumberText, N),
-            N >= 2,
-            N =< 64
-        ;   Number \= [_|_],
-            N = Usual
-        )
-    ->  Shade =.. [Kind,N]
-    ;   usage_error(bad_value('--shade', Text, 'lambert, gooch, flat, \c
-cel=N, zebra=N (N: 2..64)'))
-    ).
-
-steps(cel, 4).
-steps(zebra, 16).
-
 background_named(none, none) :-
     !.
 background_named(Text, Colour) :-
@@ -355,6 +338,11 @@ colour_named(Text, RGB) :-
     ;   colour_rgb(Text, RGB)
     ).
 
+alpha_formats(Wanted, _) :-
+    option(background(none), Wanted),
+    option(palette(_), Wanted),
+    !,
+    usage_error(both_options('--palette', '--background none')).
 alpha_formats(Wanted, Outputs) :-
     (   option(background(none), Wanted),
         member(output(_, ppm), Outputs)
@@ -437,3 +425,49 @@ image_bytes(png, Image, PerMetre, Out) :-
     image_png(Image, PerMetre, Out).
 image_bytes(ppm, Image, _, Out) :-
     image_ppm(Image, Out).
+
+
+                /*******************************
+                *            BUFFERS           *
+                *******************************/
+
+%   buffers(Options, Buffers): Kind-File of each --buffer.
+
+buffers(Options, Buffers) :-
+    option(buffer(Texts), Options, []),
+    maplist(buffer, Texts, Buffers).
+
+buffer(Text, Kind-File) :-
+    (   sub_atom(Text, Before, 1, _, =),
+        sub_atom(Text, 0, Before, _, Kind0),
+        buffer_kind(Kind0, Ending)
+    ->  Kind = Kind0,
+        After is Before+1,
+        sub_atom(Text, After, _, 0, File),
+        file_name_extension(_, Ending0, File),
+        (   downcase_atom(Ending0, Ending)
+        ->  may_be_written(File)
+        ;   usage_error(ending(File, [Ending]))
+        )
+    ;   usage_error(bad_value('--buffer', Text,
+                              'depth=FILE.pfm, normal=FILE.pfm, id=FILE.csv'))
+    ).
+
+buffer_kind(depth, pfm).
+buffer_kind(normal, pfm).
+buffer_kind(id, csv).
+
+buffer_written(Scene, Kind-File) :-
+    buffer_type(Kind, Type),
+    stage(write, writing(File, Type,
+                         sg_verbs_render:buffer_bytes(Kind, Scene))),
+    when_written(print_message(informational, sanggwan(wrote(File)))).
+
+buffer_type(Kind, Type) :-
+    (   Kind == id
+    ->  Type = text
+    ;   Type = binary
+    ).
+
+buffer_bytes(Kind, Scene, Out) :-
+    write_buffer(Kind, Scene, Out).

@@ -54,6 +54,8 @@ drawing_format(pl, text).
 %       `type`: by line types that a plotter or CAD program has
 %     - title(Text): in SVG, PDF, PostScript and JSON
 %     - drawing(Drawing): this one (sheet.pl), not the picture of the world
+%     - shading(Shadeds): of drawing_shading.pl, under the lines, in SVG, PDF,
+%       PostScript and smooth PNG
 %     - png(How), dots(N): see write_png/2; pattern(P): dots on and off of
 %       hidden lines with png(dots): N, or a list
 %

@@ -1,5 +1,6 @@
 :- module(sg_page,
-          [ write_page/5,               % +Out, +Medium, +How, +Layers, +Inked
+          [ write_page/6,               % +Out, +Medium, +How, +Layers, +Inked,
+                                        % :Images
             page_layers/2,              % +Inked, -Layers
             page_points/2,              % +Length, -Points
             text_hex/2                  % +Text, -Hex
@@ -20,17 +21,21 @@ the drawing, and exact. The operators are those of PDF 1.5: `m l h S`, `w J d`,
 
 :- set_prolog_flag(optimise, true).
 
-%!  write_page(+Out, +Medium, +How, +Layers, +Inked) is det.
+%!  write_page(+Out, +Medium, +How, +Layers, +Inked, :Images) is det.
 %
 %   Write the lines and texts of Inked (ink.pl) to stream Out; dashes are
 %   `fitted` or `geometry`, see dashes_option/3, colours those for Medium.
+%   Images, a goal, writes what comes between paper and lines.
 
-write_page(Out, Medium, How, Layers, Inked) :-
+:- meta_predicate write_page(+, +, +, +, +, 0).
+
+write_page(Out, Medium, How, Layers, Inked, Images) :-
     Inked = inked(sheet(W,H,_), Paper, _),
     scale(Scale),
     points_text(H, HeightText),
     format(Out, '~w 0 0 -~w 0 ~w cm~n', [Scale,Scale,HeightText]),
     paper(Paper, Out, W, H),
+    call(Images),
     format(Out, '1 j~n', []),
     inked_lines(drawn, Inked, Lines),
     foldl(line(page(Out,Medium,How,Layers)), Lines, none, State),

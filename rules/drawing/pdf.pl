@@ -3,7 +3,10 @@
             write_pdf_pages/3           % +Out, +Inkeds, +Options
           ]).
 :- use_module(ink, [dashes_option/3]).
-:- use_module(page, [write_page/5, page_layers/2, page_points/2, text_hex/2]).
+:- use_module('../kernel', [image_size/3]).
+:- use_module(drawing_shading, [page_images/4]).
+:- use_module(image_text, [image_flate/2]).
+:- use_module(page, [write_page/6, page_layers/2, page_points/2, text_hex/2]).
 :- use_module(library(apply), [foldl/5, maplist/3]).
 :- use_module(library(lists),
               [append/2, list_to_set/2, member/2, nth0/3, nth1/3]).
@@ -40,7 +43,8 @@ write_pdf_pages(Out, Inkeds, Options) :-
     character_count(Out, Base),
     write(Out, '%PDF-1.5\n'),
     findall(Object, object(Layers, Inkeds, Options, Object), Objects),
-    foldl(write_object(pages(Out,Base,How,Layers,Inkeds)), Objects, Starts,
+    foldl(write_object(pages(Out,Base,How,Layers,Inkeds,Options)),
+          Objects, Starts,
           1-none, Count-_),
     character_count(Out, End0),
     End is End0-Base,
@@ -122,7 +126,7 @@ layer_reference(First, N, Reference) :-
 %   Start bytes after the beginning; all of the file is ASCII.
 
 write_object(Pages, Object, Start, N0-Length0, N-Length) :-
-    Pages = pages(Out, Base, _, _, _),
+    Pages = pages(Out, Base, _, _, _, _),
     character_count(Out, At),
     Start is At-Base,
     format(Out, '~d 0 obj~n', [N0]),
@@ -130,21 +134,37 @@ write_object(Pages, Object, Start, N0-Length0, N-Length) :-
     format(Out, '~nendobj~n', []),
     N is N0+1.
 
-write_body(content(I), pages(Out,_,How,Layers,Inkeds), N, _, Length) :-
+write_body(content(I), pages(Out,_,How,Layers,Inkeds,Options), N, _, Length) :-
     !,
     LengthObject is N+1,
     format(Out, '<< /Length ~d 0 R >>~nstream~n', [LengthObject]),
     character_count(Out, From),
     nth1(I, Inkeds, Inked),
-    write_page(Out, print, How, Layers, Inked),
+    write_page(Out, print, How, Layers, Inked,
+               sg_pdf:write_images(Out, Options, Inked)),
     character_count(Out, To),
     Length is To-From,
     write(Out, endstream).
-write_body(length, pages(Out,_,_,_,_), _, Length, Length) :-
+write_body(length, pages(Out,_,_,_,_,_), _, Length, Length) :-
     !,
     write(Out, Length).
-write_body(Body, pages(Out,_,_,_,_), _, Length, Length) :-
+write_body(Body, pages(Out,_,_,_,_,_), _, Length, Length) :-
     write(Out, Body).
+
+%   write_images(Out, Options, Inked): in line, so they need no objects.
+
+write_images(Out, Options, inked(Sheet,Paper,_)) :-
+    page_images(Options, Sheet, Paper, Images),
+    forall(member(image(X,Y,W,H,Image), Images),
+           ( image_size(Image, Columns, Rows),
+             image_flate(Image, Data),
+             Below is Y+H,
+             format(Out, 'q ~w 0 0 -~w ~w ~w cm~n\c
+                          BI /W ~d /H ~d /CS /RGB /BPC 8 /F [/A85 /Fl] \c
+                          /DP [null << /Predictor 15 /Colors 3 \c
+                          /Columns ~d >>]~n\c
+                          ID ~s~nEI~nQ~n',
+                    [W,H,X,Below,Columns,Rows,Columns,Data]) )).
 
 cross_references(Out, Starts, Count-Information, End) :-
     format(Out, 'xref~n0 ~d~n0000000000 65535 f ~n', [Count]),

@@ -6,7 +6,10 @@
               [ inked/3, inked_lines/3, ink_colour/3, ink_width/2, ink_runs/2,
                 ink_lines/4
               ]).
-:- use_module('../kernel', [canvas_png/6]).
+:- use_module(drawing_shading, [shading_images/5]).
+:- use_module('../kernel',
+              [ canvas_png/6, image_blank/4, image_lines/3, image_png/3,
+                image_put/4 ]).
 :- use_module('../sheet/sheet', [sheet_drawing/3]).
 :- use_module(library(error), [domain_error/2]).
 :- use_module(library(lists), [member/2]).
@@ -46,10 +49,12 @@ write_bytes(smooth, Out, Options) :-
     sheet_drawing(210-148, Options, Drawing),
     inked(Drawing, Options, Inked),
     option(dots(Dots), Options, 6),
-    write_smooth(Out, Inked, Dots).
+    option(shading(Shadeds), Options, []),
+    write_smooth(Out, Inked, Dots, Shadeds).
 
-write_smooth(Out, Inked, Dots) :-
-    Inked = inked(sheet(Width,Height,_), Paper, _),
+write_smooth(Out, Inked, Dots, Shadeds) :-
+    Inked = inked(Sheet, Paper, _),
+    Sheet = sheet(Width,Height,_),
     W is max(1, round(Width*Dots/1000)),
     H is max(1, round(Height*Dots/1000)),
     (   max(W, H) < 1<<31               % more are no number for the kernel
@@ -59,8 +64,19 @@ write_smooth(Out, Inked, Dots) :-
     Scale is Dots/1000.0,
     inked_lines(drawn, Inked, Lines),
     findall(Line, smooth_line(Lines, Line), Smooth),
-    canvas_png(W, H, Scale, Paper, Smooth, Bytes),
-    format(Out, '~s', [Bytes]).
+    (   Shadeds == []
+    ->  canvas_png(W, H, Scale, Paper, Smooth, Bytes),
+        format(Out, '~s', [Bytes])
+    ;   image_blank(W, H, Paper, Whole),
+        shading_images(Shadeds, Sheet, Dots, none, Images),
+        forall(member(image(X,Y,_,_,Image), Images),
+               ( Left is round(X*Scale),
+                 Top is round(Y*Scale),
+                 image_put(Whole, Left, Top, Image) )),
+        image_lines(Whole, Scale, Smooth),
+        PerMetre is round(Scale*1.0e6),
+        image_png(Whole, PerMetre, Out)
+    ).
 
 %   Dashes are lines of their own, their ends not round.
 

@@ -66,6 +66,7 @@ width(visible, symbol,      0.35).
 width(visible, text,        0.7).     % at most, see ink.pl
 width(visible, field,       0.25).
 width(visible, hatching,    0.25).
+width(visible, shading,     0.25).
 width(visible, cutting,     0.25).
 width(visible, axis,        0.25).
 width(visible, centre_line, 0.25).
@@ -113,6 +114,7 @@ line_layer(Visibility, Role, Layer) :-
 sheet_role(frame).
 sheet_role(field).
 sheet_role(hatching).
+sheet_role(shading).
 sheet_role(cutting).
 sheet_role(cutting_end).
 sheet_role(arrow).

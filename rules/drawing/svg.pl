@@ -2,13 +2,15 @@
           [ write_svg/3                 % +Out, +Drawing, +Options
           ]).
 :- use_module('../sheet/dash', [stroke_runs/4]).
+:- use_module(drawing_shading, [shading_images/5]).
+:- use_module(image_text, [image_base64/2]).
 :- use_module('../kernel', [points_text/2]).
 :- use_module(ink,
               [ ink_width/2, ink_colour/3, ink_runs/2, ink_lines/4,
                 dashes_option/3
               ]).
 :- use_module('../sheet/lettering', [lettering/2]).
-:- use_module(library(apply), [foldl/4]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(lists), [list_to_set/2, member/2]).
 :- use_module(library(assoc), [get_assoc/3]).
 :- use_module(library(option), [option/2, option/3]).
@@ -35,16 +37,35 @@ dashes(geometry), the pieces of a `path` in its place.
 
 %!  write_svg(+Out, +Inked, +Options) is det.
 %
-%   Write Inked (ink.pl) to stream Out. Options: title(Text), dashes(How), as
-%   for write_drawing/2; joints(Joints): an assoc of S-E to the number of a
+%   Write Inked (ink.pl) to stream Out. Options: title(Text), dashes(How),
+%   shading(Shadeds), as for write_drawing/2; joints(Joints): an assoc of S-E
+%   to the number of a
 %   joint.
 
 write_svg(Out, inked(Sheet,Paper,Views), Options) :-
     dashes_option(Options, fitted, How),
     emit(Out, svg_head(How, inked(Sheet,Paper,Views), Options)),
+    option(shading(Shadeds), Options, []),
+    option(dots(Dots), Options, 8),
+    shading_images(Shadeds, Sheet, Dots, none, Images),
+    forall(member(Image, Images), write_image(Out, Image)),
     option(joints(Joints), Options, none),
     forall(member(View, Views), write_view(Out, How, Joints, View)),
     emit(Out, svg_end).
+
+%   write_image(Out, Image): of shading_images/5.
+
+write_image(Out, image(X,Y,W,H,Image)) :-
+    image_base64(Image, Text),
+    maplist(millimetres, [X,Y,W,H], [X1,Y1,W1,H1]),
+    format(Out, '<image class="shading" x="~w" y="~w" width="~w" height="~w" \c
+                 preserveAspectRatio="none" \c
+                 xlink:href="data:image/png;base64,~s"/>~n',
+           [X1,Y1,W1,H1,Text]).
+
+millimetres(Thousandths, Text) :-
+    N is round(Thousandths),
+    format(atom(Text), '~3d', [N]).
 
 %   A view alone needs no group of its own; of several each has one, and its
 %   name before all its ids.
@@ -114,7 +135,8 @@ spaced_rest([Item|Items], Body) -->
 
 svg_head(How, inked(sheet(W,H,Scale),Paper,Views), Options) -->
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n",
-    "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"sanggwan\" width=\"",
+    "<svg xmlns=\"http://www.w3.org/2000/svg\"", link_names(Options),
+    " class=\"sanggwan\" width=\"",
     thousandths(W), "mm\" height=\"", thousandths(H), "mm\" viewBox=\"0 0 ",
     thousandths(W), " ", thousandths(H), "\" data-scale=\"", scale(Scale),
     "\">\n",
@@ -122,6 +144,13 @@ svg_head(How, inked(sheet(W,H,Scale),Paper,Views), Options) -->
     "<style>\n", style(How, Paper, Views), "</style>\n",
     "<rect class=\"paper\" width=\"", thousandths(W), "\" height=\"",
     thousandths(H), "\"/>\n".
+
+link_names(Options) -->
+    { option(shading([_|_]), Options) },
+    !,
+    " xmlns:xlink=\"http://www.w3.org/1999/xlink\"".
+link_names(_) -->
+    "".
 
 title(Options) -->
     { option(title(Title), Options) },

@@ -15,7 +15,7 @@
 :- use_module(explain_pair, [decided_by/2]).
 :- use_module(explain_tree, [tree_way/3, false_reason/4, takes_away/1]).
 :- use_module('../colour', [colour_rgb/2]).
-:- use_module('../kernel', [shading_place/5, shading_point/6, srgb_light/2]).
+:- use_module('../kernel', [light_srgb/2, shading_place/5, shading_point/6]).
 :- use_module('../shading/seen', [met/4]).
 :- use_module('../shading/shading_scene',
               [scene_handle/2, scene_leaf/2, scene_place/2, scene_root/2]).
@@ -376,32 +376,6 @@ ramp_bytes(Look, Tone, RGB) :-
 
 shown_bytes(light(R,G,B), Bytes) :-
     !,
-    maplist(light_byte, [R,G,B], Bytes).
+    maplist(light_srgb, [R,G,B], Bytes).
 shown_bytes(Colour, [R,G,B]) :-
     colour_rgb(Colour, rgb(R,G,B)).
-
-%   light_byte(Light, Byte): the nearest.
-
-light_byte(Light, Byte) :-
-    byte_between(0, 255, Light, Low),
-    High is min(255, Low+1),
-    srgb_light(Low, LightLow),
-    srgb_light(High, LightHigh),
-    (   Light-LightLow =< LightHigh-Light
-    ->  Byte = Low
-    ;   Byte = High
-    ).
-
-%   The last byte whose light is not above Light.
-
-byte_between(Low, High, Light, Byte) :-
-    (   High =< Low
-    ->  Byte = Low
-    ;   Middle is (Low+High+1)//2,
-        srgb_light(Middle, There),
-        (   There =< Light
-        ->  byte_between(Middle, High, Light, Byte)
-        ;   Below is Middle-1,
-            byte_between(Low, Below, Light, Byte)
-        )
-    ).

@@ -6,6 +6,7 @@
               [ before_because/5, behind_because/6, leaf_names/6,
                 look_because/5, passed/3, place_because/5, reason_because/4,
                 side_normal/7, tone_because/3, tree_because/4, walked/5 ]).
+:- use_module(explain_pair, [decided_by/2]).
 :- use_module(explain_tree, [tree_way/3, false_reason/4]).
 :- use_module('../csg/csg', [root_segment/1]).
 :- use_module('../kernel', [image_dot/4, shading_layers/5]).
@@ -58,7 +59,17 @@ pixel_because(X, Y, Options, [because(pixel(X,Y,Bytes), Because)]) :-
     maplist(part_because(seen(Scene,X,Y,All,Options,Looks,Leaves)), Parts,
             Seen),
     background_because(Parts, All, Options, Rest),
-    append(Seen, Rest, Because).
+    findall(because(Statement,[]), dot_statement(Options, Statement), Dot),
+    append([Seen,Rest,Dot], Because).
+
+%   dot_statement(Options, Statement): what is done with the sum.
+
+dot_statement(Options, dot_by_rule(By)) :-
+    \+ option(background(none), Options),
+    decided_by(pixel_colour/4, By),
+    By \== default.
+dot_statement(Options, nearest_of_palette(Most)) :-
+    option(palette(Most), Options).
 
 picture_scene(Options, Scene) :-
     (   option(scene(Scene0), Options)

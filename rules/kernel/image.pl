@@ -33,6 +33,29 @@ scene is that of kernel/shading.pl.
 %   @error domain_error(shading_lines, Lines), domain_error(shading_look, N),
 %          domain_error(raster_size, W-H)
 
+%!  image_parts(+Scene:shading, +Lines:count, +Looks:list(shading_look),
+%!              +Leaves:list(list(count)), +Y:count,
+%!              -Parts:list(image_part)) is det.
+%
+%   Parts are part(X, Root, Leaf, Face, Share, light(R, G, B)): Share of the dot
+%   X of row Y, counted from 0, shows that face, which sends that light there.
+%   By X, Leaf and Face, each once. The others are as for image_shade/6.
+%
+%   @error as for image_shade/6, and domain_error(image_dot, Y)
+
+%!  image_strokes(+Scene:shading, +Tone:number, +Looks:list(shading_look),
+%!                +Leaves:list(list(count)), +Spacing:number, +Step:number,
+%!                -Strokes:list(image_stroke)) is det.
+%
+%   Strokes are stroke(Y, X1, X2), in dots: between X1 and X2 what is seen on
+%   the line Y is darker than Tone. The first line is half of Spacing from
+%   above,
+%   others are Spacing apart. A bent face is looked at every Step dots.
+%
+%   @error domain_error(tone, Tone), domain_error(spacing, Spacing), and those
+%          of
+%          image_shade/6
+
 %!  image_normals(-Normals:list(vector)) is det.
 %
 %   Normals are unit vectors, to the right, up and towards the eye, in the
@@ -50,6 +73,16 @@ scene is that of kernel/shading.pl.
 %
 %   @error domain_error(byte, Byte)
 
+%!  light_srgb(+Light:count, -Byte:count) is det.
+%
+%   Byte is the one whose light is the nearest to Light.
+%
+%   @error domain_error(light, Light)
+
+%!  image_size(+Image:image, -Width:count, -Height:count) is det.
+%
+%   The size of Image in dots.
+
 %!  image_dot(+Image:image, +X:count, +Y:count, -Bytes:list(count)) is det.
 %
 %   Bytes are those of the dot X of row Y, counted from 0: red, green, blue, and
@@ -65,5 +98,41 @@ scene is that of kernel/shading.pl.
 %!  image_ppm(+Image:image, +Stream:output) is det.
 %
 %   The same as a PPM file (P6).
+%
+%   @error domain_error(image_without_alpha, Image)
+
+/* - - - image_change_rows.c - - - */
+
+%!  image_blank(+Width:int, +Height:int, +Colour:rgb, -Image:image) is det.
+%
+%   Image is of one Colour.
+%
+%   @error domain_error(raster_size, W-H)
+
+%!  image_put(+Image:image, +X:int, +Y:int, +Part:image) is det.
+%
+%   The image Part comes over Image, its first dot at X, Y; what is outside is
+%   left out. Where Part is clear Image is seen.
+%
+%   @error domain_error(image_without_alpha, Image)
+
+%!  image_row(+Image:image, +Y:count, +Dots:list(rgb)) is det.
+%
+%   The dots of row Y of Image, counted from 0, become Dots.
+%
+%   @error domain_error(image_without_alpha, Image), domain_error(image_dot, Y),
+%          domain_error(image_row, Dots)
+
+%!  image_colours(+Image:image, +Colours:list(rgb)) is det.
+%
+%   Each dot of Image gets the nearest of Colours, at most 256.
+%
+%   @error domain_error(image_without_alpha, Image),
+%          domain_error(colours, Colours)
+
+%!  image_lines(+Image:image, +Scale:number,
+%!              +Lines:list(canvas_line_fact)) is det.
+%
+%   Lines are drawn on Image, as by canvas_png/6.
 %
 %   @error domain_error(image_without_alpha, Image)

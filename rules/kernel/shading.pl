@@ -103,3 +103,20 @@ Leaves are, each with its Number, which several may have:
 %   arc(Sign, X0, A, B, E, F, G): A + B*T + Sign*sqrt(max(0, E*T*T + F*T + G)).
 %
 %   @error domain_error(scan_line, Y)
+
+/* - - - depth_buffer_rows.c - - - */
+
+%!  shading_depth_pfm(+Scene:shading, +Plane:list(number),
+%!                    +Stream:output) is det.
+%
+%   Writes how deep what is seen in the middle of each dot of Scene is, as a PFM
+%   file (floats, rows from below): A*X + B*Y + C*Z + D of its place, Plane
+%   being
+%   [A, B, C, D]; infinite where nothing is seen.
+%
+%   @error domain_error(plane, Plane)
+
+%!  shading_normal_pfm(+Scene:shading, +Stream:output) is det.
+%
+%   The same of unit normals, in the axes of the model: three floats a dot, 0
+%   where nothing is seen.

@@ -48,6 +48,9 @@ command_en(bad_value(Text, Value, whole(Low, High))) -->
 command_en(no_clear_dots(Format)) -->
     [ 'a .~w has no clear dots'-[Format], nl,
       '  Give --background a colour, or write a .png.' ].
+command_en(shade_in_dots(Format)) -->
+    [ 'a .~w has lines alone, and this shading is in dots'-[Format], nl,
+      '  Give --shade hatch for strokes of the pen.' ].
 command_en(no_size(Text, Value)) -->
     [ 'option ~w: ~w is no size: width and height must be above 0'-
       [Text, Value] ].

@@ -49,6 +49,9 @@ command_ko(bad_value(Text, Value, whole(Low, High))) -->
 command_ko(no_clear_dots(Format)) -->
     [ '.~w 에는 투명한 점이 없습니다'-[Format], nl,
       '  --background 에 색을 주거나 .png 로 쓰십시오.' ].
+command_ko(shade_in_dots(Format)) -->
+    [ '.~w 에는 선만 있는데 이 음영은 점으로 되어 있습니다'-[Format], nl,
+      '  펜으로 긋는 음영은 --shade hatch 로 하십시오.' ].
 command_ko(no_size(Text, Value)) -->
     [ '~w: ~w 은(는) 크기가 아닙니다. 너비와 높이는 0보다 커야 합니다'-
       [Text, Value] ].

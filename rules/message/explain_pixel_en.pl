@@ -73,6 +73,12 @@ pixel_statement_en(look_of(N, Colour)) -->
 pixel_statement_en(look_of_palette(Colour, By)) -->
     [ 'its colour is ~p, of the palette by ~w: no look/2 says another one'-
       [Colour, By] ].
+pixel_statement_en(dot_by_rule(By)) -->
+    [ 'what it shows is the answer of pixel_colour/4 of ~w; where it has \c
+       none, \c
+       the sum of these parts'-[By] ].
+pixel_statement_en(nearest_of_palette(Most)) -->
+    [ 'it has the nearest of the ~d colours of its palette, at most'-[Most] ].
 pixel_statement_en(normal(Right, Up, Towards)) -->
     [ 'it looks ~4g to the right, ~4g up and ~4g towards the eye'-
       [Right, Up, Towards] ].

@@ -67,6 +67,11 @@ pixel_statement_ko(hidden_face(Face, Leaf, S, Name, R, Behind)) -->
       [Behind, Root, Word, Face] ].
 pixel_statement_ko(look_by_rule(Colour, By)) -->
     [ '색은 ~p: ~w의 surface_look/4에 따른다'-[Colour, By] ].
+pixel_statement_ko(dot_by_rule(By)) -->
+    [ '점의 색은 ~w의 pixel_colour/4가 답한 것이고, 답이 없으면 이 부분들의 합이다'-
+      [By] ].
+pixel_statement_ko(nearest_of_palette(Most)) -->
+    [ '많아야 ~d가지인 팔레트의 색 가운데 가장 가까운 것이다'-[Most] ].
 pixel_statement_ko(look_of(N, Colour)) -->
     { root(N, Word) },
     [ '색은 ~p: 색이 있는 것 가운데 가장 가까운 ~w의 look/2에 따른다'-

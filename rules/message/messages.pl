@@ -291,6 +291,12 @@ notice_en(nothing_drawn) -->
     [ 'there is nothing to draw' ].
 notice_en(look_in_vain(Name)) -->
     [ 'the looks name ~p, and no segment of the model is called that'-[Name] ].
+notice_en(pixel_colour_asked(Dots)) -->
+    [ 'pixel_colour/4 is a rule: it is asked of each of ~D dots'-[Dots] ].
+notice_en(pixel_colour_in_vain) -->
+    [ 'pixel_colour/4 is a rule, and is not asked of a picture with clear \c
+       dots', nl,
+      '  Give --background a colour.' ].
 notice_en(nothing_seen) -->
     [ 'nothing is seen: the picture is its background alone', nl,
       '  The model has no solid, or what it takes away is all of it.' ].

@@ -274,6 +274,12 @@ notice_ko(nothing_drawn) -->
     [ '그릴 것이 없습니다' ].
 notice_ko(look_in_vain(Name)) -->
     [ '모양 사실에 ~p 이(가) 있지만 그런 이름의 세그먼트가 없습니다'-[Name] ].
+notice_ko(pixel_colour_asked(Dots)) -->
+    [ 'pixel_colour/4 이(가) 규칙입니다. 점 ~D개에 하나씩 묻습니다'-[Dots] ].
+notice_ko(pixel_colour_in_vain) -->
+    [ 'pixel_colour/4 이(가) 규칙이지만 투명한 점이 있는 그림에는 묻지 \c
+       않습니다', nl,
+      '  --background 에 색을 주십시오.' ].
 notice_ko(nothing_seen) -->
     [ '보이는 것이 없습니다. 그림은 바탕뿐입니다', nl,
       '  모델에 입체가 없거나 모두 빼 버렸습니다.' ].

@@ -2,16 +2,26 @@
           [ shaded_picture/4,           % +Model, +Eye, +Options, -Scene
             empty_picture/3,            % +Eye, +Options, -Scene
             solid_box/2,                % +Model, -Box
-            picture_image/3             % +Scene, +Options, -Image
+            picture_image/3,            % +Scene, +Options, -Image
+            picture_image/5,            % +Scene, +KernelLooks, +Leaves,
+                                        % +Options, -Image
+            looks_for_kernel/3          % +Looks, +Options, -KernelLooks
           ]).
 :- use_module('../colour', [colour_rgb/2]).
-:- use_module('../kernel', [image_extent/2, image_shade/6]).
+:- use_module('../decision', [decision_is_default/1]).
+:- use_module('../kernel',
+              [ image_colours/2, image_extent/2, image_parts/6, image_shade/6,
+                light_srgb/2, shading_size/3, srgb_light/2
+              ]).
+:- use_module(pixel_colour, [pixels_decided/3]).
 :- use_module(shading_scene,
-              [scene_handle/2, shaded_box/3, shaded_eye/3, shaded_scene/5]).
+              [ scene_handle/2, scene_leaf/2, shaded_box/3, shaded_eye/3,
+                shaded_scene/5 ]).
 :- use_module(surface_look, [look_opacity/2, scene_looks/4]).
 :- use_module(surface_ramp, [look_ramp/2]).
 :- use_module(surface_tone, [look_shine/2, look_tones/2]).
 :- use_module(library(apply), [maplist/3]).
+:- use_module(library(lists), [append/3, member/2, nth0/3]).
 :- use_module(library(option), [option/2, option/3]).
 /** <module> A shaded picture in dots.
 
@@ -92,22 +102,106 @@ solid_box(Model, box(X1,Y1,Z1,X2,Y2,Z2)) :-
 %     - shade(Shade): lambert (default), or as in surface_tone.pl
 %     - colours(By): the palette goes by `root` (default) or `leaf`
 %     - background(Colour): default white; `none`: dots have an alpha
+%     - palette(N): no more than N colours, 2 to 256; not without background
 
 picture_image(Scene, Options, Image) :-
-    option(smooth(Lines), Options, 4),
-    option(shade(Shade), Options, lambert),
     option(colours(Colours), Options, root),
+    scene_looks(Scene, Colours, Looks, Leaves),
+    looks_for_kernel(Looks, Options, KernelLooks),
+    picture_image(Scene, KernelLooks, Leaves, Options, Image).
+
+%!  picture_image(+Scene, +KernelLooks, +Leaves, +Options, -Image) is det.
+%
+%   The same with looks of looks_for_kernel/3, and of scene_looks/4 the Leaves.
+
+picture_image(Scene, Looks, Leaves, Options, Image) :-
+    option(smooth(Lines), Options, 4),
     option(background(Background0), Options, white),
     (   Background0 == none
     ->  Background = none
     ;   colour_rgb(Background0, Background)
     ),
-    scene_looks(Scene, Colours, Looks, Leaves),
+    scene_handle(Scene, Handle),
+    image_shade(Handle, Lines, Looks, Leaves, Background, Image),
+    (   decision_is_default(pixel_colour/4)
+    ->  true
+    ;   by_pixels(Scene, Lines, Looks, Leaves, Background, Image)
+    ),
+    (   option(palette(Most), Options)
+    ->  palette(Most, Looks, Background, Colours),
+        image_colours(Image, Colours)
+    ;   true
+    ).
+
+%!  looks_for_kernel(+Looks, +Options, -KernelLooks) is det.
+%
+%   KernelLooks are Looks of scene_looks/4 as image_shade/6 has them, in the
+%   current view; Options as for picture_image/3.
+
+looks_for_kernel(Looks, Options, KernelLooks) :-
+    option(shade(Shade), Options, lambert),
     option(size(Size), Options, 1260-888),
     stripes_step(Size, Step),
-    maplist(kernel_look(Shade, Step), Looks, KernelLooks),
+    maplist(kernel_look(Shade, Step), Looks, KernelLooks).
+
+%   by_pixels(Scene, Lines, Looks, Leaves, Background, Image): each dot as the
+%   rule pixel_colour/4 says. A clear one has no colour to decide of.
+
+by_pixels(_, _, _, _, none, _) :-
+    !,
+    print_message(warning, sanggwan(pixel_colour_in_vain)).
+by_pixels(Scene, Lines, Looks, Leaves, rgb(R0,G0,B0), Image) :-
+    maplist(srgb_light, [R0,G0,B0], [R,G,B]),
     scene_handle(Scene, Handle),
-    image_shade(Handle, Lines, KernelLooks, Leaves, Background, Image).
+    shading_size(Handle, Width, Height),
+    Dots is Width*Height,
+    print_message(informational, sanggwan(pixel_colour_asked(Dots))),
+    findall(leaf(Number,S,Faces), scene_leaf(Scene, leaf(Number,_,S,_,Faces)),
+            Numbered),
+    compound_name_arguments(Named, leaves, Numbered),
+    pixels_decided(sg_shaded_picture:row_parts(row(Handle,Lines,Looks,Leaves),
+                                               Named),
+                   light(R,G,B), Image).
+
+row_parts(row(Handle,Lines,Looks,Leaves), Named, Y, Parts) :-
+    image_parts(Handle, Lines, Looks, Leaves, Y, Parts0),
+    maplist(named_part(Named), Parts0, Parts).
+
+named_part(Named, part(X,R,Leaf,F,Share,Light),
+           dot(X,part(R,S,Face,Share,Light))) :-
+    arg(Leaf, Named, leaf(_,S,Faces)),
+    (   memberchk(F-Face0, Faces)
+    ->  Face = Face0
+    ;   Face = polygon(F)
+    ).
+
+%   palette(Most, Looks, Background, Colours): the background, and of each look
+%   as many tones as there is room for.
+
+palette(Most, Looks, Background, Colours) :-
+    length(Looks, Count),
+    Each is max(1, (Most-1)//max(1, Count)),
+    findall(RGB,
+            ( member(look(_,Ramp,_,_,_), Looks),
+              ramp_colour(Ramp, Each, RGB) ),
+            Tones),
+    length(Tones, All),
+    (   All < Most
+    ->  Kept = Tones
+    ;   Room is Most-1,
+        length(Kept, Room),
+        append(Kept, _, Tones)
+    ),
+    Colours = [Background|Kept].
+
+ramp_colour(Ramp, Each, rgb(R,G,B)) :-
+    between(1, Each, K),
+    (   Each =:= 1
+    ->  At = 768
+    ;   At is round(1024*(K-1)/(Each-1))
+    ),
+    nth0(At, Ramp, light(R0,G0,B0)),
+    maplist(light_srgb, [R0,G0,B0], [R,G,B]).
 
 %   stripes_step(Size, Step): how far stripes of sections are apart, in 1/256
 %   dot.

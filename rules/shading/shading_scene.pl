@@ -5,8 +5,10 @@
             shaded_box/3,               % +Model, +Eye, -Box
             shaded_scene/5,             % +Model, +Eye, +Place, +Size, -Scene
             shading_scene/2,            % +Size, -Scene
+            without_picture/2,          % +Model, -Scene
             scene_handle/2,             % +Scene, -Handle
             scene_tolerance/2,          % +Scene, -Tolerance
+            scene_depth/2,              % +Scene, -Plane
             scene_size/2,               % +Scene, -Size
             scene_root/2,               % +Scene, -Root
             scene_place/2,              % +Scene, ?Place
@@ -29,7 +31,7 @@
 :- use_module('../store', [p/3, v/5, segment/3]).
 :- use_module(shading_half, [half_leaf/3]).
 :- use_module(shading_leaf, [term_leaf/4, rows_leaf/4]).
-:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(apply), [foldl/4, maplist/3, maplist/4]).
 :- use_module(library(error), [must_be/2]).
 :- use_module(library(lists),
               [append/2, append/3, member/2, nth1/3, reverse/2, same_length/2]).
@@ -361,15 +363,20 @@ shaded_box(model(_, Facts, _), Eye, b(X1,Y1,X2,Y2)) :-
 
 %!  shaded_scene(+Model, +Eye, +Place, +Size, -Scene) is det.
 %
-%   Scene is the picture of Model for Eye, of Size = Width-Height dots. Place is
+%   Scene is the picture of Model for Eye, of Size = Width-Height dots. Eye may
+%   also be at(Eye1, Point): Eye1 looks at that [X,Y,Z], not at the origin; or
+%   rolled(Eye1, Cos, Sin): the picture is turned clockwise by that angle.
+%   Place is
 %   place(Scale, Left, Top): dots to a unit of the picture, and which of its X
-%   and Y the upper left corner has. A scene is scene(Handle, Model, Tolerance),
+%   and Y the upper left corner has. A scene is scene(Handle, Model, Sight),
 %   Handle for the kernel (kernel/shading.pl). It does not follow later changes.
 
-shaded_scene(Model, Eye, Place, Width-Height, scene(Handle,Model,Tolerance)) :-
+shaded_scene(Model, Eye, Place, Width-Height,
+             scene(Handle,Model,sight(Tolerance,Depth))) :-
     Model = model(_, Facts, Roots),
     eye_rows(Eye, Place, Matrix),
     depth_tolerance(Matrix, Facts, Tolerance),
+    eye_depth(Eye, Depth),
     shading_open(frame(Matrix,Width,Height,Tolerance), Facts, Roots, Handle).
 
 %!  shading_scene(+Size, -Scene) is semidet.
@@ -391,13 +398,33 @@ shading_scene(Width-Height, Scene) :-
     Top is (Y1+Y2+Height/Scale)/2.0,
     shaded_scene(Model, Eye, place(Scale,Left,Top), Width-Height, Scene).
 
+%!  without_picture(+Model, -Scene) is det.
+%
+%   Scene has the roots and leaves of Model, and no picture.
+
+without_picture(Model, scene(none,Model,none)).
+
 %!  scene_handle(+Scene, -Handle) is det.
 %!  scene_tolerance(+Scene, -Tolerance) is det.
 %
 %   Tolerance, in dots: slices nearer in depth are in one place.
 
 scene_handle(scene(Handle, _, _), Handle).
-scene_tolerance(scene(_, _, Tolerance), Tolerance).
+scene_tolerance(scene(_, _, sight(Tolerance,_)), Tolerance).
+
+%!  scene_depth(+Scene, -Plane) is det.
+%
+%   Plane is [A, B, C, D]: a point of the model is A*X + B*Y + C*Z + D from the
+%   eye along its line of sight, in a parallel picture from the origin.
+
+scene_depth(scene(_, _, sight(_,Plane)), Plane).
+
+eye_depth(Eye, [A,B,C,D]) :-
+    eye_axes(Eye, eye(_,_,Rho,Kind,_), [_,_,[A,B,C,D0]]),
+    (   Kind == central
+    ->  D is D0+Rho
+    ;   D = D0
+    ).
 
 %!  scene_size(+Scene, -Size) is det.
 %
@@ -435,21 +462,48 @@ scene_leaf(scene(_, model(Leaves, _, _), _), Leaf) :-
 %   depth is linear along lines of the picture, and near the nearest point as
 %   large as in a parallel one.
 
-eye_rows(eye(Theta,Phi,Rho,Kind,Nearest), place(Scale,Left,Top), Matrix) :-
-    view_matrix(Theta, Phi, [r(A1,B1,C1), r(A2,B2,C2), r(A3,B3,C3)]),
-    maplist(float_of, [A1,B1,C1, A2,B2,C2, A3,B3,C3],
-            [RX,RY,RZ, UX,UY,UZ, AX,AY,AZ]),
+eye_rows(Eye, place(Scale,Left,Top), Matrix) :-
+    eye_axes(Eye, eye(_,_,Rho,Kind,Nearest),
+             [[RX,RY,RZ,RD],[UX,UY,UZ,UD],[AX,AY,AZ,AD]]),
     (   Kind == parallel
     ->  W = [0.0,0.0,0.0,1.0],
-        Depth = 0.0
+        Depth = AD
     ;   W = [WX,WY,WZ,WD],
-        maplist(divided(Nearest), [AX,AY,AZ,Rho], [WX,WY,WZ,WD]),
-        Depth is Rho-Nearest
+        WD0 is AD+Rho,
+        maplist(divided(Nearest), [AX,AY,AZ,WD0], [WX,WY,WZ,WD]),
+        Depth is WD0-Nearest
     ),
-    row(W, Scale, [RX,RY,RZ,0.0], -Scale*Left, Row1),
-    row(W, -Scale, [UX,UY,UZ,0.0], Scale*Top, Row2),
+    row(W, Scale, [RX,RY,RZ,RD], -Scale*Left, Row1),
+    row(W, -Scale, [UX,UY,UZ,UD], Scale*Top, Row2),
     row(W, Scale, [AX,AY,AZ,Depth], 0, Row3),
     append([Row1,Row2,Row3,W], Matrix).
+
+%   eye_axes(Eye, Level, Axes): what is to the right, up and away of where the
+%   eye looks at, [A,B,C,D] each: A*X + B*Y + C*Z + D. Level is the eye alone.
+
+eye_axes(rolled(Eye,Cos,Sin), Level, [Right,Up,Away]) :-
+    !,
+    eye_axes(Eye, Level, [Right0,Up0,Away]),
+    maplist(rolled(Cos, Sin), Right0, Up0, Right),
+    Back is -Sin,
+    maplist(rolled(Cos, Back), Up0, Right0, Up).
+eye_axes(at(Eye,Point), Level, Axes) :-
+    !,
+    eye_axes(Eye, Level, Axes0),
+    maplist(looking_at(Point), Axes0, Axes).
+eye_axes(Level, Level, Axes) :-
+    Level = eye(Theta,Phi,_,_,_),
+    view_matrix(Theta, Phi, Rows),
+    maplist(axis, Rows, Axes).
+
+rolled(Cos, Sin, A, B, C) :-
+    C is Cos*A + Sin*B + 0.0.
+
+looking_at([X,Y,Z], [A,B,C,D0], [A,B,C,D]) :-
+    D is D0 - (A*X + B*Y + C*Z) + 0.0.
+
+axis(r(A0,B0,C0), [A,B,C,0.0]) :-
+    maplist(float_of, [A0,B0,C0], [A,B,C]).
 
 float_of(X, F) :-
     F is float(X) + 0.0.

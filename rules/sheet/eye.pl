@@ -1,5 +1,6 @@
 :- module(sg_eye,
           [ eye_view/3,                 % +Eye, +Target, -View
+            eye_target/2,               % +Target0, -Target
             set_eye/3                   % +Eye, +Target, +Kind
           ]).
 :- use_module('../picture/section', [model_box/1]).
@@ -20,7 +21,7 @@ certain distance the model is moved so that the point comes there.
 %   @error usage_error(sheet(no_direction('--eye', Text))): they are the same
 
 eye_view(Eye, Target0, View) :-
-    target(Target0, Target),
+    eye_target(Target0, Target),
     maplist(difference, Target, Eye, [X,Y,Z]),
     (   view_towards(d(X,Y,Z), view, View0)
     ->  View = View0
@@ -28,13 +29,17 @@ eye_view(Eye, Target0, View) :-
         throw(error(usage_error(sheet(no_direction('--eye', Text))), _))
     ).
 
-target(middle, Target) :-
+%!  eye_target(+Target0, -Target) is det.
+%
+%   Target is the point Target0, or of `middle` that of the model.
+
+eye_target(middle, Target) :-
     !,
     (   model_box(box(X1,Y1,Z1,X2,Y2,Z2))
     ->  maplist(middle, [X1,Y1,Z1], [X2,Y2,Z2], Target)
     ;   Target = [0.0,0.0,0.0]
     ).
-target(Target, Target).
+eye_target(Target, Target).
 
 difference(A, B, C) :-
     C is A-B.
@@ -52,7 +57,7 @@ middle(A, B, C) :-
 set_eye(Eye, Target0, Kind) :-
     eye_view(Eye, Target0, view(_,Theta,Phi,_)),
     (   Kind == central
-    ->  target(Target0, Target),
+    ->  eye_target(Target0, Target),
         maplist(difference, Eye, Target, [X,Y,Z]),
         Rho is sqrt(X*X + Y*Y + Z*Z),
         move_origin(Target)

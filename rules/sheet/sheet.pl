@@ -34,6 +34,7 @@ no Edges, and segment 0 if they show no segment either. Their roles are
   - `frame`: round the sheet and the title block; centring marks
   - `field`: lines between the fields of the title block and of the frame
   - `hatching`: of the faces of a section
+  - `shading`: strokes where solids are dark
   - `cutting`, `cutting_end`, `arrow`: the line of a cutting plane, its thick
     ends and corners, its arrows
   - `symbol`, `axis`: the symbol of the projection method and its axes

@@ -1,5 +1,6 @@
 :- module(sg_sheet_plan,
-          [ views_drawing/4,            % +Request, +Lines, :Cuts, -Drawing
+          [ views_drawing/5,            % +Request, +Lines, :Cuts, -Drawing,
+                                        % -Placed
             seen_drawing/3              % +Request, +Seens, -Drawing
           ]).
 :- use_module(eye, [eye_view/3]).
@@ -49,19 +50,20 @@ What is asked for is a list:
   - picture(Options): for picture/1
 */
 
-:- meta_predicate views_drawing(+, +, :, -).
+:- meta_predicate views_drawing(+, +, :, -, -).
 
-%!  views_drawing(+Request, +Lines, :Cuts, -Drawing) is det.
+%!  views_drawing(+Request, +Lines, :Cuts, -Drawing, -Placed) is det.
 %
 %   Drawing (sheet.pl) shows the current world, whose segments are roots, as
 %   Request says. Lines are operand_lines/1. Cuts is cuts(First,Again), goals
 %   that cut the segments by each other: First for the model, Again for what is
-%   left of it in a section. The world stays as it is.
+%   left of it in a section. The world stays as it is. Placed has
+%   placed(View, Place) of the pictorial views, Place as of placed_part/3.
 %
 %   @error usage_error(sheet(What)): section(Text), section_past(Text,Box),
 %   many_sections(Most), too_large(Scale,Paper,Fitting,Papers), no_room(Paper)
 
-views_drawing(Request, Lines, Module:cuts(First,Again), Drawing) :-
+views_drawing(Request, Lines, Module:cuts(First,Again), Drawing, Placed) :-
     option(views(Views0), Request),
     maplist(standing, Views0, Views),
     option(sections(Texts), Request),
@@ -75,7 +77,7 @@ views_drawing(Request, Lines, Module:cuts(First,Again), Drawing) :-
     maplist(shown(Hidden), All, Shown),
     boxed_views(Shown, Boxed),
     warned_if_empty(Boxed),
-    sheet_laid(Request, Sections, Boxed, Drawing).
+    sheet_laid(Request, Sections, Boxed, Drawing, Placed).
 
 %!  seen_drawing(+Request, +Seens, -Drawing) is det.
 %
@@ -91,14 +93,14 @@ views_drawing(Request, Lines, Module:cuts(First,Again), Drawing) :-
 %     - blank(Names)
 %     Views of which there is a frame, and nothing in it.
 %
-%   @error as views_drawing/4
+%   @error as views_drawing/5
 
 seen_drawing(Request, Seens, Drawing) :-
     option(hidden(Hidden), Request),
     maplist(shown(Hidden), Seens, Shown),
     boxed_views(Shown, Boxed),
     warned_if_empty(Boxed),
-    sheet_laid(Request, [], Boxed, Drawing).
+    sheet_laid(Request, [], Boxed, Drawing, _).
 
 whole_seen(Lines, Picture, View, Seen) :-
     view_seen(View, Lines, true, Picture, Seen).
@@ -177,7 +179,9 @@ boxed_views(All, Boxed) :-
                 *            LAYOUT            *
                 *******************************/
 
-sheet_laid(Request, Sections, Boxed, Drawing) :-
+%   sheet_laid(Request, Sections, Boxed, Drawing, Placed)
+
+sheet_laid(Request, Sections, Boxed, Drawing, Placed) :-
     option(paper(Width,Height), Request),
     option(angle(Angle), Request),
     option(unit(Unit), Request),
@@ -199,6 +203,11 @@ sheet_laid(Request, Sections, Boxed, Drawing) :-
     option(blank(Blank), Request, []),
     maplist(view_drawn(PerUnit, Hatching, Marking, Places, Blank), Celled,
             Views),
+    findall(placed(View,Place),
+            ( member(cell(seen(View,_,_,_),_,_), Celled),
+              View = view(Name,_,_,pictorial),
+              view_place(Name, PerUnit, Places, Place) ),
+            Placed),
     frame_view(FrameMarks, Frame),
     question_view(Request, Room, Question),
     centre_views(Celled, Marking, Blank, PerUnit, Places, Centres0),
@@ -515,11 +524,8 @@ view_drawn(PerUnit, _, _, Places, Blank, cell(seen(View,_,_,_),Box,_),
 view_drawn(PerUnit, Hatching, Marking, Places, _, Celled,
            view(Name,Strokes,Texts)) :-
     Celled = cell(seen(view(Name,_,_,_),Parts,Regions,_), _, _),
-    memberchk(place(Name,X,Y,Left,Top), Places),
-    Scale is PerUnit*1000,
-    Left1 is Left*1000,
-    Top1 is Top*1000,
-    Place = place(Scale,X,Y,Left1,Top1),
+    view_place(Name, PerUnit, Places, Place),
+    Place = place(_,X,Y,Left1,Top1),
     maplist(placed_part(Place), Parts, Placed),
     strokes(Placed, Own),
     maplist(placed_region(Place), Regions, Placed1),
@@ -528,6 +534,14 @@ view_drawn(PerUnit, Hatching, Marking, Places, _, Celled,
     marks_drawn(place(1000,X*PerUnit,Y*PerUnit,Left1,Top1), Marks, Lines,
                 Texts),
     append([Hatched, Own, Lines], Strokes).
+
+%   view_place(Name, PerUnit, Places, Place): Place as of placed_part/3.
+
+view_place(Name, PerUnit, Places, place(Scale,X,Y,Left,Top)) :-
+    memberchk(place(Name,X,Y,Left0,Top0), Places),
+    Scale is PerUnit*1000,
+    Left is Left0*1000,
+    Top is Top0*1000.
 
 millimetres(PerUnit, region(S,Edges0), region(S,Edges)) :-
     findall((A1-B1)-(A2-B2),

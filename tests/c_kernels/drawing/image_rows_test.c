@@ -6,6 +6,7 @@
 #include "doors/image.h"
 #include "shading/buffer.h"
 #include "shading/extent.h"
+#include "shading/srgb.h"
 
 #include "tests/c_kernels/door_call.h"
 #include "tests/c_kernels/shading/shaded_sphere.h"
@@ -156,6 +157,44 @@ last_dot(sg_image *image)
          is_domain("image_dot", 3);
 }
 
+/* The dots of a row, and strokes, of a ball. */
+static void
+parts_and_strokes(void)
+{
+  static size_t zero[] = {0};
+  static sg_count_list places = {zero, 1, 0};
+  const sg_list_count_list leaves = {&places, 1, 0};
+  const sg_shading_look_list looks = one_look();
+  sg_shading *scene = sphere_scene(40, 30, 20, 15, 10);
+  sg_image *image = scene ? shaded(scene, 1, false) : NULL;
+  sg_image_part_list parts = {0};
+  sg_image_stroke_list strokes = {0};
+  size_t width = 0, height = 0, byte = 0;
+
+  CHECK("parts of a row",
+        scene &&
+            sg_door_image_parts(&call, scene, 1, &looks, &leaves, 15, &parts) &&
+            parts.n == 20 && parts.at[9].share == 1 && parts.at[9].leaf == 1);
+  CHECK("no such row",
+        !sg_door_image_parts(&call, scene, 1, &looks, &leaves, 30, &parts) &&
+            is_domain("image_dot", 5));
+  CHECK("strokes", sg_door_image_strokes(&call, scene, 1, &looks, &leaves, 2, 1,
+                                         &strokes) &&
+                       strokes.n > 0 && strokes.at[0].x1 < strokes.at[0].x2);
+  CHECK("no spacing", !sg_door_image_strokes(&call, scene, 1, &looks, &leaves,
+                                             0, 1, &strokes) &&
+                          is_domain("spacing", 5));
+  CHECK("its size", image &&
+                        sg_door_image_size(&call, image, &width, &height) &&
+                        width == 40 && height == 30);
+  CHECK("the byte of light",
+        sg_door_light_srgb(&call, SG_LIGHT_MOST, &byte) && byte == 255 &&
+            !sg_door_light_srgb(&call, SG_LIGHT_MOST + 1, &byte) &&
+            is_domain("light", 1));
+  sg_image_close(image);
+  sg_shading_close(scene);
+}
+
 static void
 files(int32_t width, int32_t height, bool clear)
 {
@@ -254,6 +293,7 @@ main(void)
 
   sg_call_open(&call, NULL, NULL);
   call.world = world;
+  parts_and_strokes();
   files(1, 1, false);
   files(40, 30, true);
   files(17, 64, false);

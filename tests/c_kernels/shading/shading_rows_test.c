@@ -10,6 +10,7 @@
 #include "tests/check.h"
 
 #include <math.h>
+#include <string.h>
 
 /* From above, 10 dots to a unit, the origin at (50, 50). */
 static double above[16] = {10, 0, 0,   50, 0, -10, 0, 50,
@@ -142,6 +143,41 @@ layers(void)
   sg_shading_close(scene);
 }
 
+/* PFM: the cube's dots, from a stream that counts. */
+static bool
+count_bytes(void *data, const char *bytes, size_t n)
+{
+  (void)bytes;
+  *(size_t *)data += n;
+  return true;
+}
+
+static void
+buffers(void)
+{
+  sg_shading_leaf_fact leaf = rows_leaf(1, 12);
+  sg_shading *scene = open_scene(&leaf, 1, 1);
+  double up[] = {0, 0, 1, 0};
+  size_t depths = 0, normals = 0;
+  const sg_output to_depths = {count_bytes, &depths};
+  const sg_output to_normals = {count_bytes, &normals};
+
+  CHECK("depths",
+        scene &&
+            sg_door_shading_depth_pfm(&call, scene, &(sg_number_list){up, 4, 0},
+                                      &to_depths) &&
+            depths == strlen("Pf\n100 100\n-1.0\n") + 40000);
+  CHECK("normals", scene &&
+                       sg_door_shading_normal_pfm(&call, scene, &to_normals) &&
+                       normals == strlen("PF\n100 100\n-1.0\n") + 120000);
+  CHECK("three numbers are no plane",
+        scene &&
+            !sg_door_shading_depth_pfm(
+                &call, scene, &(sg_number_list){up, 3, 0}, &to_depths) &&
+            is_domain("plane", 2));
+  sg_shading_close(scene);
+}
+
 static void
 refused(void)
 {
@@ -172,6 +208,7 @@ main(void)
   CHECK("a cube", add_cube(world, 1));
   seen();
   layers();
+  buffers();
   refused();
   sg_call_close(&call);
   sg_world_let_go(world);

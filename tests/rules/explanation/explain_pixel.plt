@@ -99,6 +99,20 @@ test(edge_has_two_parts, true) :-
     !,
     sum_list(Ps, Sum),
     assertion(abs(Sum-100.0) < 1.0e-9).
+test(palette, true) :-
+    plate(Text),
+    in_text(Text, ( explanation(pixel(80,40), [size(120-120),palette(9)],
+                                [because(pixel(_,_,Bytes), Because)]) )),
+    memberchk(because(nearest_of_palette(9),[]), Because),
+    length(Bytes, 3).
+test(dot_by_rule, true) :-
+    plate(Text),
+    in_text(Text, ( with_rules("pixel_colour(_, _, _, rgb(1,2,3))."),
+                    explanation(pixel(80,40), [size(120-120)],
+                                [because(pixel(_,_,Bytes), Because)]),
+                    no_more_rules )),
+    Bytes == [1,2,3],
+    memberchk(because(dot_by_rule(_),[]), Because).
 test(no_such_dot, All == []) :-
     statements(pixel(120,3), All).
 test(no_such_row, All == []) :-

@@ -103,6 +103,7 @@ file('pipes.pl', "segment(1, solid,
         cylinder(radius(2), height(8), facets(24))).
 segment(2, solid, at([translate(0,0,4),rotate(y,90)],
                      cylinder(radius(1), height(6), facets(24)))).\n").
+file('dot.pl', "pixel_colour(_, _, _, red).\n").
 file('role.pl', "edge_role(_, _, _, _, crease).\n").
 
 % command(Notice, Arguments): the command prints Notice; @(Name) is a file.
@@ -130,6 +131,11 @@ command(nothing_seen, [render, @('empty.pl'), '--size', '9x9',
                        '-o', @('a.png')]).
 command(not_shaded(_,_), [render, @('curve.pl'), '--size', '9x9',
                           '-o', @('a.png')]).
+command(pixel_colour_asked(_), [render, @('cube.pl'), '--rules', @('dot.pl'),
+                                '--size', '9x9', '-o', @('a.png')]).
+command(pixel_colour_in_vain, [render, @('cube.pl'), '--rules', @('dot.pl'),
+                               '--size', '9x9', '--background', none,
+                               '-o', @('a.png')]).
 command(look_in_vain(_), [render, @('cube.pl'), '--look', @('looks.pl'),
                           '--size', '9x9', '-o', @('a.png')]).
 command(style_in_vain(_), [draw, @('cube.pl'), '--style', @('style.pl'),

@@ -1,7 +1,7 @@
 /* Shaded pictures: against the evaluated boundary, drawn by a buffer of depths;
    the same solid said in other ways; looks, tones and ramps by rules. */
 % covers: surface_look, surface_tone, surface_ramp, image, image_rows
-% covers: shading_section
+% covers: shading_section, pixel_colour
 :- module(test_shaded_picture, []).
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
@@ -409,6 +409,53 @@ test(look_by_rule, Colours == [rgb(0,60,170),rgb(170,0,0),White]) :-
                 surface_look(_, _, side(_), [colour(blue)]).",
                [shade(flat)], By),
     colours(By, Colours).
+
+test(pixel_colour_by_rule, Colours == [rgb(0,60,170),rgb(250,210,0)]) :-
+    with_rules("pixel_colour(_, _, [part(0,0,background,_,_)], yellow).\n\c
+                pixel_colour(_, _, [part(1,1,_,_,_)|_], rgb(0,60,170)).", By),
+    string_codes(By, Codes),
+    triples(Codes, Dots),
+    sort(Dots, Colours).
+test(pixel_colour_without_answer, By == Plain) :-
+    with_rules("spare_rule :- fail. pixel_colour(_, _, _, nonsense) :- \c
+                spare_rule.", By),
+    with_rules("spare_rule :- fail. pixel_colour(_, _, _, _) :- spare_rule.",
+               Plain).
+test(default_pixel_colour, true(Most =< 1)) :-
+    Text = "segment(1, solid, cylinder(radius(2), height(4), facets(48))).
+            look(1, opacity(0.6)). look(1, colour(red)).
+            light(0, strength(0.4)).
+            segment(2, solid, at([translate(1,1,0)], box(size(1,1,3)))).",
+    Options = [size(60-60),smooth(4),background(orange),shade(flat)],
+    bytes(Text, Options, Plain),
+    setup_call_cleanup(
+        ( tmp_file_stream(File, Out, [encoding(utf8), extension(pl)]),
+          write(Out, "pixel_colour(X, Y, Parts, Colour) :- \c
+                      default(pixel_colour(X, Y, Parts, Colour))."),
+          close(Out) ),
+        in_model(Text, ( use_rules(File), shaded_bytes(Options, By) )),
+        delete_file(File)),
+    apart(By, Plain, Most).
+test(palette, First-Few == rgb(255,255,255)-true) :-
+    bytes("segment(1, solid, sphere(radius(2),facets(48))).
+           segment(2, solid, at([translate(3,0,0)], box(size(1,1,3)))).",
+          [size(60-60),palette(12)], Bytes),
+    string_codes(Bytes, Codes),
+    triples(Codes, Dots),
+    Dots = [First|_],
+    sort(Dots, Colours),
+    length(Colours, Count),
+    (   Count > 6, Count =< 12
+    ->  Few = true
+    ;   Few = Count
+    ).
+test(palette_of_one_tone, Colours == [rgb(170,0,0),rgb(255,255,255)]) :-
+    bytes("segment(1, solid, sphere(radius(2),facets(48))).
+           look(1, colour(red)).",
+          [size(60-60),palette(2),shade(flat)], Bytes),
+    string_codes(Bytes, Codes),
+    triples(Codes, Dots),
+    sort(Dots, Colours).
 
 plain(Bytes) :-
     with_rules("spare_rule :- fail. surface_look(R, S, F, L) :- spare_rule, \c

@@ -1,0 +1,52 @@
+:- module(sg_shading_buffer,
+          [ write_buffer/3              % +Kind, +Scene, +Out
+          ]).
+:- use_module('../kernel', [shading_depth_pfm/3, shading_normal_pfm/2]).
+:- use_module(shading_scene,
+              [scene_depth/2, scene_handle/2, scene_leaf/2, scene_size/2]).
+:- use_module(surface_look, [line_layers/3]).
+:- use_module(library(lists), [member/2]).
+/** <module> What a shaded picture knows of its dots, for other programs.
+
+Of PFM files the rows run from below, numbers are 32-bit floats, the lowest byte
+first.
+*/
+
+%!  write_buffer(+Kind, +Scene, +Out) is det.
+%
+%   Write to the stream Out what is seen of Scene. Kind is
+%
+%     - depth: PFM, in the middle of each dot: units of the model from the eye
+%       along its line of sight, in a parallel picture from the origin; infinite
+%       where nothing is
+%     - normal: PFM, a unit vector of the model, 0 0 0 where nothing is
+%     - id: CSV, a row for each span of the lines in the middle of each row of
+%       dots: y, x1, x2 in dots, root, number and segment of the leaf (0: of no
+%       segment), face, and the part of the light there that is its own
+
+write_buffer(depth, Scene, Out) :-
+    scene_handle(Scene, Handle),
+    scene_depth(Scene, Plane),
+    shading_depth_pfm(Handle, Plane, Out).
+write_buffer(normal, Scene, Out) :-
+    scene_handle(Scene, Handle),
+    shading_normal_pfm(Handle, Out).
+write_buffer(id, Scene, Out) :-
+    format(Out, 'y,x1,x2,root,leaf,segment,face,part~n', []),
+    findall(leaf(Number,S), scene_leaf(Scene, leaf(Number,_,S,_,_)), Leaves0),
+    compound_name_arguments(Leaves, leaves, Leaves0),
+    scene_size(Scene, _-Height),
+    Last is Height-1,
+    forall(between(0, Last, Row),
+           ( Y is Row+0.5,
+             line_layers(Scene, Y, Layers),
+             forall(member(Layer, Layers), write_layer(Out, Y, Leaves, Layer))
+           )).
+
+%   1/256 dot has eight digits.
+
+write_layer(Out, Y, Leaves, layer(X1,X2,R,Leaf,F,Part)) :-
+    arg(Leaf, Leaves, leaf(_,S)),
+    From is X1/256.0,
+    To is X2/256.0,
+    format(Out, '~1f,~w,~w,~d,~d,~d,~d,~w~n', [Y,From,To,R,Leaf,S,F,Part]).
