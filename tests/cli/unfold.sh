@@ -293,7 +293,7 @@ check "no generators, no table" complains 0 'no pattern has generators' \
   sanggwan unfold "$box" --true --table "$TMP/none.csv"
 check "no folder for a table" complains 2 'no folder' \
   sanggwan unfold "$pipe" --true --table "$TMP/none/t.csv"
-check "no table over the model" complains 2 'is the model' \
+check "no table over the model" complains 2 'the ending decides' \
   sanggwan unfold "$pipe" --true --table "$pipe"
 check "names of segments" complains 2 'Segments are numbers or names' \
   sanggwan unfold "$box" --only 'a b'

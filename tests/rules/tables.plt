@@ -26,9 +26,9 @@ test(papers, Papers == ['A0'-1189-841, 'A1'-841-594, 'A2'-594-420,
 %   as wide as what is seen, and a line of the sheet is thin, but for its frame.
 
 test(widths, Widths == [ arrow-0.5, centre_line-0.25, construction-0.13,
-                         cutting-0.25,
-                         cutting_end-0.7, field-0.25, frame-0.7,
-                         hatching-0.25, symbol-0.35, text-0.7 ]) :-
+                         cutting-0.25, cutting_end-0.7, field-0.25, frame-0.7,
+                         hatching-0.25, shading-0.25, symbol-0.35, text-0.7
+                       ]) :-
     findall(Role-Width,
             ( sheet_role(Role),
               Role \== axis,
