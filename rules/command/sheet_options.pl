@@ -35,7 +35,7 @@ sheet_wanted(Options) :-
 
 %!  sheet_request(+Options, +Picture, -Request) is det.
 %
-%   Request, for views_drawing/4, is what Options ask for; Picture are options
+%   Request, for views_drawing/5, is what Options ask for; Picture are options
 %   of picture/1. The facts of the title block are not yet in it.
 %
 %   @error usage_error(What)

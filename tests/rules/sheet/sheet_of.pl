@@ -5,7 +5,7 @@
 :- use_module(rules(csg/csg_roots), [operand_lines/1, roots_alone/0]).
 :- use_module(rules(model/model), [load_model/1]).
 :- use_module(rules(penetration/penetration), [penetrate/2]).
-:- use_module(rules(sheet/sheet_plan), [views_drawing/4]).
+:- use_module(rules(sheet/sheet_plan), [views_drawing/5]).
 :- use_module(rules(store)).
 
 %!  sheet_of(+File, +Options, -Drawing) is det.
@@ -21,7 +21,7 @@ sheet_of(File, Options, Drawing) :-
                operand_lines(Lines),
                roots_alone,
                views_drawing(Request, Lines, sheet_of:cuts(cut, cut),
-                             Drawing) )).
+                             Drawing, _) )).
 
 cut :-
     findall(S, segment(S, _, _), Ss),

@@ -279,7 +279,7 @@ test(world_stays) :-
              ( load_model(File),
                request_facts([], [File], Request0, Request),
                rows(Before),
-               views_drawing(Request, [], sheet_of:cuts(cut, cut), _),
+               views_drawing(Request, [], sheet_of:cuts(cut, cut), _, _),
                rows(After) )),
     Before == After.
 
