@@ -310,6 +310,7 @@ filled :-
               leaf_p(1,1,[1]), leaf_t(1,1,1,1,2,3), from_v(1,1,7,7),
               from_p(1,1,7,7,1), line(1,1,1,1,2,1,1,1,2), piece(1,1,1),
               region(1,1,outside), region(1,2,cell), sides(1,1,2,1),
+              from_r(1,2,7,1),
               joint(1,1,1,2,fold,90), screen(1,1,0,0,0),
               contour(1,1,1,1,0,2,0,hidden,[1],0,0,0,0),
               surface_facing(1,1,1,0,1,[1]),
