@@ -7,19 +7,7 @@
 */
 :- module(sg_plunit, []).
 :- use_module(library(plunit)).
-
-:- multifile user:file_search_path/2.
-
-:- prolog_load_context(directory, Tests),
-   file_directory_name(Tests, Root),
-   asserta(user:file_search_path(sanggwan, Root)),
-   asserta(user:file_search_path(rules, sanggwan(rules))),
-   asserta(user:file_search_path(tests, sanggwan(tests))).
-
-:- if(absolute_file_name(rules(sanggwan), _,
-                         [file_type(prolog), access(read), file_errors(fail)])).
-:- use_module(user:rules(sanggwan)).
-:- endif.
+:- use_module(load_rules, []).
 
 :- initialization(main, main).
 

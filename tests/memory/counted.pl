@@ -8,14 +8,6 @@
             requests_of/1   % +Library
           ]).
 
-:- multifile user:file_search_path/2.
-
-:- prolog_load_context(directory, Memory),
-   file_directory_name(Memory, Tests),
-   file_directory_name(Tests, Root),
-   asserta(user:file_search_path(sanggwan, Root)),
-   asserta(user:file_search_path(rules, sanggwan(rules))).
-
+:- use_module('../load_rules', []).
 :- use_module(rules(command/cli), [sanggwan/2]).
-:- use_module(user:rules(sanggwan)).
 :- use_foreign_library(foreign('tests/failing_malloc')).

@@ -9,17 +9,7 @@
 */
 :- module(sg_test_edit_child, []).
 
-:- multifile user:file_search_path/2.
-:- dynamic user:file_search_path/2.
-
-:- prolog_load_context(directory, Rules),
-   file_directory_name(Rules, Tests),
-   file_directory_name(Tests, Root),
-   asserta(user:file_search_path(sanggwan, Root)),
-   asserta(user:file_search_path(rules, sanggwan(rules))),
-   asserta(user:file_search_path(tests, sanggwan(tests))).
-
-:- use_module(user:rules(sanggwan)).
+:- use_module('../load_rules', []).
 :- use_module(tests('rules/edit_script')).
 :- use_module(library(lists)).
 :- use_module(library(time)).
