@@ -1,6 +1,7 @@
 :- module(sg_verbs,
           [ verb_run/4,                 % +Verb, +Files, +Options, -Status
             item_explained_there/3,     % +Items, +Options, -Status
+            sheet_drawing_there/3,      % +Options, +File, -Drawn
             draw/1,                     % +File
             draw/2,                     % +File, +Options
             convert/2                   % +Files, +File
@@ -159,16 +160,8 @@ verb_run(draw, Files, Options, 0) :-
     picture_options(Options, PictureOptions),
     drawing_options(Options, DrawingOptions),
     (   sheet_wanted(Options)
-    ->  sheet_request(Options, PictureOptions, Request),
-        load_model(Files, Options),
-        shade_taken(Shade, Options, Shading),
-        request_facts(Options, Files, Request, Full),
-        roots_ready(Options, PictureOptions, Lines),
-        sheet_made(Options, Full, Lines, Drawing0, Placed),
-        sheet_shaded(Shade, Shading, Placed, Drawing0, Drawing, Shaded),
-        request_title(Full, Title),
-        append([drawing(Drawing),title(Title)|Shaded], DrawingOptions,
-               WriteOptions)
+    ->  sheet_drawn(Options, Files, load_model(Files, Options), Shade, Drawn),
+        append(Drawn, DrawingOptions, WriteOptions)
     ;   eye(Options, Eye),
         load_model(Files, Options),
         shade_taken(Shade, Options, Shading),
@@ -243,6 +236,35 @@ verb_run(repl, Files, Options, 0) :-
     ;   load_model(Files, Options)
     ),
     repl.
+
+%!  sheet_drawing_there(+Options, +File, -Drawn) is det.
+%
+%   Drawn is the sheet that the verb draw would make with Options of the model
+%   in the current world, as options of write_drawing/2: drawing(Drawing),
+%   title(Title), perhaps shading(Shadeds). File is the name of the model.
+%
+%   @error usage_error(What)
+
+sheet_drawing_there(Options, File, Drawn) :-
+    shade_asked(Options, [], Shade),
+    sheet_drawn(Options, [File], true, Shade, Drawn).
+
+%   sheet_drawn(Options, Files, Load, Shade, Drawn): Load brings the model into
+%   the world.
+
+:- meta_predicate sheet_drawn(+, +, 0, +, -).
+
+sheet_drawn(Options, Files, Load, Shade, Drawn) :-
+    picture_options(Options, PictureOptions),
+    sheet_request(Options, PictureOptions, Request),
+    call(Load),
+    shade_taken(Shade, Options, Shading),
+    request_facts(Options, Files, Request, Full),
+    roots_ready(Options, PictureOptions, Lines),
+    sheet_made(Options, Full, Lines, Drawing0, Placed),
+    sheet_shaded(Shade, Shading, Placed, Drawing0, Drawing, Shaded),
+    request_title(Full, Title),
+    Drawn = [drawing(Drawing),title(Title)|Shaded].
 
 %   picture_made(Options, Eye, PictureOptions, Lines): the picture of what was
 %   loaded, roots alone; Lines as of operand_lines/1.

@@ -2,13 +2,10 @@
           [ write_hpgl/3                % +Out, +Inked, +Options
           ]).
 :- use_module(ink,
-              [ inked_inks/2, inked_lines/3, dashes_option/3, ink_pen/2,
-                ink_runs/2, ink_type/2, ink_lines/4
-              ]).
-:- use_module(travel, [short_travel/3, travel_length/3]).
-:- use_module(library(apply), [convlist/3, foldl/4, maplist/3]).
-:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
-:- use_module(library(lists), [last/2, list_to_set/2, member/2, sum_list/2]).
+              [dashes_option/3, ink_runs/2, ink_type/2, ink_lines/4]).
+:- use_module(pen_plan, [pen_plans/3]).
+:- use_module(library(apply), [foldl/4, maplist/2]).
+:- use_module(library(lists), [last/2, sum_list/2]).
 :- use_module(library(option), [option/3]).
 /** <module> HPGL: strokes for pen plotters.
 
@@ -30,15 +27,12 @@ write_hpgl(Out, Inked, Options) :-
     Inked = inked(sheet(W,H,_), _, _),
     dashes_option(Options, geometry, How),
     option(order(Order), Options, short),
-    inked_lines(drawn, Inked, Lines),
-    inked_inks(Inked, Inks),
-    maplist(ink_pen, Inks, Pens0),
-    list_to_set(Pens0, Pens),
+    pen_plans(Inked, Order, Plans),
     format(Out, 'IN;~n', []),
     scaling_points(How, Out, W, H),
-    foldl(plot_pen(Out, plot(How,W,H)-Order, Lines), Pens, travel(0,0,0),
-          travel(N,Way,WayUnsorted)),
+    maplist(plot_pen(Out, plot(How,W,H)), Plans),
     format(Out, 'PU;SP0;~n', []),
+    foldl(travelled, Plans, travel(0,0,0), travel(N,Way,WayUnsorted)),
     print_message(informational,
                   sanggwan(pen_travel(N, Way, WayUnsorted))).
 
@@ -53,48 +47,21 @@ scaling_points(_, _, _, _).
 %   travel(N,Way,WayUnsorted): so many lines up to here, and how far the pen
 %   went between them, or would have gone.
 
-plot_pen(Out, How-Order, Lines, Pen, travel(N0,Way0,Unsorted0),
-         travel(N,Way,Unsorted)) :-
-    format(Out, 'PU;SP~d;~n', [Pen]),
-    findall(Key-Ink,
-            ( member(line(Ink,Stroke), Lines),
-              ink_pen(Ink, Pen),
-              stroke_key(Stroke, Key)
-            ),
-            Keys0),
-    sort(1, @<, Keys0, Keys),
-    list_to_assoc(Keys, Inks),
-    convlist(pen_stroke(Pen), Lines, Strokes),
-    How = plot(_, _, H),
-    ordered(Order, 0-H, Strokes, Ordered),
-    length(Strokes, N1),
-    travel_length(0-H, Ordered, Way1),
-    travel_length(0-H, Strokes, Unsorted1),
+travelled(plan(_,Lines,Way1,Unsorted1), travel(N0,Way0,Unsorted0),
+          travel(N,Way,Unsorted)) :-
+    length(Lines, N1),
     N is N0+N1,
     Way is Way0+Way1,
-    Unsorted is Unsorted0+Unsorted1,
-    foldl(plot(Out, How, Inks), Ordered, pen(solid,none), pen(Type,_)),
+    Unsorted is Unsorted0+Unsorted1.
+
+plot_pen(Out, How, plan(Pen,Lines,_,_)) :-
+    format(Out, 'PU;SP~d;~n', [Pen]),
+    foldl(plot(Out, How), Lines, pen(solid,none), pen(Type,_)),
     line_type(Out, How, Type, solid).
-
-%   The pen begins in the plotter's origin.
-
-ordered(kept, _, Strokes, Strokes) :-
-    !.
-ordered(short, Start, Strokes, Ordered) :-
-    short_travel(Start, Strokes, Ordered).
-
-pen_stroke(Pen, line(Ink,Stroke), Stroke) :-
-    ink_pen(Ink, Pen).
-
-%   A line's ink is the same as that of all lines with its key.
-
-stroke_key(stroke(Visibility,Role,S,_,_,_,_), key(Visibility,Role,S)).
 
 %   pen(Type,At): the line type, and where the pen is down, X-Y in units.
 
-plot(Out, How, Inks, Stroke, pen(Type0,At0), pen(Type,At)) :-
-    stroke_key(Stroke, Key),
-    get_assoc(Key, Inks, Ink),
+plot(Out, How, line(Ink,Stroke), pen(Type0,At0), pen(Type,At)) :-
     comment(Out, Stroke),
     pen_type(How, Ink, Type),
     line_type(Out, How, Type0, Type),

@@ -157,6 +157,10 @@ session_en(does(export)) -->
     [ 'does a verb of the document' ].
 session_en(does(select)) -->
     [ 'says what names of the document are, and keeps them' ].
+session_en(does(sheet)) -->
+    [ 'lays the document out on a sheet, as strokes' ].
+session_en(does(shaded)) -->
+    [ 'draws the document shaded, in PNG' ].
 session_en(does(unfold)) -->
     [ 'lays the document flat, as strokes' ].
 session_en(does(fold)) -->
@@ -219,6 +223,12 @@ wanted_en(format) -->
     [ '"strokes", "svg", "json", "pdf", "png" or "dxf"' ].
 wanted_en(view) -->
     [ 'the name of a view, or [theta, phi] or [theta, phi, rho]' ].
+wanted_en(section) -->
+    [ 'a plane, like "x=5", "x" or "1,0,0,-5"' ].
+wanted_en(factor) -->
+    [ 'a number from 0 to 100' ].
+wanted_en(one_cut) -->
+    [ 'one of "section" and "explode", not both' ].
 wanted_en(size) -->
     [ '[width, height] in millimetres' ].
 wanted_en(segments) -->

@@ -152,6 +152,10 @@ session_ko(does(export)) -->
     [ '문서로 명령을 실행합니다' ].
 session_ko(does(select)) -->
     [ '문서에 있는 이름이 무엇인지 말하고 기억합니다' ].
+session_ko(does(sheet)) -->
+    [ '문서를 용지에 배치하여 획으로 줍니다' ].
+session_ko(does(shaded)) -->
+    [ '문서를 음영 그림(PNG)으로 그립니다' ].
 session_ko(does(unfold)) -->
     [ '문서를 전개하여 획으로 줍니다' ].
 session_ko(does(fold)) -->
@@ -213,6 +217,12 @@ wanted_ko(format) -->
     [ '"strokes", "svg", "json", "pdf", "png", "dxf" 가운데 하나' ].
 wanted_ko(view) -->
     [ '시점의 이름, 또는 [theta, phi]나 [theta, phi, rho]' ].
+wanted_ko(section) -->
+    [ '"x=5", "x", "1,0,0,-5" 같은 평면' ].
+wanted_ko(factor) -->
+    [ '0부터 100까지의 수' ].
+wanted_ko(one_cut) -->
+    [ '"section"과 "explode" 가운데 하나' ].
 wanted_ko(size) -->
     [ '[너비, 높이] 밀리미터' ].
 wanted_ko(segments) -->

@@ -2,6 +2,8 @@
           [ sheet_drawing/3,            % +Default, +Options, -Drawing
             sheet_strokes/5,            % +Default, +Options, -Sheet, -Place,
                                         % -Strokes
+            sheet_place/5,              % +Box, +Default, +Options, -Sheet,
+                                        % -Place
             scaled_drawing/3,           % +Factor, +Drawing, -Scaled
             picture_parts/1,            % -Parts
             placed_part/3               % +Place, +Part0, -Part
@@ -114,7 +116,7 @@ sheet_strokes(Default, Options, Sheet, Place, Strokes) :-
     hidden_option(Options, Hidden),
     findall(Part, contour_part(Part), Contours),
     whole_box(Contours, Box),
-    box_place(Box, Default, Options, Sheet, Place),
+    sheet_place(Box, Default, Options, Sheet, Place),
     placed_parts(Hidden, Place, Contours, Placed),
     (   Hidden == removed
     ->  Removed = hidden
@@ -201,9 +203,13 @@ boxed(part(_,_,_,_,_,_,XA-YA,XB-YB), b(X0,Y0,X1,Y1), b(X2,Y2,X3,Y3)) :-
     X3 is max(X1, max(XA,XB)),
     Y3 is max(Y1, max(YA,YB)).
 
-%   place(Scale,X,Y,Left,Top): the point X,Y of the picture comes to Left,Top.
+%!  sheet_place(+Box, +Default, +Options, -Sheet, -Place) is det.
+%
+%   Place, as of placed_part/3, is where sheet_drawing/3 with these Default and
+%   Options lays a picture with this Box on the Sheet: Box is
+%   box(MiddleX,MiddleY,HalfWidth,HalfHeight).
 
-box_place(Box, Default, Options, sheet(Width,Height,Scale),
+sheet_place(Box, Default, Options, sheet(Width,Height,Scale),
           place(PerUnit,X,Y,Left,Top)) :-
     Box = box(X, Y, _, _),
     sheet_size(Box, Default, Options, W, H, Scale),

@@ -5,7 +5,8 @@
           ]).
 :- use_module(eye, [eye_view/3]).
 :- use_module('../picture/section', [model_box/1, section_plane/3]).
-:- use_module(sheet, [placed_part/3]).
+:- use_module(seen_stroke,
+              [placed_point/3, region_millimetres/3, seen_strokes/5]).
 :- use_module(sheet_construction,
               [ centre_views/6, construction_view/7, item_place/5,
                 view_interrupted/3
@@ -14,7 +15,7 @@
 :- use_module(sheet_layout, [layout/4]).
 :- use_module(sheet_marks,
               [ plane_marks/6, interrupted/2, label_marks/4, marks_pads/4,
-                hatching/2, hatching_strokes/3
+                hatching/2
               ]).
 :- use_module(sheet_paper,
               [ paper_name/3, paper_size/3, standard_scale/1, scale_factor/2 ]).
@@ -22,7 +23,6 @@
               [ section_view/5, view_seen/5, view_cell/4, seen_box/2 ]).
 :- use_module(lettering, [lettering_width/3]).
 :- use_module('../store', [facts_snapshot/1]).
-:- use_module(stroke, [strokes/2]).
 :- use_module(library(apply),
               [convlist/3, exclude/3, foldl/4, maplist/3, partition/4]).
 :- use_module(library(lists),
@@ -197,7 +197,7 @@ sheet_laid(Request, Sections, Boxed, Drawing, Placed) :-
     PerUnit is Factor*Unit,
     findall(Region, ( member(cell(seen(_,_,Regions,_),_,_), Celled),
                       member(Region0, Regions),
-                      millimetres(PerUnit, Region0, Region) ),
+                      region_millimetres(PerUnit, Region0, Region) ),
             AllRegions),
     hatching(AllRegions, Hatching),
     option(blank(Blank), Request, []),
@@ -523,13 +523,11 @@ view_drawn(PerUnit, _, _, Places, Blank, cell(seen(View,_,_,_),Box,_),
                     ring,ring).
 view_drawn(PerUnit, Hatching, Marking, Places, _, Celled,
            view(Name,Strokes,Texts)) :-
-    Celled = cell(seen(view(Name,_,_,_),Parts,Regions,_), _, _),
+    Celled = cell(Seen, _, _),
+    Seen = seen(view(Name,_,_,_), _, _, _),
     view_place(Name, PerUnit, Places, Place),
     Place = place(_,X,Y,Left1,Top1),
-    maplist(placed_part(Place), Parts, Placed),
-    strokes(Placed, Own),
-    maplist(placed_region(Place), Regions, Placed1),
-    hatching_strokes(Hatching, Placed1, Hatched),
+    seen_strokes(Place, Hatching, Seen, Own, Hatched),
     view_marks(Marking, Celled, PerUnit, Marks),
     marks_drawn(place(1000,X*PerUnit,Y*PerUnit,Left1,Top1), Marks, Lines,
                 Texts),
@@ -542,26 +540,6 @@ view_place(Name, PerUnit, Places, place(Scale,X,Y,Left,Top)) :-
     Scale is PerUnit*1000,
     Left is Left0*1000,
     Top is Top0*1000.
-
-millimetres(PerUnit, region(S,Edges0), region(S,Edges)) :-
-    findall((A1-B1)-(A2-B2),
-            ( member((X1-Y1)-(X2-Y2), Edges0),
-              maplist(times(PerUnit), [X1,Y1,X2,Y2], [A1,B1,A2,B2]) ),
-            Edges).
-
-times(Factor, X, Y) :-
-    Y is X*Factor.
-
-placed_region(Place, region(S,Edges0), region(S,Edges)) :-
-    maplist(placed_edge(Place), Edges0, Edges).
-
-placed_edge(Place, A0-B0, A-B) :-
-    placed_point(Place, A0, A),
-    placed_point(Place, B0, B).
-
-placed_point(place(Scale,X0,Y0,Left,Top), X-Y, A-B) :-
-    A is round((X-X0)*Scale + Left),
-    B is round((Y0-Y)*Scale + Top).
 
 %   marks_drawn(Place, Marks, Strokes, Texts): strokes of one role together.
 

@@ -179,8 +179,10 @@ request_allowed(Front, Head, Allowed) :-
 %   keys(Do, Keys): what a request may say.
 
 keys("open",     [file,replay]).
-keys("view",     [port|Keys]) :-
+keys("view",     [port,section,explode|Keys]) :-
     view_keys(Keys).
+keys("sheet",    [options,pens]).
+keys("shaded",   [options]).
 keys("ask",      [goal]).
 keys("next",     [of]).
 keys("explain",  [item,options,lang]).
@@ -275,7 +277,10 @@ word_allowed(Word) :-
 offered([ "--view","--projection","--lines","--hidden","--crease","--up",
           "--scale","--sheet","--size","--margin","--views","--angle",
           "--unit","--format","--json","--only","--tabs","--paper","--cut",
-          "--keep","--language","--eye","--target","--title","--part" ]).
+          "--keep","--language","--eye","--target","--title","--part",
+          "--section","--explode","--shade","--colours","--background",
+          "--smooth","--palette","--direction","--no-frame","--dashes",
+          "--png","--dpi","--segment","--see-through","--light" ]).
 
 
                 /*******************************

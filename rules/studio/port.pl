@@ -16,6 +16,7 @@
 :- use_module('../spelling', [near_words/3]).
 :- use_module('../store', [drawn/7, segment/3]).
 :- use_module(job, [printed_octets/3]).
+:- use_module(port_cut, [cut_picture/3]).
 :- use_module(world_state, [in_state/3, state_messages/3]).
 :- use_module(library(apply), [maplist/2, maplist/3, partition/4]).
 :- use_module(library(lists), [append/3, list_to_set/2, member/2]).
@@ -51,13 +52,21 @@ viewed(World, Head, Reply, Octets) :-
     view_format(Head, Format),
     view_port(Head, Port),
     findall(Option, view_option(Head, Option), Options),
+    view_cut(Head, Format, Cut),
     get_time(T0),
-    objects_heard(in_state(World, shown,
-                           sg_port:pictured(Options, Format, More, Octets)),
-                  Own),
+    (   Cut == none
+    ->  objects_heard(in_state(World, shown,
+                               sg_port:pictured(Options, Format, More,
+                                                Octets)),
+                      Own),
+        state_messages(World, shown, Cutting),
+        append(Cutting, Own, Objects)
+    ;   objects_heard(in_state(World, loaded,
+                               sg_port:cut_pictured(Cut, Options, More,
+                                                    Octets)),
+                      Objects)
+    ),
     get_time(T1),
-    state_messages(World, shown, Cutting),
-    append(Cutting, Own, Objects),
     Ms is (T1-T0)*1000,
     atom_string(Format, Kind),
     Reply = More.put(_{port:Port, kind:Kind, messages:Objects, ms:Ms}).
@@ -81,14 +90,20 @@ pictured(Options, Format, More, Octets) :-
 :- meta_predicate looked_at(+, 0).
 
 looked_at(Options, Goal) :-
-    partition(of_eye, Options, Eye, Others),
-    maplist(eye_set, Eye),
-    segments_there(Others),
+    eye_looks(Options, Others),
     (   member(up(Axis), Others),
         Axis \== z
     ->  with_up(Axis, sg_port:picture_made(Others, Goal))
     ;   picture_made(Others, Goal)
     ).
+
+%   eye_looks(Options, Others): the eye is where Options say; Others say the
+%   rest.
+
+eye_looks(Options, Others) :-
+    partition(of_eye, Options, Eye, Others),
+    maplist(eye_set, Eye),
+    segments_there(Others).
 
 of_eye(view(_)).
 of_eye(view(_, _, _)).
@@ -124,14 +139,28 @@ picture_made(Options, Goal) :-
 
 formatted(strokes, Options, More, Octets) :-
     !,
-    sheet_strokes(210-148, Options, sheet(Width,Height,_), Place, Strokes),
+    sheet_strokes(210-148, Options, Sheet, Place, Strokes),
+    placed_body(Sheet, Place, Strokes, More, Octets).
+formatted(Format, Options, _{}, Octets) :-
+    drawing_format(Format, Type),
+    printed_octets(Type, sg_port:drawing_out(Format, Options), Octets).
+
+:- public cut_pictured/4.
+
+%   cut_pictured(Cut, Options, More, Octets): the model cut open or taken apart
+%   (port_cut.pl), as strokes.
+
+cut_pictured(Cut, Options, More, Octets) :-
+    eye_looks(Options, Others),
+    cut_picture(Cut, Others, cut(Sheet,Place,Strokes,About)),
+    placed_body(Sheet, Place, Strokes, More0, Octets),
+    More = More0.put(About).
+
+placed_body(sheet(Width,Height,_), Place, Strokes, More, Octets) :-
     Place = place(Scale,X,Y,Left,Top),
     strokes_body(Strokes, Looks, Count, Octets),
     More = _{ sheet:[Width,Height], place:[Scale,X,Y,Left,Top],
               looks:Looks, strokes:Count }.
-formatted(Format, Options, _{}, Octets) :-
-    drawing_format(Format, Type),
-    printed_octets(Type, sg_port:drawing_out(Format, Options), Octets).
 
 :- public drawing_out/3.
 
@@ -162,6 +191,35 @@ view_format(Head, Format) :-
         ;   request_error(bad_key(format, format))
         )
     ;   Format = svg
+    ).
+
+%   view_cut(Head, Format, Cut): Cut is section(Text), explode(Factor) or none.
+
+view_cut(Head, Format, Cut) :-
+    findall(Cut0, view_cut_key(Head, Cut0), Cuts),
+    (   Cuts == []
+    ->  Cut = none
+    ;   Cuts = [Cut],
+        Format == strokes
+    ->  true
+    ;   Cuts = [_]
+    ->  request_error(bad_key(format, one_of(["strokes"])))
+    ;   request_error(bad_key(section, one_cut))
+    ).
+
+view_cut_key(Head, section(Text)) :-
+    get_dict(section, Head, Text),
+    (   string(Text)
+    ->  true
+    ;   request_error(bad_key(section, section))
+    ).
+view_cut_key(Head, explode(Factor)) :-
+    get_dict(explode, Head, Factor),
+    (   number(Factor),
+        Factor >= 0,
+        Factor =< 100
+    ->  true
+    ;   request_error(bad_key(explode, factor))
     ).
 
 %   view_option(Head, Option): of the view, of picture/1 and write_drawing/2.

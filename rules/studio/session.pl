@@ -1,5 +1,5 @@
 :- module(sg_session,
-          [ session/4                   % :Run, :Patterns, :Help, -Status
+          [ session/4                   % :Run, :Makers, :Help, -Status
           ]).
 :- use_module('../decision', [decision/4]).
 :- use_module('../kernel', [reader_gone/1, stdio_apart/2]).
@@ -44,25 +44,28 @@ the state that the request needs (world_state.pl), which is made once a
 revision.
 */
 
-:- meta_predicate session(2, 3, :, -).
+:- meta_predicate session(2, :, :, -).
 
 % The sequence number of the request that is being done, and of the last `stop`
 % that came: what came before that is not done any more. newest(Port, Sequence):
 % of the last `view` that came for Port.
 :- dynamic under_way/1, stopped_before/1, newest/2.
 
-%!  session(:Run, :Patterns, +Help, -Status) is det.
+%!  session(:Run, +Makers, +Help, -Status) is det.
 %
 %   Serve standard input and output until the input ends; Status is the exit
-%   status. call(Run, Arguments, S) does a verb, as a command line would;
-%   call(Patterns, Words, Ds, Options) makes the patterns of the current world,
-%   Ds, as `unfold` with the options Words would, and Options are those of
-%   pattern_drawing/3. Help is help(What, Names, Explain): call(What, Word)
+%   status. call(Run, Arguments, S) does a verb, as a command line would. Makers
+%   is makers(Patterns, Sheet, Shaded), of the current world:
+%   call(Patterns, Words, Ds, Options) makes its patterns, Ds, as `unfold` with
+%   the options Words would, and Options are those of pattern_drawing/3;
+%   call(Sheet, Words, File, Drawing, Pens) its sheet, as `draw`, and what pens
+%   draw of it (pen_plan.pl); call(Shaded, Words, Octets) a picture in PNG, as
+%   `render`. Help is help(What, Names, Explain): call(What, Word)
 %   prints what Word is, call(Names, Kind, Word, Doc) is true of each Word that
 %   a user may call, and call(Explain, Arguments, S) explains, as the verb
 %   would, an item of the current world.
 
-session(Run, Patterns, _:Help, Status) :-
+session(Run, _:Makers, _:Help, Status) :-
     retractall(under_way(_)),
     retractall(stopped_before(_)),
     retractall(newest(_, _)),
@@ -70,10 +73,10 @@ session(Run, Patterns, _:Help, Status) :-
     message_queue_create(Queue, [max_size(256)]),
     thread_self(Worker),
     thread_create(reading(In, Out, Worker, Queue, 1), _, [detached(true)]),
-    served(session(Run, Patterns, Help, Out), Queue, Status).
+    served(session(Run, Makers, Help, Out), Queue, Status).
 
 session_run(session(Run, _, _, _), Run).
-session_patterns(session(_, Patterns, _, _), Patterns).
+session_makers(session(_, Makers, _, _), Makers).
 session_help(session(_, _, Help, _), Help).
 session_out(session(_, _, _, Out), Out).
 
@@ -343,6 +346,8 @@ request(next,     nothing,  more_answers).
 request(explain,  document, explained).
 request(export,   document, exported).
 request(select,   document, pointed_at).
+request(sheet,    document, sheet_laid).
+request(shaded,   document, shaded).
 request(unfold,   document, unfolded).
 request(fold,     document, folded).
 request(edit,     document, changed(edit)).
@@ -502,6 +507,73 @@ pointed_at(request(_, Head, _), _, Reply, "") :-
     document_world(World),
     selected(World, Head, Reply).
 
+%   sheet_laid: the drawing on paper, as strokes; or what pens draw of it, in
+%   their order.
+
+sheet_laid(request(_, Head, _), Session, Reply, Octets) :-
+    options(Head, Words),
+    (   get_dict(pens, Head, Wanted)
+    ->  (   memberchk(Wanted, [true,false])
+        ->  true
+        ;   request_error(bad_key(pens, boolean))
+        )
+    ;   Wanted = false
+    ),
+    session_makers(Session, makers(_,Sheet,_)),
+    document_world(World),
+    document_file(File),
+    made_once(World, made(sheet, Words),
+              objects_heard(in_state(World, loaded,
+                                     call(Sheet, Words, File, Drawing0,
+                                          Pens0)),
+                            Objects0),
+              sheet(Drawing0,Pens0,Objects0)),
+    made_once(World, made(sheet, Words), true, sheet(Drawing,Pens,Objects)),
+    (   Wanted == true
+    ->  pens_body(Drawing, Pens, Reply0, Octets)
+    ;   drawing_body(Drawing, Reply0, Octets)
+    ),
+    Reply = Reply0.put(messages, Objects).
+
+%   drawing_body(Drawing, Reply, Octets): a drawing (sheet.pl) as strokes.
+
+drawing_body(drawing(sheet(Width,Height,_), Views), Reply, Octets) :-
+    findall(Stroke, ( member(view(_, Strokes, _), Views),
+                      member(Stroke, Strokes) ),
+            All),
+    findall([X,Y,High,Anchor,Said],
+            ( member(view(_, _, Texts), Views),
+              member(text(X,Y,High,Anchor,Said), Texts) ),
+            Written),
+    strokes_body(All, Looks, Count, Octets),
+    Reply = _{ kind:"strokes", sheet:[Width,Height], looks:Looks,
+               strokes:Count, texts:Written }.
+
+pens_body(drawing(sheet(Width,Height,_), _), Pens, Reply, Octets) :-
+    findall(Stroke, ( member(pen(_,_,Strokes), Pens),
+                      member(Stroke, Strokes) ),
+            All),
+    findall(_{pen:Pen, colour:[R,G,B], strokes:N},
+            ( member(pen(Pen,rgb(R,G,B),Strokes), Pens),
+              length(Strokes, N) ),
+            Listed),
+    strokes_body(All, Looks, Count, Octets),
+    Reply = _{ kind:"strokes", sheet:[Width,Height], looks:Looks,
+               strokes:Count, pens:Listed }.
+
+%   shaded: a picture in PNG.
+
+shaded(request(_, Head, _), Session, Reply, Octets) :-
+    options(Head, Words),
+    session_makers(Session, makers(_,_,Shaded)),
+    document_world(World),
+    get_time(T0),
+    objects_heard(in_state(World, loaded, call(Shaded, Words, Octets)),
+                  Objects),
+    get_time(T1),
+    Ms is (T1-T0)*1000,
+    Reply = _{kind:"png", messages:Objects, ms:Ms}.
+
 %   unfolded: the patterns as strokes, one sheet of them.
 
 unfolded(request(_, Head, _), Session, Reply, Octets) :-
@@ -526,23 +598,14 @@ sheet_wanted(Head, Sheet) :-
 pattern_sheet(Sheet, Reply, Octets, Ds, Options) :-
     pattern_drawing(Ds, Options, Drawings),
     length(Drawings, Sheets),
-    (   nth1(Sheet, Drawings, drawing(sheet(Width,Height,_), Views))
+    (   nth1(Sheet, Drawings, Drawing)
     ->  true
     ;   request_error(bad_key(sheet, sheet(Sheets)))
     ),
-    findall(Stroke, ( member(view(_, Strokes, _), Views),
-                      member(Stroke, Strokes) ),
-            All),
-    findall([X,Y,High,Anchor,Said],
-            ( member(view(_, _, Texts), Views),
-              member(text(X,Y,High,Anchor,Said), Texts) ),
-            Written),
-    strokes_body(All, Looks, Count, Octets),
+    drawing_body(Drawing, Reply0, Octets),
     findall(_{pattern:D, of:T}, ( member(D, Ds), pattern_title(D, T) ),
             Patterns),
-    Reply = _{ kind:"strokes", sheets:Sheets, sheet:[Width,Height],
-               looks:Looks, strokes:Count, texts:Written,
-               patterns:Patterns }.
+    Reply = Reply0.put(_{sheets:Sheets, patterns:Patterns}).
 
 pattern_title(D, Title) :-
     segment(D, _, Term),
@@ -580,7 +643,7 @@ patterns(Session, Head, What, Goal, Made, Value, Objects) :-
         )
     ;   Words = Words0
     ),
-    session_patterns(Session, Patterns),
+    session_makers(Session, makers(Patterns,_,_)),
     document_world(World),
     made_once(World, made(What, Words),
               objects_heard(in_state(World, loaded,

@@ -1,6 +1,7 @@
 """serve_studio.py PROGRAM FOLDER: what a studio asks of a session: strokes,
 selections, patterns, wishes, rules that are tried, words, progress."""
-# covers: complete, line_change, picture_cut, select, verb_session, world_state
+# covers: complete, line_change, pen_plan, picture_cut, port_cut, seen_stroke,
+# covers: select, verb_session, world_state
 import json
 import os
 import struct
@@ -133,6 +134,128 @@ refused("meant", "request_error.bad_key", "Did you mean front", "view",
 refused("no such segment", "request_error.bad_key", "no segment 77", "view",
         segments=[77])
 refused("scale", "request_error.bad_key", "above 0", "view", scale=0)
+
+# ---- cut open, taken apart, on a sheet, shaded ----
+
+s.ask("open", file="facts/figures/fig13.pl")
+eye = {"format": "strokes", "view": [20, 60], "size": [120, 90],
+       "hidden": "removed", "margin": 9}
+whole = s.ask("view", **eye)
+past, octets = s.ask("view", section="z=9", **eye)
+check("a plane above all cuts nothing off", strokes(past, octets) ==
+      strokes(*whole) and past["place"] == whole[0]["place"], past)
+past, octets = s.ask("view", section="z=-9", **eye)
+check("a plane below all leaves nothing", past["strokes"] == 0 and
+      past["place"] == whole[0]["place"], past)
+places = set()
+for at in (-0.5, 0.25, 0.5):
+    head, octets = s.ask("view", section="y=%s" % at, **eye)
+    got = strokes(head, octets)
+    places.add(tuple(head["place"]))
+    check("a section at y = %s" % at, head["section"] == {
+        "axis": "y", "at": at, "low": -1.0, "high": 1.0} and
+        {"section", "hatching"} <= {look[1] for look, *_ in got} and
+        {segment for _, segment, *_ in got} == {1, 2}, head)
+check("pulled, it stays where it is", places == {tuple(whole[0]["place"])},
+      places)
+front = dict(eye, view="front", hidden="shown")
+head, octets = s.ask("view", section="y=0.25", **front)
+drawn = json.loads(alone("draw", "facts/figures/fig13.pl", "--section",
+                         "y=0.25", "--views", "top", "--hidden", "shown", "-o",
+                         "-", "--format", "json")[1])
+
+
+def shape(lines):
+    """Roles and edges, hatching apart: what is drawn, not where."""
+    return sorted((role, tuple(sorted(edges))) for role, edges in lines
+                  if edges)
+
+
+wanted = shape((line["role"], line["edges"]) for line in drawn["lines"]
+               if line.get("view") == "A")
+check("the lines of the section of a sheet",
+      shape((look[1], edges) for look, _, _, _, edges, _ in
+            strokes(head, octets)) == wanted != [], wanted)
+check("the document is as it was", s.ask("view", **eye)[1] == whole[1])
+refused("no plane", "request_error.bad_key", "a plane", "view",
+        section="q", **eye)
+refused("a plane of text", "request_error.bad_key", "a plane", "view",
+        section=5, **eye)
+refused("a section as strokes alone", "request_error.bad_key", "strokes",
+        "view", section="y", format="svg")
+refused("one of two", "request_error.bad_key", "not both", "view",
+        section="y", explode=1, format="strokes")
+refused("how far apart", "request_error.bad_key", "from 0 to 100", "view",
+        explode=-1, format="strokes")
+
+for options in ([], ["--sheet", "A4", "--views", "front,iso", "--section",
+                     "y", "--shade", "hatch"]):
+    head, octets = s.ask("sheet", options=options)
+    drawn = json.loads(alone("draw", "facts/figures/fig13.pl",
+                             *(options or ["--sheet", "A3"]), "-o", "-",
+                             "--format", "json")[1])
+    check("a sheet %s" % options,
+          sorted(points for _, _, _, _, _, points in strokes(head, octets)) ==
+          sorted(tuple(tuple(round(c * 1000) for c in p)
+                       for p in line["points"]) for line in drawn["lines"]) and
+          len(head["texts"]) == len(drawn["texts"]), head)
+    pens, octets = s.ask("sheet", options=options, pens=True)
+    plotted = alone("draw", "facts/figures/fig13.pl",
+                    *(options or ["--sheet", "A3"]), "-o", "-",
+                    "--format", "hpgl")[1].decode()
+    got = strokes(pens, octets)
+    high = pens["sheet"][1]
+    path, down = [], None
+    for word in plotted.replace("\n", "").split(";"):
+        numbers = [int(n) for n in word[2:].split(",")] \
+            if word[:2] in ("PU", "PD") and word[2:] else []
+        if word[:2] == "PD":
+            path += [down] + list(zip(numbers[::2], numbers[1::2]))
+        if numbers:
+            down = tuple(numbers[-2:])
+    ours = []
+    for _, _, _, _, _, points in got:
+        at = [((2 * x + 25) // 50, (2 * (high - y) + 25) // 50)
+              for x, y in points]
+        ours += at
+    check("the way of the pens %s" % options, ours == path and
+          sum(pen["strokes"] for pen in pens["pens"]) == len(got) ==
+          plotted.count("PD"), (ours[:9], path[:9]))
+refused("no paper", "usage_error.sheet", "B9", "sheet",
+        options=["--sheet", "B9"])
+refused("no file", "usage_error.no_files_taken", "x.pl", "sheet",
+        options=["x.pl"])
+refused("pens", "request_error.bad_key", "true or false", "sheet", pens=1)
+for options in (["--size", "200x150"],
+                ["--size", "200x150", "--view", "20,60", "--section", "y=0.25",
+                 "--shade", "gooch", "--colours", "leaf"]):
+    head, octets = s.ask("shaded", options=options)
+    check("shaded %s" % options, octets == alone(
+        "render", "facts/figures/fig13.pl", *options, "-o", "-", "--format",
+        "png")[1] and octets[:4] == b"\x89PNG" and head["ms"] > 0, head)
+refused("no size", "usage_error.bad_value", "--size", "shaded",
+        options=["--size", "0x1"])
+refused("no file", "usage_error.no_files_taken", "x.pl", "shaded",
+        options=["x.pl"])
+check("the document is as it was", s.ask("view", **eye)[1] == whole[1])
+
+glued = work + "/glued.pl"
+with open(glued, "wb") as f:
+    f.write(alone("glue", "facts/two_cubes.pl", "-o", "-", "--format", "pl")
+            [1])
+s.ask("open", file=glued)
+head, octets = s.ask("view", explode=0, format="strokes", view="iso")
+still = strokes(head, octets)
+head, octets = s.ask("view", explode=1, format="strokes", view="iso",
+                     scale=20)
+cells = {n for n, _ in head["parts"]}
+check("cells apart", len(cells) > 1 and
+      len({o for _, o in head["parts"]}) == 1 and {segment for _, segment, *_ in strokes(head, octets)} <= cells and
+      len(strokes(head, octets)) > len(still) / 2, head)
+drawn = json.loads(alone("draw", glued, "--explode", "1", "--view", "iso",
+                         "-o", "-", "--format", "json")[1])
+check("as draw --explode", len(drawn["lines"]) == len(strokes(head, octets)),
+      len(drawn["lines"]))
 
 # ---- select ----
 

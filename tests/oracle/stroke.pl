@@ -21,7 +21,7 @@ sheet_strokes_by_rule(Default, Options, Sheet, Strokes) :-
     sg_sheet:hidden_option(Options, Hidden),
     picture_parts(Parts),
     sg_sheet:parts_box(Parts, Box),
-    sg_sheet:box_place(Box, Default, Options, Sheet, Place),
+    sg_sheet:sheet_place(Box, Default, Options, Sheet, Place),
     sg_sheet:placed_parts(Hidden, Place, Parts, Placed),
     strokes_by_rule(Placed, Strokes).
 
