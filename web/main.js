@@ -1,18 +1,20 @@
 // The studio: one document, its panes, and what they tell each other.
 
 import { $, h, arrows, calm, say } from "./dom.js";
-import { w, wordsLoaded, otherTongue, reworded, said } from "./words.js";
+import { w, wordsLoaded, otherTongue, reworded, said, tongue } from "./words.js";
 import { Wire, Lost, textOf } from "./wire.js";
-import { Ports, KINDS } from "./ports.js";
+import { Ports } from "./ports.js";
+import { KINDS, eyeWords } from "./kinds.js";
 import { Tree } from "./tree.js";
 import { Asking, Why, Text, Rules } from "./panels.js";
 
 const FORMATS = {
-  drawing: ["pdf", "svg", "dxf", "png", "eps", "json"],
+  drawing: ["pdf", "svg", "dxf", "hpgl", "png", "eps", "json"],
+  shaded: ["png"],
   pattern: ["pdf", "svg", "dxf", "fold"],
   model: ["stl", "obj", "off", "ply", "pl"],
 };
-const VERBS = { drawing: "draw", pattern: "unfold", model: "convert" };
+const VERBS = { drawing: "draw", shaded: "render", pattern: "unfold", model: "convert" };
 
 class Studio {
   constructor() {
@@ -268,8 +270,12 @@ class Studio {
 
   async export(what, format) {
     const port = this.ports.focused();
-    const options = what === "drawing" && port.kind !== "unfold"
-      ? ["--view", port.turns ? port.angles.map((angle) => angle.toFixed(4)).join(",") : port.kind] : [];
+    const options = what === "shaded" ? [...eyeWords(port), "--shade", port.settings.shade || "lambert",
+      ...(port.kind === "section" ? ["--section", `${port.settings.axis}=${port.at}`] : [])]
+      : what !== "drawing" ? []
+        : port.kind === "sheet" ? ["--sheet", port.settings.paper, "--language", tongue()]
+          : port.kind === "section" ? ["--section", `${port.settings.axis}=${port.at}`]
+            : port.turns ? eyeWords(port) : port.slow ? [] : ["--view", port.kind];
     const name = this.file.replace(/\.[^.]*$/, "") + (what === "pattern" ? "_flat." : ".") + format;
     try {
       const { head } = await this.wire.ask("export", { argv: [VERBS[what], ...options], name });

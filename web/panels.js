@@ -141,6 +141,18 @@ export class Why {
     }
   }
 
+  // What explains an item of a picture that has no names.
+  async item(item, options) {
+    try {
+      const { head, body } = await this.studio.wire.ask("explain", { item, lang: tongue(), options });
+      const text = head.error ? said(head.error) : textOf(body.slice(0, head.stdout)).trimEnd();
+      this.inner.replaceChildren(h("p", { class: "chip" }, h("strong", {}, item)),
+        h("pre", { class: head.error ? "bad" : "" }, ...linked(text, this.studio)));
+    } catch (error) {
+      this.inner.replaceChildren(h("p", { class: "bad" }, this.studio.wrong(error)));
+    }
+  }
+
   async one({ name, goal, explain, shows }, port, role) {
     const { studio } = this;
     const edge = /^s(\d+)e(\d+)$/.exec(name);
@@ -149,7 +161,7 @@ export class Why {
     const parts = [h("p", { class: "chip" }, h("strong", {}, name), " ",
       h("button", { class: "goal", onclick: () => studio.asking.set(goal) }, goal))];
     const looks = port && port.turns ? ["--view", port.angles.map((angle) => angle.toFixed(6)).join(",")]
-      : port && port.kind !== "unfold" ? ["--view", port.kind] : [];
+      : port && !port.slow ? ["--view", port.kind] : [];
     for (const item of explain) {
       const { head, body } = await studio.wire.ask("explain", { item, lang: tongue(), options: looks });
       const text = head.error ? said(head.error) : textOf(body.slice(0, head.stdout)).trimEnd();

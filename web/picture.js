@@ -2,16 +2,22 @@
 
 import { s } from "./dom.js";
 
-// The strokes of a reply (docs/protocol.md).
-export function strokesOf({ head, body }) {
-  const n = new Int32Array(body);
-  const strokes = [];
-  // A pattern of segment 1 has the edges of segment 1.
-  const laid = new Map();
+// Which segment is meant by another one: a pattern of segment 1 has its edges,
+// and so have the parts of what is taken apart.
+export function laidOf(head) {
+  const laid = new Map(head.parts || []);
   for (const { pattern, of } of head.patterns || []) {
     const found = /^development\((\d+)/.exec(of);
     if (found) laid.set(pattern, Number(found[1]));
   }
+  return laid;
+}
+
+// The strokes of a reply (docs/protocol.md).
+export function strokesOf({ head, body }) {
+  const n = new Int32Array(body);
+  const strokes = [];
+  const laid = laidOf(head);
   for (let i = 0; i < n.length;) {
     const [look, segment, ends, e, p] = n.subarray(i, i + 5);
     const edges = n.subarray(i + 5, i + 5 + e);
@@ -52,16 +58,29 @@ export class Picture {
     this.lines = s("g", { class: "lines" });
     this.letters = s("g", { class: "letters" });
     this.layers = {};
-    this.svg = s("svg", { preserveAspectRatio: "xMidYMid meet" }, this.lines, this.letters);
-    for (const layer of layers) {
-      this.layers[layer] = s("path", { class: layer });
-      this.svg.append(this.layers[layer]);
-    }
+    this.mine = s("g", { class: "mine" });
+    for (const layer of layers) this.layers[layer] = s("path", { class: layer });
+    this.svg = s("svg", { preserveAspectRatio: "xMidYMid meet" }, this.mine, this.lines, this.letters,
+      ...Object.values(this.layers));
     this.shown = null;
     this.lit = {};
   }
 
+  // Nothing of a drawing is left.
+  clear() {
+    this.shown = null;
+    for (const group of [this.lines, this.letters, this.mine]) group.replaceChildren();
+    for (const layer of Object.values(this.layers)) layer.setAttribute("d", "");
+  }
+
+  // A group for what the page draws itself, in dots of the screen.
+  own() {
+    return { setAttribute: (name, value) => this.svg.setAttribute(name, value),
+      replaceChildren: (...children) => this.mine.replaceChildren(...children) };
+  }
+
   show(picture) {
+    this.mine.replaceChildren();
     this.shown = picture;
     const paths = picture.looks.map(() => "");
     for (const stroke of picture.strokes) paths[stroke.look] += wholePath(stroke);
@@ -111,7 +130,7 @@ export class Picture {
           : partPath(stroke, (edge) => names.has(nameOf(stroke.segment, edge)));
       }
     }
-    this.layers[layer].setAttribute("d", d);
+    if (this.shown) this.layers[layer].setAttribute("d", d);
   }
 
   // Lines that an older picture had.
@@ -124,6 +143,7 @@ export class Picture {
   }
 
   hover(found) {
+    if (!this.shown) return;
     this.layers.hover.setAttribute("d", found
       ? partPath(found.stroke, (edge) => edge === found.edge) : "");
   }

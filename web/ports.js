@@ -1,13 +1,12 @@
 // View ports: each shows one picture of the document, and fills itself.
 
 import { h, calm, say } from "./dom.js";
-import { w, said } from "./words.js";
-import { Picture, strokesOf } from "./picture.js";
-import { Lost } from "./wire.js";
+import { w, said, reworded } from "./words.js";
+import { Picture, strokesOf, laidOf } from "./picture.js";
+import { KINDS, kindOf } from "./kinds.js";
+import { Lost, textOf } from "./wire.js";
 
-export const KINDS = ["iso", "front", "top", "right", "left", "back", "bottom", "unfold"];
 const PICTORIAL = [315, 54.735610317245346];
-const MM = 25.4 / 96;
 
 class Port {
   constructor(studio, kind, place) {
@@ -15,15 +14,21 @@ class Port {
     this.name = "p" + place;
     this.picture = new Picture();
     this.under = null;
+    this.settings = {};
+    this.tools = h("span", { class: "tools" });
+    this.image = h("img", { alt: "", hidden: true, draggable: "false" });
     this.choice = h("select", { onchange: () => this.turnTo(this.choice.value) },
       ...KINDS.map((key) => h("option", { value: key, "data-word": key })));
     this.choice.dataset.label = "view";
     this.remark = h("span", { class: "remark" });
-    this.canvas = h("div", { class: "canvas", tabindex: 0, role: "img" }, this.picture.svg);
+    this.canvas = h("div", { class: "canvas", tabindex: 0, role: "img" }, this.image, this.picture.svg);
+    this.large = h("button", { class: "large", "aria-pressed": "false", "data-label": "larger",
+      onclick: () => studio.ports.enlarge(this) }, "⤢");
     this.element = h("figure", { class: "port" },
-      h("figcaption", {}, this.choice, this.remark), this.canvas);
-    this.kind = kind;
-    this.choice.value = kind;
+      h("figcaption", {}, this.choice, this.tools, this.remark, this.large), this.canvas);
+    this.kind = KINDS.includes(kind) ? kind : "iso";
+    this.choice.value = this.kind;
+    this.tooled();
     this.angles = [...PICTORIAL];
     this.sheet = 1;
     this.scale = null;
@@ -46,28 +51,52 @@ class Port {
   }
 
   get turns() {
-    return this.kind === "iso";
+    return Boolean(kindOf(this.kind).turns);
+  }
+
+  get slow() {
+    return Boolean(kindOf(this.kind).slow);
   }
 
   turnTo(kind) {
     this.kind = kind;
     this.choice.value = kind;
     this.scale = null;
+    this.zoomed = null;
+    this.after = null;
+    this.said = "";
+    this.told = "";
     this.angles = [...PICTORIAL];
+    this.tooled();
     this.refresh();
     this.studio.keep();
   }
 
+  // What stands beside the choice.
+  tooled() {
+    const { tools } = kindOf(this.kind);
+    this.tools.replaceChildren(...(tools ? tools(this) : []));
+    reworded(this.tools);
+    this.element.dataset.kind = this.kind;
+    this.canvas.classList.add("empty");
+  }
+
+  set(key, value) {
+    this.settings[key] = value;
+    this.tooled();
+    this.refresh();
+  }
+
   // One request is under way; what is asked meanwhile waits, and the newest wins.
   refresh() {
-    if (this.kind === "unfold") this.whenQuiet();
+    if (this.slow) this.whenQuiet();
     else this.draw();
   }
 
   // Patterns may take seconds: they come when nothing else is wanted, and whoever
   // asks for something meanwhile stops them.
   whenQuiet = calm(400, () => {
-    if (this.kind !== "unfold") return;
+    if (!this.slow) return;
     if (this.studio.ports.ports.some((port) => port !== this && port.busy)) this.whenQuiet();
     else this.draw();
   });
@@ -80,10 +109,12 @@ class Port {
       return;
     }
     this.busy = true;
-    this.element.classList.toggle("late", this.kind === "unfold");
+    this.element.classList.toggle("late", this.slow);
+    const { kind } = this;
     try {
-      const reply = await this.asked(clientWidth, clientHeight);
-      if (!reply.head.replaced) this.show(reply);
+      const reply = await kindOf(kind).ask(this, clientWidth, clientHeight);
+      if (kind !== this.kind) this.again = true;
+      else if (!reply.head.replaced) this.show(reply);
     } catch (error) {
       if (error.message === "interrupted") this.again = true;
       else if (!(error instanceof Lost)) this.failed(error);
@@ -96,37 +127,66 @@ class Port {
     }
   }
 
-  asked(width, height) {
-    const { studio } = this;
-    if (this.kind === "unfold") {
-      return studio.wire.ask("unfold", { sheet: this.sheet });
-    }
-    const keys = {
-      port: this.name, format: "strokes", ...studio.looks,
-      view: this.turns ? this.angles : this.kind,
-      size: [width * MM, height * MM].map((mm) => Math.round(mm * 100) / 100),
-      margin: Math.min(width, height) * MM * 0.07,
-    };
-    if (this.scale) keys.scale = this.scale;
-    return studio.wire.ask("view", keys);
-  }
-
   show(reply) {
     const { head } = reply;
     this.before = this.picture.shown;
-    this.picture.show(strokesOf(reply));
     this.canvas.classList.remove("empty");
-    this.element.classList.toggle("flat", this.kind === "unfold");
-    if (this.kind === "unfold" && !this.zoomed) this.picture.fit("bar");
-    if (this.zoomed) this.picture.look(...this.zoomed);
-    const [lines, hidden] = this.picture.counts();
-    this.canvas.setAttribute("aria-label", w("drawing", w(this.kind), lines, hidden) +
-      (this.turns ? ". " + w("turn") : ""));
-    this.remark.textContent = this.kind === "unfold" && head.sheets > 1
-      ? w("sheets", this.sheet, head.sheets)
-      : head.ms === undefined ? "" : w("ms", head.ms < 10 ? head.ms.toFixed(1) : Math.round(head.ms));
+    this.element.classList.toggle("flat", this.kind === "unfold" || this.kind === "sheet");
     this.element.dataset.rev = head.rev;
     this.under = null;
+    this.image.hidden = head.kind !== "png";
+    if (head.kind === "png") this.showImage(reply);
+    else if (head.kind === "fold") this.showFolding(reply);
+    else this.showStrokes(reply);
+  }
+
+  showStrokes(reply) {
+    const { head } = reply;
+    this.picture.show(strokesOf(reply));
+    const { fits } = kindOf(this.kind);
+    if (fits && !this.zoomed) this.picture.fit(fits === "bar" ? fits : null);
+    if (this.zoomed) this.picture.look(...this.zoomed);
+    const [lines, hidden] = this.picture.counts();
+    this.describe(w("drawing", w(this.kind), lines, hidden));
+    this.remark.textContent = this.kind === "unfold" && head.sheets > 1
+      ? w("sheets", this.sheet, head.sheets)
+      : this.said || (head.ms === undefined ? "" : w("ms", head.ms < 10 ? head.ms.toFixed(1) : Math.round(head.ms)));
+    if (this.after) this.after();
+  }
+
+  describe(text) {
+    this.canvas.setAttribute("aria-label", text + (this.turns ? ". " + w("turn") : ""));
+  }
+
+  showImage({ head, body }) {
+    this.picture.clear();
+    URL.revokeObjectURL(this.image.src);
+    this.image.src = URL.createObjectURL(new Blob([body], { type: "image/png" }));
+    this.remark.textContent = w("ms", Math.round(head.ms));
+    this.describe(w("shaded_picture", this.studio.file));
+    if (this.coarse && !this.drag) this.refresh();
+  }
+
+  showFolding({ head, body }) {
+    this.picture.clear();
+    this.remark.textContent = "";
+    this.folding.read(textOf(body), laidOf(head));
+    this.describe(w("folded_of", this.folding.faces.length));
+  }
+
+  // A picture that the page makes itself.
+  redraw() {
+    const { clientWidth, clientHeight } = this.canvas;
+    if (this.kind !== "folded" || !this.folding.faces) return;
+    const { lit, chosen, hover } = this.picture.lit;
+    this.folding.draw(this.picture.own(), this.angles, clientWidth, clientHeight,
+      new Set([...(lit || []), ...(chosen || []), ...(hover || [])]));
+  }
+
+  near(event, within = 9) {
+    if (this.kind !== "folded") return this.picture.near(event.clientX, event.clientY, within);
+    const box = this.canvas.getBoundingClientRect();
+    return this.folding.near([event.clientX - box.x, event.clientY - box.y], within);
   }
 
   failed(error) {
@@ -139,7 +199,9 @@ class Port {
   pointAt(found) {
     if ((found && found.name) === (this.under && this.under.name)) return;
     this.under = found;
-    this.picture.hover(found);
+    if (this.kind === "folded") this.picture.lit.hover = new Set(found ? [found.name] : []);
+    else this.picture.hover(found);
+    this.redraw();
     this.canvas.classList.toggle("pointing", Boolean(found));
     this.studio.hovered(this, found);
   }
@@ -154,7 +216,7 @@ class Port {
 
   moved(event) {
     if (!this.drag) {
-      this.pointAt(this.picture.near(event.clientX, event.clientY));
+      this.pointAt(this.near(event));
       return;
     }
     if (this.fingers.size === 2) {
@@ -176,23 +238,41 @@ class Port {
     if (!drag) return;
     if (drag.moved) {
       this.studio.keep();
+      if (this.kind === "shaded") this.refresh();
       return;
     }
-    const found = this.picture.near(event.clientX, event.clientY, event.pointerType === "touch" ? 22 : 9);
+    if (this.kind === "shaded") {
+      this.pixel(event);
+      return;
+    }
+    const found = this.near(event, event.pointerType === "touch" ? 22 : 9);
     this.studio.chosen(found ? [found.name] : [], this, found && found.role);
   }
 
+  // Why a dot of a shaded picture has its colour.
+  pixel(event) {
+    const box = this.canvas.getBoundingClientRect();
+    const [x, y] = [event.clientX - box.x, event.clientY - box.y].map((n, i) =>
+      Math.max(0, Math.min(this.dots[i] - 1, Math.floor(n * this.dots[i] / [box.width, box.height][i]))));
+    this.studio.why.item(`pixel(${x}, ${y})`, this.words);
+  }
+
   doubled(event) {
-    const found = this.picture.near(event.clientX, event.clientY);
+    const found = this.near(event);
     if (found) this.studio.askAbout(found.name);
     else this.fit();
   }
 
   turn(theta, phi) {
-    if (!this.turns || !this.picture.shown) return;
-    if (!this.scale && this.picture.shown.place) this.scale = this.picture.shown.place[0] / 1000;
+    if (!this.turns) return;
     this.angles = [(this.angles[0] + theta + 720) % 360,
       Math.max(0, Math.min(180, this.angles[1] + phi))];
+    if (this.kind === "folded") {
+      this.redraw();
+      return;
+    }
+    const { shown } = this.picture;
+    if (!this.scale && shown && shown.place && this.kind !== "section") this.scale = shown.place[0] / 1000;
     this.refresh();
     this.settled();
   }
@@ -213,6 +293,7 @@ class Port {
   });
 
   pan(dx, dy) {
+    if (!this.picture.shown) return;
     const { a } = this.picture.svg.getScreenCTM();
     const [x, y, width, height] = this.picture.box;
     this.zoom(x - dx / a, y - dy / a, width, height);
@@ -267,6 +348,7 @@ class Port {
   }
 
   walk(step) {
+    if (!this.picture.shown) return;
     const { strokes, looks } = this.picture.shown;
     if (!strokes.length) return;
     this.at = step ? (this.at + step + strokes.length) % strokes.length : 0;
@@ -302,12 +384,30 @@ export class Ports {
 
   light(layer, names) {
     const set = new Set(names);
-    for (const port of this.ports) port.picture.light(layer, set);
+    for (const port of this.ports) {
+      port.picture.light(layer, set);
+      port.redraw();
+    }
   }
 
   hover(from, found) {
     const names = new Set(found ? [found.name] : []);
-    for (const port of this.ports) if (port !== from) port.picture.light("hover", names);
+    for (const port of this.ports) {
+      if (port === from) continue;
+      port.picture.light("hover", names);
+      port.redraw();
+    }
+  }
+
+  // One port alone, as large as all.
+  enlarge(port) {
+    const alone = port.element.classList.toggle("alone");
+    this.element.classList.toggle("one", alone);
+    for (const other of this.ports) {
+      if (other !== port) other.element.classList.remove("alone");
+      other.large.setAttribute("aria-pressed", String(other === port && alone));
+    }
+    port.canvas.focus();
   }
 
   // Lines that went, where they were.

@@ -74,7 +74,7 @@ export class Wire extends EventTarget {
     if (this.slow && this.waiting.has(this.slow)) this.send({ do: "stop" });
     this.number += 1;
     const id = this.number;
-    this.slow = request === "unfold" ? id : 0;
+    this.slow = ["unfold", "fold", "sheet"].includes(request) ? id : 0;
     return new Promise((resolve, reject) => {
       this.waiting.set(id, { resolve, reject });
       this.send({ ...keys, id, do: request });

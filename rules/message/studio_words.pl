@@ -57,6 +57,35 @@ studio_word(left, 'left', '좌측면도').
 studio_word(back, 'back', '배면도').
 studio_word(bottom, 'bottom', '저면도').
 studio_word(unfold, 'flat pattern', '전개도').
+studio_word(folded, 'folded up', '접기').
+studio_word(section, 'section', '단면').
+studio_word(shaded, 'shaded', '음영').
+studio_word(sheet, 'sheet', '도면 용지').
+studio_word(apart, 'cells apart', '셀 분해').
+studio_word(plane, 'Where the plane cuts', '자르는 평면의 위치').
+studio_word(plane_at, '{0} = {1}', '{0} = {1}').
+studio_word(axis, 'Axis of the plane', '평면의 축').
+studio_word(apart_by, 'How far apart', '벌리는 정도').
+studio_word(fold_by, 'How far it is folded', '접은 정도').
+studio_word(shade, 'Shading', '음영 방식').
+studio_word(shade_lambert, 'matt', '무광').
+studio_word(shade_gooch, 'cold to warm', '차가움에서 따뜻함').
+studio_word(shade_cel, 'steps', '단계').
+studio_word(shade_zebra, 'stripes', '줄무늬').
+studio_word(shade_flat, 'flat', '단색').
+studio_word(paper, 'Paper', '용지').
+studio_word(pens, 'pens', '펜').
+studio_word(pen_way, 'How far the pens are', '펜이 간 정도').
+studio_word(pen_sums,
+    '{0} pens, {1} strokes: {2} m drawn, {3} m lifted, {4} min at 200 mm/s',
+    '펜 {0}개, 획 {1}개: 그리기 {2} m, 들기 {3} m, 200 mm/s로 {4}분').
+studio_word(pen_sum,
+    'pen {0}: {1} strokes, {2} m drawn, {3} m lifted, {4} min',
+    '펜 {0}: 획 {1}개, 그리기 {2} m, 들기 {3} m, {4}분').
+studio_word(shaded_picture, 'shaded picture of {0}', '{0}의 음영 그림').
+studio_word(shaded_of, 'shaded', '음영').
+studio_word(folded_of, 'pattern of {0} faces, being folded', '면 {0}개의 전개도, 접는 중').
+studio_word(larger, 'This port alone', '이 뷰포트만').
 studio_word(ports, 'Ports', '뷰포트').
 studio_word(hidden, 'Hidden lines', '숨은선').
 studio_word(dashed, 'dashed', '파선').

@@ -48,6 +48,9 @@ script(picture).
 script(ports).
 script(tree).
 script(panels).
+script(kinds).
+script(fold).
+script(pens).
 
 %!  page_words(-Text:string) is det.
 %

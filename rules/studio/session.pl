@@ -593,7 +593,7 @@ sheet_wanted(Head, Sheet) :-
     ;   Sheet = 1
     ).
 
-:- public pattern_sheet/5, fold_octets/3.
+:- public pattern_sheet/5, fold_octets/4.
 
 pattern_sheet(Sheet, Reply, Octets, Ds, Options) :-
     pattern_drawing(Ds, Options, Drawings),
@@ -603,9 +603,12 @@ pattern_sheet(Sheet, Reply, Octets, Ds, Options) :-
     ;   request_error(bad_key(sheet, sheet(Sheets)))
     ),
     drawing_body(Drawing, Reply0, Octets),
-    findall(_{pattern:D, of:T}, ( member(D, Ds), pattern_title(D, T) ),
-            Patterns),
+    pattern_titles(Ds, Patterns),
     Reply = Reply0.put(_{sheets:Sheets, patterns:Patterns}).
+
+pattern_titles(Ds, Patterns) :-
+    findall(_{pattern:D, of:T}, ( member(D, Ds), pattern_title(D, T) ),
+            Patterns).
 
 pattern_title(D, Title) :-
     segment(D, _, Term),
@@ -613,13 +616,14 @@ pattern_title(D, Title) :-
 
 %   folded: what can be folded, as FOLD.
 
-folded(request(_, Head, _), Session, _{kind:"fold", messages:Objects},
-       Octets) :-
-    patterns(Session, Head, fold, sg_session:fold_octets(Octets0), Octets0,
-             Octets, Objects).
+folded(request(_, Head, _), Session,
+       _{kind:"fold", patterns:Patterns, messages:Objects}, Octets) :-
+    patterns(Session, Head, fold, sg_session:fold_octets(Titles0, Octets0),
+             Titles0-Octets0, Patterns-Octets, Objects).
 
-fold_octets(Octets, Ds, Options) :-
-    captured(copied_to(-, fold, sg_session:fold_written(Ds, Options)), Octets).
+fold_octets(Patterns, Octets, Ds, Options) :-
+    captured(copied_to(-, fold, sg_session:fold_written(Ds, Options)), Octets),
+    pattern_titles(Ds, Patterns).
 
 :- public fold_written/3.
 

@@ -44,6 +44,120 @@ def cli(*arguments):
                           stdout=subprocess.PIPE, check=False).stdout
 
 
+# Each corner of each face, folded up as far as it goes, and where the file of the
+# pattern says it is in the model: how far they are apart at most.
+FOLDED = """
+  const folding = studio.ports.ports[0].folding;
+  const apart = (faces, there) => Math.max(...faces.flatMap((face, f) => face.map((p, i) =>
+    Math.hypot(...p.map((n, k) => n - there(folding.faces[f][i])[k])))));
+  return [apart(folding.corners(1), (v) => folding.space[v]), apart(folding.corners(0), (v) => folding.flat[v]),
+    apart(folding.corners(0.5), (v) => folding.space[v])];"""
+
+
+def shown(port=0):
+    return browser.wait(
+        "!studio.ports.ports[%d].busy && !studio.ports.ports[%d].canvas"
+        ".classList.contains('empty')" % (port, port))
+
+
+def turned_to(kind):
+    browser.script("studio.ports.ports[0].turnTo(arguments[0])", kind)
+    check("%s is shown" % kind, shown(), browser.log())
+
+
+def kinds(language):
+    """Sections, shaded pictures, sheets and pens, patterns that are folded up:
+    by the controls of the port."""
+    said = {"en": "pens, ", "ko": "펜 "}[language]
+    slider = "document.querySelectorAll('.port')[0].querySelector" \
+             "('.tools input[type=range]')"
+    pull = "const s = %s; s.value = arguments[0]; s.dispatchEvent(new " \
+           "Event('input'))" % slider
+
+    # A plane is pulled through the model; names stay those of the model.
+    turned_to("section")
+    check(language + ": from end to end", browser.script(
+        "const s = %s; return [s.min, s.max, Number(s.value)]" % slider)
+        == ["-1", "1", 0])
+    browser.script(pull, 0.25)
+    check(language + ": the plane is pulled", browser.wait(
+        "studio.ports.ports[0].remark.textContent === 'y = 0.25'"))
+    angles = browser.script("return studio.ports.ports[0].angles")
+    head = front_page.ask("view", format="strokes", view=angles,
+                          section="y=0.25", size=[100, 80],
+                          hidden="removed")[0]
+    roles = browser.script("return studio.ports.ports[0].picture.shown.looks."
+                           "map(([, role]) => role)")
+    check(language + ": cut faces are hatched", "hatching" in roles and
+          "section" in roles and sorted(roles) ==
+          sorted(role for _, role in head["looks"]), roles)
+
+    # The shaded picture is what render makes; a click says why.
+    turned_to("shaded")
+    check(language + ": a shaded picture", browser.wait(
+        "studio.ports.ports[0].image.naturalWidth > 100 && !document."
+        "querySelector('.port img').hidden"))
+    browser.script("studio.ports.ports[0].canvas.focus()")
+    box = browser.script("const r = document.querySelector('.canvas')."
+                         "getBoundingClientRect(); return [r.x, r.y, r.width, "
+                         "r.height]")
+    browser.pointer((box[0] + box[2] / 2, box[1] + box[3] / 2), "down", "up")
+    check(language + ": why a dot has its colour", browser.wait(
+        "/^pixel\\(/.test(document.querySelector('.chip strong').textContent)"
+        " && document.querySelector('.why pre:not(.bad)')"))
+    words = browser.script("return studio.ports.ports[0].words")
+    item = browser.script("return document.querySelector('.chip strong')"
+                          ".textContent")
+    check(language + ": as explain says", browser.script(
+        "return document.querySelector('.why pre').textContent").split() ==
+        cli("explain", "tee.pl", item, *words, "--lang",
+            language).decode().split(), (item, words))
+
+    # A sheet, and the way of the pens.
+    turned_to("sheet")
+    head, _ = front_page.ask("sheet", options=["--sheet", "A3", "--language",
+                                               language])
+    check(language + ": a sheet", browser.wait(
+        "studio.ports.ports[0].picture.shown.strokes.length === arguments[0]",
+        head["strokes"]))
+    browser.script("document.querySelectorAll('.port')[0].querySelector"
+                   "('.tick input').click()")
+    check(language + ": the way of the pens", browser.wait(
+        "studio.ports.ports[0].remark.textContent.includes(arguments[0])",
+        said))
+    drawn = "document.querySelectorAll('.port')[0].querySelectorAll" \
+            "('.lines .pen')"
+    whole = browser.script("return [...%s].map(p => p.getAttribute('d')"
+                           ".length)" % drawn)
+    browser.script(pull, 0.5)
+    half = browser.script("return [...%s].map(p => p.getAttribute('d')"
+                          ".length)" % drawn)
+    check(language + ": as far as the slider says", sum(whole) > sum(half) >
+          sum(whole) / 4, (whole, half))
+
+    # A pattern, folded up: at the end it is the model.
+    turned_to("folded")
+    browser.wait("studio.ports.ports[0].folding.faces")
+    ends = browser.script(FOLDED)
+    check(language + ": folded up it is the model", ends[0] < 1e-9 and
+          ends[1] < 1e-9 and ends[2] > 0.1, ends)
+    before = browser.script("return document.querySelector('.mine')"
+                            ".innerHTML")
+    browser.script(pull, 1)
+    check(language + ": the slider folds", browser.script(
+        "return document.querySelector('.mine').innerHTML") != before)
+    browser.script("studio.light('lit', ['s1e50'])")
+    check(language + ": lit in space too", browser.script(
+        "return document.querySelector('.mine .lit').getAttribute('d')"))
+    turned_to("apart")
+    browser.script("studio.ports.enlarge(studio.ports.ports[0])")
+    check(language + ": a port alone", browser.script(
+        "return [...document.querySelectorAll('.port')].filter(p => "
+        "getComputedStyle(p).display !== 'none').length") == 1)
+    browser.script("studio.ports.enlarge(studio.ports.ports[0])")
+    turned_to("iso")
+
+
 def flows(language):
     words = {"en": {"why": "Why", "answers": "2 answers",
                     "visible": "visible from"},
@@ -190,6 +304,8 @@ def flows(language):
     browser.script("studio.rules.end(false)")
     browser.script("document.querySelector('.tabs [data-word=tree]').click()")
     browser.wait("document.getElementById('banner').hidden")
+
+    kinds(language)
 
     # The session is killed; nothing that was done is lost.
     front_page.ask("edit", set={"segment": 1, "path": [2, 2, 1], "value": 3})

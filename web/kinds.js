@@ -1,0 +1,146 @@
+// What a port may show, and what it asks for it. Of each kind:
+//   turns   it can be turned
+//   slow    it waits until nothing else is wanted
+//   tools   elements beside the choice of the port
+//   ask     asks for the picture: a promise of { head, body }
+
+import { h } from "./dom.js";
+import { w } from "./words.js";
+import { Folding } from "./fold.js";
+import { penTools, penShown } from "./pens.js";
+
+const MM = 25.4 / 96;
+
+// A choice among words, and a slider; both keep what they say in the port.
+function choice(port, key, label, values, named = (value) => value) {
+  const select = h("select", { onchange: () => { port.set(key, select.value); } },
+    ...values.map((value) => h("option", { value }, named(value))));
+  select.value = port.settings[key];
+  select.dataset.label = label;
+  return select;
+}
+
+function slider(port, label, get, moved, limits) {
+  const range = h("input", { type: "range", step: "any", ...limits, value: get(),
+    oninput: () => moved(Number(range.value)) });
+  range.dataset.label = label;
+  return range;
+}
+
+// The keys of a view of the document; strokes in thousandths of a millimetre.
+function viewKeys(port, width, height) {
+  const keys = {
+    port: port.name, format: "strokes", ...port.studio.looks,
+    view: port.turns ? port.angles : port.kind,
+    size: [width * MM, height * MM].map((mm) => Math.round(mm * 100) / 100),
+    margin: Math.min(width, height) * MM * 0.07,
+  };
+  if (port.scale) keys.scale = port.scale;
+  return keys;
+}
+
+export const eyeWords = (port) => ["--view", port.angles.map((angle) => angle.toFixed(4)).join(",")];
+
+const view = { ask: (port, width, height) => port.studio.wire.ask("view", viewKeys(port, width, height)) };
+
+// Cut open: the plane is pulled along one axis of the model.
+const section = {
+  turns: true,
+  tools: (port) => {
+    port.settings.axis = port.settings.axis || "y";
+    port.plane = slider(port, "plane", () => port.at ?? 0, (at) => { port.at = at; port.refresh(); },
+      { min: -1, max: 1 });
+    const axis = choice(port, "axis", "axis", ["x", "y", "z"]);
+    axis.addEventListener("change", () => { port.at = null; });
+    return [axis, port.plane];
+  },
+  ask: async (port, width, height) => {
+    const { axis } = port.settings;
+    const keys = viewKeys(port, width, height);
+    delete keys.projection;
+    const reply = await port.studio.wire.ask("view", { hidden: "removed", ...keys,
+      section: port.at === null || port.at === undefined ? axis : `${axis}=${port.at}` });
+    const { at, low, high } = reply.head.section;
+    Object.assign(port.plane, { min: low, max: high });
+    if (port.at === null || port.at === undefined) {
+      port.at = at;
+      port.plane.value = at;
+    }
+    port.said = w("plane_at", axis, Number(port.at.toPrecision(4)));
+    return reply;
+  },
+};
+
+// The cells of what is glued, moved apart.
+const apart = {
+  turns: true,
+  tools: (port) => {
+    port.factor = port.factor ?? 0.4;
+    return [slider(port, "apart_by", () => port.factor, (factor) => { port.factor = factor; port.refresh(); },
+      { min: 0, max: 2 })];
+  },
+  ask: (port, width, height) => {
+    const keys = viewKeys(port, width, height);
+    return port.studio.wire.ask("view", { hidden: "removed", ...keys, explode: port.factor });
+  },
+};
+
+const SHADES = ["lambert", "gooch", "cel=4", "zebra=8", "flat"];
+
+const shaded = {
+  turns: true,
+  tools: (port) => {
+    port.settings.shade = port.settings.shade || "lambert";
+    return [choice(port, "shade", "shade", SHADES, (value) => w("shade_" + value.split("=")[0]))];
+  },
+  // Coarse as long as it is being turned.
+  ask: (port, width, height) => {
+    const fine = port.drag ? 0.5 : Math.min(2, window.devicePixelRatio || 1);
+    port.dots = [width, height].map((n) => Math.max(1, Math.round(n * fine)));
+    port.words = [...eyeWords(port), "--size", port.dots.join("x"),
+      ...(port.studio.looks.projection === "central" ? ["--projection", "central"] : [])];
+    port.coarse = Boolean(port.drag);
+    return port.studio.wire.ask("shaded", { options: [...port.words, "--shade", port.settings.shade,
+      "--smooth", port.drag ? "1" : "4", "--background", "none"] });
+  },
+};
+
+const PAPERS = ["A4", "A3", "A2", "A4-portrait", "A3-portrait"];
+
+const sheet = {
+  slow: true,
+  fits: "frame",
+  tools: (port) => {
+    port.settings.paper = port.settings.paper || "A3";
+    return [choice(port, "paper", "paper", PAPERS), ...penTools(port, slider)];
+  },
+  ask: async (port) => {
+    const options = ["--sheet", port.settings.paper, "--language", document.documentElement.lang];
+    const reply = await port.studio.wire.ask("sheet", port.settings.pens ? { options, pens: true } : { options });
+    port.after = () => penShown(port, reply);
+    return reply;
+  },
+};
+
+const unfold = {
+  slow: true,
+  fits: "bar",
+  ask: (port) => port.studio.wire.ask("unfold", { sheet: port.sheet }),
+};
+
+const folded = {
+  slow: true,
+  turns: true,
+  own: true,
+  tools: (port) => {
+    port.folding = port.folding || new Folding(port);
+    return [slider(port, "fold_by", () => port.folding.part, (part) => port.folding.fold(part), { min: 0, max: 1 })];
+  },
+  ask: (port) => port.studio.wire.ask("fold"),
+};
+
+const KIND = { iso: { ...view, turns: true }, front: view, top: view, right: view, left: view, back: view,
+  bottom: view, unfold, folded, section, shaded, sheet, apart };
+
+export const KINDS = Object.keys(KIND);
+export const kindOf = (name) => KIND[name] || KIND.iso;
