@@ -4,7 +4,7 @@
             manifest_job/3,             % +Manifest, +Checked, -Job
             batch_verb/1                % ?Verb
           ]).
-:- use_module(generator, [conjuncts/2, generator_fault/3, generated/2]).
+:- use_module('../generator', [conjuncts/2, generator_fault/3, generated/2]).
 :- use_module(job_name, [name_text/2, file_stem/2, output_fault/2]).
 :- use_module(job_words,
               [ option_pairs/2, json_pairs/2, parted_pairs/3, limit_fault/2,
@@ -528,17 +528,20 @@ output_there(Verb, Options, Place) :-
     ).
 
 %   ending_checked(Option, Specs, Place): the verb with Specs writes files with
-%   such an ending, as --format has them.
+%   such an ending, as --format has them; tables are CSV.
 
 ending_checked(Name-Pattern, Specs, Place) :-
-    (   Name == output,
-        memberchk(option(format, _, one_of(Formats), _, _), Specs),
+    (   ending_formats(Name, Specs, Formats),
         file_name_extension(_, Ending, Pattern),
         downcase_atom(Ending, Format),
         \+ memberchk(Format, Formats)
     ->  entry_error(Place, 4, ending(Pattern, Formats))
     ;   true
     ).
+
+ending_formats(output, Specs, Formats) :-
+    memberchk(option(format, _, one_of(Formats), _, _), Specs).
+ending_formats(table, _, [csv]).
 
 %   option_checked(Option, Place, Argument): what a job may not have, and where
 %   its files go.

@@ -12,8 +12,9 @@ problem_ko.pl has the same heads in Korean (tests/rules/problem/).
 
 problem_en(fact(Name, Arity)) -->
     [ 'a file of problems has no facts ~w/~w'-[Name, Arity], nl,
-      '  Write problem(Name, Model, Items), variant(Name, Parameter, Values) \c
-       and sheet(Paper, Names, Items).' ].
+      '  Write problem(Name, Model, Items), variant(Name, Parameter, Values), \c
+       sheet(Paper, Names, Items)', nl,
+      '  and pupils(Names).' ].
 problem_en(variable) -->
     [ 'this has a variable: facts of problems are data', nl,
       '  Begin names with a small letter, or quote them.' ].
@@ -21,10 +22,12 @@ problem_en(item(Item)) -->
     [ '~p is no item here'-[Item], nl,
       '  A problem has given(Views), blank(View), branch(S), generators(N), \c
        planes(Axis), planes(Axis, N), edges(all),', nl,
-      '  ask(draw(penetration)), ask(count(loops)), \c
-       ask(develop(S)), ask(measure(What, Unit, Tolerance)), \c
-       part(S, Language, Text), text(Language, Text);', nl,
-      '  a sheet angle(first), angle(third), title_block(Item, Text).' ].
+      '  hide(penetration), show(penetration), \c
+       ask(draw(penetration)), ask(draw(penetration, Views)),', nl,
+      '  ask(count(loops)), ask(develop(S)), \c
+       ask(measure(What, Unit, Tolerance)), part(S, Language, Text), text(Language, Text);', nl,
+      '  a sheet angle(first), angle(third), title_block(Item, Text), \c
+       title_block([class, name, number, date]).' ].
 problem_en(model(Model)) -->
     [ '~p is no name of a model file'-[Model], nl,
       '  Write it in quotes: it lies beside the file of problems.' ].
@@ -33,7 +36,15 @@ problem_en(paper(Paper)) -->
       '  Write A4 to A0 in quotes, such as \'A3\'.' ].
 problem_en(values(Values)) -->
     [ '~p is no list of values of a parameter'-[Values], nl,
-      '  Write variant(Name, Parameter, [20, 25, 30]).' ].
+      '  Write variant(Name, Parameter, [20, 25, 30]), or 20..30, or \c
+       between(20, 30, 2.5).' ].
+problem_en(seed(Seed)) -->
+    [ '~p is no seed'-[Seed], nl,
+      '  Write variant(Name, Parameter in [20, 25, 30], seed(2026)): a whole \c
+       number.' ].
+problem_en(pupils(Names)) -->
+    [ '~p is no list of pupils'-[Names], nl,
+      '  Write pupils([\'Kim\', \'Lee\']): each name once.' ].
 problem_en(twice(Name)) -->
     [ 'there are two problems ~p'-[Name], nl,
       '  Give one of them another name.' ].
@@ -83,3 +94,13 @@ problem_en(no_measure(Measure)) -->
 problem_en(too_fine(Measure, Tolerance)) -->
     [ '~p is not known as exactly as ~p'-[Measure, Tolerance], nl,
       '  Give a larger tolerance.' ].
+problem_en(not_given(Name, Names)) -->
+    { atomic_list_concat(Names, ', ', Text) },
+    [ 'the line is to be drawn in view ~p, which the problem does not have'-
+      [Name], nl,
+      '  Its views are those of given(Views) and blank(View): ~w.'-[Text] ].
+problem_en(shown_and_asked) -->
+    [ 'the question shows the penetration line, so it can be neither hidden \c
+       nor asked for', nl,
+      '  Leave out show(penetration), or ask(draw(...)) and \c
+       hide(penetration).' ].

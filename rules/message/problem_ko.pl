@@ -12,7 +12,8 @@
 problem_ko(fact(Name, Arity)) -->
     [ '문제 파일에는 ~w/~w 사실이 없습니다'-[Name, Arity], nl,
       '  problem(Name, Model, Items), variant(Name, Parameter, Values), \c
-       sheet(Paper, Names, Items)를 쓰십시오.' ].
+       sheet(Paper, Names, Items),', nl,
+      '  pupils(Names)를 쓰십시오.' ].
 problem_ko(variable) -->
     [ '변수가 있습니다. 문제 파일의 사실은 데이터입니다', nl,
       '  이름은 소문자로 시작하거나 따옴표로 묶으십시오.' ].
@@ -20,11 +21,12 @@ problem_ko(item(Item)) -->
     [ '여기에 쓸 수 없는 항목: ~p'-[Item], nl,
       '  문제에는 given(Views), blank(View), branch(S), generators(N), \c
        planes(Axis), planes(Axis, N), edges(all),', nl,
-      '  ask(draw(penetration)), ask(count(loops)), \c
-       ask(develop(S)), ask(measure(What, Unit, Tolerance)), \c
-       part(S, Language, Text), text(Language, Text),', nl,
-      '  용지에는 angle(first), angle(third), title_block(Item, Text)를 쓸 수 \c
-       있습니다.' ].
+      '  hide(penetration), show(penetration), \c
+       ask(draw(penetration)), ask(draw(penetration, Views)),', nl,
+      '  ask(count(loops)), ask(develop(S)), \c
+       ask(measure(What, Unit, Tolerance)), part(S, Language, Text), text(Language, Text),', nl,
+      '  용지에는 angle(first), angle(third), title_block(Item, Text), \c
+       title_block([class, name, number, date])를 쓸 수 있습니다.' ].
 problem_ko(model(Model)) -->
     [ '모델 파일의 이름이 아닙니다: ~p'-[Model], nl,
       '  따옴표로 묶어 쓰십시오. 문제 파일과 같은 폴더에 있어야 합니다.' ].
@@ -33,7 +35,15 @@ problem_ko(paper(Paper)) -->
       '  A4부터 A0까지 따옴표로 묶어 쓰십시오. 보기: \'A3\'.' ].
 problem_ko(values(Values)) -->
     [ '매개변수 값의 리스트가 아닙니다: ~p'-[Values], nl,
-      '  variant(Name, Parameter, [20, 25, 30])처럼 쓰십시오.' ].
+      '  variant(Name, Parameter, [20, 25, 30])처럼 쓰거나, 리스트 대신 20..30, \c
+       between(20, 30, 2.5)를 쓰십시오.' ].
+problem_ko(seed(Seed)) -->
+    [ '씨앗 수가 아닙니다: ~p'-[Seed], nl,
+      '  variant(Name, Parameter in [20, 25, 30], seed(2026))처럼 정수를 \c
+       쓰십시오.' ].
+problem_ko(pupils(Names)) -->
+    [ '학생의 리스트가 아닙니다: ~p'-[Names], nl,
+      '  pupils([\'김\', \'이\'])처럼 이름을 한 번씩 쓰십시오.' ].
 problem_ko(twice(Name)) -->
     [ '이름이 같은 문제가 둘 있습니다: ~p'-[Name], nl,
       '  하나의 이름을 바꾸십시오.' ].
@@ -82,3 +92,11 @@ problem_ko(no_measure(Measure)) -->
 problem_ko(too_fine(Measure, Tolerance)) -->
     [ '~p: ~p만큼 정확하게는 알 수 없습니다'-[Measure, Tolerance], nl,
       '  허용 오차를 더 크게 쓰십시오.' ].
+problem_ko(not_given(Name, Names)) -->
+    { atomic_list_concat(Names, ', ', Text) },
+    [ '상관선을 그릴 투상도 ~p: 문제에 없는 투상도입니다'-[Name], nl,
+      '  given(Views)와 blank(View)의 투상도: ~w.'-[Text] ].
+problem_ko(shown_and_asked) -->
+    [ '문제에 상관선이 나와 있으므로 숨기거나 그리라고 할 수 없습니다', nl,
+      '  show(penetration)을 빼거나, ask(draw(...))와 hide(penetration)을 \c
+       빼십시오.' ].

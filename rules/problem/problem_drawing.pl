@@ -12,10 +12,10 @@
 :- use_module('../store',
               [segment/3, unfolding/2, facts_snapshot/1, retractall_facts/1]).
 :- use_module('../vector', [dot_product/3]).
-:- use_module(library(apply), [exclude/3, maplist/3]).
+:- use_module(library(apply), [exclude/3, maplist/3, partition/4]).
 :- use_module(library(lists),
               [append/2, append/3, last/2, list_to_set/2, member/2]).
-:- use_module(library(option), [option/2]).
+:- use_module(library(option), [option/2, option/3]).
 /** <module> What a pupil gets, and what the teacher has.
 
 The question shows each body as if it were alone: where another one hides it, or
@@ -26,19 +26,43 @@ the generators they lie on and the lines from view to view, all of them light.
 
 %!  question_drawing(+Request, +Letters, -Drawing) is det.
 %
-%   Drawing shows the segments of the world, which have not been cut. Request as
-%   for seen_drawing/3, with language(_); Letters is a list of letter(Text, P,
-%   Names): point P, p(X,Y,Z), is so marked in the views Names, or in `all`.
+%   Drawing shows the segments of the world, which have not been cut: each as if
+%   it were alone, but as they meet in the views that the option met(Names) of
+%   Request names. Request as for seen_drawing/3, with language(_); Letters is a
+%   list of letter(Text, P, Names): point P, p(X,Y,Z), is so marked in the views
+%   Names, or in `all`.
 
 question_drawing(Request, Letters, Drawing) :-
     option(views(Views), Request),
-    option(picture(Picture), Request),
-    findall(S, segment(S, _, _), Ss0),
-    sort(Ss0, Ss),
-    maplist(seen_apart(Ss, Picture), Views, Seens),
+    seen_views(Request, Seens),
     findall(Text-P-Names, member(letter(Text,P,Names), Letters), Marks),
     dots(Views, Marks, Dots),
     seen_drawing([construction(Dots)|Request], Seens, Drawing).
+
+%   seen_views(Request, Seens): what each view shows.
+
+seen_views(Request, Seens) :-
+    option(views(Views), Request),
+    option(met(Met), Request, []),
+    option(picture(Picture), Request),
+    findall(S, segment(S, _, _), Ss0),
+    sort(Ss0, Ss),
+    partition(named_in(Met), Views, Whole, Apart),
+    maplist(seen_apart(Ss, Picture), Apart, SeenApart),
+    (   Whole == []
+    ->  SeenWhole = []
+    ;   facts_snapshot(( penetrate(all, []),
+                         maplist(seen_whole(Picture), Whole, SeenWhole) ))
+    ),
+    append(SeenApart, SeenWhole, Unordered),
+    maplist(seen_of(Unordered), Views, Seens).
+
+named_in(Names, view(Name,_,_,_)) :-
+    memberchk(Name, Names).
+
+seen_of(Seens, View, Seen) :-
+    Seen = seen(View,_,_,_),
+    memberchk(Seen, Seens).
 
 seen_apart(Ss, Picture, View, seen(View,Parts,[],Centres)) :-
     view_centres(View, Picture, Centres),
@@ -61,14 +85,12 @@ dropped(S) :-
 %!  answer_drawing(+Request, +Generators, +Planes, +Points, +Letters,
 %!                 -Drawing) is det.
 %
-%   Drawing shows them with the lines in which they meet, and construction lines
-%   of problem_point.pl and problem_plane.pl.
+%   Drawing shows them as question_drawing/3 does, and construction lines of
+%   problem_point.pl and problem_plane.pl.
 
 answer_drawing(Request, Generators, Planes, Points, Letters, Drawing) :-
     option(views(Views), Request),
-    option(picture(Picture), Request),
-    facts_snapshot(( penetrate(all, []),
-                     maplist(seen_whole(Picture), Views, Seens) )),
+    seen_views(Request, Seens),
     findall(Item,
             ( construction(Views, Generators, Points, Item)
             ; plane_line(Views, Planes, Item)

@@ -2,7 +2,10 @@
 :- module(sg_problem_item,
           [ item_fault/3,               % +Kind, +Item, -What
             items_fault/2,              % +Items, -What
+            title_items/2,              % +Item0, -Items
+            pupil_fields/1,             % -Fields
             item_views/3,               % +Items, -Names, -Blank
+            drawn_views/2,              % +Items, -Names
             measure/2,                  % ?Measure, -Dimension
             measure_unit/4,             % ?Unit, ?Dimension, -Size, -Word
             along_views/2               % ?Axis, -Names
@@ -30,12 +33,12 @@ item_fault(sheet, Item, item(Item)) :-
     \+ sheet_item(Item).
 
 problem_item(given(Views)) :-
-    is_list(Views),
-    Views = [_|_],
-    forall(member(View, Views), view_named(View, _)).
+    views(Views).
 problem_item(blank(View)) :-
     atom(View),
     view_named(View, view(_, _, _, side)).
+problem_item(hide(penetration)).
+problem_item(show(penetration)).
 problem_item(branch(S)) :-
     segment_number(S).
 problem_item(generators(N)) :-
@@ -49,6 +52,8 @@ problem_item(planes(Axis, N)) :-
     integer(N),
     between(1, 60, N).
 problem_item(ask(draw(penetration))).
+problem_item(ask(draw(penetration, Views))) :-
+    views(Views).
 problem_item(ask(count(loops))).
 problem_item(ask(develop(S))) :-
     segment_number(S).
@@ -58,6 +63,19 @@ problem_item(part(S, Language, Text)) :-
 problem_item(text(Language, Text)) :-
     in_language(Language, Text).
 
+views(Views) :-
+    is_list(Views),
+    Views = [_|_],
+    forall(member(View, Views), view_named(View, view(_, _, _, side))).
+
+sheet_item(fields(Words)) :-
+    pupil_fields(Fields),
+    is_list(Words),
+    Words = [_|_],
+    maplist(atom, Words),
+    length(Words, N),
+    length(Fields, Most),
+    N =< Most.
 sheet_item(angle(Angle)) :-
     memberchk(Angle, [first,third]).
 sheet_item(title_block(Item, Text)) :-
@@ -72,10 +90,30 @@ segment_number(S) :-
     integer(S),
     S > 0.
 
+%!  title_items(+Item0, -Items) is det.
+%
+%   Items of a sheet are what Item0 is as it is written: title_block(Words) is
+%   fields(Words).
+
+title_items(Item0, Items) :-
+    (   nonvar(Item0),
+        Item0 = title_block(Words)
+    ->  Items = [fields(Words)]
+    ;   Items = [Item0]
+    ).
+
+%!  pupil_fields(-Fields) is det.
+%
+%   Fields of the title block that a pupil fills in, in their order.
+
+pupil_fields([drawn_by,date,checked_by,material]).
+
 %!  items_fault(+Items, -What) is semidet.
 %
 %   What is wrong with Items of a problem, each of which is as it should be:
-%   all_blank; no_view(Measure, Names), one of which has to be given.
+%   all_blank; no_view(Measure, Names), one of which has to be given;
+%   not_given(Name, Names), a view to draw in is none of Names, those of the
+%   problem; shown_and_asked, the lines are in the question.
 
 items_fault(Items, What) :-
     item_views(Items, Names, Blank),
@@ -87,6 +125,16 @@ items_fault(Items, What) :-
         along_views(Axis, Along),
         \+ ( member(Name, Along), memberchk(Name, Shown) )
     ->  What = no_view(Measure, Along)
+    ;   member(ask(draw(penetration, Drawn)), Items),
+        member(Name, Drawn),
+        \+ memberchk(Name, Names)
+    ->  What = not_given(Name, Names)
+    ;   memberchk(show(penetration), Items),
+        (   memberchk(hide(penetration), Items)
+        ;   memberchk(ask(draw(penetration)), Items)
+        ;   memberchk(ask(draw(penetration, _)), Items)
+        )
+    ->  What = shown_and_asked
     ).
 
 %!  item_views(+Items, -Names, -Blank) is det.
@@ -99,6 +147,17 @@ item_views(Items, Names, Blank) :-
     option(given(Given), Items, [front,top]),
     append(Given, Blank, Names0),
     list_to_set(Names0, Names).
+
+%!  drawn_views(+Items, -Names) is det.
+%
+%   The answer has the lines in which bodies meet in the views Names: in all
+%   those of the problem, unless it says in which they are to be drawn.
+
+drawn_views(Items, Names) :-
+    (   memberchk(ask(draw(penetration, Drawn)), Items)
+    ->  Names = Drawn
+    ;   item_views(Items, Names, _)
+    ).
 
 %!  along_views(?Axis, -Names) is nondet.
 %

@@ -13,12 +13,13 @@
 :- use_module('../penetration/penetration', [penetrate/2]).
 :- use_module('../sheet/sheet_paper', [paper/3]).
 :- use_module('../sheet/sheet_view', [view_named/2]).
+:- use_module('../sheet/sheet_words', [pupil_word/3]).
 :- use_module('../store',
               [segment/3, facts_snapshot/1, in_world/2, new_world/1]).
 :- use_module('../unrolling/true_table', [true_length_rows/2]).
 :- use_module(problem_drawing, [answer_drawing/6, question_drawing/3]).
-:- use_module(problem_file, [problems_read/2]).
-:- use_module(problem_item, [item_views/3]).
+:- use_module(problem_file, [problems_read/3]).
+:- use_module(problem_item, [drawn_views/2, item_views/3, pupil_fields/1]).
 :- use_module(problem_key, [loop_count/2, pattern_key/2, problem_key/8]).
 :- use_module(problem_loop, [whole_chains/1]).
 :- use_module(problem_measure,
@@ -48,6 +49,7 @@ Of each problem of a file (problem_file.pl) and each of its variants are made
     NAME-N-development-S.svg    the pattern of segment S, if it is asked for
     NAME-N-key.json             what was asked, computed from the model
     list.csv                    which variant has which sizes
+    pupils.csv                  who has which variant, if there are pupils
 
 The key is asked of the model as the answers are: nothing in it is typed. So the
 question can be given to anybody: nothing of it was made from the line.
@@ -59,10 +61,10 @@ question can be given to anybody: nothing of it was made from the line.
 %   (`svg`), angle(Angle) (`first` or `third`; else as the file says, or
 %   `third`), language(Language) of the texts (`en`).
 %
-%   @error model_error(What): those of problems_read/2 and of models
+%   @error model_error(What): those of problems_read/3 and of models
 
 problem_sheets(File, Folder, Options) :-
-    problems_read(File, Problems),
+    problems_read(File, Problems, Pupils),
     make_directory_path(Folder),
     file_directory_name(File, Base),
     findall(Line,
@@ -72,13 +74,50 @@ problem_sheets(File, Folder, Options) :-
               variant_made(Base, Folder, Problem, N, Settings, Options),
               list_line(Name, N, Settings, Line) ),
             Lines),
-    directory_file_path(Folder, 'list.csv', List),
-    writing(List, text, sg_problem_sheet:lines_written(Lines)),
-    when_written(print_message(informational, sanggwan(wrote(List)))).
+    list_written(Folder, 'list.csv',
+                 ['number,problem,variant,parameters'|Lines]),
+    (   Pupils == []
+    ->  true
+    ;   pupil_lines(Pupils, Problems, Dealt),
+        list_written(Folder, 'pupils.csv', Dealt)
+    ).
+
+list_written(Folder, Local, Lines) :-
+    directory_file_path(Folder, Local, File),
+    writing(File, text, sg_problem_sheet:lines_written(Lines)),
+    when_written(print_message(informational, sanggwan(wrote(File)))).
 
 lines_written(Lines, Stream) :-
-    format(Stream, 'number,problem,variant,parameters~n', []),
     forall(member(Line, Lines), format(Stream, '~w~n', [Line])).
+
+%   pupil_lines(Pupils, Problems, Lines): each pupil has a variant of each
+%   problem, the next one another.
+
+pupil_lines(Pupils, Problems, [Head|Lines]) :-
+    findall(Name, member(problem(Name,_,_,_,_,_), Problems), Names),
+    atomic_list_concat([pupil|Names], ',', Head),
+    findall(Line,
+            ( nth0(I, Pupils, Pupil),
+              csv_field(Pupil, Field),
+              findall(Number, ( member(Problem, Problems),
+                                dealt(I, Problem, Number) ),
+                      Numbers),
+              atomic_list_concat([Field|Numbers], ',', Line) ),
+            Lines).
+
+dealt(I, problem(Name,_,_,Variants,_,_), Number) :-
+    length(Variants, Count),
+    N is I mod Count + 1,
+    format(atom(Number), '~w-~w', [Name,N]).
+
+csv_field(Text, Field) :-
+    (   sub_atom(Text, _, 1, _, Char),
+        memberchk(Char, [',','"','\n'])
+    ->  atomic_list_concat(Parts, '"', Text),
+        atomic_list_concat(Parts, '""', Doubled),
+        format(atom(Field), '"~w"', [Doubled])
+    ;   Field = Text
+    ).
 
 list_line(Name, N, Settings, Line) :-
     findall(Text,
@@ -136,8 +175,13 @@ variant_in_world(Path, Settings, Number, Items, Sheet, Folder, Options) :-
     questioned(Tasks, Questions),
     task_request(question, Number, Questions, Items, Request,
                  QuestionRequest),
-    item_views(Items, _, Blank),
-    question_drawing([blank(Blank)|QuestionRequest], Letters, Question),
+    item_views(Items, Names, Blank),
+    (   memberchk(show(penetration), Items)
+    ->  Met = Names
+    ;   Met = []
+    ),
+    question_drawing([blank(Blank),met(Met)|QuestionRequest], Letters,
+                     Question),
     drawn(Question, Folder, Number, question, Format),
     findall(Pattern-Marks,
             ( member(ask(develop(S)), Items),
@@ -148,7 +192,9 @@ variant_in_world(Path, Settings, Number, Items, Sheet, Folder, Options) :-
                 Marked),
     answered(Tasks, Count, Points, Chains, Measures, Answers),
     task_request(answer, Number, Answers, Items, Request, AnswerRequest),
-    answer_drawing(AnswerRequest, Generators, Planes, Points, Marked, Answer),
+    drawn_views(Items, Drawn),
+    answer_drawing([met(Drawn)|AnswerRequest], Generators, Planes, Points,
+                   Marked, Answer),
     drawn(Answer, Folder, Number, answer, Format),
     problem_key(Number, Settings, Items, Chains, Points-Planes, Measures,
                 Patterns, Key),
@@ -226,7 +272,14 @@ request(Items, sheet(Paper,SheetItems), Options,
             ( member(title_block(Item, Said), SheetItems),
               atom_string(Said, String) ),
             Own),
-    Facts = [language-Language|Own].
+    pupil_fields(Fields),
+    findall(label(Field)-Label,
+            ( member(fields(Words), SheetItems),
+              nth1(I, Words, Word),
+              nth1(I, Fields, Field),
+              pupil_word(Word, Language, Label) ),
+            Labels),
+    append([language-Language|Labels], Own, Facts).
 
 
                 /*******************************

@@ -37,7 +37,7 @@ task_lines(Tasks, Items, Language, Width, Lines) :-
         )
     ->  Lead = [Text-(""-"")],
         findall(Task,
-                ( member(Task, Tasks), Task \= task(ask(draw(_)),_,_,_) ),
+                ( member(Task, Tasks), \+ is_drawn(Task) ),
                 Said)
     ;   Lead = [],
         Said = Tasks
@@ -47,6 +47,10 @@ task_lines(Tasks, Items, Language, Width, Lines) :-
     append(Lead, Sentences, Whole),
     maplist(broken(Width), Whole, Lists),
     append(Lists, Lines).
+
+is_drawn(task(ask(What), _, _, _)) :-
+    ( What = draw(_) ; What = draw(_, _) ),
+    !.
 
 numbered([Sentence], [Sentence]) :-
     !.
@@ -121,13 +125,10 @@ said(blank(Name), ko, _, _, _, Sentence) =>
     view_word(Name, ko, View),
     format(string(Sentence), '빈칸에 ~s를 그려라.', [View]).
 said(ask(draw(penetration)), Language, Items, _, _, Sentence) =>
-    findall(S, ( segment(S, Kind, _), Kind \== curve ), Ss0),
-    findall(S, segment(S, curve, _), Curves0),
-    sort(Ss0, Ss),
-    sort(Curves0, Curves),
-    maplist(part_word(Items, Language), Ss, Words),
-    maplist(part_word(Items, Language), Curves, Lines),
-    draw_said(Language, Lines, Words, Sentence).
+    line_said(Language, Items, "", Sentence).
+said(ask(draw(penetration, Names)), Language, Items, _, _, Sentence) =>
+    views_said(Language, Names, Where),
+    line_said(Language, Items, Where, Sentence).
 said(ask(count(loops)), en, _, _, _, Sentence) =>
     Sentence = "How many closed lines does the penetration line consist of?".
 said(ask(count(loops)), ko, _, _, _, Sentence) =>
@@ -141,21 +142,45 @@ said(ask(develop(S)), Language, Items, _, _, Sentence) =>
 said(ask(measure(Measure, _, _)), Language, Items, Letters, Rank, Sentence) =>
     measure_said(Measure, Language, Items, Letters, Rank, Sentence).
 
-draw_said(en, [], Words, Sentence) =>
+%   line_said(Language, Items, Where, Sentence): draw the line, Where.
+
+line_said(Language, Items, Where, Sentence) :-
+    findall(S, ( segment(S, Kind, _), Kind \== curve ), Ss0),
+    findall(S, segment(S, curve, _), Curves0),
+    sort(Ss0, Ss),
+    sort(Curves0, Curves),
+    maplist(part_word(Items, Language), Ss, Words),
+    maplist(part_word(Items, Language), Curves, Lines),
+    draw_said(Language, Lines, Words, Where, Sentence).
+
+draw_said(en, [], Words, Where, Sentence) =>
     listed_en(Words, Text),
-    format(string(Sentence), 'Draw the penetration line of ~s.', [Text]).
-draw_said(en, Lines, Words, Sentence) =>
+    format(string(Sentence), 'Draw the penetration line of ~s~s.',
+           [Text,Where]).
+draw_said(en, Lines, Words, Where, Sentence) =>
     listed_en(Lines, Line),
     listed_en(Words, Text),
-    format(string(Sentence), 'Find the points where ~s goes through ~s.',
-           [Line,Text]).
-draw_said(ko, [], Words, Sentence) =>
+    format(string(Sentence), 'Find the points where ~s goes through ~s~s.',
+           [Line,Text,Where]).
+draw_said(ko, [], Words, Where, Sentence) =>
     listed_ko(Words, Text),
-    format(string(Sentence), '~s의 상관선을 그려라.', [Text]).
-draw_said(ko, Lines, Words, Sentence) =>
+    format(string(Sentence), '~s~s의 상관선을 그려라.', [Where,Text]).
+draw_said(ko, Lines, Words, Where, Sentence) =>
     append(Lines, Words, All),
     listed_ko(All, Text),
-    format(string(Sentence), '~s의 교점을 구하여라.', [Text]).
+    format(string(Sentence), '~s~s의 교점을 구하여라.', [Where,Text]).
+
+%   views_said(Language, Names, Where): in which views.
+
+views_said(Language, Names, Where) :-
+    findall(Word, ( member(Name, Names), view_word(Name, Language, Word) ),
+            Words),
+    (   Language == en
+    ->  listed_en(Words, Text),
+        string_concat(" in ", Text, Where)
+    ;   listed_ko(Words, Text),
+        string_concat(Text, "에 ", Where)
+    ).
 
 trimmed_said(en, Word, Sentence) :-
     format(string(Sentence),

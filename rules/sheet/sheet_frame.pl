@@ -19,6 +19,7 @@ Facts is a list of Item-Text of the items of title_block/2 and of
   - language: `en` or `ko`
   - angle: `first` or `third`, whose symbol is shown (ISO 5456-2)
   - scale, paper: texts
+  - label(Item): what stands above the field, if not the usual word
 */
 
 border(left, 20.0).
@@ -197,8 +198,11 @@ field_mark(_, cell(X,Y,W,H), _, _, X0-Y0, Mark) :-
     ).
 field_mark(Item, cell(X,Y,_,_), _, Facts, X0-Y0,
            text(TX,TY,1.8,start,Label)) :-
-    memberchk(language-Language, Facts),
-    sheet_word(Item, Language, Label),
+    (   memberchk(label(Item)-Label0, Facts)
+    ->  Label = Label0
+    ;   memberchk(language-Language, Facts),
+        sheet_word(Item, Language, Label)
+    ),
     TX is X0+X+1.2,
     TY is Y0+Y+2.8.
 field_mark(angle, cell(X,Y,W,H), _, Facts, X0-Y0, Mark) :-

@@ -1,6 +1,7 @@
 :- encoding(utf8).
 :- module(sg_sheet_words,
-          [ sheet_word/3                % ?Item, ?Language, -Word
+          [ sheet_word/3,               % ?Item, ?Language, -Word
+            pupil_word/3                % +Field, +Language, -Word
           ]).
 /** <module> What the fields of a title block are called.
 */
@@ -33,3 +34,22 @@ sheet_word(revision,   en, "Revision").
 sheet_word(revision,   ko, "개정").
 sheet_word(sheet,      en, "Sheet").
 sheet_word(sheet,      ko, "매수").
+
+%!  pupil_word(+Field, +Language, -Word) is det.
+%
+%   Word, a string, stands above a Field that a pupil fills in.
+
+pupil_word(Field, Language, Word) :-
+    (   pupil(Field, Language, Word0)
+    ->  Word = Word0
+    ;   atom_string(Field, Word)
+    ).
+
+pupil(class,  en, "Class").
+pupil(class,  ko, "반").
+pupil(name,   en, "Pupil").
+pupil(name,   ko, "이름").
+pupil(number, en, "Number in class").
+pupil(number, ko, "번호").
+pupil(date,   en, "Date").
+pupil(date,   ko, "날짜").

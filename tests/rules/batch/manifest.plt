@@ -5,7 +5,7 @@
 :- use_module(library(apply)).
 :- use_module(library(lists)).
 :- use_module(library(random)).
-:- use_module(rules(batch/generator)).
+:- use_module(rules(generator)).
 :- use_module(rules(batch/job_name)).
 :- use_module(rules(batch/job_names)).
 :- use_module(rules(batch/manifest)).

@@ -15,6 +15,7 @@
 :- use_module(rules(message/problem_en)).
 :- use_module(rules(message/spoken)).
 :- use_module(rules(message/problem_ko)).
+:- use_module(rules(problem/problem_file)).
 :- use_module(rules(problem/problem_sheet)).
 :- use_module(rules(sheet/lettering)).
 
@@ -35,24 +36,42 @@ with_sheets(Name, Items, Variants, Options, Folder, Goal) :-
 :- meta_predicate with_sheets_on(+, +, +, +, +, -, 0).
 
 with_sheets_on(Paper, Name, Items, Variants, Options, Folder, Goal) :-
+    problem_facts(Paper, Name, Items, Variants, [angle(third)], Facts),
+    tmp_file(problems, Folder),
+    make_directory_path(Folder),
+    setup_call_cleanup(
+        facts_written(Folder, Facts, File),
+        ( problem_sheets(File, Folder, Options),
+          call(Goal) ),
+        delete_directory_and_contents(Folder)).
+
+problem_facts(Paper, Name, Items, Variants, SheetItems, Facts) :-
     model(Name, Model),
     findall(variant(Name, Parameter, Values),
             member(Parameter-Values, Variants),
             Rows),
     append([problem(Name, Model, Items)|Rows],
-           [sheet(Paper, [Name], [angle(third)])], Facts),
+           [sheet(Paper, [Name], SheetItems)], Facts).
+
+facts_written(Folder, Facts, File) :-
+    directory_file_path(Folder, 'one.pl', File),
+    setup_call_cleanup(open(File, write, Out, [encoding(utf8)]),
+                       forall(member(Fact, Facts),
+                              format(Out, '~k.~n', [Fact])),
+                       close(Out)).
+
+%   with_facts(Facts, Paper, Name, Items, Variants, SheetItems, Folder, Fault):
+%   the sheets of these, in Folder, which stays if there is no Fault (`none`).
+
+with_facts(More, Paper, Name, Items, Variants, SheetItems, Folder, Fault) :-
+    problem_facts(Paper, Name, Items, Variants, SheetItems, Facts0),
+    append(Facts0, More, Facts),
     tmp_file(problems, Folder),
     make_directory_path(Folder),
-    setup_call_cleanup(
-        true,
-        ( directory_file_path(Folder, 'one.pl', File),
-          setup_call_cleanup(open(File, write, Out, [encoding(utf8)]),
-                             forall(member(Fact, Facts),
-                                    format(Out, '~k.~n', [Fact])),
-                             close(Out)),
-          problem_sheets(File, Folder, Options),
-          call(Goal) ),
-        delete_directory_and_contents(Folder)).
+    facts_written(Folder, Facts, File),
+    catch(( problem_sheets(File, Folder, []), Fault = none ),
+          error(Fault, _),
+          delete_directory_and_contents(Folder)).
 
 text(Folder, Local, Text) :-
     directory_file_path(Folder, Local, File),
@@ -105,6 +124,43 @@ test(nothing_leaks, [forall(leaks(Name, Variants, Views)), Found == []]) :-
               ; member(Word, Places)
               ),
               sub_string(Asked, _, _, _, Word) ),
+            Found).
+
+%   The views in which the line is to be drawn have it in the answer, the others
+%   do not; the question has it in none, and says where.
+test(drawn_in_some_views,
+     [true(Found == [ front-(false-true), top-(false-true),
+                      right-(false-false) ])]) :-
+    with_sheets(fig12,
+                [ given([front,top,right]), hide(penetration),
+                  ask(draw(penetration, [front,top])) ],
+                [r-[14]], [], Folder,
+                ( text(Folder, 'fig12-1-question.svg', Asked),
+                  text(Folder, 'fig12-1-answer.svg', Answered) )),
+    findall(View-(InQuestion-InAnswer),
+            ( member(View, [front,top,right]),
+              line_seen(Asked, View, InQuestion),
+              line_seen(Answered, View, InAnswer) ),
+            Found),
+    has(Asked, "in the front view and", true).
+
+test(drawn_in_some_views_ko, true(Has == true)) :-
+    with_sheets(fig12, [ given([front,top]), ask(draw(penetration, [top])) ],
+                [r-[14]], [language(ko)], Folder,
+                text(Folder, 'fig12-1-question.svg', Asked)),
+    has(Asked, "평면도에 원뿔과 원기둥의 상관선을", Has).
+
+line_seen(Text, View, Seen) :-
+    view_text(Text, View, Own),
+    has(Own, "penetration", Seen).
+
+%   show(penetration): the line is given, and what follows from it is asked.
+test(line_given, [true(Found == [true,true])]) :-
+    with_sheets(fig12,
+                [ given([front,top]), show(penetration), ask(develop(2)) ],
+                [r-[14]], [], Folder,
+                text(Folder, 'fig12-1-question.svg', Asked)),
+    findall(Seen, ( member(View, [front,top]), line_seen(Asked, View, Seen) ),
             Found).
 
 %   A blank view has no line of what is to be drawn there; what is asked for is
@@ -469,6 +525,19 @@ wrong([problem(a, 'b.pl', [given([front,top]),
                            ask(measure(coordinate(1,x), mm, 1))])],
       no_view(coordinate(1,x), [right,left])).
 wrong([problem(a, 'b.pl', [planes(w)])], item(planes(w))).
+wrong([problem(a, 'b.pl', [hide(line)])], item(hide(line))).
+wrong([problem(a, 'b.pl', [ask(draw(penetration, []))])],
+      item(ask(draw(penetration, [])))).
+wrong([problem(a, 'b.pl', [given([front]), ask(draw(penetration, [top]))])],
+      not_given(top, [front])).
+wrong([problem(a, 'b.pl', [show(penetration), ask(draw(penetration))])],
+      shown_and_asked).
+wrong([problem(a, 'b.pl', [show(penetration), hide(penetration)])],
+      shown_and_asked).
+wrong([variant(a, in(r, [1,2]), [3])], seed([3])).
+wrong([variant(a, in(r, x), seed(1))], values(x)).
+wrong([variant(a, r, between(1, 2, 0))], values(between(1, 2, 0))).
+wrong([pupils([a,a])], pupils([a,a])).
 wrong([problem(a, 'b.pl', [planes(straight, 3)])], item(planes(straight,3))).
 wrong([problem(a, 'b.pl', [given([front]),blank(inside)])],
       item(blank(inside))).
@@ -515,6 +584,63 @@ test(unfit_told, [forall(unfit(_, _, What))]) :-
 test(told, [forall(wrong(_, What))]) :-
     phrase(problem_en(What), [_,_|_]),
     phrase(problem_ko(What), [_,_|_]).
+
+%   What teachers write (strings, a range, a variable, one item, small letters);
+%   the same seed gives the same order, another one another.
+
+written(Seed, [ problem(p1, Model, [given([front]), text(en, "Draw."),
+                                    part(1, en, "oblique cone")]),
+                variant(p1, in('$VAR'('E'), '..'(10, 19)), seed(Seed)),
+                sheet(a4, [p1], title_block([class,name,number,date])),
+                pupils(['Kim','Lee, J.','Park']) ]) :-
+    model(dev10, Model).
+
+read_problems(Facts, Problems, Pupils) :-
+    tmp_file(problems, File),
+    setup_call_cleanup(open(File, write, Out, [encoding(utf8)]),
+                       forall(member(Fact, Facts),
+                              format(Out, '~@.~n',
+                                     [write_term(Fact, [quoted(true),
+                                                        numbervars(true),
+                                                        ignore_ops(true)])])),
+                       close(Out)),
+    call_cleanup(problems_read(File, Problems, Pupils), delete_file(File)).
+
+test(seed, true) :-
+    findall(Values,
+            ( member(Seed, [7,7,8]),
+              written(Seed, Facts),
+              read_problems(Facts, [Problem], _),
+              Problem = problem(p1, _, Items, Variants, Sheet, _),
+              memberchk(text(en, 'Draw.'), Items),
+              Sheet == sheet(a4, [fields([class,name,number,date])]),
+              findall(V, member([e=V], Variants), Values) ),
+            [First,Same,Other]),
+    First == Same,
+    First \== Other,
+    numlist(10, 19, All),
+    First \== All,
+    msort(First, All),
+    msort(Other, All).
+
+%   Each pupil has a sheet; the fields to fill in have their names.
+test(pupils, true(List == ["pupil,dev10","Kim,dev10-1","\"Lee, J.\",dev10-2",
+                           "Park,dev10-1",""])) :-
+    with_facts([ pupils(['Kim','Lee, J.','Park']) ], 'A4', dev10,
+               [given([front])], [e-[10,20]],
+               [title_block([class,name,number,date,'x'])], Folder0, Fault),
+    Fault = model_error(problem(item(fields(_)))),
+    nonvar(Folder0),
+    with_facts([ pupils(['Kim','Lee, J.','Park']) ], 'A4', dev10,
+               [given([front])], [e-[10,20]],
+               [title_block([class,name,number,date])], Folder, none),
+    text(Folder, 'pupils.csv', Text),
+    split_string(Text, "\n", "", List),
+    text(Folder, 'dev10-1-question.svg', Sheet),
+    has(Sheet, ">Class<", true),
+    has(Sheet, ">Pupil<", true),
+    has(Sheet, ">Drawn by<", false),
+    delete_directory_and_contents(Folder).
 
 %   The title block of A4 is as wide as the paper: the question stands above it.
 

@@ -3,14 +3,14 @@
             generator_fault/3,          % @Generators, @Term, -Fault
             generated/2                 % +Generators, +Folder
           ]).
-:- use_module('../decimal', [decimal_number/2]).
+:- use_module(decimal, [decimal_number/2]).
 :- use_module(library(csv), [csv_options/2, csv_read_row/3]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [append/3, member/2, nth1/3]).
 :- use_module(library(readutil), [read_line_to_string/2]).
-/** <module> The generators of a template in a manifest.
+/** <module> What variables of a template are: of a manifest, of variants.
 
-A template is a job with variables; its generators bind them, each in turn:
+A template is a term with variables; its generators bind them, each in turn:
 
     V in Low..High            whole numbers
     V in between(Low, High)   the same
