@@ -362,30 +362,33 @@ ordered(Name, Settings, S, Patterns) :-
                        Patterns) )).
 
 test(elbow_ordered,
-     [forall(member(D-R-N-A-T, [114.3-171.45-4-90-4, 60.3-76-2-45-2.9,
-                                610-915-6-90-9.5]))]) :-
-    ordered(elbow, [d=D,r=R,pieces=N,angle=A,t=T], 1, Patterns),
+     [forall(member(D-R-N-A-T-Seam,
+                    [114.3-171.45-4-90-4-0, 60.3-76-2-45-2.9-180,
+                     610-915-6-90-9.5-77]))]) :-
+    ordered(elbow, [d=D,r=R,pieces=N,angle=A,t=T,seam=Seam], 1, Patterns),
     length(Patterns, N),
     Middle is (D-T)/2,
     Half is A*pi/(360*(N-1)),
     forall(nth1(I, Patterns, _-Rows),
            ( ( memberchk(I, [1,N]) -> K = 1 ; K = 2 ),
              forall(nth0(J, Rows, row(_, _, Arc, _, _, Length, _, _, _)),
-                    ( Exact is K*(R - Middle*cos(J*pi/12))*tan(Half),
+                    ( Exact is K*(R - Middle*cos(J*pi/12 + Seam*pi/180))
+                               *tan(Half),
                       near(Length, Exact),
                       near(Arc, J*pi/12*Middle) )) )).
 
-test(offset_ordered, [forall(member(X-H, [150-180,40-300,200-200]))]) :-
-    ordered(offset, [d=100,x=X,h=H,ends=150,t=4], 1,
+test(offset_ordered,
+     [forall(member(X-H-Seam, [150-180-0,40-300-90,200-200-(-33)]))]) :-
+    ordered(offset, [d=100,x=X,h=H,ends=150,t=4,seam=Seam], 1,
             [_-Rows1,_-Rows2,_-Rows3]),
     Tan is tan(atan2(X, H)/2),
     Slope is sqrt(X*X + H*H),
     forall(nth0(J, Rows1, row(_, _, _, _, _, Length, _, _, _)),
-           near(Length, 150 - 48*cos(J*pi/12)*Tan)),
+           near(Length, 150 - 48*cos(J*pi/12 + Seam*pi/180)*Tan)),
     forall(member(row(_, _, _, _, _, Length, _, _, _), Rows2),
            near(Length, Slope)),
     forall(nth0(J, Rows3, row(_, _, _, _, _, Length, _, _, _)),
-           near(Length, 150 + 48*cos(J*pi/12)*Tan)).
+           near(Length, 150 + 48*cos(J*pi/12 + Seam*pi/180)*Tan)).
 
 %   The inside of the branch meets the outside of the header; of one diameter
 %   they meet by their middles.
@@ -397,8 +400,10 @@ tee(323.9, 168.3, 8, 6.3, 110, -60).
 tee(168.3, 168.3, 5, 5, 90, 0).
 tee(168.3, 168.3, 5, 5, 60, 0).
 
-test(tee_ordered, [forall(tee(D, B, T, TB, A, E))]) :-
-    ordered(tee, [d=D,b=B,t=T,tb=TB,angle=A,offset=E,height=400,length=1000],
+test(tee_ordered, [forall(( tee(D, B, T, TB, A, E),
+                            member(Seam, [0,130]) ))]) :-
+    ordered(tee, [ d=D,b=B,t=T,tb=TB,angle=A,offset=E,height=400,length=1000,
+                   seam=Seam ],
             2, [_-Rows]),
     (   D =:= B
     ->  Inside is (B-TB)/2,
@@ -409,16 +414,37 @@ test(tee_ordered, [forall(tee(D, B, T, TB, A, E))]) :-
     Neutral is (B-TB)/2,
     Radians is A*pi/180,
     forall(nth0(J, Rows, row(_, _, Arc, _, _, Length, _, _, _)),
-           ( At is J*pi/12,
+           ( At is J*pi/12 + Seam*pi/180,
              Deep is sqrt(max(0.0, Outside**2 - (E + Inside*sin(At))**2)),
              Exact is 400 - (Deep + Inside*cos(At)*cos(Radians))/sin(Radians),
              near(Length, Exact),
-             near(Arc, Neutral*At) )).
+             near(Arc, Neutral*J*pi/12) )).
+
+test(wye_ordered, [forall(member(D-A-T-Seam,
+                                 [ 114.3-60-4-0, 168.3-90-7.1-45,
+                                   200-120-3-180 ]))]) :-
+    ordered(wye, [d=D,angle=A,stem=200,legs=260,t=T,seam=Seam], 1,
+            [_-Rows1,_-Rows2,_-Rows3]),
+    R is (D-T)/2,
+    Half is A*pi/360,
+    findall(Length,
+            ( between(0, 24, I),
+              Length is 200 - R*abs(cos(I*pi/12))*tan(Half/2) ),
+            Stems),
+    findall(Length,
+            ( between(0, 24, I),
+              Out is R*cos(I*pi/12),
+              Length is 260 - max(-Out*tan(Half/2), Out/tan(Half)) ),
+            Legs),
+    same_lengths(Rows1, Stems),
+    same_lengths(Rows2, Legs),
+    same_lengths(Rows3, Legs).
 
 test(reducer_ordered,
-     [forall(member(D-D2-H-T, [168.3-114.3-140-4,114.3-168.3-100-3,
-                               508-323.9-508-9.5]))]) :-
-    ordered(reducer, [d=D,d2=D2,h=H,t=T], 1, [_-Rows]),
+     [forall(( member(D-D2-H-T, [168.3-114.3-140-4,114.3-168.3-100-3,
+                                 508-323.9-508-9.5]),
+               member(Seam, [0,90]) ))]) :-
+    ordered(reducer, [d=D,d2=D2,h=H,t=T,seam=Seam], 1, [_-Rows]),
     Off is abs(D-D2)/2,
     Slant is sqrt(H*H + Off*Off),
     Sine is Off/Slant,
@@ -429,37 +455,113 @@ test(reducer_ordered,
              near(max(From, To), Near+Slant),
              near(Length, Slant) )).
 
+%   An eccentric one: at the angle t of the circles a generator runs by
+%   g = (e + k*cos(t), k*sin(t), h), k the difference of the radii. Its length
+%   is that of g in every layer. From t to t+dt it turns in the pattern by
+%   |k|*|n|/(g*g) and its normal by |n x n'|/(n*n), where
+%   n = (h*cos(t), h*sin(t), -e*cos(t)-k); so a layer T/2 within is as large as
+%   the surface less T/2 times length times the turn of the normal.
+
+test(eccentric_ordered,
+     [forall(( member(D-D2-H-E-T, [168.3-114.3-140-27-4,168.3-114.3-140-(-60)-0,
+                                   114.3-168.3-100-20-3,
+                                   508-323.9-508-92.05-9.5]),
+               member(Seam, [0,90,200]) ))]) :-
+    ordered(reducer, [d=D,d2=D2,h=H,e=E,t=T,seam=Seam], 1, [Area-Rows]),
+    K is (D2-D)/2,
+    From is Seam*pi/180,
+    forall(nth0(J, Rows, row(_, _, Angle, _, _, Length, _, _, _)),
+           ( To is From + J*pi/12,
+             generator_length(K, E, H, To, Exact),
+             near(Length, Exact),
+             integral(turned(K, E, H), From, To, Radians),
+             near(Angle, Radians*180/pi) )),
+    Whole is From + 2*pi,
+    integral(ring(D/2, D2/2, E, H, T/2), From, Whole, Exact),
+    near(Area, Exact, 1.0e-3).
+
+generator_length(K, E, H, T, Length) :-
+    Length is sqrt((E + K*cos(T))**2 + (K*sin(T))**2 + H*H).
+
+turned(K, E, H, T, By) :-
+    generator_length(K, E, H, T, Length),
+    By is abs(K)*sqrt(H*H + (E*cos(T) + K)**2)/(Length*Length).
+
+%   N' x N of the normal N, and its square.
+
+ring(R1, R2, E, H, In, T, Area) :-
+    K is R2-R1,
+    generator_length(K, E, H, T, Length),
+    turned(K, E, H, T, By),
+    Z is E*cos(T) + K,
+    Square is H*H + Z*Z,
+    X1 is H*cos(T), Y1 is H*sin(T),
+    X2 is -H*sin(T), Y2 is H*cos(T), Z2 is E*sin(T),
+    CX is Y1*Z2 + Z*Y2,
+    CY is -Z*X2 - X1*Z2,
+    CZ is X1*Y2 - Y1*X2,
+    Turn is sqrt(CX*CX + CY*CY + CZ*CZ)/Square,
+    Area is abs(R2*R2 - R1*R1)/(K*K)*Length*Length/2*By - In*Length*Turn.
+
+%   integral(F, A, B, I): of call(F, T, Value) from A to B, by Simpson's rule.
+
+:- meta_predicate integral(2, +, +, -).
+
+integral(F, A, B, I) :-
+    N = 1000,
+    Step is (B-A)/N,
+    findall(Part,
+            ( between(0, N, J),
+              T is A + J*Step,
+              call(F, T, Value),
+              (   ( J =:= 0 ; J =:= N )
+              ->  Part = Value
+              ;   Part is Value*(2 + 2*(J mod 2))
+              ) ),
+            Parts),
+    sum_list(Parts, Sum),
+    I is Sum*Step/3.
+
 %   The lengths from a corner of the neutral layer to points of its circle.
 test(square_to_round_ordered,
-     [forall(member(A-B-D-H-T, [300-200-160-150-2,500-500-250-300-3,
-                                200-400-180-220-0]))]) :-
-    ordered(square_to_round, [a=A,b=B,d=D,h=H,t=T], 1, [_-Rows]),
+     [forall(member(A-B-D-H-X-Y-T,
+                    [300-200-160-150-0-0-2, 500-500-250-300-0-0-3,
+                     200-400-180-220-0-0-0, 300-200-160-150-70-0-2,
+                     500-500-250-300-(-130)-45-3]))]) :-
+    ordered(square_to_round, [a=A,b=B,d=D,h=H,x=X,y=Y,t=T], 1, [_-Rows]),
     R is (D-T)/2,
     findall(Length, member(row(_, _, _, _, _, Length, _, _, _), Rows),
             Lengths),
-    forall(between(0, 4, J),
+    forall(( member(SX-SY, [1-1,-1-1,-1-(-1),1-(-1)]),
+             between(0, 4, J) ),
            ( At is J*pi/8,
-             Exact is sqrt(((A-T)/2 - R*cos(At))**2
-                           + ((B-T)/2 - R*sin(At))**2 + H*H),
-             aggregate_all(count,
-                           ( member(Length, Lengths),
-                             abs(Length-Exact) < 1.0e-9*Exact ),
-                           Count),
-             Count >= 4 )).
+             Exact is sqrt((SX*(A-T)/2 - X - SX*R*cos(At))**2
+                           + (SY*(B-T)/2 - Y - SY*R*sin(At))**2 + H*H),
+             (   member(Length, Lengths),
+                 abs(Length-Exact) < 1.0e-9*Exact
+             ->  true
+             ) )).
 
-%   Trapezoids of the neutral layer; each loses half of BD along its two bends.
+%   Trapezoids of the neutral layer, the opening moved by X; each loses half of
+%   BD along its two bends, whose angle is that between the normals of the
+%   sides.
 test(hopper_ordered,
-     [forall(member(T-R, [2-2,3-6,5-1]))]) :-
-    ordered(hopper, [a=600,b=500,c=200,d=150,h=400,t=T,r=R], 1, [Area-_]),
+     [forall(member(T-R-X, [2-2-0,3-6-0,5-1-0,2-2-120,3-4-(-250)]))]) :-
+    ordered(hopper, [a=600,b=500,c=200,d=150,h=400,t=T,r=R,x=X], 1, [Area-_]),
     A is 600-T, B is 500-T, C is 200-T, D is 150-T,
-    OutX is (A-C)/2, OutY is (B-D)/2,
-    SlantX is sqrt(400*400 + OutX*OutX),
+    OutY is (B-D)/2,
     SlantY is sqrt(400*400 + OutY*OutY),
-    Edge is sqrt(400*400 + OutX*OutX + OutY*OutY),
-    Turn is acos(OutX*OutY/(SlantX*SlantY)),
     Layer is R + 0.5*T,
-    Deduction is 2*tan(Turn/2)*Layer - Turn*Layer,
-    Exact is SlantX*(B+D) + SlantY*(A+C) - 8*Edge*Deduction/2,
+    findall(Part,
+            ( member(OutX, [(A-C)/2 + X, (A-C)/2 - X]),
+              SlantX is sqrt(400*400 + OutX**2),
+              Edge is sqrt(400*400 + OutX**2 + OutY*OutY),
+              Turn is acos(OutX*OutY/(SlantX*SlantY)),
+              Deduction is 2*tan(Turn/2)*Layer - Turn*Layer,
+              Part is SlantX*(B+D)/2 - 4*Edge*Deduction/2 ),
+            Parts),
+    sum_list(Parts, Sides),
+    Exact is Sides + SlantY*(A+C),
     near(Area, Exact).
 
 %   Barrel, cone and pipes of the cyclone are as wide as their neutral layers.
@@ -472,7 +574,10 @@ test(cyclone_ordered, [forall(member(D-T, [300-2,800-4]))]) :-
     forall(member(S-Width, [3-0.375,5-0.5]),
            ( ordered(cyclone, [d=D,t=T], S, [_-Rows]),
              last(Rows, row(_, _, Arc, _, _, _, _, _, _)),
-             near(Arc, pi*(Width*D - T)) )).
+             near(Arc, pi*(Width*D - T)) )),
+    ordered(cyclone, [d=D,t=T], 1, [_-Barrel]),
+    last(Barrel, row(_, _, Around, _, _, _, _, _, _)),
+    near(Around, pi*(D-T)).
 
 
                 /*******************************
