@@ -2,7 +2,8 @@
           [ all_wanted/0,
             sampled/2,                  % +Classes, :Goal
             shared/3,                   % +I, +Tests, :Goal
-            few/3                       % +Few, +All, -N
+            few/3,                      % +Few, +All, -N
+            one_in/2                    % +N, :Goal
           ]).
 /** <module> A sample by default, all of it on demand.
 
@@ -14,7 +15,7 @@ do all; counts of more, such as TRUE_CUT_RANDOM=50, are of that.
 :- use_module(library(apply)).
 :- use_module(library(lists)).
 
-:- meta_predicate sampled(+, 0), shared(+, +, 0).
+:- meta_predicate sampled(+, 0), shared(+, +, 0), one_in(+, 0).
 
 %!  all_wanted is semidet.
 
@@ -64,6 +65,18 @@ shared(_, _, Goal) :-
 shared(I, Tests, Goal) :-
     call_nth(Goal, Nth),
     Nth mod Tests =:= I mod Tests.
+
+%!  one_in(+N, :Goal) is nondet.
+%
+%   Every N-th solution of Goal, from the first on; all of them, if all are
+%   wanted.
+
+one_in(N, Goal) :-
+    (   all_wanted
+    ->  call(Goal)
+    ;   call_nth(Goal, Nth),
+        Nth mod N =:= 1 mod N
+    ).
 
 %   leaps(N, Order): 0 .. N-1, each far from the one before.
 

@@ -87,14 +87,33 @@ of_file(File, Drawings) :-
                                        Drawings) ))).
 
 many_faces(S) :-
-    findall(x, limit(1500, p(S,_,_)), Xs),
-    length(Xs, 1500).
+    few(150, 1500, Many),
+    findall(x, limit(Many, p(S,_,_)), Xs),
+    length(Xs, Many).
 
 % How many sides have tabs, and how many seams have none.
 tab_counts(Term, Options, Tabs, Butt) :-
-    quietly(tabs_told(Term, Options, Tabs, Butt)).
+    tabs_told(Term, Options, Tabs, Butt, _).
 
-tabs_told(Term, Options, Tabs, Butt) :-
+:- dynamic told_before/5.
+
+%   tabs_told(Term, Options, Tabs, Butt, Noticed): laid out once, however many
+%   tests ask.
+
+tabs_told(Term, Options, Tabs, Butt, Noticed) :-
+    told_before(Term, Options, Tabs, Butt, Noticed),
+    !.
+tabs_told(Term, Options, Tabs, Butt, Noticed) :-
+    retractall(noticed(_)),
+    quietly(setup_call_cleanup(
+        asserta((user:message_hook(sanggwan(pattern(What)), _, _) :-
+                     assertz(test_pattern_shapes:noticed(What))), Ref),
+        tabs_laid(Term, Options, Tabs, Butt),
+        erase(Ref))),
+    findall(What, noticed(What), Noticed),
+    assertz(told_before(Term, Options, Tabs, Butt, Noticed)).
+
+tabs_laid(Term, Options, Tabs, Butt) :-
     new_world(World),
     in_world(World,
              ( loaded(Term),
@@ -105,6 +124,13 @@ tabs_told(Term, Options, Tabs, Butt) :-
     length(TabKeys, Tabs),
     length(ButtKeys, Butt).
 
+opened(Name, Term) :-
+    member(Term, [ sphere(radius(50),facets(24),bands(12)),
+                   cone(radius(40),height(80),facets(48)),
+                   sphere(radius(200),facets(48),bands(24)),
+                   torus(radius(60),tube(20),facets(36),sides(18)) ]),
+    functor(Term, Name, _).
+
 %   told(Term, Options, Told): the notices about tabs; of seams without one how
 %   many there are, their share in hundredths of a per cent, what would help and
 %   how many edges are named.
@@ -112,13 +138,8 @@ tabs_told(Term, Options, Tabs, Butt) :-
 :- dynamic noticed/1.
 
 told(Term, Options, Told) :-
-    retractall(noticed(_)),
-    setup_call_cleanup(
-        asserta((user:message_hook(sanggwan(pattern(What)), _, _) :-
-                     assertz(test_pattern_shapes:noticed(What))), Ref),
-        tabs_told(Term, Options, _, _),
-        erase(Ref)),
-    findall(Notice, ( noticed(What), notice(What, Notice) ), Told).
+    tabs_told(Term, Options, _, _, Noticed),
+    findall(Notice, ( member(What, Noticed), notice(What, Notice) ), Told).
 
 notice(opened_by_itself(N0,N), opened_by_itself(N0,N)).
 notice(opened(N0,N), opened(N0,N)).
@@ -154,11 +175,15 @@ test(most_seams_have_tabs, [ true(2*Butt < Tabs) ]) :-
 % is parted; a twentieth of the other's, which stays whole. Seams too short for
 % tabs have none among parts either.
 test(slits_open_by_themselves,
-     [ forall(member(Term-Width-Same,
-                     [ sphere(radius(50),facets(48),bands(24))-5-true,
-                       box(size(40,30,20))-5-false,
-                       sphere(radius(100),facets(24),bands(12))-6-false,
-                       sphere(radius(6),facets(48),bands(24))-6-false ])),
+     [ forall(sampled([Name,Same],
+                      ( member(Term-Width-Same,
+                               [ sphere(radius(50),facets(48),bands(24))-5-true,
+                                 box(size(40,30,20))-5-false,
+                                 sphere(radius(100),facets(24),bands(12))-6-
+                                     false,
+                                 sphere(radius(6),facets(48),bands(24))-6-false
+                               ]),
+                        functor(Term, Name, _) ))),
        true(Auto == Other) ]) :-
     tab_counts(Term, [tabs(Width)], T1, B1),
     Auto = T1-B1,
@@ -199,13 +224,8 @@ test(told_what_helps, [ Told == [without_tab(472,3199,open_slits,472)] ]) :-
 test(told_nothing, [ Told == [] ]) :-
     told(box(size(40,30,20)), [tabs(5)], Told).
 test(open_slits_have_tabs, [ true(Butt == 0),
-                             forall(member(Term,
-                                 [ sphere(radius(50),facets(24),bands(12)),
-                                   sphere(radius(200),facets(48),bands(24)),
-                                   torus(radius(60),tube(20),facets(36),
-                                         sides(18)),
-                                   cone(radius(40),height(80),facets(48))
-                                 ])) ]) :-
+                             forall(sampled([Name],
+                                            opened(Name, Term))) ]) :-
     tab_counts(Term, [tabs(6),open_slits(true)], _, Butt).
 % 1.3 mm each: no tabs of their own.
 test(facets_share_tabs, [ true(4*Butt < Tabs) ]) :-

@@ -10,16 +10,18 @@
 :- use_module(rules(polygon/triangulation)).
 :- use_module(tests('rules/grid_model')).
 :- use_module(tests('rules/penetration/oracle_model')).
+:- use_module(tests('rules/sample')).
 
 /* Random solids and sheets on a coarse grid, half of them then mapped to planes
 in all directions, two to four together: after
 penetrate/0 the lines are those of the oracle, and every polygon is still
 divided rightly. Model I is made from seed I. ORACLE_MODELS=N makes N models
-(default 150), from number ORACLE_FIRST (default 1) on. */
+(default 50, or 150), from number ORACLE_FIRST (default 1) on. */
 
 models(First, Last) :-
     from_environment('ORACLE_FIRST', 1, First),
-    from_environment('ORACLE_MODELS', 150, N),
+    few(50, 150, Few),
+    from_environment('ORACLE_MODELS', Few, N),
     Last is First+N-1.
 
 from_environment(Name, Default, N) :-

@@ -10,14 +10,17 @@
 :- use_module(rules(penetration/penetration)).
 :- use_module(tests('rules/penetration/oracle')).
 :- use_module(tests('oracle/cut')).
+:- use_module(tests('rules/sample')).
 
 /* Two triangles with corners on a small grid: the engine and the oracle see
 the same pieces, their ends in the same features. The classes that occurred are
-counted, and each must occur. ORACLE_PAIRS=N makes N pairs (default 30000),
+counted, and each must occur. ORACLE_PAIRS=N makes N pairs (default 12000, or
+30000),
 ORACLE_SEED=N other ones. */
 
 pairs(N) :-
-    from_environment('ORACLE_PAIRS', 30000, N).
+    few(12000, 30000, Few),
+    from_environment('ORACLE_PAIRS', Few, N).
 
 seed(Seed) :-
     from_environment('ORACLE_SEED', 19880301, Seed).
@@ -388,7 +391,7 @@ test(all_classes, Missing == []) :-
 % The same by the public predicate, a world for each pair.
 test(triangle_cut, Bad == []) :-
     findall(T1-T2,
-            ( between(1, 300, _),
+            ( few(100, 300, Most), between(1, Most, _),
               random_pair(_, T1, T2),
               public_cuts(T1, T2, Cuts),
               engine_answer(Cuts, Kind, Ends),

@@ -27,7 +27,7 @@ turns(N0, N) :-
     ->  atom_number(Text, Times)
     ;   Times = 1
     ),
-    few(N0//3, N0, N1),
+    few(N0//10, N0, N1),
     N is max(1, N1)*Times.
 
 /* - - - scenes - - - */

@@ -10,6 +10,7 @@
 :- use_module(rules(picture/view)).
 :- use_module(tests('rules/picture/picture_checked')).
 :- use_module(tests('rules/picture/picture_scene')).
+:- use_module(tests('rules/sample')).
 
 /* Pictures of random scenes against the independent checker: what is visible
 and what is hidden, and that nothing is drawn twice.
@@ -28,7 +29,8 @@ user:message_hook(sanggwan(tight(_, _, _, _, _, _)), warning, _).
 
 test(right, [forall(scene_class(Class, N0)), true(Faults == [])]) :-
     times(Times),
-    N is N0*Times,
+    few(N0//3, N0, N1),
+    N is N1*Times,
     class_faults(Class, N, Faults).
 
 scene_class(grid_boxes,   25).
@@ -106,7 +108,8 @@ hidden_by_own(Class, Seed, Bad) :-
 
 test(once, true(Twice == [])) :-
     times(Times),
-    N is 8*Times,
+    few(3, 8, N1),
+    N is N1*Times,
     open_pictures(Pictures),
     forall(( member(Class, [grid_solids,grid_shells,grid_mixed,solids,round]),
              between(1, N, Seed) ),
@@ -167,7 +170,8 @@ mesh_file(File) :-
 
 test(turned, [forall(turned_class(Class, Digits, N0)), true(Faults == [])]) :-
     times(Times),
-    N is N0*Times,
+    few(N0//3, N0, N1),
+    N is N1*Times,
     open_pictures(Pictures),
     findall(Name-Lengths,
             ( between(1, N, Seed),

@@ -41,9 +41,8 @@ loop_edges(Loop, Edges, V0, V) :-
     V is V0+N,
     Last is V-1,
     numlist(V0, Last, Vs),
-    append(Next, [V0], Ends),
     Vs = [_|Next],
-    !,
+    append(Next, [V0], Ends),
     pairs_keys_values(Edges, Vs, Ends).
 
 %!  with_edges(+Points, +Edges, +Place, :Goal) is semidet.

@@ -165,7 +165,7 @@ test(first_triangle, true(T == t(1, 2, 3))) :-
     with_polygon(Loops, flat, polygon_triangles(1, 1, [T|_])).
 
 % Any order of the edges will do.
-test(order, forall(between(1, 50, Seed))) :-
+test(order, forall(( few(15, 50, Most), between(1, Most, Seed) ))) :-
     set_random(seed(Seed)),
     cut(seam_joins_hole, Points, Edges0, _),
     random_permutation(Edges0, Edges),
@@ -182,7 +182,8 @@ test(open, error(model_error(polygon(1, 1, open(3))))) :-
 test(no_area, true(Faults == [fault(1, 1, no_area)])) :-
     with_polygon([[0-0, 1-1, 2-2]], flat, fill_triangles(all, Faults)).
 
-test(data, [forall(( data(Path), member(Place, [flat, axis(x, -1)]) )),
+test(data, [forall(sampled([Path,Place], ( member(Place, [flat, axis(x, -1)]),
+                                           data(Path) ))),
             true(Base-Outcome == Base-Expected)]) :-
     file_base_name(Path, Name),
     file_name_extension(Base, json, Name),
@@ -197,7 +198,7 @@ test(data, [forall(( data(Path), member(Place, [flat, axis(x, -1)]) )),
 % rounding; and what is invalid stays so.
 test(data_turned, [forall(( data(Path),
                             \+ sub_atom(Path, _, _, _, degenerate),
-                            between(1, 3, Seed) )),
+                            few(1, 3, Most), between(1, Most, Seed) )),
                    setup(set_random(seed(Seed))),
                    true(Base-Outcome == Base-Expected)]) :-
     file_base_name(Path, Name),
@@ -243,7 +244,7 @@ random_plane(plane(U, V, O)) :-
     O = [O1,O2,O3].
 
 % Real polygons: those of mesh files that are no triangles.
-test(mesh, [forall(mesh_data(Path)), true(Differ == [])]) :-
+test(mesh, [forall(one_in(4, mesh_data(Path))), true(Differ == [])]) :-
     new_world(World),
     in_world(World, mesh_differences(Path, Differ)).
 
@@ -266,7 +267,7 @@ same_triangles(S-P) :-
     findall(t(V1, V2, V3), t(S, P, _, V1, V2, V3), Triangles).
 
 % Kernel against rule: thousands of polygons.
-test(random_cells, [forall(( few(400, 1500, Most), between(1, Most, Seed) )),
+test(random_cells, [forall(( few(120, 1500, Most), between(1, Most, Seed) )),
                     setup(set_random(seed(Seed)))]) :-
     Size is 2+Seed mod 5,
     Seams is Seed mod 7*15,
@@ -274,7 +275,7 @@ test(random_cells, [forall(( few(400, 1500, Most), between(1, Most, Seed) )),
     findall(Place, place(Place), Places),
     random_member(Place, Places),
     with_edges(Points, Edges, Place, cells_good(Place)).
-test(random_walk, [forall(( few(400, 1500, Most), between(1, Most, Seed) )),
+test(random_walk, [forall(( few(120, 1500, Most), between(1, Most, Seed) )),
                    setup(set_random(seed(Seed)))]) :-
     N is 4+Seed mod 9,
     Grid is 2+Seed mod 4,
@@ -291,11 +292,11 @@ cells_good(_) :-
 
 :- end_tests(triangulation).
 
-% A comb of 30,000 vertices takes much longer than that.
+% A comb of 100,000 vertices takes much longer than that.
 comb(Loop) :-
-    findall(X-Y, ( between(1, 30000, I), X is -I, Y is (I*7919) mod 1000 ),
+    findall(X-Y, ( between(1, 100000, I), X is -I, Y is (I*7919) mod 1000 ),
             Tips),
-    append([-29000-(-9), -20-(-10)], Tips, Loop).
+    append([-99900-(-9), 0-(-10)], Tips, Loop).
 
 count_triangles(N) :-
     aggregate_all(count, t(_, _, _, _, _, _), N).
@@ -399,6 +400,6 @@ test(stopped, true(E-N == time_limit_exceeded-0)) :-
                    statistics(cputime, T1),
                    count_triangles(N)
                  )),
-    assertion(T1-T0 < 3).
+    assertion(T1-T0 < 0.5).
 
 :- end_tests(complete_segments).
