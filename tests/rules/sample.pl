@@ -3,6 +3,7 @@
             sampled/2,                  % +Classes, :Goal
             shared/3,                   % +I, +Tests, :Goal
             few/3,                      % +Few, +All, -N
+            numbered/3,                 % +Few, +All, -I
             one_in/2                    % +N, :Goal
           ]).
 /** <module> A sample by default, all of it on demand.
@@ -32,6 +33,14 @@ few(Few, All, N) :-
     ->  N = All
     ;   N = Few
     ).
+
+%!  numbered(+Few, +All, -I) is nondet.
+%
+%   I is 1, 2 ... Few, or All if that is wanted: seeds of random cases.
+
+numbered(Few, All, I) :-
+    few(Few, All, N),
+    between(1, N, I).
 
 %!  sampled(+Classes, :Goal) is nondet.
 %

@@ -11,6 +11,7 @@
 :- use_module(rules(polygon/triangulation)).
 :- use_module(tests('rules/grid_model')).
 :- use_module(tests('rules/penetration/oracle')).
+:- use_module(tests('rules/sample')).
 
 /* Contacts in a point alone, against the oracle: those points that two
 triangles of two segments have in common alone, and that are on no line of
@@ -71,7 +72,8 @@ note_contacts(Wanted) :-
 :- begin_tests(contacts).
 
 test(random_models, Bad == []) :-
-    findall(Fault, limit(3, ( between(1, 400, I), contact_fault(I, Fault) )),
+    findall(Fault,
+            limit(3, ( numbered(250, 400, I), contact_fault(I, Fault) )),
             Bad).
 test(there_were_some, true(Sum >= 50)) :-
     findall(N, contacts(N), Ns),

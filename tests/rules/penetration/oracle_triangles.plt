@@ -391,7 +391,7 @@ test(all_classes, Missing == []) :-
 % The same by the public predicate, a world for each pair.
 test(triangle_cut, Bad == []) :-
     findall(T1-T2,
-            ( few(100, 300, Most), between(1, Most, _),
+            ( numbered(100, 300, _),
               random_pair(_, T1, T2),
               public_cuts(T1, T2, Cuts),
               engine_answer(Cuts, Kind, Ends),

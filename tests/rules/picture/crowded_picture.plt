@@ -11,6 +11,7 @@
 :- use_module(rules(picture/view)).
 :- use_module(rules(store)).
 :- use_module(tests('rules/shells')).
+:- use_module(tests('rules/sample')).
 
 %   drawn_lines(+Options, -Lines): what is drawn, by places: edges that cuts
 %   made have other numbers where there are fewer.
@@ -109,7 +110,8 @@ test(wedges, Fewer == true) :-
 test(one_box, [true(N-M == 32-16)]) :-
     Box = box(size(1,2,3)),
     same_picture([Box,Box,Box,Box], rows(N, _)-rows(M, _), _).
-test(wedges_and_boxes, [forall(between(1, 12, Seed)), true(Fewer == true)]) :-
+test(wedges_and_boxes, [ forall(numbered(5, 12, Seed)),
+                         true(Fewer == true) ]) :-
     set_random(seed(Seed)),
     random_between(30, 45, N),
     random_wedges(N, Wedges),
@@ -124,13 +126,13 @@ test(one_polygon, true) :-
     cones(48, More),
     same_picture(More, _-rows(_, Lines2), true),
     Lines2 < 2.5*Lines1.
-test(one_polygon_of_random_cones, forall(between(1, 12, Seed))) :-
+test(one_polygon_of_random_cones, forall(numbered(5, 12, Seed))) :-
     set_random(seed(Seed)),
     random_between(18, 30, N),
     length(Shells, N),
     maplist(random_cone, Shells),
     same_picture(Shells, _, _).
-test(copies, [forall(between(1, 25, Seed))]) :-
+test(copies, [forall(numbered(10, 25, Seed))]) :-
     set_random(seed(Seed)),
     random_copies(Shells),
     same_picture(Shells, _, _).

@@ -18,7 +18,7 @@
 :- use_module(tests('rules/contour_same'), [same_as_rule/2]).
 :- use_module(tests('rules/picture/loose_end')).
 :- use_module(tests('rules/polyhedron'), [in_new_world/1]).
-:- use_module(tests('rules/sample'), [few/3,one_in/2]).
+:- use_module(tests('rules/sample'), [numbered/3,one_in/2]).
 
 /* Penetration lines and creases on smooth surfaces, coarse ones too: what is
    seen of them ends where the outline of the surface does, and no short piece
@@ -164,8 +164,7 @@ explained(S, E, Options, Statement) :-
 
 :- begin_tests(line_end).
 
-test(ends, [ forall(( scene(Name, 0, _, _), few(1, 8, Most),
-                      between(1, Most, Seed) )),
+test(ends, [ forall(( scene(Name, 0, _, _), numbered(1, 8, Seed) )),
              true(Name-Seed-Faults == Name-Seed-[]) ]) :-
     in_new_world(findall(Fault, fault(Name, Seed, Fault), Faults)).
 test(kernel_is_rule,

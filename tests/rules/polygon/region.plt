@@ -3,6 +3,7 @@
 :- use_module(library(plunit)).
 :- use_module(library(random)).
 :- use_module(rules(polygon/region)).
+:- use_module(tests('rules/sample')).
 
 square(X, Y, A, loops([[X-Y, X1-Y, X1-Y1, X-Y1]])) :-
     X1 is X+A,
@@ -98,7 +99,8 @@ test(moved, Area =:= 18) :-
 
 % Squares on a coarse grid, so that they touch: area(A)+area(B) is that of union
 % and intersection; A-B, B-A and the intersection make the union.
-test(random, [ setup(set_random(seed(1988))), forall(between(1, 200, _)) ]) :-
+test(random, [ setup(set_random(seed(1988))),
+               forall(numbered(70, 200, _)) ]) :-
     random_region(A),
     random_region(B),
     maplist(area, [A, B, union([A, B]), intersection([A, B]),
@@ -108,7 +110,8 @@ test(random, [ setup(set_random(seed(1988))), forall(between(1, 200, _)) ]) :-
     AU =:= AD1+AD2+AI.
 
 % Turned ones: what is found does not meet itself, so it is found again.
-test(turned, [ setup(set_random(seed(1989))), forall(between(1, 60, _)) ]) :-
+test(turned, [ setup(set_random(seed(1989))),
+               forall(numbered(20, 60, _)) ]) :-
     random_turned(A),
     random_turned(B),
     random_turned(C),
@@ -121,7 +124,8 @@ test(turned, [ setup(set_random(seed(1989))), forall(between(1, 60, _)) ]) :-
 
 % Cells of a chessboard, some of them there: all corners lie at the heights of
 % others. Islands are the cells that are connected by sides, no hole is lost.
-test(cells, [ setup(set_random(seed(1990))), forall(between(1, 120, I)) ]) :-
+test(cells, [ setup(set_random(seed(1990))),
+              forall(numbered(40, 120, I)) ]) :-
     Share is 0.3+0.1*(I mod 6),
     findall(X-Y, ( between(1, 6, X), between(1, 6, Y), maybe(Share) ), Cells),
     findall(S, ( member(X-Y, Cells), square(X, Y, 1, S) ), Squares),
@@ -135,7 +139,8 @@ test(cells, [ setup(set_random(seed(1990))), forall(between(1, 120, I)) ]) :-
            forall(( member(Hole, Holes) ; member(Hole, Bays) ),
                   within(Hole, Outline))).
 % The same, taken out of a plate.
-test(cells_out, [ setup(set_random(seed(1991))), forall(between(1, 60, _)) ]) :-
+test(cells_out, [ setup(set_random(seed(1991))),
+                  forall(numbered(20, 60, _)) ]) :-
     findall(X-Y, ( between(1, 6, X), between(1, 6, Y), maybe(0.35) ), Cells),
     findall(S, ( member(X-Y, Cells), square(X, Y, 1, S) ), Squares),
     square(0, 0, 8, Plate),

@@ -165,7 +165,7 @@ test(first_triangle, true(T == t(1, 2, 3))) :-
     with_polygon(Loops, flat, polygon_triangles(1, 1, [T|_])).
 
 % Any order of the edges will do.
-test(order, forall(( few(15, 50, Most), between(1, Most, Seed) ))) :-
+test(order, forall(numbered(15, 50, Seed))) :-
     set_random(seed(Seed)),
     cut(seam_joins_hole, Points, Edges0, _),
     random_permutation(Edges0, Edges),
@@ -198,7 +198,7 @@ test(data, [forall(sampled([Path,Place], ( member(Place, [flat, axis(x, -1)]),
 % rounding; and what is invalid stays so.
 test(data_turned, [forall(( data(Path),
                             \+ sub_atom(Path, _, _, _, degenerate),
-                            few(1, 3, Most), between(1, Most, Seed) )),
+                            numbered(1, 3, Seed) )),
                    setup(set_random(seed(Seed))),
                    true(Base-Outcome == Base-Expected)]) :-
     file_base_name(Path, Name),
@@ -267,7 +267,7 @@ same_triangles(S-P) :-
     findall(t(V1, V2, V3), t(S, P, _, V1, V2, V3), Triangles).
 
 % Kernel against rule: thousands of polygons.
-test(random_cells, [forall(( few(120, 1500, Most), between(1, Most, Seed) )),
+test(random_cells, [forall(numbered(120, 1500, Seed)),
                     setup(set_random(seed(Seed)))]) :-
     Size is 2+Seed mod 5,
     Seams is Seed mod 7*15,
@@ -275,7 +275,7 @@ test(random_cells, [forall(( few(120, 1500, Most), between(1, Most, Seed) )),
     findall(Place, place(Place), Places),
     random_member(Place, Places),
     with_edges(Points, Edges, Place, cells_good(Place)).
-test(random_walk, [forall(( few(120, 1500, Most), between(1, Most, Seed) )),
+test(random_walk, [forall(numbered(120, 1500, Seed)),
                    setup(set_random(seed(Seed)))]) :-
     N is 4+Seed mod 9,
     Grid is 2+Seed mod 4,

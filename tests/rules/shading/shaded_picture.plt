@@ -25,6 +25,7 @@
 :- use_module(rules(solid/csg_evaluate)).
 :- use_module(rules(store)).
 :- use_module(shaded_model).
+:- use_module(tests('rules/sample')).
 
 bytes(Text, Options, Bytes) :-
     in_model(Text, shaded_bytes(Options, Bytes)).
@@ -102,7 +103,8 @@ look_at(parallel, "view(300, 60, 0).").
 look_at(below, "view(20, 130, 0).").
 look_at(central, "view(300, 60, 14). projection(central).").
 
-test(buffer, [ forall(( case(Name, Term), look_at(How, View) )),
+test(buffer, [ forall(sampled([Name,How],
+                              ( case(Name, Term), look_at(How, View) ))),
                true(Wrong =< Allowed) ]) :-
     format(string(Text), "segment(1, solid, ~q).\n~s\n", [Term,View]),
     in_model(Text, compared(Wrong, Seen)),

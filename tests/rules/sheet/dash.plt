@@ -2,6 +2,7 @@
 :- use_module(library(plunit)).
 :- use_module(rules(sheet/dash)).
 :- use_module(rules(sheet/stroke)).
+:- use_module(tests('rules/sample')).
 
 hidden(Points, Start, End, stroke(hidden,outline,1,[],Points,Start,End)).
 
@@ -56,7 +57,7 @@ test(many_small_pieces, true(N == 3)) :-
 test(ring, true((Dash =:= 3000, Gap =:= 900))) :-
     hidden([0-0,7800-0,0-0], ring, ring, Stroke),
     stroke_runs(Stroke, [3000,900], [Dash,Gap], _).
-test(random, [forall(between(1, 100, Seed)), true]) :-
+test(random, [forall(numbered(40, 100, Seed)), true]) :-
     random_stroke(Seed, Stroke),
     Stroke = stroke(_, _, _, _, Points, Start, End),
     Points = [First|_],

@@ -2,6 +2,7 @@
 :- use_module(library(plunit)).
 :- use_module(rules(sheet/hatching)).
 :- use_module(rules(sheet/sheet_marks)).
+:- use_module(tests('rules/sample')).
 
 % The edges of loops of points.
 loop_edges(Points, Edges) :-
@@ -71,10 +72,10 @@ test(ring, [forall(member(Way, [rising,falling]))]) :-
     Area =:= 80 000*60 000 - 40 000*30 000,
     fills(Edges, Way, 2000).
 test(all_random,
-     [forall(( between(1, 60, Seed), member(Way, [rising,falling]) ))]) :-
+     [forall(( numbered(20, 60, Seed), member(Way, [rising,falling]) ))]) :-
     random_region(Seed, Edges),
     fills(Edges, Way, 1500).
-test(inside_only, [forall(between(1, 40, Seed))]) :-
+test(inside_only, [forall(numbered(15, 40, Seed))]) :-
     random_region(Seed, Edges),
     hatch_lines(Edges, rising, 2000, Lines),
     Lines = [_,_,_|_],

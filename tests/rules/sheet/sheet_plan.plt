@@ -11,6 +11,7 @@
 :- use_module(rules(drawing/drawing), [write_drawing_stream/3]).
 :- use_module(rules(model/model), [load_model/1]).
 :- use_module(rules(command/verbs), [draw/2]).
+:- use_module(tests('rules/sample')).
 
 % The drawing of a model of facts/ by options as on the command line.
 drawn_sheet(Model, Options, Drawing) :-
@@ -144,8 +145,10 @@ test(places, [forall(member(Angle-Name-Where,
     memberchk(Where-Apart, [ above-(Y1-B2), below-(B1-Y2), left-(X1-A2),
                              right-(A1-X2) ]),
     Apart > 8000.
-test(in_the_frame, [forall(( member(Model, [two_cubes,pipe_tee,hollow_block]),
-                             member(Paper, [a4,a3,a1]) ))]) :-
+test(in_the_frame, [forall(sampled([Model,Paper],
+                                   ( member(Model, [ two_cubes,pipe_tee,
+                                                     hollow_block ]),
+                                     member(Paper, [a4,a3,a1]) )))]) :-
     drawn_sheet(Model, [sheet(Paper),section([x,y,'1,1,0,-0.1'])], Drawing),
     Drawing = drawing(sheet(W,H,_), Views),
     forall(( member(view(Name,Strokes,Texts), Views), Name \== frame ),

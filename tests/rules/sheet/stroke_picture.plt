@@ -18,6 +18,7 @@
 :- use_module(tests('rules/random_solid')).
 :- use_module(tests(rules/polyhedron), [in_new_world/1]).
 :- use_module(tests('oracle/stroke')).
+:- use_module(tests('rules/sample')).
 
 /* Strokes of whole pictures: what is drawn is what drawn/7 has, all of it and
    nothing else; nothing is drawn twice, in random scenes and in the goldens. */
@@ -151,7 +152,7 @@ thousandths(N) -->
 :- begin_tests(stroke_picture).
 
 % The kernel does with rows what the rule does with parts.
-test(kernel_is_rule, [ forall(( between(1, 60, Seed),
+test(kernel_is_rule, [ forall(( numbered(20, 60, Seed),
                                 Options = [hidden(Hidden)],
                                 nth0(K, [dashed,removed,shown], Hidden),
                                 K =:= Seed mod 3 )),
@@ -165,16 +166,16 @@ test(kernel_of_nothing, Strokes == []) :-
     new_world(World),
     in_world(World, sheet_strokes(210-148, [], _, _, Strokes)).
 
-test(all_and_nothing_else, [forall(between(1, 40, Seed))]) :-
+test(all_and_nothing_else, [forall(numbered(15, 40, Seed))]) :-
     in_new_world(( scene(Seed), scene_strokes(Parts, Strokes) )),
     ends_of_parts(Parts, Wanted),
     ends_of_strokes(Strokes, Drawn),
     assertion(Seed-Drawn == Seed-Wanted).
-test(kernel_is_rule, [forall(between(1, 40, Seed))]) :-
+test(kernel_is_rule, [forall(numbered(15, 40, Seed))]) :-
     in_new_world(( scene(Seed), scene_strokes(Parts, Kernel) )),
     strokes_by_rule(Parts, Rule),
     assertion(Seed-Kernel == Seed-Rule).
-test(nothing_twice, [forall(between(1, 40, Seed))]) :-
+test(nothing_twice, [forall(numbered(15, 40, Seed))]) :-
     in_new_world(( scene(Seed), scene_strokes(_, Strokes) )),
     pieces(Strokes, Pieces),
     findall(Pair, doubled(Pieces, 2, 1000, Pair), Pairs),

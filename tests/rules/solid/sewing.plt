@@ -11,7 +11,7 @@
 :- use_module(rules(store)).
 :- use_module(tests('rules/boolean_case'), [measured/2, result/2]).
 :- use_module(tests('rules/checked'), [write_off/3]).
-:- use_module(tests('rules/sample'), [few/3]).
+:- use_module(tests('rules/sample'), [few/3,numbered/3]).
 :- use_module(tests('rules/solid/grown'), [grown/4, shells_solid/3]).
 
 /* Shells of one file that touch exactly: what they are sewn into goes round
@@ -221,7 +221,7 @@ test(as_it_was, Before == After) :-
 test(nothing_to_sew, [forall(member(Family, [apart,row,comb,needles])),
                       fail]) :-
     family(Family, 20, facts_snapshot(segment_sewn(1, _))).
-test(goes_round, [forall(between(1, 60, Seed)), all(_ == [])]) :-
+test(goes_round, [forall(numbered(20, 60, Seed)), all(_ == [])]) :-
     random_boxes(Seed, Boxes),
     boxes_mesh(Boxes, Points, Faces),
     read(Points, Faces,
