@@ -253,6 +253,10 @@ picture(glue_exploded, '1996, figure 1, exploded',
         'Its four cells apart: what is between two of them is one face.',
         ['facts/figures/glue_materials.pl','--explode','0.5',
          '--hidden',removed]).
+picture(glue_section, '1996, figure 1, cut open',
+        'Each cell is cut as a solid; neighbours are hatched differently.',
+        ['facts/figures/glue_materials.pl','--sheet','A4',
+         '--views',isometric,'--section','y=0.3','--section','z=1']).
 picture(glue_vertex, '1996, figure 4',
         'Vertex glue: three pyramids with one apex, one in another, a wire.',
         ['facts/figures/glue_vertex.pl']).

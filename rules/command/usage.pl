@@ -107,8 +107,9 @@ verb_option(cells, option(neighbours, '', flag, '',
     'also which regions have faces between them, how many and of what area')).
 verb_option(cells, option(json, '', flag, '', 'the report as JSON')).
 verb_option(cells, option(output, o, each, 'FILE',
-    'the model with its regions (.pl); may be repeated')).
-verb_option(cells, option(format, '', one_of([pl]), 'FORMAT',
+    'the model with its regions (.pl), a table (.csv; with --neighbours of \c
+     pairs), or a graph of neighbours (.dot); may be repeated')).
+verb_option(cells, option(format, '', one_of([pl,csv,dot]), 'FORMAT',
     'the format for -o -')).
 
 verb_option(glue, option(output, o, each, 'FILE',

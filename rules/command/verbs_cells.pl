@@ -15,6 +15,7 @@
 :- use_module('../solid/glue', [glue_report/2]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store', [segment/3, facts_transaction/1]).
+:- use_module(cells_table, [write_cells_table/3]).
 :- use_module(solid_verbs, [empty_roots_warned/0]).
 :- use_module(verb_output,
               [ some_files/2, outputs/3, no_model_replaced/2, output_written/2
@@ -37,7 +38,7 @@ regions_report/2 has them, and faults, a dict of counts.
 
 cells_run(Files, Options, Status) :-
     some_files(Files, 'MODEL'),
-    outputs(Options, [pl], Outputs),
+    outputs(Options, [pl,csv,dot], Outputs),
     no_model_replaced(Files, Outputs),
     load_model(Files, Options),
     empty_roots_warned,
@@ -52,11 +53,19 @@ cells_run(Files, Options, Status) :-
                                Segments, Reports))),
     apart_warned(Glues),
     reported(Outputs, sg_verbs_cells:printed(Options, Reports)),
-    forall(member(Output, Outputs), output_written(save_model, Output)),
+    forall(member(Output, Outputs),
+           output_written(sg_verbs_cells:written(Output, Reports, Options),
+                          Output)),
     (   member(Report, Reports),
         Report.faults \= _{}
     ->  Status = 1
     ;   Status = 0
+    ).
+
+written(output(_, Format), Reports, Options, File) :-
+    (   Format == pl
+    ->  save_model(File)
+    ;   write_cells_table(File, Reports, [format(Format)|Options])
     ).
 
 segment_report(Glues, S-Term, Report) :-

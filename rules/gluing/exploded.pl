@@ -1,15 +1,19 @@
 :- module(sg_exploded,
-          [ cells_exploded/1            % +Factor
+          [ cells_exploded/1,           % +Factor
+            segment_exploded/3          % +S, +Factor, -Parts
           ]).
 :- use_module('../csg/csg_rows', [drop_boundary/1]).
+:- use_module('../csg/known_surface',
+              [facets_of/2, moved_surface/3, remember_facets/1]).
+:- use_module('../polygon/triangulation', [complete_segments/1]).
 :- use_module('../store',
               [ v/5, e/5, p/3, t/6, edge_polygon/3, segment/3, region/3,
                 sides/4, assert_fact/1, retractall_facts/1, facts_transaction/1,
                 fresh_id/3
               ]).
 :- use_module(library(aggregate), [aggregate_all/3]).
-:- use_module(library(apply), [maplist/2]).
-:- use_module(library(lists), [member/2]).
+:- use_module(library(apply), [maplist/2, maplist/3]).
+:- use_module(library(lists), [append/2, member/2]).
 /** <module> Exploded cells: each region moved out, to be seen.
 
 Each cell becomes a solid of its own, region(S, R), moved away from the middle
@@ -30,13 +34,27 @@ cells_exploded(Factor) :-
                sg_exploded:exploded(S, Factor))).
 
 exploded(S, Factor) :-
+    segment_exploded(S, Factor, Parts),
+    forall(member(part(N,_,_), Parts),
+           retractall_facts(from_p(N, _, _, _, _))),
+    drop_boundary(S),
+    retractall_facts(segment(S, _, _)).
+
+%!  segment_exploded(+S, +Factor, -Parts:list) is det.
+%
+%   The same of segment S alone, which stays: Parts are part(N, Kind, R), where
+%   N is a new segment of Kind. Of a solid or a surface from_p/5 says which
+%   polygons of S it has; R is 0 of the wires. Call it in a transaction.
+
+segment_exploded(S, Factor, Parts) :-
     findall(V, v(S, V, _, _, _), Vs),
     middle(S, Vs, Middle),
     findall(R-Role, region(S, R, Role), Regions),
-    maplist(region_moved(S, Factor, Middle), Regions),
-    wires_kept(S),
-    drop_boundary(S),
-    retractall_facts(segment(S, _, _)).
+    maplist(region_moved(S, Factor, Middle), Regions, Lists),
+    wires_kept(S, Wires),
+    append([Wires|Lists], Parts),
+    findall(N, member(part(N,_,_), Parts), Ns),
+    complete_segments(Ns).
 
 middle(S, Vs, m(X, Y, Z)) :-
     aggregate_all(r(min(X0), max(X0), min(Y0), max(Y0), min(Z0), max(Z0)),
@@ -46,19 +64,21 @@ middle(S, Vs, m(X, Y, Z)) :-
     Y is (Y1+Y2)/2,
     Z is (Z1+Z2)/2.
 
-%   region_moved(S, Factor, Middle, R-Role)
+%   region_moved(S, Factor, Middle, R-Role, Parts)
 
-region_moved(S, Factor, Middle, R-Role) :-
+region_moved(S, Factor, Middle, R-Role, Parts) :-
     findall(P-Sense, border(S, R, P, Sense), Borders),
     findall(P-1, sides(S, P, R, R), Inner),
     (   Role == cell
     ->  polygons_vertices(S, Borders, Vs),
         middle(S, Vs, Own),
         shift(Factor, Middle, Own, Shift),
-        copied(S, R, Shift, solid, Borders)
-    ;   Shift = m(0.0, 0.0, 0.0)
+        copied(S, R, Shift, solid, Borders, Solids)
+    ;   Shift = m(0.0, 0.0, 0.0),
+        Solids = []
     ),
-    copied(S, R, Shift, surface, Inner).
+    copied(S, R, Shift, surface, Inner, Surfaces),
+    append(Solids, Surfaces, Parts).
 
 border(S, R, P, 1) :-
     sides(S, P, R, Above),
@@ -84,17 +104,27 @@ polygons_vertices(S, Polygons, Vs) :-
             Vs0),
     sort(Vs0, Vs).
 
-%   copied(S, R, Shift, Kind, Polygons): a new segment has Polygons, P-Sense,
-%   turned over where Sense is -1, moved by Shift; no Polygons, none.
+%   copied(S, R, Shift, Kind, Polygons, Parts): a new segment has Polygons,
+%   P-Sense, turned over where Sense is -1, moved by Shift; no Polygons, none.
 
-copied(_, _, _, _, []) :-
+copied(_, _, _, _, [], []) :-
     !.
-copied(S, R, Shift, Kind, Polygons) :-
+copied(S, R, Shift, Kind, Polygons, [part(N,Kind,R)]) :-
     fresh_id(segment, 0, N),
     assert_fact(segment(N, Kind, region(S, R))),
     polygons_vertices(S, Polygons, Vs),
     maplist(vertex_copied(S, N, Shift), Vs),
-    maplist(polygon_copied(S, N), Polygons).
+    maplist(polygon_copied(S, N), Polygons),
+    facets_of([N], Facets0),
+    maplist(known_moved(Shift), Facets0, Facets),
+    remember_facets(Facets).
+
+known_moved(m(X,Y,Z), known(N,Surfaces0,Runs), known(N,Surfaces,Runs)) :-
+    maplist(moved_surface([ [1.0,0.0,0.0,X],
+                            [0.0,1.0,0.0,Y],
+                            [0.0,0.0,1.0,Z]
+                          ]),
+            Surfaces0, Surfaces).
 
 vertex_copied(S, N, m(DX,DY,DZ), V) :-
     v(S, V, X0, Y0, Z0),
@@ -110,6 +140,7 @@ polygon_copied(S, N, P-Sense) :-
              turned(Sense, V1, V2, A, B),
              assert_fact(e(N, E, A, B, Et)) )),
     assert_fact(p(N, P, Es)),
+    assert_fact(from_p(N, P, S, P, Sense)),
     forall(t(S, P, T, A, B, C),
            ( turned(Sense, B, C, B1, C1),
              assert_fact(t(N, P, T, A, B1, C1)) )).
@@ -117,16 +148,17 @@ polygon_copied(S, N, P-Sense) :-
 turned(1, A, B, A, B).
 turned(-1, A, B, B, A).
 
-%   wires_kept(S): edges of S without a polygon are a curve of their own.
+%   wires_kept(S, Parts): edges of S without a polygon are a curve of their own.
 
-wires_kept(S) :-
+wires_kept(S, Parts) :-
     findall(E-(V1-V2),
             ( e(S, E, V1, V2, 1),
               \+ edge_polygon(S, E, _) ),
             Wires),
     (   Wires == []
-    ->  true
-    ;   fresh_id(segment, 0, N),
+    ->  Parts = []
+    ;   Parts = [part(N,curve,0)],
+        fresh_id(segment, 0, N),
         assert_fact(segment(N, curve, wires(S))),
         findall(V, ( member(_-(V1-V2), Wires), member(V, [V1,V2]) ), Vs0),
         sort(Vs0, Vs),

@@ -4,7 +4,7 @@
             cut_away/2,                 % +Plane, -Section
             section_lines/3,            % +Section, +OperandLines, -Lines
             section_edges/3,            % +Section, ?N, -Edges
-            section_region/4,           % +Section, ?S, ?N, -Edges
+            section_region/5,           % +Section, ?S, ?Cell, ?N, -Edges
             model_box/1                 % -Box
           ]).
 :- use_module('../near', [tolerance/2]).
@@ -14,17 +14,22 @@
 :- use_module('../csg/csg_record', [drop_record/1]).
 :- use_module('../csg/known_surface', [facets_of/2, remember_facets/1]).
 :- use_module('../csg/csg_rows', [drop_boundary/1, segment_box/2]).
+:- use_module('../gluing/exploded', [segment_exploded/3]).
+:- use_module('../gluing/regions', [regions_made/2, region_neighbour/4]).
 :- use_module('../kernel', [segments_tolerance/3]).
 :- use_module('../primitive/primitive_rows', [add_primitive/2]).
 :- use_module('../store',
-              [ v/5, e/5, p/3, segment/3, from_p/5, edge_polygon/3,
+              [ v/5, e/5, p/3, segment/3, from_p/5, region/3, edge_polygon/3,
                 assert_fact/1, retractall_facts/1, fresh_id/3
               ]).
 :- use_module('../polygon/triangulation', [complete_segments/1]).
 :- use_module(library(apply),
               [foldl/4, maplist/2, maplist/3, maplist/4]).
-:- use_module(library(lists), [append/2, member/2]).
+:- use_module(library(assoc),
+              [empty_assoc/1, get_assoc/3, list_to_assoc/2, put_assoc/4]).
+:- use_module(library(lists), [append/2, max_list/2, member/2, min_list/2]).
 :- use_module(library(ordsets), [ord_memberchk/2]).
+:- use_module(library(pairs), [group_pairs_by_key/2]).
 :- meta_predicate section_plane(+, 1, -, -).
 /** <module> Sections: the model cut open by a plane.
 
@@ -36,6 +41,9 @@ below stays, and where it ends is a line; of a curve the pieces below.
     section(Plane, Pieces)
     piece(S, N, Kind, Caps)     what is left of segment S is segment N; its
                                 caps are polygons
+
+Of a model of cells each cell is a piece: Kind is cell(K), and K is not that of
+a neighbour.
 */
 
 %!  section_plane(+Text, -Plane, -Axis) is semidet.
@@ -100,7 +108,7 @@ higher(X, Y, Z) :-
 %   The current world, whose segments are all roots and not yet cut by each
 %   other, loses what is above Plane. Section says what is left; the segments
 %   may then cut each other. Fails, the world being as it was, if Plane goes
-%   past all segments.
+%   past all segments. Of `cells` each cell is cut as a solid.
 %
 %   @error geometry_error(operand(S, Faults)): solid S has no inside
 
@@ -154,6 +162,10 @@ half_side(_, Plane, S, Side) :-
 
 segment_cut(_, S-below, [piece(S,S,below,[])]).
 segment_cut(_, _-above, []).
+segment_cut(Plane, S-cut, Pieces) :-
+    segment(S, cells, _),
+    !,
+    cells_cut(Plane, S, Pieces).
 segment_cut(Plane, S-cut, [piece(S,N,Kind,Caps)]) :-
     segment(S, Kind, Name),
     kind_cut(Kind, Plane, S, Name, N, Caps).
@@ -193,6 +205,87 @@ half_boolean(Half, S, Operation, Kind, Name, K, N) :-
     assert_fact(segment(N, Kind, Name)),
     Expression =.. [Operation,[S,K]],
     boolean(Expression, N, [tolerance(own(Reach)),origins(separate)]).
+
+
+                /*******************************
+                *             CELLS            *
+                *******************************/
+
+%   cells_cut(Plane, S, Pieces): of each cell, sheet and wire of S.
+
+cells_cut(Plane, S, Pieces) :-
+    (   region(S, _, _)
+    ->  true
+    ;   regions_made(S, _)
+    ),
+    segment_exploded(S, 0, Parts),
+    colours(Plane, S, Colours),
+    maplist(part_cut(Plane, S, Colours), Parts, Lists),
+    append(Lists, Pieces).
+
+part_cut(Plane, S, Colours, part(N0,Kind0,R), Pieces) :-
+    segment_side(Plane, N0, Side),
+    segment_cut(Plane, Side, Cut),
+    (   Kind0 == solid
+    ->  get_assoc(R, Colours, K),
+        Kind = cell(K)
+    ;   Kind = Kind0
+    ),
+    findall(piece(S,N,Kind,Caps), member(piece(_,N,_,Caps), Cut), Pieces),
+    maplist(sources_named(S, N0), Pieces),
+    (   member(piece(_,N0,_,_), Pieces)
+    ->  true
+    ;   dropped(N0)
+    ).
+
+%   sources_named(S, N0, Piece): its polygons come from those of S.
+
+sources_named(S, N0, piece(_,N,_,_)) :-
+    (   N == N0
+    ->  true
+    ;   findall(from(P,P0,Sense), from_p(N, P, N0, P0, Sense), Froms),
+        retractall_facts(from_p(N, _, N0, _, _)),
+        forall(( member(from(P,P0,Sense0), Froms),
+                 from_p(N0, P0, S, P1, Sense1) ),
+               ( Sense is Sense0*Sense1,
+                 assert_fact(from_p(N, P, S, P1, Sense)) ))
+    ).
+
+%   colours(Plane, S, Colours): the least number from 1 on that no region has
+%   beyond a face that Plane cuts, in the order of regions.
+
+colours(Plane, S, Colours) :-
+    findall(R1-R2,
+            ( region_neighbour(S, R1, R2, P), polygon_cut(Plane, S, P) ),
+            Pairs0),
+    sort(Pairs0, Pairs),
+    group_pairs_by_key(Pairs, Groups),
+    list_to_assoc(Groups, Neighbours),
+    findall(R, region(S, R, _), Rs0),
+    sort(Rs0, Rs),
+    empty_assoc(Colours0),
+    foldl(coloured(Neighbours), Rs, Colours0, Colours).
+
+coloured(Neighbours, R, Colours0, Colours) :-
+    findall(K,
+            ( get_assoc(R, Neighbours, Others),
+              member(Other, Others),
+              get_assoc(Other, Colours0, K) ),
+            Taken),
+    between(1, inf, Colour),
+    \+ memberchk(Colour, Taken),
+    !,
+    put_assoc(R, Colours0, Colour, Colours).
+
+polygon_cut(Plane, S, P) :-
+    p(S, P, Es),
+    findall(H,
+            ( member(E, Es), e(S, E, V, _, _), vertex_height(Plane, S, V, H) ),
+            Hs),
+    min_list(Hs, Least),
+    max_list(Hs, Most),
+    Least < 0,
+    Most > 0.
 
 
                 /*******************************
@@ -306,7 +399,9 @@ piece_line(Pieces, _, Lines, border(N, P, V1, V2, Q)) :-
 %   in_plane(Piece, Plane, E, V1, V2): an edge in the plane: round the caps of
 %   a solid, or where a surface ends.
 
-in_plane(piece(_, N, solid, Caps), _, E, V1, V2) :-
+in_plane(piece(_, N, Kind, Caps), _, E, V1, V2) :-
+    ( Kind == solid ; Kind = cell(_) ),
+    !,
     cap_border(N, Caps, E, V1, V2).
 in_plane(piece(_, N, surface, _), Plane, E, V1, V2) :-
     segment_box(N, box(A,B,C,D,F,G)),
@@ -357,13 +452,17 @@ edge_in_plane(piece(_, N, _, Caps), _, E) :-
     p(N, P, Es),
     member(E, Es).
 
-%!  section_region(+Section, ?S, ?N, -Edges) is nondet.
+%!  section_region(+Section, ?S, ?Cell, ?N, -Edges) is nondet.
 %
 %   Edges, V1-V2, go round the caps of what is left of solid S, which is
-%   segment N, holes too.
+%   segment N, holes too. Cell is K of a cell(K), 0 of other solids.
 
-section_region(section(_, Pieces), S, N, Edges) :-
-    member(piece(S, N, _, Caps), Pieces),
+section_region(section(_, Pieces), S, Cell, N, Edges) :-
+    member(piece(S, N, Kind, Caps), Pieces),
     Caps \== [],
+    (   Kind = cell(Cell0)
+    ->  Cell = Cell0
+    ;   Cell = 0
+    ),
     findall(V1-V2, cap_border(N, Caps, _, V1, V2), Edges0),
     sort(Edges0, Edges).

@@ -14,7 +14,8 @@
 :- use_module(sheet_view, [view_axes/4]).
 :- use_module(library(apply), [foldl/4, maplist/2, maplist/3, maplist/4]).
 :- use_module(library(lists),
-              [append/2, max_list/2, member/2, min_list/2, nth1/3, sum_list/2]).
+              [ append/2, max_list/2, member/2, min_list/2, nth0/3, nth1/3,
+                sum_list/2 ]).
 :- use_module(library(yall), [(>>)/5]).
 /** <module> Marks on a sheet: cutting planes, their names, hatching.
 
@@ -337,13 +338,13 @@ farther(X-Y, box(X1,Y1,X2,Y2), box(X3,Y3,X4,Y4)) :-
 
 %!  hatching(+Regions, -Hatching) is det.
 %
-%   Hatching is hatching(Spacing,Segments), how to hatch all Regions of a sheet,
-%   region(S,Edges), points in millimetres: about twelve lines across the
-%   largest, from 1.5 to 6 mm apart, in half millimetres.
+%   Hatching is hatching(Spacing,Hatched), how to hatch all Regions of a sheet,
+%   region(Of,Edges) as of sheet_view.pl, points in millimetres: about twelve
+%   lines across the largest, from 1.5 to 6 mm apart, in half millimetres.
 
-hatching(Regions, hatching(Spacing,Segments)) :-
-    findall(S, member(region(S,_), Regions), Segments0),
-    sort(Segments0, Segments),
+hatching(Regions, hatching(Spacing,Hatched)) :-
+    findall(Of, member(region(Of,_), Regions), Hatched0),
+    sort(Hatched0, Hatched),
     foldl(larger_region, Regions, 0, Largest),
     Spacing is max(1.5, min(6.0, round(sqrt(Largest)/6)/2)).
 
@@ -356,27 +357,30 @@ larger_region(region(_,Edges), Area0, Area) :-
 %   Strokes (sheet.pl) hatch Regions, whose points are thousandths of a
 %   millimetre on the sheet. A segment is hatched alike in all views; those of
 %   neighbouring numbers lean the other way, those of every third and fourth
-%   are closer.
+%   are closer, and of every fifth and sixth closer still.
 
-hatching_strokes(hatching(Spacing0,Segments), Regions, Strokes) :-
+hatching_strokes(hatching(Spacing0,Hatched), Regions, Strokes) :-
     Spacing is Spacing0*1000,
     findall(Stroke,
             ( member(Region, Regions),
-              Region = region(S, _),
-              nth1(I, Segments, S),
+              Region = region(Of, _),
+              nth1(I, Hatched, Of),
               hatch_stroke(I, Spacing, Region, Stroke)
             ),
             Strokes).
 
-hatch_stroke(I, Spacing0, region(S,Edges), stroke(visible,hatching,S,[],[A,B],
-                                                  joint,joint)) :-
+hatch_stroke(I, Spacing0, region(Of,Edges), stroke(visible,hatching,S,[],[A,B],
+                                                   joint,joint)) :-
+    (   Of = S-_
+    ->  true
+    ;   S = Of
+    ),
     (   I mod 2 =:= 1
     ->  Way = rising
     ;   Way = falling
     ),
-    (   (I-1) mod 4 < 2
-    ->  Spacing = Spacing0
-    ;   Spacing is Spacing0*0.7
-    ),
+    Pair is (I-1) mod 6 // 2,
+    nth0(Pair, [1,0.7,0.5], Part),
+    Spacing is Spacing0*Part,
     hatch_lines(Edges, Way, Spacing, Lines),
     member(A-B, Lines).

@@ -13,7 +13,7 @@
 :- use_module('../picture/hidden_lines', [picture/1]).
 :- use_module('../picture/section',
               [ cut_away/2, section_lines/3, section_edges/3,
-                section_region/4
+                section_region/5
               ]).
 :- use_module(centre_line, [centre_lines/3]).
 :- use_module(sheet, [picture_parts/1]).
@@ -29,7 +29,8 @@
     view(Name, Theta, Phi, Kind)
     Kind    side, one of the six; pictorial; or section(Plane, Axis, Text)
     seen(View, Parts, Regions, Centres)
-    region(S, Edges)    the cut face of segment S: directed edges A-B
+    region(Of, Edges)   the cut face of segment Of: directed edges A-B; S-K of
+                        a cell of segment S, where K is not a neighbour's
     centre(Points, End) a centre line, as of centre_lines/3
 
 Parts are as in stroke.pl, points X-Y in the coordinates of the picture. A view
@@ -167,9 +168,7 @@ seen(View, Lines0, Cut, Picture0, seen(View,Parts,Regions,Centres)) :-
     pictured(Theta, Phi, Lines, Picture, Parts0),
     findall(N-Edges, section_edges(Section, N, Edges), InPlane),
     maplist(section_part(Section, InPlane), Parts0, Parts),
-    findall(region(S,Edges),
-            ( seen_region(Section, S, Edges), drawn_segment(Picture0, S) ),
-            Regions),
+    findall(Region, seen_region(Section, Picture0, Region), Regions),
     view_centres(View, Picture, Centres).
 seen(View, Lines, _, Picture, seen(View,Parts,[],Centres)) :-
     View = view(_, Theta, Phi, _),
@@ -228,8 +227,15 @@ section_part(section(_,Pieces), InPlane, part(V,Role0,N,E,F,T,A,B),
     ;   Role = Role0
     ).
 
-seen_region(Section, S, Edges) :-
-    section_region(Section, S, N, Pairs),
+%   seen_region(Section, Picture, Region): Region is region(Of, Edges).
+
+seen_region(Section, Picture, region(Of,Edges)) :-
+    section_region(Section, S, Cell, N, Pairs),
+    drawn_segment(Picture, S),
+    (   Cell =:= 0
+    ->  Of = S
+    ;   Of = S-Cell
+    ),
     findall((X1-Y1)-(X2-Y2),
             ( member(V1-V2, Pairs),
               screen(N, V1, X1, Y1, _),

@@ -4,6 +4,7 @@
 :- use_module(rules(picture/section)).
 :- use_module(rules(solid/csg_evaluate), [evaluate/0]).
 :- use_module(rules(csg/csg_roots), [operand_lines/1, roots_alone/0]).
+:- use_module(rules(model/model), [load_model/1]).
 :- use_module(rules(primitive/primitive_rows), [add_primitive/2]).
 :- use_module(rules(polygon/triangulation), [complete_segments/0]).
 
@@ -26,7 +27,7 @@ tree(Term, Goal) :-
 
 % The area of the caps of segment S, in the plane of two of its axes.
 cap_area(Section, S, Axes, Area) :-
-    section_region(Section, S, N, Edges),
+    section_region(Section, S, _, N, Edges),
     findall(Twice,
             ( member(V1-V2, Edges),
               place(N, V1, Axes, A1, B1),
@@ -91,7 +92,7 @@ dot([A,B,C], [X,Y,Z], D) :-
 
 % The area of the caps in space.
 cap_area_in_space(Section, S, N, Area) :-
-    section_region(Section, S, M, Edges),
+    section_region(Section, S, _, M, Edges),
     findall(Twice,
             ( member(V1-V2, Edges),
               vertex(M, V1, A),
@@ -211,7 +212,7 @@ test(section_edges_close, [forall(member(Plane, [ plane(0,0,1,-1.0),
                                                   plane(1,2,3,-4.0) ]))]) :-
     with([box(size(1,2,3))],
          ( cut_away(Plane, Section),
-           section_region(Section, 1, _, Edges),
+           section_region(Section, 1, _, _, Edges),
            findall(V, member(V-_, Edges), Starts0),
            findall(V, member(_-V, Edges), Ends0),
            msort(Starts0, Vs),
@@ -233,7 +234,7 @@ test(surface) :-                        % a roof: ends in one line
                 faces([[1,2,3,4]]))],
          ( cut_away(plane(1,0,0,-0.5), Section),
            Section = section(_, [piece(1,N,surface,[])]),
-           \+ section_region(Section, 1, _, _),
+           \+ section_region(Section, 1, _, _, _),
            findall(E, ( section_edges(Section, N, Es), member(E, Es) ), [_]),
            findall(X, v_used(N, X), Xs),
            max_list(Xs, 0.5),
@@ -265,6 +266,83 @@ test(operand_lines_stay, true(Count-All == 8-16)) :- % a drilled block
                           e(N,E,V1,V2,_), \+ memberchk(E, InPlane) ),
                      Others),
              length(Others, Count) )).
+
+%   Figure 1 of the paper of 1996, cut across: four cells, and no two that have
+%   a face in common alike; the sheet has one line outside on either side. Areas
+%   are those of polygons of twelve corners.
+
+test(cells, true(Colours-Areas-Surfaces == [1,1,2,2]-[1.5,1.5,1.875,1.875]-1)) :-
+    materials(( cut_away(plane(0,0,1,-1), Section),
+                Section = section(_, Pieces),
+                findall(N-Two,
+                        ( section_region(Section, 6, K, N, Edges),
+                          cell_area(Edges, N, Area),
+                          Two = K-Area ),
+                        Cells0),
+                findall(N, member(piece(6,N,surface,[]), Pieces), Ns),
+                length(Ns, Surfaces),
+                neighbours_differ(Cells0) )),
+    findall(K, member(_-(K-_), Cells0), Colours0),
+    msort(Colours0, Colours),
+    findall(Area, member(_-(_-Area), Cells0), Areas0),
+    msort(Areas0, Areas1),
+    maplist([A0,A]>>(A is round(A0*1.0e6)/1.0e6), Areas1, Areas).
+
+%   What the plane does not reach is as it was; what it reaches comes from the
+%   same polygons.
+
+test(cells_sources, true(Sources == Known)) :-
+    materials(( findall(P, ( p(6, P, _), polygon_below(P) ), Known0),
+                cut_away(plane(0,0,1,-1), section(_, Pieces)),
+                findall(P, ( member(piece(6,N,_,_), Pieces),
+                             from_p(N, _, 6, P, _) ),
+                        Sources0) )),
+    sort(Known0, Known),
+    sort(Sources0, Sources).
+
+materials(Goal) :-
+    in_new(( load_model('facts/figures/glue_materials.pl'),
+             roots_alone,
+             Goal )).
+
+cell_area(Edges, N, Area) :-
+    findall(Twice,
+            ( member(V1-V2, Edges),
+              v(N, V1, X1, Y1, _),
+              v(N, V2, X2, Y2, _),
+              Twice is X1*Y2 - X2*Y1 ),
+            All),
+    sum_list(All, Sum),
+    Area is Sum/2.
+
+%   neighbours_differ(Cells): cells that have an edge of the caps in common.
+
+neighbours_differ(Cells) :-
+    findall(K1-K2,
+            ( member(N1-(K1-_), Cells),
+              member(N2-(K2-_), Cells),
+              N1 < N2,
+              once(common_edge(N1, N2)) ),
+            Pairs),
+    length(Pairs, 4),
+    \+ memberchk(K-K, Pairs).
+
+common_edge(N1, N2) :-
+    cap_edge(N1, A, B),
+    cap_edge(N2, B, A).
+
+cap_edge(N, X1-Y1, X2-Y2) :-
+    v(N, V1, X1, Y1, 1.0),
+    e(N, _, V1, V2, _),
+    v(N, V2, X2, Y2, 1.0).
+
+polygon_below(P) :-
+    p(6, P, Es),
+    member(E, Es),
+    e(6, E, V, _, _),
+    v(6, V, _, _, Z),
+    Z < 1,
+    !.
 
 p_once(S) :-
     once(p(S, _, _)).

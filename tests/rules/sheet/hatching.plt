@@ -121,10 +121,10 @@ segment_hatched(1, rising, 10).
 segment_hatched(2, falling, 10).
 segment_hatched(3, rising, 7).
 segment_hatched(4, falling, 7).
-segment_hatched(5, rising, 10).
-segment_hatched(6, falling, 10).
-segment_hatched(7, rising, 7).
-segment_hatched(8, falling, 7).
+segment_hatched(5, rising, 5).
+segment_hatched(6, falling, 5).
+segment_hatched(7, rising, 10).
+segment_hatched(8, falling, 10).
 
 test(segments_differ, forall(segment_hatched(I, Way, Tenths))) :-
     findall(S, ( between(1, 8, K), S is 10*K ), Segments),

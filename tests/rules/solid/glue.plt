@@ -103,6 +103,66 @@ model(wire(alone), [box(2,[0,0,0]),wire([4,0,0], [5,0,0])],
       c(10,13,6,6,2,2,3,0)).
 model(wire(only), [wire([4,0,0], [5,0,0])], c(2,1,0,0,1,1,1,0)).
 
+%   A closed book of K wedges about an axis; cubes of six tetrahedra each; a box
+%   and general sheets through it, larger than it: cake numbers; planes through
+%   one point of it.
+
+model(closed_book(K), Wedges, c(V,E,F,F,1,R,R,0)) :-
+    member(K, [3,4,7]),
+    findall(Wedge, wedge(K, Wedge), Wedges),
+    V is 2*K+2,
+    E is 5*K+1,
+    F is 4*K,
+    R is K+1.
+model(tetrahedra(N), Tetrahedra, c(V,E,F,F,1,R,R,0)) :-
+    member(N, [1,2]),
+    M is N-1,
+    findall(tetrahedron(Points),
+            ( between(0, M, X), between(0, M, Y), between(0, M, Z),
+              kuhn([X,Y,Z], Points) ),
+            Tetrahedra),
+    V is (N+1)**3,
+    E is 7*N**3+9*N**2+3*N,
+    F is 12*N**3+6*N**2,
+    R is 6*N**3+1.
+
+%   Sheets are operands of any kind: a Moebius band, and two triangles that are
+%   turned against each other. A face that two sheets have is there once.
+
+model(moebius, Faces, c(7,14,7,7,1,1,1,1)) :-
+    findall(triangle([A,B,C]),
+            ( between(0, 6, I),
+              maplist(border_point(I), [0,1,2], [A,B,C]) ),
+            Faces).
+model(against, [triangle([[0,0,0],[1,0,0],[0,1,0]]),
+                triangle([[0,0,0],[1,0,0],[0,0,1]])],
+      c(4,5,2,2,1,1,1,0)).
+model(doubled, [flat(2,2,1),turned_flat(2,2,1)], c(4,4,1,1,1,1,1,0)).
+
+wedge(K, prism([[0,0]|Ends])) :-
+    between(1, K, I),
+    findall([X,Y],
+            ( member(J, [0,1]),
+              A is 2*pi*((I+J) mod K)/K,
+              X is cos(A),
+              Y is sin(A) ),
+            Ends).
+
+kuhn([X,Y,Z], [[X,Y,Z]|Points]) :-
+    permutation([0,1,2], Axes),
+    foldl(axis_step, Axes, Points, [X,Y,Z], _).
+
+axis_step(Axis, Next, Point, Next) :-
+    nth0(Axis, Point, N0, Others),
+    N is N0+1,
+    nth0(Axis, Next, N, Others).
+
+border_point(I, More, [X,Y,Z]) :-
+    S is 4*pi*((4*(I+More)) mod 7)/7,
+    X is (2+cos(S/2))*cos(S),
+    Y is (2+cos(S/2))*sin(S),
+    Z is sin(S/2).
+
 book_page(K, page(0,1,X,Y)) :-
     between(1, K, I),
     A is 2*pi*I/K,
@@ -126,6 +186,25 @@ term(page(Z1, Z2, X, Y),
      sheet(points([[0,0,Z1],[0,0,Z2],[X,Y,Z1],[X,Y,Z2]]),
            faces([[1,3,4,2]]))).
 term(wire([X1,Y1,Z1], [X2,Y2,Z2]), line(from(X1,Y1,Z1), to(X2,Y2,Z2))).
+term(plane_sheet(p(A,B,C,D), Off),
+     sheet(points([P1,P2,P3,P4]), faces([[1,2,3,4]]))) :-
+    findall([X,Y,Z],
+            ( member(X-Y, [(-9)-(-9),9-(-9),9-9,(-9)-9]),
+              Z is (Off*D-A*X-B*Y)/C ),
+            [P1,P2,P3,P4]).
+term(triangle(Points), sheet(points(Points), faces([[1,2,3]]))).
+term(turned_flat(A, B, Z),
+     at([rotate(x,180),translate(0,0,Z)], rectangle(size(A,B)))).
+term(tetrahedron([O,A,B,C]), polyhedron(points([O,A,B,C]), faces(Faces))) :-
+    orientation(O, A, B, C, Sign),
+    (   Sign > 0
+    ->  Faces = [[1,3,2],[1,2,4],[2,3,4],[3,1,4]]
+    ;   Faces = [[1,2,3],[1,4,2],[2,4,3],[3,4,1]]
+    ).
+term(prism([A,B,C]), polyhedron(points(Points),
+                                faces([[3,2,1],[4,5,6],[1,2,5,4],[2,3,6,5],
+                                       [3,1,4,6]]))) :-
+    findall([X,Y,Z], ( member(Z, [0,1]), member([X,Y], [A,B,C]) ), Points).
 term(flat(A, B, Z), at([translate(0,0,Z)], rectangle(size(A,B)))).
 term(tip([X,Y,Z]), Term) :-
     Z1 is Z+1,
@@ -285,6 +364,32 @@ noisy(N0, N) :-
     random(-1.0e-9, 1.0e-9, Noise),
     N is N0+Noise.
 
+%   A box and K sheets in general position, larger than it: its cells are as
+%   many as K planes can make, if all of them meet inside; and so many if all go
+%   through one point.
+
+test(cake, [ forall(member(K-Cells, [1-2,2-4,3-8,4-15])), N == Cells ]) :-
+    findall(Sheet, general_sheet(K, 1, Sheet), Sheets),
+    cells_inside([box(4,[0,0,-2])|Sheets], N).
+test(one_point, [ forall(member(K, [1,2,3,4])), N == Cells ]) :-
+    findall(Sheet, general_sheet(K, 0, Sheet), Sheets),
+    cells_inside([box(4,[0,0,-2])|Sheets], N),
+    Cells is K*K-K+2.
+
+cells_inside(Parts, N) :-
+    in_new_world(( glue_made(Parts, [], S),
+                   glue_report(S, Report) )),
+    aggregate_all(count,
+                  ( member(Region, Report.regions), Region.inside == [1] ),
+                  N).
+
+%   general_sheet(K, Off, Sheet): A*X + B*Y + C*Z = Off*D.
+
+general_sheet(K, Off, plane_sheet(Plane, Off)) :-
+    between(1, K, I),
+    nth1(I, [p(3,1,1,0.2), p(-1,3,1,0.3), p(1,-1,3,-0.4), p(2,3,-3,0.1)],
+         Plane).
+
 %   What each region is inside: two boxes that cross, a wall round a hollow.
 
 test(inside, Insides == [[1],[1,2],[2],[]]) :-
@@ -443,13 +548,16 @@ test(open_surface, Counts == c(12,20,10,10,1,2,2,0)) :-
 
 open_rows(S, Kind) :-
     open_box(polyhedron(points(Points), faces(Faces))),
+    point_rows(S, Points),
+    forall(nth1(P, Faces, Vs), loop_rows(S, P, Vs)),
+    assert_fact(segment(S, Kind, open_box)).
+
+point_rows(S, Points) :-
     forall(nth1(V, Points, [X0,Y0,Z0]),
            ( X is float(X0),
              Y is float(Y0),
              Z is float(Z0),
-             assert_fact(v(S, V, X, Y, Z)) )),
-    forall(nth1(P, Faces, Vs), loop_rows(S, P, Vs)),
-    assert_fact(segment(S, Kind, open_box)).
+             assert_fact(v(S, V, X, Y, Z)) )).
 
 loop_rows(S, P, [A|Rest]) :-
     append(Rest, [A], Next),
@@ -473,17 +581,40 @@ test(noise, Counts == c(12,20,11,11,1,3,3,0)) :-
 test(twice, Counts == c(8,12,6,6,1,2,2,0)) :-
     glue_counts([box(1,[0,0,0]),box(1,[0,0,0])], [], Counts).
 
-test(inside_out, Counts == c(12,20,11,11,1,3,3,0)) :-
+%   A solid whose faces all look in is glued as one whose faces look out.
+
+test(inside_out, [ forall(member(Way, [out,in])),
+                   Counts-Volumes == c(12,20,11,11,1,3,3,0)-[1.0,1.0] ]) :-
     in_new_world(( part_made([], 1, box(1,[0,0,0])),
-                   assert_fact(segment(2, solid,
-                                       at([translate(1,0,0),
-                                           matrix([[1,0,0,0],[0,1,0,0],
-                                                   [0,0,1,0]])],
-                                          box(size(1,1,1))))),
+                   box_rows(2, Way, [0.5,-0.5,0]),
+                   once(p(2, 1, _)),
                    assert_fact(segment(3, cells, glue([1,2]))),
                    evaluate(3),
-                   glue_report(3, Report) )),
-    report_counts(Report, Counts).
+                   glue_report(3, Report),
+                   findall(Inside,
+                           ( member(Region, Report.regions),
+                             Inside = Region.inside ),
+                           Insides) )),
+    report_counts(Report, Counts),
+    Insides == [[1],[2],[]],
+    findall(Volume, ( member(Region, Report.regions),
+                      Region.role == cell,
+                      Volume0 = Region.volume,
+                      Volume is round(Volume0*1.0e9)/1.0e9 ), Volumes).
+
+%   box_rows(S, Way, Low): a unit cube as rows, its faces looking out or in.
+
+box_rows(S, Way, Low) :-
+    open_box(polyhedron(points(Points0), faces(Open))),
+    maplist(maplist([A,B,C]>>(C is A+B), Low), Points0, Points),
+    append(Open, [[5,6,7,8]], Out),
+    (   Way == out
+    ->  Faces = Out
+    ;   maplist(reverse, Out, Faces)
+    ),
+    point_rows(S, Points),
+    forall(nth1(P, Faces, Vs), loop_rows(S, P, Vs)),
+    assert_fact(segment(S, solid, rows)).
 
 %   A wire that runs in a face is refused; nothing is glued.
 
