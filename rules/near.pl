@@ -41,6 +41,8 @@ expressions.
 %     - place: of points of a pattern, over its size: sums along all its pieces.
 %     - surface: of points where surfaces meet, over the size of the model: they
 %       are found by steps, which end at less.
+%     - gap: of faces that were not glued, over the size of the model: a gap up to
+%       this may not be meant. Nothing is moved, it is only told.
 %     - paper: of millimetres, of directions, and of places over their size: far
 %       below what a knife can do, far above rounding.
 
@@ -50,6 +52,7 @@ tolerance(exact,    2.0e-13).
 tolerance(event,    5.0e-8).
 tolerance(place,    1.0e-7).
 tolerance(surface,  1.0e-6).
+tolerance(gap,      1.0e-3).
 tolerance(paper,    1.0e-6).
 
 %!  same_angle(+T1, +T2) is semidet.

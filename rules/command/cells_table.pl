@@ -21,8 +21,8 @@ neighbours, which has the area that they share.
 
 %!  write_cells_table(+File, +Reports:list, +Options) is det.
 %
-%   Write Reports, dicts as of verbs_cells.pl, to File. Options: format(F), `csv`
-%   or `dot`, by default the ending of File; neighbours(true).
+%   Write Reports, dicts as of verbs_cells.pl, to File. Options: format(F),
+%   `csv` or `dot`, by default the ending of File; neighbours(true).
 
 write_cells_table(File, Reports, Options) :-
     file_name_extension(_, Ending, File),

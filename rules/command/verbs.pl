@@ -61,7 +61,7 @@
 :- use_module(verbs_batch, [batch_run_verb/3]).
 :- use_module('../gluing/exploded', [cells_exploded/1]).
 :- use_module(verbs_cells, [cells_run/3]).
-:- use_module(verbs_glue, [glue_run/3, unglue_run/3]).
+:- use_module(verbs_glue, [glue_run/3, unglue_run/3, glue_misses_told/0]).
 :- use_module(verbs_render, [render_run/2, wanted_scene/4]).
 :- use_module(verbs_unfold,
               [ unfold_run/3, roots_apart/1, patterns_given/1,
@@ -91,6 +91,7 @@ verb_run(check, Files, Options, Status) :-
     some_files(Files, 'MODEL'),
     load_model(Files, Options),
     empty_roots_warned,
+    glue_misses_told,
     roots_alone,
     check_report(Report),
     (   option(json(true), Options)
@@ -461,16 +462,22 @@ of_pattern(Item) :-
     functor(Item, Name, _),
     memberchk(Name, [seam,fold,pattern]).
 
-%   of_model(Item): of what its file says, which needs no cut.
+%   of_model(Item): of what its file says, or was glued, which needs no cut.
 
 of_model(Item) :-
     nonvar(Item),
-    functor(Item, Name, 1),
-    memberchk(Name, [segment,param]).
+    functor(Item, Name, N),
+    memberchk(Name/N, [segment/1,param/1,glued/2,region/2]).
+of_model(Item) :-
+    nonvar(Item),
+    Item = why_not(Inner),
+    nonvar(Inner),
+    Inner = glued(_, _).
 
 of_picture(Item) :-
     nonvar(Item),
     \+ of_shading(Item),
+    \+ of_model(Item),
     functor(Item, Name, _),
     memberchk(Name, [hidden,why_not]).
 

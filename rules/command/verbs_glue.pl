@@ -1,14 +1,16 @@
 :- encoding(utf8).
 :- module(sg_verbs_glue,
           [ glue_run/3,                 % +Files, +Options, -Status
-            unglue_run/3                % +Files, +Options, -Status
+            unglue_run/3,               % +Files, +Options, -Status
+            glue_misses_told/0
           ]).
 :- use_module('../csg/csg', [node/4, root_segment/1]).
 :- use_module('../gluing/regions', [regions_report/2]).
 :- use_module('../model/model', [load_model/2, save_model/1]).
 :- use_module('../plain', [plain_json/2]).
 :- use_module('../language', [language/1]).
-:- use_module('../solid/glue', [unglue/1, glue_report/2, glue_operands/2]).
+:- use_module('../solid/glue',
+              [unglue/1, glue_report/2, glue_operands/2, glue_misses/2]).
 :- use_module('../store', [facts_snapshot/1, facts_transaction/1]).
 :- use_module(solid_verbs, [operands_loaded/4, operands_evaluated/2]).
 :- use_module(verb_output,
@@ -18,7 +20,7 @@
 :- use_module(verbs_cells, [print_cells/3, print_totals/3, reported/2]).
 :- use_module(library(apply), [foldl/4, maplist/2]).
 :- use_module(library(http/json), [json_write_dict/3]).
-:- use_module(library(lists), [member/2]).
+:- use_module(library(lists), [member/2, nth1/3]).
 :- use_module(library(option), [option/2]).
 /** <module> The verbs glue and unglue.
 
@@ -52,6 +54,28 @@ report(Report) :-
     Report = Report0.put(_{segment:S, name:"glue", faults:_{}, before:Before}),
     (   untouched(Before, Report.counts)
     ->  print_message(informational, sanggwan(glue_apart(S)))
+    ;   true
+    ),
+    misses_told(S).
+
+%!  glue_misses_told is det.
+%
+%   Notices of where operands of the glues that are roots come near each other
+%   and were not glued: of three pairs each, and how many more.
+
+glue_misses_told :-
+    forall(( root_segment(S), node(S, glue, _, _) ),
+           misses_told(S)).
+
+misses_told(S) :-
+    glue_misses(S, Misses),
+    forall(( nth1(I, Misses, miss(S1-_,S2-_,Gap,End-_)), I =< 3 ),
+           print_message(informational,
+                         sanggwan(glue_gap(S, S1, S2, Gap, End)))),
+    length(Misses, N),
+    More is N-3,
+    (   More > 0
+    ->  print_message(informational, sanggwan(glue_gaps(S, More)))
     ;   true
     ).
 

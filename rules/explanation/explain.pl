@@ -11,6 +11,8 @@
 :- use_module('../penetration/contact',
               [ line_end/4, vertex_seats/3, contact_kind/3, edge_part/4 ]).
 :- use_module('../exact', [vertex_exact/5, vertex_side/4]).
+:- use_module(explain_glue,
+              [glued_because/3, region_because/3, unglued_because/3]).
 :- use_module(explain_hidden, [hidden_because/4]).
 :- use_module(explain_pair, [pair_because/3, segments_because/3,
                              line_pieces/2, decided_by/2,
@@ -56,6 +58,11 @@ An *item* is one of
     hidden(S, E)         a line of the picture: where it is hidden, by what
     hidden(Name)         the same: `s1e7` is what drawings call the line
     why_not(hidden(...)) where such a line is visible, and why
+    glued(S, v(V)), glued(S, e(E)), glued(S, p(P))   what the glue S has there:
+                         of which operands, in what order, between what
+    region(S, R)         a region of segment S: inside what, beside what
+    why_not(glued(S1-P1, S2-P2))   why polygons of two operands of a glue have
+                         no face in common
     pixel(X, Y)          a dot of the shaded picture: what is seen there, and
                          why it has its colour
     why_not(seen(S))     why nothing of segment S is seen in that picture
@@ -146,6 +153,12 @@ item_because(hidden(S, E), Options, Because) :-
 item_because(hidden(Name), Options, Because) :-
     nonvar(Name),
     hidden_because(Name, all, Options, Because).
+item_because(glued(S, Item), _, Because) :-
+    glued_because(S, Item, Because).
+item_because(region(S, R), _, Because) :-
+    region_because(S, R, Because).
+item_because(why_not(glued(Facet1, Facet2)), _, Because) :-
+    unglued_because(Facet1, Facet2, Because).
 item_because(pixel(X, Y), Options, Because) :-
     pixel_because(X, Y, Options, Because).
 item_because(why_not(seen(S)), Options, Because) :-

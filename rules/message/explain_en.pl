@@ -7,6 +7,7 @@
               [ other_origin/1, segment_word/2, polygon_word/3, in_order/4,
                 exact_text/3, point_text/2
               ]).
+:- use_module(explain_glue_en, [glue_statement_en//1]).
 :- use_module(explain_parameter_en, [parameter_statement_en//1]).
 :- use_module(explain_pixel_en, [pixel_statement_en//1]).
 :- use_module(library(apply), [maplist/3]).
@@ -462,6 +463,8 @@ statement_en(Statement) -->
     parameter_statement_en(Statement).
 statement_en(Statement) -->
     pixel_statement_en(Statement).
+statement_en(Statement) -->
+    glue_statement_en(Statement).
 
 %!  hidden_en(+What)// is det.
 %

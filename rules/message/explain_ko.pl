@@ -8,6 +8,7 @@
               [ other_origin/1, segment_word/2, polygon_word/3, in_order/4,
                 exact_text/3, point_text/2
               ]).
+:- use_module(explain_glue_ko, [glue_statement_ko//1]).
 :- use_module(explain_parameter_ko, [parameter_statement_ko//1]).
 :- use_module(explain_pixel_ko, [pixel_statement_ko//1]).
 :- use_module(library(apply), [maplist/3]).
@@ -448,6 +449,8 @@ statement_ko(Statement) -->
     parameter_statement_ko(Statement).
 statement_ko(Statement) -->
     pixel_statement_ko(Statement).
+statement_ko(Statement) -->
+    glue_statement_ko(Statement).
 
 %!  hidden_ko(+What)// is det.
 %

@@ -181,6 +181,29 @@ statement_keys(segment, [segment, kind]).
 statement_keys(no_size_from_parameter, []).
 statement_keys(vertex_place, [segment, vertex, place]).
 statement_keys(size, [value, formula]).
+statement_keys(glued_vertex, [segment, vertex, point]).
+statement_keys(glued_edge, [segment, edge, start, end]).
+statement_keys(glued_polygon, [segment, polygon]).
+statement_keys(was_vertex, [segment, vertex, moved]).
+statement_keys(was_polygon, [segment, polygon, sense]).
+statement_keys(cut_vertex, [segments]).
+statement_keys(point_loop, [polygon]).
+statement_keys(in_region, [region]).
+statement_keys(disk, [disk, edges, polygons]).
+statement_keys(page, [polygon, region]).
+statement_keys(between, [below, above]).
+statement_keys(inner_loop, [vertices]).
+statement_keys(region, [segment, region, role, volume]).
+statement_keys(inner_point, [point]).
+statement_keys(inside, [segment]).
+statement_keys(beyond, [region, faces, area]).
+statement_keys(laminar, [polygon]).
+statement_keys(wire_in, [edge]).
+statement_keys(is_glued, [segment1, polygon1, segment2, polygon2]).
+statement_keys(not_glued, [segment1, polygon1, segment2, polygon2]).
+statement_keys(in_common, [vertices]).
+statement_keys(gap, [distance, point1, point2]).
+statement_keys(plane_angle, [angle]).
 
 %!  other_origin(+Origin) is semidet.
 %

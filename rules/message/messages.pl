@@ -6,6 +6,7 @@
 :- use_module(command_en, [command_en//1]).
 :- use_module(csg_en, [csg_en//1]).
 :- use_module(explain_en, [statement_en//1, hidden_en//1]).
+:- use_module(explain_glue_en, [glue_nothing_en//1]).
 :- use_module(explain_pixel_en, [pixel_nothing_en//1]).
 :- use_module(openscad_en, [openscad_en//1]).
 :- use_module(development_en,
@@ -389,6 +390,13 @@ notice_en(glue_overlap(S, S1, S2, R, Volume)) -->
        inside both'-[S, S1, S2, R, Volume] ].
 notice_en(glue_apart(S)) -->
     [ 'segment ~d: the operands touch nowhere'-[S] ].
+notice_en(glue_gap(S, S1, S2, Gap, p(X,Y,Z))) -->
+    [ 'segment ~d: operands ~d and ~d are ~6g apart at ~6g ~6g ~6g, and were \c
+       not glued'-[S, S1, S2, Gap, X, Y, Z] ].
+notice_en(glue_gaps(S, N)) -->
+    [ 'segment ~d: ~D more pairs of operands come as near and were not glued'-
+      [S, N], nl,
+      '  A --tolerance above the gap makes them touch.' ].
 notice_en(nothing_glued) -->
     [ 'nothing is glued in this model' ].
 notice_en(opened(contacts)) -->
@@ -520,6 +528,10 @@ notice_en(nothing_to_explain(Item)) -->
     { memberchk(Item, [pixel(_, _), why_not(seen(_))]) },
     !,
     pixel_nothing_en(Item).
+notice_en(nothing_to_explain(Item)) -->
+    { memberchk(Item, [glued(_, _), region(_, _), why_not(glued(_))]) },
+    !,
+    glue_nothing_en(Item).
 notice_en(nothing_to_explain(Item)) -->
     { memberchk(Item, [hidden(_), hidden(_, _), why_not(_)]) },
     !,

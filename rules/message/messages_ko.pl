@@ -6,6 +6,7 @@
 :- use_module(command_ko, [command_ko//1]).
 :- use_module(csg_ko, [csg_ko//1]).
 :- use_module(explain_ko, [statement_ko//1, hidden_ko//1]).
+:- use_module(explain_glue_ko, [glue_nothing_ko//1]).
 :- use_module(explain_pixel_ko, [pixel_nothing_ko//1]).
 :- use_module(openscad_ko, [openscad_ko//1]).
 :- use_module(problem_ko, [problem_ko//1]).
@@ -397,6 +398,13 @@ notice_ko(glue_overlap(S, S1, S2, R, Volume)) -->
        둘 다의 안입니다'-[S, S1, S2, Volume, R] ].
 notice_ko(glue_apart(S)) -->
     [ '세그먼트 ~d: 피연산자들이 아무 데서도 닿지 않습니다'-[S] ].
+notice_ko(glue_gap(S, S1, S2, Gap, p(X,Y,Z))) -->
+    [ '세그먼트 ~d: 피연산자 ~d번과 ~d번이 ~6g ~6g ~6g 에서 ~6g 떨어져 있어 \c
+       붙지 않았습니다'-[S, S1, S2, X, Y, Z, Gap] ].
+notice_ko(glue_gaps(S, N)) -->
+    [ '세그먼트 ~d: 그만큼 가깝지만 붙지 않은 피연산자 쌍이 ~D개 더 있습니다'-
+      [S, N], nl,
+      '  틈보다 큰 --tolerance 를 주면 닿게 됩니다.' ].
 notice_ko(nothing_glued) -->
     [ '이 모델에는 붙인 것이 없습니다' ].
 notice_ko(opened(contacts)) -->
@@ -496,6 +504,10 @@ notice_ko(nothing_to_explain(Item)) -->
     { memberchk(Item, [pixel(_, _), why_not(seen(_))]) },
     !,
     pixel_nothing_ko(Item).
+notice_ko(nothing_to_explain(Item)) -->
+    { memberchk(Item, [glued(_, _), region(_, _), why_not(glued(_))]) },
+    !,
+    glue_nothing_ko(Item).
 notice_ko(nothing_to_explain(Item)) -->
     { memberchk(Item, [hidden(_), hidden(_, _), why_not(_)]) },
     !,

@@ -2,7 +2,8 @@
           [ glued_boundary/4,           % +Operands, +S, +Options, -Report
             unglue/1,                   % +S
             glue_report/2,              % +S, -Report
-            glue_operands/2             % +S, -Operands
+            glue_operands/2,            % +S, -Operands
+            glue_misses/2               % +S, -Misses
           ]).
 :- use_module(arrangement,
               [ with_arrangement/3, components/2, arranged_solid/3,
@@ -16,11 +17,12 @@
 :- use_module('../csg/source', [source_kept/3]).
 :- use_module(faces, [faces_merged/2]).
 :- use_module(glue_wire, [wires_written/3]).
+:- use_module('../gluing/gap', [gap_reach/2, near_misses/3]).
 :- use_module('../gluing/regions',
               [regions_found/2, regions_report/2, law_fault/3]).
 :- use_module('../kernel',
-              [ segment_meetings/3, solid_close/1, solid_coincident_faces/3,
-                solid_write_cells/3
+              [ near_segments_of/3, segment_meetings/3, solid_close/1,
+                solid_coincident_faces/3, solid_write_cells/3
               ]).
 :- use_module('../limits', [limit_value/2]).
 :- use_module(operand, [operand_faults/2]).
@@ -28,8 +30,8 @@
 :- use_module('../polygon/triangulation', [new_segments_complete/0]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
-              [ v/5, e/5, p/3, segment/3, from_p/5, from_r/4, sides/4, region/3,
-                lies_in/3, assert_fact/1, retractall_facts/1,
+              [ v/5, e/5, p/3, segment/3, from_p/5, from_r/4, from_v/4, sides/4,
+                region/3, lies_in/3, assert_fact/1, retractall_facts/1,
                 facts_transaction/1
               ]).
 :- use_module(library(apply),
@@ -43,7 +45,7 @@
 :- use_module(library(error), [existence_error/2, type_error/2]).
 :- use_module(library(lists), [list_to_set/2, member/2]).
 :- use_module(library(option), [option/2]).
-:- use_module(library(ordsets), [ord_symdiff/3]).
+:- use_module(library(ordsets), [ord_subtract/3, ord_symdiff/3]).
 :- use_module(library(pairs), [group_pairs_by_key/2, pairs_keys_values/3]).
 /** <module> Glue: operands in one model, each thing once (NG-1 to NG-7).
 
@@ -208,6 +210,49 @@ glue_operands_([]) -->
 glue_operands_([S|Ss]) -->
     glue_operands(S),
     glue_operands_(Ss).
+
+%!  glue_misses(+S, -Misses:list) is det.
+%
+%   Misses, as of near_misses/3, are where operands of the glue S come near each
+%   other (gap_reach/2) and have nothing in common.
+
+glue_misses(S, Misses) :-
+    (   gap_reach(S, Reach)
+    ->  glue_operands(S, Operands0),
+        sort(Operands0, Operands),
+        near_segments_of(Reach, Operands, Groups),
+        findall(S1-S2,
+                ( member(S1-Others, Groups), member(S2, Others), S1 < S2 ),
+                Near0),
+        sort(Near0, Near),
+        findall(Pair, ( Near \== [], contact(S, Pair) ), Contacts0),
+        sort(Contacts0, Contacts),
+        ord_subtract(Near, Contacts, Pairs),
+        near_misses(Pairs, Reach, Misses)
+    ;   Misses = []
+    ).
+
+%   contact(S, S1-S2) is nondet: faces or wires of both operands are at one
+%   vertex of S.
+
+contact(S, S1-S2) :-
+    findall(V-S0, vertex_operand(S, V, S0), Pairs0),
+    sort(Pairs0, Pairs),
+    group_pairs_by_key(Pairs, Groups),
+    member(_-Ss, Groups),
+    member(S1, Ss),
+    member(S2, Ss),
+    S1 < S2.
+
+vertex_operand(S, V, S0) :-
+    from_v(S, V, S0, _).
+vertex_operand(S, V, S0) :-
+    from_p(S, P, S0, _, _),
+    (   p(S, P, Es),
+        member(E, Es),
+        e(S, E, V, _, _)
+    ;   lies_in(S, v(V), p(P))
+    ).
 
 %!  glue_report(+S, -Report) is det.
 %

@@ -22,6 +22,15 @@ v(1,4,-1,1,0). v(1,5,-1,0,-1). v(1,6,1,0,-1). v(1,7,1,0,1). v(1,8,-1,0,1).
 p(1,1,[1,2,3,4]). p(1,2,[5,6,7,8]).\n").
 file('far.pl', "segment(1, solid, box(size(1,1,1))).
 segment(2, solid, at([translate(9,0,0)], box(size(1,1,1)))).\n").
+file('near.pl', Text) :-
+    findall(Line,
+            ( between(1, 6, S),
+              X is 1.0001*S,
+              format(string(Line),
+                     "segment(~d, solid, at([translate(~w,0,0)], \c
+                      box(size(1,1,1)))).~n", [S,X]) ),
+            Lines),
+    atomics_to_string(Lines, Text).
 file('latin1.txt', "no model\n").
 file('cross.pl', "segment(1, solid, box(size(2,2,2))).
 segment(2, solid, at([translate(1,1,1)], box(size(2,2,2)))).\n").
@@ -111,6 +120,8 @@ command(do_not_meet, [penetrate, @('far.pl')]).
 command(cells_apart(_,_,_,_), [cells, @('crossing.pl')]).
 command(glue_overlap(_,_,_,_,_), [glue, @('cross.pl')]).
 command(glue_apart(_), [glue, @('far.pl')]).
+command(glue_gap(_,_,_,_,_), [glue, @('near.pl')]).
+command(glue_gaps(_,_), [glue, @('near.pl')]).
 command(nothing_glued, [unglue, @('cube.pl'), '-o', @('a.pl')]).
 command(one_segment, [penetrate, @('cube.pl')]).
 command(points_alone(_), [penetrate, @('pin.pl')]).

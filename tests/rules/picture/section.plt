@@ -271,7 +271,8 @@ test(operand_lines_stay, true(Count-All == 8-16)) :- % a drilled block
 %   a face in common alike; the sheet has one line outside on either side. Areas
 %   are those of polygons of twelve corners.
 
-test(cells, true(Colours-Areas-Surfaces == [1,1,2,2]-[1.5,1.5,1.875,1.875]-1)) :-
+test(cells, true(Colours-Areas-Surfaces ==
+                 [1,1,2,2]-[1.5,1.5,1.875,1.875]-1)) :-
     materials(( cut_away(plane(0,0,1,-1), Section),
                 Section = section(_, Pieces),
                 findall(N-Two,
