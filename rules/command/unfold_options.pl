@@ -43,7 +43,7 @@ wished(Name) :-
 
 needs(by, trim).
 needs(Name, true) :-
-    member(Name, [ seam,generators,half,chord,table,'set-in',
+    member(Name, [ seam,generators,half,chord,table,lengths,'set-in',
                    'other-thickness' ]).
 needs(Name, trim) :-
     member(Name, ['set-in','other-thickness']).

@@ -64,6 +64,9 @@ unfold_option(option(chord, '', above(0), 'T',
 unfold_option(option(table, '', value, 'FILE.csv',
     'with --true: the table of true lengths; of several patterns FILE-1.csv \c
      and so on')).
+unfold_option(option(lengths, '', flag, '',
+    'with --true: that table on the sheets, as is usual; --no-lengths: \c
+     without it')).
 unfold_option(option(thickness, '', number(0), 'T',
     'of the plate, in model units: bends take off what they need')).
 unfold_option(option(size, '', one_of([inside, middle, outside]), 'WHICH',
@@ -170,6 +173,8 @@ unfold_option_ko(half, '--true 와 함께: 대칭인 것의 반쪽').
 unfold_option_ko(chord, '--true 와 함께: 곡선이 참값에서 벗어나도 되는 거리').
 unfold_option_ko(table,
     '--true 와 함께: 실장표. 전개도가 여럿이면 FILE-1.csv 등').
+unfold_option_ko(lengths,
+    '--true 와 함께: 그 표를 종이에도 넣는다(보통). --no-lengths: 넣지 않는다').
 unfold_option_ko(thickness, '판의 두께(모델 단위). 굽힘만큼 줄인다').
 unfold_option_ko(size,
     '--thickness 와 함께: 모델이 판의 어느 면인가: inside(안쪽), middle(가운데, \c

@@ -551,6 +551,8 @@ drawing_option(Options, Option) :-
     option(Option, Options).
 drawing_option(Options, fold_threshold(Degrees)) :-
     option('fold-threshold'(Degrees), Options).
+drawing_option(Options, table(Lengths)) :-
+    option(lengths(Lengths), Options).
 drawing_option(Options, open_slits(Open)) :-
     option('open-slits'(Open), Options).
 drawing_option(Options, names(Names)) :-

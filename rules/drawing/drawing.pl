@@ -16,7 +16,7 @@
 :- use_module('../sheet/sheet', [sheet_drawing/3]).
 :- use_module(svg, [write_svg/3]).
 :- use_module(library(error), [domain_error/2]).
-:- use_module(library(option), [select_option/3]).
+:- use_module(library(option), [option/2, select_option/3]).
 /** <module> Drawings: the picture of the current world, written to files.
 
 What drawn/7 and screen/5 hold (hidden_lines.pl fills them) is laid on a sheet
@@ -98,8 +98,19 @@ write_format(Format, Out, Options0) :-
     ;   Options = Options0
     ),
     sheet_drawing(210-148, Options, Drawing),
-    inked(Drawing, Options, Inked),
+    words_of(Format, Options, Words),
+    inked(Drawing, [words(Words)|Options], Inked),
     write_inked(Format, Out, Inked, Options).
+
+%   words_of(Format, Options, Words): DXF has texts that stand aslant; a cutter
+%   that wants dashes as lines wants letters so too.
+
+words_of(Format, Options, Words) :-
+    (   Format == dxf,
+        \+ option(dashes(geometry), Options)
+    ->  Words = kept
+    ;   Words = drawn
+    ).
 
 write_inked(svg, Out, Inked, Options) :-
     write_svg(Out, Inked, Options).

@@ -15,7 +15,8 @@
 :- use_module(library(lists), [member/2, memberchk/2, nth1/3]).
 /** <module> DXF: strokes as polylines on layers, for CAD programs.
 
-DXF R12 (AC1009), as text: every program reads it. One unit is one millimetre
+DXF R12 (AC1009), as text: every program reads it. A straight line is a LINE, a
+text a TEXT, also one that stands aslant; what has bends is a POLYLINE. One unit is one millimetre
 of the sheet, the origin its lower left corner. A layer for each visibility
 and role, in capitals (`HIDDEN_OUTLINE`), with its colour and line type, by the
 style (style.pl); a line of another look says so itself. Extended data of
@@ -238,6 +239,15 @@ line(DXF, How, line(Ink,Stroke)) :-
 dash(DXF, Ink, stroke(Visibility,Role,S,_,_,_,_), Points) :-
     polyline(DXF, Ink, stroke(Visibility,Role,S,[],Points,joint,joint)).
 
+polyline(DXF, Ink, stroke(_,_,S,Edges,[A,B],Start,_)) :-
+    Start \== ring,
+    !,
+    DXF = dxf(Out, H, _, _),
+    group(Out, 0, 'LINE'),
+    look(DXF, Ink, _),
+    point(Out, H, A),
+    end_point(Out, H, B),
+    edge_data(Out, S, Edges).
 polyline(DXF, Ink, stroke(_,_,S,Edges,Points,Start,_)) :-
     DXF = dxf(Out, H, _, _),
     group(Out, 0, 'POLYLINE'),
@@ -293,31 +303,47 @@ vertex(vertex(Out,H,Layer,S,_), Point, Edge) :-
     group(Out, 0, 'VERTEX'),
     group(Out, 8, Layer),
     point(Out, H, Point),
-    (   Edge = [E]
+    edge_data(Out, S, Edge).
+
+edge_data(Out, S, Edges) :-
+    (   Edges = [E|_]
     ->  group(Out, 1001, 'SANGGWAN'),
         group(Out, 1071, S),
         group(Out, 1071, E)
     ;   true
     ).
 
-%   11 is where a text is fixed that does not start there, by 72.
+end_point(Out, H, X-Y0) :-
+    Y is H-Y0,
+    real(Out, 11, X),
+    real(Out, 21, Y),
+    real(Out, 31, 0).
 
-text(DXF, text(Ink,text(X,Y0,Height,Anchor,Text))) :-
+%   11 is where a text is fixed that does not start there, by 72; 50 is how it
+%   is turned.
+
+text(DXF, text(Ink,Text)) :-
+    turned_text(DXF, Ink, 0, Text).
+text(DXF, word(Ink,Angle,Text)) :-
+    turned_text(DXF, Ink, Angle, Text).
+
+turned_text(DXF, Ink, Angle, text(X,Y,Height,Anchor,Text)) :-
     DXF = dxf(Out, H, _, _),
     group(Out, 0, 'TEXT'),
     look(DXF, Ink, _),
-    point(Out, H, X-Y0),
+    point(Out, H, X-Y),
     real(Out, 40, Height),
     dxf_text(Text, Written),
     group(Out, 1, Written),
+    (   Angle =:= 0
+    ->  true
+    ;   real(Out, 50, Angle)
+    ),
     text_anchor(Anchor, Place),
     (   Place =:= 0
     ->  true
-    ;   Y is H-Y0,
-        group(Out, 72, Place),
-        real(Out, 11, X),
-        real(Out, 21, Y),
-        real(Out, 31, 0)
+    ;   group(Out, 72, Place),
+        end_point(Out, H, X-Y)
     ).
 
 %   R12 is ASCII: other characters as \U+XXXX, of UTF-16, and so are what would

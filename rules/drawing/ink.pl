@@ -21,7 +21,7 @@
                 paper_style/1
               ]).
 :- use_module(style_file, [style_rows/2, restyled/6, rows_paper/2]).
-:- use_module(library(apply), [maplist/3]).
+:- use_module(library(apply), [exclude/3, foldl/4, maplist/3]).
 :- use_module(library(error), [domain_error/2, type_error/2]).
 :- use_module('../plain', [plain_text/2]).
 :- use_module(library(lists), [append/2, append/3, list_to_set/2, member/2]).
@@ -34,6 +34,11 @@ A drawing (sheet.pl) says what is where; inked, it says how it looks too:
     view(Name, Lines, Texts)
     line(Ink, Stroke)
     text(Ink, Text)
+    word(Ink, Angle, Text)
+
+The texts of a view in a drawing may be word(Role,S,Angle,Text,Strokes), Angle in
+thousandths of a degree: a text that is drawn by Strokes, which are among those
+of the view in the same order.
 
 An ink is a style (style.pl), checked and in the units of the sheet: the
 writers of all formats ask it for its parts, and none of them knows how a line
@@ -48,6 +53,7 @@ of some role looks.
 %
 %     - style(Style): a style file, or its rows; see style_rows/2
 %     - hidden(How): `shown` makes the hidden lines solid
+%     - words(kept): words are in place of their strokes; else they are not there
 %
 %   @error type_error(line_style, Style), type_error(colour, Colour): a rule
 %   file gave what is none; and those of style_rows/2
@@ -57,11 +63,41 @@ inked(drawing(Sheet,Views0), Options, inked(Sheet,Paper,Views)) :-
     style_rows(Style, Rows),
     paper(Rows, Paper),
     option(hidden(Hidden), Options, dashed),
-    maplist(inked_view(how(Rows,Hidden)), Views0, Views).
+    option(words(Words), Options, drawn),
+    maplist(inked_view(Words, how(Rows,Hidden)), Views0, Views).
 
-inked_view(How, view(Name,Strokes,Texts), view(Name,Lines,Written)) :-
+inked_view(Words, How, view(Name,Strokes0,Texts0), view(Name,Lines,Written)) :-
+    worded(Words, Strokes0, Texts0, Strokes, Texts),
     inked_items(Strokes, How, none-none, Lines),
     inked_items(Texts, How, none-none, Written).
+
+worded(kept, Strokes0, Texts, Strokes, Texts) :-
+    !,
+    foldl(word_strokes, Texts, Letters, []),
+    strokes_without(Strokes0, Letters, Strokes).
+worded(drawn, Strokes, Texts0, Strokes, Texts) :-
+    exclude(is_word, Texts0, Texts).
+
+is_word(word(_,_,_,_,_)).
+
+word_strokes(Text, Letters0, Letters) :-
+    (   Text = word(_, _, _, _, Own)
+    ->  append(Own, Letters, Letters0)
+    ;   Letters0 = Letters
+    ).
+
+%   strokes_without(Strokes0, Letters, Strokes): Letters are some of Strokes0, in
+%   their order.
+
+strokes_without([], _, []).
+strokes_without([Stroke|Strokes0], Letters0, Strokes) :-
+    (   Letters0 = [Letter|Letters],
+        Letter == Stroke
+    ->  Strokes = Strokes1
+    ;   Letters = Letters0,
+        Strokes = [Stroke|Strokes1]
+    ),
+    strokes_without(Strokes0, Letters, Strokes1).
 
 %   Neighbours mostly look alike: the last key and its ink are kept.
 
@@ -81,6 +117,7 @@ inked_items([Item|Items], How, Last, Inked) :-
 
 item_key(stroke(Visibility,Role,S,_,_,_,_), key(Visibility,Role,S)).
 item_key(text(_,_,_,_,_), key(visible,text,0)).
+item_key(word(Role,S,_,_,_), key(visible,Role,S)).
 
 inked_item(Stroke, Ink, line(Ink,Stroke)) :-
     Stroke = stroke(_, _, _, _, _, _, _).
@@ -88,6 +125,8 @@ inked_item(text(X,Y,Height,Anchor,Text0), Ink0,
            text(Ink,text(X,Y,Height,Anchor,Text))) :-
     plain_text(Text0, Text),
     letter_ink(Ink0, Height, Ink).
+inked_item(word(_,_,Angle,Text0,_), Ink0, word(Ink,Angle,Text)) :-
+    inked_item(Text0, Ink0, text(Ink,Text)).
 
 %   Letters are drawn no wider than a tenth of their height (ISO 3098).
 
@@ -210,6 +249,7 @@ view_ink(Views, Ink) :-
     member(view(_,Lines,Texts), Views),
     (   changed_ink(Lines, none, Ink)
     ;   member(text(Ink,_), Texts)
+    ;   member(word(Ink,_,_), Texts)
     ).
 
 %   Each ink where another comes.

@@ -3,9 +3,11 @@
             paper_style/1,              % -Colour
             line_type/3,                % ?Type, +Width, -Runs
             layer_name/1,               % +Layer
-            sheet_role/1                % ?Role
+            sheet_role/1,               % ?Role
+            style_role/1                % ?Role
           ]).
 :- use_module('../decision', [decision/2]).
+:- use_module('../picture/role', [role_rank/2]).
 :- use_module(pattern_look, [pattern_look/5]).
 :- use_module(library(apply), [maplist/3]).
 /** <module> How lines look.
@@ -105,6 +107,18 @@ line_layer(Visibility, Role, Layer) :-
     ;   atomic_list_concat([Visibility,Role], '_', Name)
     ),
     upcase_atom(Name, Layer).
+
+%!  style_role(?Role) is nondet.
+%
+%   True when a style file may say how lines of Role look: those of pictures, of
+%   sheets and of patterns.
+
+style_role(Role) :-
+    role_rank(Role, _).
+style_role(Role) :-
+    sheet_role(Role).
+style_role(Role) :-
+    pattern_look(Role, _, _, _, _).
 
 %!  sheet_role(?Role) is nondet.
 %

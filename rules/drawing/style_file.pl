@@ -8,12 +8,9 @@
               [next_term/3, no_fact/2, place_error/2, place_error/3]).
 :- use_module('../colour', [colour_rgb/2]).
 :- use_module('../text_file', [with_text/4]).
-:- use_module('../picture/role', [role_rank/2]).
 :- use_module('../store', [segment/3]).
 :- use_module(style,
-              [ line_type/3, layer_name/1, line_style/4,
-                sheet_role/1
-              ]).
+              [ line_type/3, layer_name/1, line_style/4, style_role/1 ]).
 :- use_module('../decision', [default/1]).
 :- use_module(library(apply), [foldl/4]).
 :- use_module(library(lists), [last/2, member/2]).
@@ -110,8 +107,7 @@ part_is_right(visibility(Visibility)) :-
 part_is_right(role(Role)) :-
     atom(Role),
     (   Role == any
-    ;   role_rank(Role, _)
-    ;   sheet_role(Role)
+    ;   style_role(Role)
     ),
     !.
 part_is_right(segment(Segment)) :-

@@ -1,9 +1,8 @@
 :- module(sg_style_en,
           [ style_en//1                 % +What
           ]).
-:- use_module('../picture/role', [role_rank/2]).
 :- use_module('../colour', [colour_name/2]).
-:- use_module('../drawing/style', [line_type/3, sheet_role/1]).
+:- use_module('../drawing/style', [line_type/3, style_role/1]).
 /** <module> What is wrong with a style file, in English.
 
 style_ko.pl has the same heads in Korean (tests/rules/drawing/style.plt).
@@ -20,7 +19,7 @@ style_en(fact(Name, Arity)) -->
 style_en(visibility(_)) -->
     [ 'the visibility of a line is visible, hidden or any' ].
 style_en(role(_)) -->
-    { findall(Role, ( role_rank(Role, _) ; sheet_role(Role) ), Roles),
+    { findall(Role, style_role(Role), Roles),
       atomic_list_concat(Roles, ', ', All)
     },
     [ 'the role of a line is any or one of', nl, '  ~w.'-[All] ].

@@ -2,9 +2,8 @@
 :- module(sg_style_ko,
           [ style_ko//1                 % +What
           ]).
-:- use_module('../picture/role', [role_rank/2]).
 :- use_module('../colour', [colour_name/2]).
-:- use_module('../drawing/style', [line_type/3, sheet_role/1]).
+:- use_module('../drawing/style', [line_type/3, style_role/1]).
 /** <module> What is wrong with a style file, in Korean.
 
 The heads are those of style_en.pl (tests/rules/drawing/style.plt).
@@ -20,7 +19,7 @@ style_ko(fact(Name, Arity)) -->
 style_ko(visibility(_)) -->
     [ '선의 보임은 visible, hidden, any 가운데 하나입니다' ].
 style_ko(role(_)) -->
-    { findall(Role, ( role_rank(Role, _) ; sheet_role(Role) ), Roles),
+    { findall(Role, style_role(Role), Roles),
       atomic_list_concat(Roles, ', ', All)
     },
     [ '선의 구실은 any 이거나 다음 가운데 하나입니다', nl,

@@ -10,17 +10,19 @@
 :- use_module(pattern_number, [seam_numbers/2]).
 :- use_module(pattern_outline, [loop_area/2]).
 :- use_module(pattern_paper,
-              [ extent_checked/1, grid_line/3, line_strokes/3, page_room/3,
+              [ extent_checked/1, grid_line/3, line_strokes/4, page_room/3,
                 page_sheet/2, pages_checked/1, paper_checked/1, pattern_paper/3,
                 sheet_line/4, sheet_of/4 ]).
 :- use_module(pattern_piece, [pattern_pieces/3]).
 :- use_module(pattern_text, [written/5]).
 :- use_module(pattern_table,
-              [pattern_tables/4, table_lines/2, table_loops/2, table_name/2]).
+              [ pattern_tables/4, table_lines/2, table_loops/2, table_name/2,
+                table_word/2 ]).
 :- use_module(pattern_tile, [tiled/4]).
 :- use_module(pattern_title, [pattern_titles/2]).
 :- use_module(pattern_parted, [parted_segments/2]).
 :- use_module(pattern_want, [wanted_texts/4]).
+:- use_module(pattern_word, [word_lines/2, word_text/6]).
 :- use_module('../sheet/sheet_paper', [unit_millimetres/2]).
 :- use_module(library(apply),
               [ foldl/4, foldl/6, include/3, maplist/3, maplist/4, maplist/5,
@@ -387,12 +389,15 @@ moved_corner(Move, _-P0, P) :-
 %   together when they are made; then holes, the outline last.
 
 piece_view(Height, Letters, placed(Name,_,Loops0,Lines0,_),
-           view(View,Strokes,[])) :-
+           view(View,Strokes,Words)) :-
     Name = name(D, _, _),
     view_name(Name, View),
     (   get_assoc(Name, Letters, Own)
-    ->  findall(Stroke, letter_stroke(Height, Own, D, Stroke), Texts)
-    ;   Texts = []
+    ->  maplist(letters_drawn(Height, D), Own, Textss, Wordss),
+        append(Textss, Texts),
+        append(Wordss, Words)
+    ;   Texts = [],
+        Words = []
     ),
     findall(Role-stroke(visible,Role,D,Es,[A,B],joint,joint),
             ( member(line(Role,E,A0,B0), Lines0),
@@ -448,12 +453,30 @@ view_name(name(D,K,Part), View) :-
     ;   format(atom(View), 'p~d-~d-~d', [D,K,Part])
     ).
 
-table_view(Sheet, laid(Table,_,Place), view(Name,Strokes,[])) :-
+table_view(Sheet, laid(Table,_,Place), view(Name,Strokes,Texts)) :-
     Table = table(D, _, _, _),
     Sheet = sheet(_, Height, _, _, _, _),
     table_name(Table, Name),
     table_lines(Table, Lines),
-    maplist(table_stroke(move(Sheet,Place), Height, D), Lines, Strokes).
+    Move = move(Sheet, Place),
+    maplist(table_stroke(Move, Height, D), Lines, Frame),
+    findall(Word, table_word(Table, Word), Words),
+    maplist(table_text(Move, Height, D), Words, Letters, Texts),
+    append([Frame|Letters], Strokes).
+
+table_text(Move, Height, D, Word, Strokes, Text) :-
+    word_lines(Word, Lines),
+    maplist(table_stroke(Move, Height, D), Lines, Strokes),
+    moved_word(Move, Word, Moved),
+    word_text(Height, table, D, Moved, Strokes, Text).
+
+moved_word(Move, word(At0,U0-V0,High,Anchor,String),
+           word(At,U-V,High,Anchor,String)) :-
+    Move = move(_, place(_,Degrees,_,_)),
+    turning(Degrees, Cos, Sin),
+    U is U0*Cos - V0*Sin,
+    V is U0*Sin + V0*Cos,
+    moved(Move, At0, At).
 
 table_stroke(Move, Height, D, Points0,
              stroke(visible,table,D,[],Points,joint,joint)) :-
@@ -461,15 +484,25 @@ table_stroke(Move, Height, D, Points0,
     maplist(on_paper(Height), Points1, Points).
 
 letters_by_piece(Letters, ByPiece) :-
-    findall(Name-(Role-Lines), member(letters(Role,Name,Lines), Letters),
+    findall(Name-letters(Role,Under,Word),
+            member(letters(Role,Name,Under,Word), Letters),
             Pairs0),
     keysort(Pairs0, Pairs),
     group_pairs_by_key(Pairs, Groups),
     list_to_assoc(Groups, ByPiece).
 
-letter_stroke(Height, Letters, D,
+%   letters_drawn(Height, D, Letters, Strokes, Texts): the strokes of all of it,
+%   and what of it is a text.
+
+letters_drawn(Height, D, letters(Role,Under,Word), Strokes, [Text]) :-
+    word_lines(Word, Lines),
+    findall(Stroke, letter_stroke(Height, Role, Under, D, Stroke), Below),
+    findall(Stroke, letter_stroke(Height, Role, Lines, D, Stroke), Letters),
+    append(Below, Letters, Strokes),
+    word_text(Height, Role, D, Word, Letters, Text).
+
+letter_stroke(Height, Role, Lines, D,
               stroke(visible,Role,D,[],Points,End,End)) :-
-    member(Role-Lines, Letters),
     member(Line, Lines),
     maplist(on_paper(Height), Line, Points),
     Points = [First|Rest],
@@ -497,10 +530,10 @@ on_paper(Height, X0-Y0, X-Y) :-
 sheet_view(Sheet, Options, Count-I, Views) :-
     findall(Line, line_beside(Sheet, Options, Count-I, Line), Lines),
     Sheet = sheet(_, Height, _, _, _, _),
-    line_strokes(Lines, Height, Strokes),
+    line_strokes(Lines, Height, Strokes, Texts),
     (   Strokes == []
     ->  Views = []
-    ;   Views = [view(sheet,Strokes,[])]
+    ;   Views = [view(sheet,Strokes,Texts)]
     ).
 
 line_beside(Sheet, Options, _, Line) :-

@@ -3,7 +3,7 @@
             page_room/3,                % +Sheet, +Gap, -Paper
             sheet_of/4,                 % +Options, +Paper, +Size, -Sheet
             sheet_line/4,               % +Sheet, +Options, +Says, -Line
-            line_strokes/3,             % +Lines, +Height, -Strokes
+            line_strokes/4,             % +Lines, +Height, -Strokes, -Texts
             grid_line/3,                % +Step, +Sheet, -Line
             page_sheet/2,               % +Options, -Sheet
             paper_checked/1,            % +Options
@@ -12,11 +12,11 @@
             sheet_window/2              % +Sheet, -Window
           ]).
 :- use_module('../near', [tolerance/2]).
-:- use_module('../sheet/lettering', [lettering/2]).
+:- use_module(pattern_word, [word_lines/2, word_text/6]).
 :- use_module('../sheet/sheet_paper', [paper/3, paper_size/3]).
-:- use_module(library(apply), [maplist/3]).
+:- use_module(library(apply), [maplist/3, maplist/4]).
 :- use_module(library(error), [must_be/2]).
-:- use_module(library(lists), [max_member/2, member/2]).
+:- use_module(library(lists), [append/2, max_member/2, member/2]).
 :- use_module(library(option), [option/2, option/3]).
 /** <module> The paper of a pattern: sizes, the check bar, the grid.
 
@@ -25,8 +25,8 @@
 is a sheet in millimetres and what is free on it for pieces, from Left to the
 right and from Bottom upwards, both measured from the lower left corner. Below
 it, in the margin, a bar says how large the sheet came out of the printer. Lines
-are line(Role,Points), y up; letters are lines too, with a pen of their own,
-which is not the knife's.
+are line(Role,Points), y up, or line(Role,Word), Word as in pattern_word.pl;
+letters are lines too, with a pen of their own, which is not the knife's.
 */
 
 % Millimetres: below the pieces, for the check bar.
@@ -209,23 +209,23 @@ sheet_window(sheet(_,_,Left,Bottom,W,H), rect(Left,Bottom,X2,Y2)) :-
 %   The check bar of a sheet: a bar with a tick for every 10 mm, how long it is,
 %   and Says, a list of strings, to the right of it.
 
-sheet_line(sheet(Width,_,_,Bottom,_,_), Options, Says, line(bar,Points)) :-
+sheet_line(sheet(Width,_,_,Bottom,_,_), Options, Says, line(bar,Line)) :-
     margin(Options, Margin),
     Left is max(4.0, Margin),
     bar_length(Width-2*Left, Length),
     band(Band),
     Base is max(3.0, Bottom-Band+1.0),
     Right is Left+Length,
-    (   bar_line(Left, Base, Length, Points)
+    (   bar_line(Left, Base, Length, Line)
     ;   format(string(Text), '~d mm', [Length]),
         length_place(Right, Base, Width, X, Y),
-        letter_line(Text, X, Y, Points)
+        Line = word(X-Y,1-0,2.5,start,Text)
     ;   Says \== [],
         X is Right+20,
         X+20 < Width,
         atomic_list_concat(Says, '   ', Text0),
         atom_string(Text0, Text),
-        letter_line(Text, X, Base, Points)
+        Line = word(X-Base,1-0,2.5,start,Text)
     ).
 
 %   On the right of the bar; above it if there the sheet ends.
@@ -237,12 +237,6 @@ length_place(Right, Base, Width, X, Y) :-
     ;   X is Right-18,
         Y is Base+4.5
     ).
-
-letter_line(Text, X0, Y0, Points) :-
-    lettering(text(0,0,2500,start,Text), Lines),
-    member(Line, Lines),
-    findall(X-Y, ( member(A-B, Line), X is X0+A/1000, Y is Y0-B/1000 ),
-            Points).
 
 bar_length(Free, Length) :-
     (   Free >= 100
@@ -265,16 +259,30 @@ bar_line(Left, Base, Length, [X-Base,X-Top]) :-
     ;   Top is Base+2
     ).
 
-%!  line_strokes(+Lines, +Height, -Strokes) is det.
+%!  line_strokes(+Lines, +Height, -Strokes, -Texts) is det.
 %
-%   Strokes (sheet.pl) are Lines on a sheet of Height mm.
+%   Strokes (sheet.pl) are Lines on a sheet of Height mm, Texts the words among
+%   them (word_text/6).
 
-line_strokes(Lines, Height, Strokes) :-
-    findall(stroke(visible,Role,0,[],Points,joint,joint),
-            ( member(line(Role,Points0), Lines),
-              maplist(on_paper(Height), Points0, Points)
-            ),
-            Strokes).
+line_strokes(Lines, Height, Strokes, Texts) :-
+    maplist(own_strokes(Height), Lines, Strokess, Textss),
+    append(Strokess, Strokes),
+    append(Textss, Texts).
+
+own_strokes(Height, line(Role,Line), Strokes, Texts) :-
+    (   Line = word(_, _, _, _, _)
+    ->  word_lines(Line, Pointss),
+        maplist(line_stroke(Height, Role), Pointss, Strokes),
+        word_text(Height, Role, 0, Line, Strokes, Text),
+        Texts = [Text]
+    ;   line_stroke(Height, Role, Line, Stroke),
+        Strokes = [Stroke],
+        Texts = []
+    ).
+
+line_stroke(Height, Role, Points0,
+            stroke(visible,Role,0,[],Points,joint,joint)) :-
+    maplist(on_paper(Height), Points0, Points).
 
 on_paper(Height, X0-Y0, X-Y) :-
     X is round(X0*1000),

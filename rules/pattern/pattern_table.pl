@@ -2,12 +2,12 @@
           [ pattern_tables/4,           % +Ds, +Options, +Paper, -Tables
             table_name/2,               % +Table, -Name
             table_loops/2,              % +Table, -Loops
-            table_lines/2               % +Table, -Lines
+            table_lines/2,              % +Table, -Lines
+            table_word/2                % +Table, -Word
           ]).
-:- use_module('../sheet/lettering', [lettering/2]).
 :- use_module('../unrolling/true_table',
               [row_height/2, true_length_marks/4, true_length_rows/2]).
-:- use_module(library(apply), [convlist/3, maplist/3]).
+:- use_module(library(apply), [convlist/3]).
 :- use_module(library(lists), [append/2, member/2]).
 :- use_module(library(option), [option/3]).
 /** <module> Tables of true lengths on the sheets of a pattern.
@@ -144,20 +144,15 @@ table_loops(table(_,_,_,W0-H0), [[0.0-0.0,W-0.0,W-H,0.0-H]]) :-
 
 %!  table_lines(+Table, -Lines) is det.
 %
-%   Lines, each of points X-Y, are those of its frame and of its letters, which
-%   are drawn: it may lie on its side.
+%   Lines, each of points X-Y, are those of its frame.
 
 table_lines(table(_,_,Marks,_), Lines) :-
-    maplist(mark_lines, Marks, Liness),
-    append(Liness, Lines).
+    findall(Points, member(line(_,Points), Marks), Lines).
 
-mark_lines(line(_,Points), [Points]).
-mark_lines(text(X,Y,High0,Text0), Lines) :-
-    format(string(Text), '~w', [Text0]),
-    High is round(High0*1000),
-    lettering(text(0,0,High,middle,Text), Lines0),
-    maplist(maplist(letter_point(X, Y)), Lines0, Lines).
+%!  table_word(+Table, -Word) is nondet.
+%
+%   Word is one of its texts (pattern_word.pl).
 
-letter_point(X, Y, A-B, XB-YB) :-
-    XB is X + A/1000,
-    YB is Y - B/1000.
+table_word(table(_,_,Marks,_), word(X-Y,1-0,High,middle,Text)) :-
+    member(text(X,Y,High,Text0), Marks),
+    format(string(Text), '~w', [Text0]).

@@ -6,8 +6,8 @@
 :- use_module('../near', [less_part/2, points_left/2]).
 :- use_module('../kernel', [shapes_add/2, shapes_free/3, shapes_open/2]).
 :- use_module('../sheet/lettering',
-              [lettering/2, lettering_drop/3, lettering_width/3]).
-:- use_module(library(apply), [foldl/4, maplist/3]).
+              [lettering_drop/3, lettering_width/3]).
+:- use_module(library(apply), [foldl/4]).
 :- use_module(library(lists), [append/3, last/2, member/2, sum_list/2]).
 :- use_module(library(pairs), [pairs_values/2]).
 /** <module> Numbers and names on a pattern, where there is room for them.
@@ -47,9 +47,10 @@ over_folds_height(2.5).
 
 %!  written(+Cuts, +Folds, +Wanted, -Strokes, -Skipped) is det.
 %
-%   Strokes are letters, letters(Role,D,Liness): lists of points, for those of
-%   Wanted that found room, in that order; Skipped counts the others by role, a
-%   list of Role-Count. Cuts and Folds, lists of points, are what is drawn: what
+%   Strokes are letters, letters(Role,D,Under,Word), for those of Wanted that
+%   found room, in that order: Under is a list of lines below the letters, Word
+%   as in pattern_word.pl. Skipped counts the others by role, a list of
+%   Role-Count. Cuts and Folds, lists of points, are what is drawn: what
 %   is cut and all else.
 
 written(Cuts, Folds, Wanted, Strokes, Skipped) :-
@@ -89,8 +90,8 @@ text_written(Drawn, want(Role,D,Text,Heights,Place), Found0-Left,
     ->  Drawn = drawn(All, Cut),
         shapes_add(All, Box),
         shapes_add(Cut, Box),
-        text_lines(Text, Height, At, Way, Lines),
-        Found0 = [letters(Role,D,Lines)|Found],
+        text_word(Text, Height, At, Way, Under, Word),
+        Found0 = [letters(Role,D,Under,Word)|Found],
         Left1 = Left
     ;   Found0 = Found,
         Left1 = [Role|Left]
@@ -403,29 +404,22 @@ box_corners(box(Left,Right,Low,High), X0-Y0, U-V, Corners) :-
             ),
             Corners).
 
-text_lines(underlined(String), Height, At0, Way, [[A,B]|Lines]) :-
+text_word(underlined(String), Height, At0, Way, [[A,B]], Word) :-
     !,
     lettering_width(String, Height, Width),
-    Left is -500*Width,
-    Right is 500*Width,
-    At0 = X0-Y0,
-    Way = U-V,
-    maplist(text_point(X0, Y0, U, V), [Left-0,Right-0], [A,B]),
+    Left is -Width/2,
+    Right is Width/2,
+    beside(At0, Way, Left, A),
+    beside(At0, Way, Right, B),
     underline_drop(Height, Drop),
     Up is -Drop,
     below(At0, Way, Up, At),
-    text_lines(String, Height, At, Way, Lines).
-text_lines(String, Height, At0, U-V, Lines) :-
+    text_word(String, Height, At, Way, [], Word).
+text_word(String, Height, At0, Way, [], word(At,Way,Height,middle,String)) :-
     lettering_drop(String, Height, Drop),
     Up is -Drop,
-    below(At0, U-V, Up, X0-Y0),
-    High is round(Height*1000),
-    lettering(text(0,0,High,middle,String), Lines0),
-    maplist(maplist_point(X0, Y0, U, V), Lines0, Lines).
+    below(At0, Way, Up, At).
 
-maplist_point(X0, Y0, U, V, Points0, Points) :-
-    maplist(text_point(X0, Y0, U, V), Points0, Points).
-
-text_point(X0, Y0, U, V, A-B, X-Y) :-
-    X is X0 + (A*U + B*V)/1000,
-    Y is Y0 + (A*V - B*U)/1000.
+beside(X0-Y0, U-V, Along, X-Y) :-
+    X is X0 + Along*U,
+    Y is Y0 + Along*V.

@@ -3,7 +3,7 @@
           ]).
 :- use_module('../near', [tolerance/2]).
 :- use_module(pattern_paper,
-              [line_strokes/3, page_sheet/2, pages_checked/1, sheet_line/4]).
+              [line_strokes/4, page_sheet/2, pages_checked/1, sheet_line/4]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(option), [option/3]).
@@ -57,14 +57,19 @@ page_views(Tiling, Views0, Options, Says0, Column, Row, [Marks|Views]) :-
     Window = rect(Left,Top,Right,Bottom),
     DX is round(1000*Margin)-Left,
     DY is round(1000*Margin)-Top,
-    findall(view(Name,Strokes,[]),
-            ( member(view(Name,Strokes0,_), Views0),
+    findall(view(Name,Strokes,Texts),
+            ( member(view(Name,Strokes0,Texts0), Views0),
               findall(Stroke,
                       ( member(Stroke0, Strokes0),
                         clipped_stroke(Stroke0, Window, DX, DY, Stroke)
                       ),
                       Strokes),
-              Strokes \== []
+              Strokes \== [],
+              findall(Text,
+                      ( member(Text0, Texts0),
+                        text_within(Text0, Window, DX, DY, Text)
+                      ),
+                      Texts)
             ),
             Views),
     member(view(Any,_,_), Views),
@@ -74,9 +79,24 @@ page_views(Tiling, Views0, Options, Says0, Column, Row, [Marks|Views]) :-
     findall(Mark, page_mark(Tiling, Column, Row, Mark), Crops),
     findall(Mark, sheet_line(Page, Options, [PageName|Says0], Mark), Bar),
     append(Crops, Bar, All),
-    line_strokes(All, PageH, Strokes),
+    line_strokes(All, PageH, Strokes, Texts),
     atom_concat('page-', PageName, PageView),
-    Marks = view(PageView, Strokes, []).
+    Marks = view(PageView, Strokes, Texts).
+
+%   text_within(Text0, Window, DX, DY, Text) is semidet: all of a word is in
+%   Window; one that is cut stays lines.
+
+text_within(word(Role,S,Angle,text(X0,Y0,High,Anchor,String),Strokes0),
+            Window, DX, DY,
+            word(Role,S,Angle,text(X,Y,High,Anchor,String),Strokes)) :-
+    forall(member(stroke(_,_,_,_,Points,_,_), Strokes0),
+           points_within(Points, Window)),
+    shifted(DX, DY, X0-Y0, X-Y),
+    findall(Stroke,
+            ( member(Stroke0, Strokes0),
+              clipped_stroke(Stroke0, Window, DX, DY, Stroke)
+            ),
+            Strokes).
 
 page_name(Column, Row, Name) :-
     column_letters(Column, Letters),

@@ -16,10 +16,13 @@ assert not audit.errors and not audit.fixes, audit.errors + audit.fixes
 print(f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}mm" '
       f'height="{height}mm" viewBox="0 0 {width} {height}">')
 print('<rect width="100%" height="100%" fill="#fff"/>')
-for line in drawing.modelspace().query('POLYLINE'):
-    points = [vertex.dxf.location for vertex in line.vertices]
-    if line.is_closed:
-        points.append(points[0])
+for line in drawing.modelspace().query('POLYLINE LINE'):
+    if line.dxftype() == 'LINE':
+        points = [line.dxf.start, line.dxf.end]
+    else:
+        points = [vertex.dxf.location for vertex in line.vertices]
+        if line.is_closed:
+            points.append(points[0])
     layer = line.dxf.layer
     thick = (0.7 if 'PENETRATION' in layer or layer == 'FRAME' else 0.5)
     if layer in ('FIELD', 'HATCHING'):

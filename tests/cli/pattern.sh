@@ -64,16 +64,45 @@ import ezdxf, sys
 drawing = ezdxf.readfile(sys.argv[1])
 audit = drawing.audit()
 assert not audit.errors and not audit.fixes, audit.errors + audit.fixes
-lines = drawing.modelspace().query('POLYLINE')
+lines = drawing.modelspace().query('POLYLINE LINE TEXT')
 layers = {line.dxf.layer for line in lines}
 assert {'CUT', 'FOLD_DOWN', 'NUMBER'} <= layers, layers
+texts = drawing.modelspace().query('TEXT')
+assert bool(texts) == (len(sys.argv) == 2)
+assert all(text.dxf.layer in ('NUMBER', 'FACE_NAME', 'BAR')
+           for text in texts)
 cut = [line for line in lines if line.dxf.layer == 'CUT']
 assert len(cut) == 1 and cut[0].is_closed
 END
 if /usr/bin/python3 -c 'import ezdxf' 2>"$work/null"; then
   check "ezdxf reads it" /usr/bin/python3 "$work/dxf.py" "$work/box.dxf"
   check "ezdxf: dashes as lines" /usr/bin/python3 "$work/dxf.py" \
-    "$work/cutter.dxf"
+    "$work/cutter.dxf" drawn
+  cat >"$work/laser.pl" <<'END'
+line(any, any, any, [none]).
+line(any, cut, any, [shown, colour(red), layer('LASER')]).
+END
+  "$sanggwan" unfold -q facts/patterns/saddle.pl --trim outside --true \
+    --generators 24 --style "$work/laser.pl" -o "$work/laser.dxf" >"$work/out"
+  "$sanggwan" unfold -q facts/patterns/saddle.pl --trim outside --true \
+    --generators 24 -o "$work/lengths.dxf" >"$work/out"
+  "$sanggwan" unfold -q facts/patterns/saddle.pl --trim outside --true \
+    --generators 24 --no-lengths -o "$work/bare.dxf" >"$work/out"
+  cat >"$work/roles.py" <<'END'
+import ezdxf, sys
+laser, lengths, bare = (list(ezdxf.readfile(name).modelspace())
+                        for name in sys.argv[1:])
+assert {line.dxf.layer for line in laser} == {'LASER'}
+table = [line for line in lengths if line.dxf.layer == 'TABLE']
+texts = [text.dxf.text for text in table if text.dxftype() == 'TEXT']
+assert len(texts) > 400 and '24' in texts
+assert not [line for line in bare if line.dxf.layer == 'TABLE']
+turned = [line for line in lengths if line.dxf.layer == 'GENERATOR_NUMBER'
+          and line.dxftype() == 'TEXT' and line.dxf.rotation]
+assert turned
+END
+  check "ezdxf: roles by a style, tables left out" /usr/bin/python3 \
+    "$work/roles.py" "$work/laser.dxf" "$work/lengths.dxf" "$work/bare.dxf"
 else
   skip "python3-ezdxf is not here"
 fi

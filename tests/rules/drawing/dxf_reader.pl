@@ -14,8 +14,9 @@
 %   Document is dxf(Header, Types, Layers, Entities): Name-Groups of each
 %   variable; type(Name,Runs); layer(Name,Colour,Type);
 %   line(Layer,Colour,Runs,Closed,Vertices) with vertices X-Y-Data in
-%   thousandths,
-%   y up; text(Layer,Colour,X-Y,Height,Place,Text).
+%   thousandths, y up, also of a LINE;
+%   text(Layer,Colour,X-Y,Height,Place,Text), or, if it is turned,
+%   turned(Angle,text(...)).
 
 read_dxf(Text, dxf(Header,Types,Layers,Entities)) :-
     split_string(Text, "\n", "", Lines),
@@ -183,11 +184,27 @@ dxf_entities([0-"POLYLINE",8-Layer|Groups], Tables,
     dxf_vertices(Rest, Layer, Vertices, Rest1),
     must(append([0-"SEQEND",8-Layer], Rest2, Rest1), seqend),
     dxf_entities(Rest2, Tables, Entities).
-dxf_entities([0-"TEXT",8-Layer|Groups], Tables,
-             [text(Layer,Colour,X-Y,Height,Place,Text)|Entities]) :-
+dxf_entities([0-"LINE",8-Layer|Groups], Tables,
+             [line(Layer,Colour,Runs,open,[XA-YA-Data,XB-YB-none])|Entities]) :-
+    !,
+    dxf_look(Groups, Layer, Tables, Colour, Runs, Groups1),
+    must(append([10-XA0,20-YA0,30-"0.000",11-XB0,21-YB0,31-"0.000"], Rest,
+                Groups1), line),
+    maplist(thousandths, [XA0,YA0,XB0,YB0], [XA,YA,XB,YB]),
+    dxf_data(Rest, Data, Rest1),
+    dxf_entities(Rest1, Tables, Entities).
+dxf_entities([0-"TEXT",8-Layer|Groups], Tables, [Entity|Entities]) :-
     dxf_look(Groups, Layer, Tables, Colour, _, Groups1),
-    must(append([10-X0,20-Y0,30-"0.000",40-Height0,1-Text], Rest0, Groups1),
+    must(append([10-X0,20-Y0,30-"0.000",40-Height0,1-Text], Rest1, Groups1),
          text),
+    Own = text(Layer, Colour, X-Y, Height, Place, Text),
+    (   Rest1 = [50-Angle0|Rest0]
+    ->  thousandths(Angle0, Angle),
+        must(( Angle > 0, Angle < 360000 ), angle),
+        Entity = turned(Angle, Own)
+    ;   Rest0 = Rest1,
+        Entity = Own
+    ),
     maplist(thousandths, [X0,Y0,Height0], [X,Y,Height]),
     (   append([72-Place0,11-X1,21-Y1,31-"0.000"], Rest, Rest0)
     ->  number_of(Place0, Place),
@@ -216,11 +233,14 @@ dxf_vertices([0-"VERTEX",8-Layer,10-X0,20-Y0,30-"0.000"|Groups], Layer,
              [X-Y-Data|Vertices], Rest) :-
     !,
     maplist(thousandths, [X0,Y0], [X,Y]),
-    (   Groups = [1001-"SANGGWAN",1071-S0,1071-E0|Groups1]
+    dxf_data(Groups, Data, Groups1),
+    dxf_vertices(Groups1, Layer, Vertices, Rest).
+dxf_vertices(Rest, _, [], Rest).
+
+dxf_data(Groups0, Data, Groups) :-
+    (   Groups0 = [1001-"SANGGWAN",1071-S0,1071-E0|Groups]
     ->  maplist(number_of, [S0,E0], [S,E]),
         Data = S-E
     ;   Data = none,
-        Groups1 = Groups
-    ),
-    dxf_vertices(Groups1, Layer, Vertices, Rest).
-dxf_vertices(Rest, _, [], Rest).
+        Groups = Groups0
+    ).

@@ -1,7 +1,7 @@
 :- encoding(utf8).
 :- module(test_pattern_drawing, []).
 % covers: pattern_fit, pattern_join, pattern_lines, pattern_paper
-% covers: pattern_tab, pattern_table
+% covers: pattern_tab, pattern_table, pattern_word
 :- use_module(library(plunit)).
 :- use_module(library(lists)).
 :- use_module(library(apply)).
@@ -15,6 +15,7 @@
 :- use_module(rules(pattern/pattern_number), [reads_turned/1]).
 :- use_module(rules(sheet/lettering), [lettering_width/3]).
 :- use_module(rules(pattern/pattern_text), [written/5]).
+:- use_module(rules(pattern/pattern_word), [word_lines/2]).
 :- use_module(tests('rules/pattern/pattern_case')).
 :- use_module(tests('rules/pattern/cut_checked')).
 
@@ -75,11 +76,30 @@ number_beside_name(Gap, Face, Height) :-
     Right is 20+Width/2+Gap,
     written([[Left-0.0,Left-20.0],[Right-0.0,Right-20.0]], [],
             [want(face_name,p,"HHH",[6.0,4.5],within([Face]))],
-            [letters(face_name,p,Lines)], []),
+            [letters(face_name,p,[],Word)], []),
+    word_lines(Word, Lines),
     findall(Y, ( member(Points, Lines), member(_-Y, Points) ), Ys),
     min_list(Ys, Low),
     max_list(Ys, High),
     Height is round((High-Low)*10)/10.0.
+
+middle(Strokes, X-Y) :-
+    findall(P, ( member(stroke(_,_,_,_,Ps,_,_), Strokes), member(P, Ps) ), All),
+    findall(PX, member(PX-_, All), Xs),
+    findall(PY, member(_-PY, All), Ys),
+    maplist(extent, [Xs,Ys], [X,Y]).
+
+extent(Ns, Middle) :-
+    min_list(Ns, Low),
+    max_list(Ns, High),
+    Middle is (Low+High)/2.
+
+% The middle of letters is half their height above the middle of their line.
+above_by_half(Angle, DX, DY, High) :-
+    Up is -DX*sin(Angle*pi/180) + DY*cos(Angle*pi/180),
+    Along is DX*cos(Angle*pi/180) + DY*sin(Angle*pi/180),
+    abs(Up-High/2) < High/20,
+    abs(Along) < High/2.
 
 :- begin_tests(pattern_drawing).
 
@@ -149,20 +169,17 @@ test(read_turned_long) :-
 test(underlined, [ true(Line-Below == 50.0-true) ]) :-
     Face = [0.0-0.0,100.0-0.0,100.0-100.0,0.0-100.0],
     written([], [], [want(number,p,underlined("68"),[10.0],within([Face]))],
-            [letters(number,p,[[XA-YA,XB-YA]|Lines])], []),
+            [letters(number,p,[[XA-YA,XB-YA]],Word)], []),
+    word_lines(Word, Lines),
     Line is (XA+XB)/2,
     (   forall(( member(Points, Lines), member(_-Y, Points) ), Y > YA+2)
     ->  Below = true
     ;   Below = false
     ).
-test(not_underlined, [ Same == true ]) :-
+test(not_underlined, [ Under == [] ]) :-
     Face = [0.0-0.0,100.0-0.0,100.0-100.0,0.0-100.0],
     written([], [], [want(number,p,"7",[10.0],within([Face]))],
-            [letters(number,p,Lines)], []),
-    (   Lines = [_]
-    ->  Same = true
-    ;   Same = false
-    ).
+            [letters(number,p,Under,_)], []).
 % A slit has closed: one long side lies on two short ones. 160 mm are round the
 % piece, and 40 in it, once.
 test(no_part_is_cut_twice, [ Length =:= 200000 ]) :-
@@ -184,9 +201,25 @@ test(tails_keep_clear, [ true(Least > 10.0) ]) :-
     Line = [0.0-10.0,100.0-10.0],
     Face = [0.0-10.0,100.0-10.0,100.0-19.0,0.0-19.0],
     written([Line], [], [want(face_name,p,"gyp",[6.0],within([Face]))],
-            [letters(face_name,p,Lines)], []),
+            [letters(face_name,p,[],Word)], []),
+    word_lines(Word, Lines),
     findall(Y, ( member(Points, Lines), member(_-Y, Points) ), Ys),
     min_list(Ys, Least).
+% Each word is a text as well, at the middle of what its strokes reach, and reads
+% along their direction: up a side that stands, for numbers of a cube on edge.
+test(words_are_their_strokes, [ Angles == [0,90,180,270] ]) :-
+    drawn(cube_pattern(40), [page('A4')], Drawings),
+    findall(Angle,
+            ( member(drawing(_,Views), Drawings),
+              member(view(_,Strokes,Texts), Views),
+              member(word(number,_,Angle0,text(X,Y,High,middle,_),Own), Texts),
+              assertion(( Own \== [], subset(Own, Strokes) )),
+              middle(Own, XM-YM),
+              Angle is Angle0//1000,
+              assertion(above_by_half(Angle, XM-X, Y-YM, High))
+            ),
+            Angles0),
+    sort(Angles0, Angles).
 % Between an edge and its number nothing is cut: at the tip of a needle the
 % number would stand beside it.
 test(not_beyond_a_needle, [ Skipped == [number-1] ]) :-
