@@ -3,7 +3,7 @@
           ]).
 :- use_module(verb_output, [usage_error/1]).
 :- use_module('../unfolding/unfold_how', [how_wished_of_any/2]).
-:- use_module(library(lists), [member/2]).
+:- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(option), [option/2]).
 /** <module> Which options of the verb unfold go together.
 
@@ -28,8 +28,26 @@ options_together(Options) :-
     ;   given(lines, Options),
         given(trim, Options)
     ->  usage_error(both_options('--lines', '--trim'))
+    ;   scales(Options, [One,Other|_])
+    ->  usage_error(both_options(One, Other))
     ;   true
     ).
+
+%   scales(Options, Given): what of Options says the scale, or that there are no
+%   pages to find it for.
+
+scales(Options, Given) :-
+    findall(Option,
+            ( member(Name, [scale,height,pages,fit]),
+              given(Name, Options),
+              written(Name, Option)
+            ),
+            Scales),
+    findall('--tile',
+            ( given(tile, Options), Scales \== [],
+              once(( member(Name, [pages,fit]), given(Name, Options) )) ),
+            Tiles),
+    append(Scales, Tiles, Given).
 
 wished(true) :-
     !,

@@ -91,6 +91,13 @@ unfold_option(option(scale, '', value, 'N:M',
     'true scale of the drawing (1:1, as is usual), such as 1:2 or 5:1')).
 unfold_option(option(unit, '', one_of([mm, cm, m, inch]), 'UNIT',
     'what one is in the model, for the scale; default mm')).
+unfold_option(option(height, '', above(0), 'MM',
+    'the scale at which the model is so high')).
+unfold_option(option(pages, '', whole(1,5000), 'N',
+    'the largest scale at which all is on N pages; A4, if --page does not say \c
+     another')).
+unfold_option(option(fit, '', flag, '',
+    'the largest scale at which no piece has to be divided for the page')).
 unfold_option(option(page, '', value, 'PAPER',
     'pages of this size, A4 to A0, A3-landscape, letter or WxH in mm; larger \c
      pieces are divided; without it one sheet as large as needed')).
@@ -192,6 +199,10 @@ unfold_option_ko('set-in',
 없으면 위에 얹힌다').
 unfold_option_ko('other-thickness',
     '--true, --trim, --thickness 와 함께: 다른 세그먼트의 두께').
+unfold_option_ko(height, '모델의 높이가 이만큼 되는 척도').
+unfold_option_ko(pages,
+    '모두 N쪽에 들어가는 가장 큰 척도. --page 가 없으면 A4').
+unfold_option_ko(fit, '쪽에 맞추어 조각을 나누지 않아도 되는 가장 큰 척도').
 unfold_option_ko(page,
     '이 크기의 쪽들. A4~A0, A3-landscape, letter, WxH(mm). 더 큰 조각은 \c
 나눈다. 없으면 필요한 크기의 종이 한 장').
@@ -221,6 +232,8 @@ unfold_example('sanggwan unfold facts/gallery/saddle.pl --trim outside \c
 --page A4 -o saddle.pdf').
 unfold_example('sanggwan unfold facts/patterns/house.pl --tabs 6 \c
 --page A4-landscape -o house.pdf').
+unfold_example('sanggwan unfold cow.obj --height 200 --tabs 6 --page A4 \c
+-o cow.pdf').
 unfold_example('sanggwan unfold pipes.pl --trim outside --only branch \c
 --remove base,top -o branch.dxf').
 unfold_example('sanggwan unfold facts/patterns/saddle.pl --trim outside \c

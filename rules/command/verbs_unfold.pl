@@ -545,7 +545,7 @@ drawing_options(Options, DrawingOptions) :-
 drawing_option(Options, Option) :-
     member(Name,
            [ page,tile,overlap,margin,gap,tabs,numbers,angles,inside,grid,
-             dashes
+             dashes,height,pages,fit
            ]),
     Option =.. [Name,_],
     option(Option, Options).

@@ -3,6 +3,7 @@
             pattern_fault_en//1,        % +What
             some_numbers/2              % +Numbers, -Text
           ]).
+:- use_module('../pattern/pattern_scale', [scale_text/2]).
 :- use_module(library(lists), [append/3]).
 /** <module> What happened on the way to a pattern on paper, in English.
 
@@ -33,6 +34,9 @@ pattern_en(too_large(N)) -->
     [ '~D pieces with their tabs are larger than the page; each has a sheet, \c
        and goes beyond it'-[N], nl,
       '  Take a larger --page or narrower --tabs.' ].
+pattern_en(scale(Scale)) -->
+    { scale_text(Scale, Text) },
+    [ 'the scale is ~w'-[Text] ].
 pattern_en(no_room(Role, N)) -->
     { role_en(Role, Words) },
     [ '~w left out: ~D; there is no room for letters that can be read'
@@ -81,6 +85,12 @@ pattern_fault_en(paper(Page, Names)) -->
 pattern_fault_en(scale(Text)) -->
     [ '--scale ~w is no scale'-[Text], nl,
       '  Write 1:2 for half the size, 5:1 for five times.' ].
+pattern_fault_en(no_height) -->
+    [ '--height: what is unfolded has no height'-[], nl,
+      '  Give --scale, --pages or --fit.' ].
+pattern_fault_en(no_scale) -->
+    [ '--pages: at no scale the pattern fits on so few pages'-[], nl,
+      '  Give more --pages, a larger --page or narrower --tabs.' ].
 pattern_fault_en(margin(Margin, W-H)) -->
     [ '--margin ~w leaves no room on a page of ~w x ~w mm'-[Margin, W, H], nl,
       '  Take a smaller margin or a larger --page.' ].

@@ -3,6 +3,7 @@
           [ pattern_ko//1,              % +What
             pattern_fault_ko//1         % +What
           ]).
+:- use_module('../pattern/pattern_scale', [scale_text/2]).
 :- use_module(pattern_en, [some_numbers/2]).
 /** <module> What happened on the way to a pattern on paper, in Korean.
 
@@ -33,6 +34,9 @@ pattern_ko(too_large(N)) -->
     [ '조각 ~D개는 날개까지 치면 종이보다 커서, 따로 한 장씩 놓았지만 밖으로 나갑니다'
       -[N], nl,
       '  더 큰 --page 나 더 좁은 --tabs 를 쓰십시오.' ].
+pattern_ko(scale(Scale)) -->
+    { scale_text(Scale, Text) },
+    [ '척도는 ~w 입니다'-[Text] ].
 pattern_ko(no_room(Role, N)) -->
     { role_ko(Role, Words) },
     [ '읽을 수 있는 크기로 쓸 자리가 없어 ~w ~D개를 뺐습니다'-[Words, N] ].
@@ -66,6 +70,12 @@ pattern_fault_ko(paper(Page, Names)) -->
 pattern_fault_ko(scale(Text)) -->
     [ '--scale ~w 은(는) 척도가 아닙니다'-[Text], nl,
       '  절반은 1:2, 다섯 배는 5:1 로 쓰십시오.' ].
+pattern_fault_ko(no_height) -->
+    [ '--height: 펼칠 것에 높이가 없습니다'-[], nl,
+      '  --scale, --pages, --fit 가운데 하나를 쓰십시오.' ].
+pattern_fault_ko(no_scale) -->
+    [ '--pages: 어떤 척도로도 그만큼 적은 쪽에 들어가지 않습니다'-[], nl,
+      '  --pages 를 늘리거나 더 큰 --page, 더 좁은 --tabs 를 쓰십시오.' ].
 pattern_fault_ko(margin(Margin, W-H)) -->
     [ '--margin ~w: ~w x ~w mm 쪽에 남는 자리가 없습니다'-[Margin, W, H], nl,
       '  여백을 줄이거나 더 큰 --page 를 쓰십시오.' ].

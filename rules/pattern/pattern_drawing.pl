@@ -7,7 +7,7 @@
               [outline_loops/2, outline_strokes/3, piece_line/4]).
 :- use_module('../drawing/pattern_look', [pattern_look/5]).
 :- use_module(pattern_nest, [nested/3]).
-:- use_module(pattern_number, [seam_numbers/2]).
+:- use_module(pattern_number, [partner_sheets/3, seam_numbers/2]).
 :- use_module(pattern_outline, [loop_area/2]).
 :- use_module(pattern_paper,
               [ extent_checked/1, grid_line/3, line_strokes/4, page_room/3,
@@ -18,6 +18,8 @@
 :- use_module(pattern_table,
               [ pattern_tables/4, table_lines/2, table_loops/2, table_name/2,
                 table_word/2 ]).
+:- use_module(pattern_scale,
+              [fitting_scale/4, height_scale/3, pages_scale/4, scale_text/2]).
 :- use_module(pattern_tile, [tiled/4]).
 :- use_module(pattern_title, [pattern_titles/2]).
 :- use_module(pattern_parted, [parted_segments/2]).
@@ -25,7 +27,7 @@
 :- use_module(pattern_word, [word_lines/2, word_text/6]).
 :- use_module('../sheet/sheet_paper', [unit_millimetres/2]).
 :- use_module(library(apply),
-              [ foldl/4, foldl/6, include/3, maplist/3, maplist/4, maplist/5,
+              [ exclude/3, foldl/4, foldl/6, include/3, maplist/3, maplist/4, maplist/5,
                 partition/4 ]).
 :- use_module(library(assoc), 
               [empty_assoc/1, get_assoc/3, list_to_assoc/2]).
@@ -56,6 +58,9 @@ those of pattern_look.pl.
 %
 %     - scale(N:M), or scale(Factor): a true scale, default 1:1; unit(U): what
 %       one is in the model, default mm
+%     - height(H), pages(N) or fit(true): the scale at which what the patterns
+%       are of is H mm high, they take at most N pages, or no piece has to be
+%       divided for the page; it is told
 %     - page(P): A4 to A0, perhaps with -landscape, letter, `WxH` or W-H; if not
 %       given one sheet as large as needed. margin(M): free all round, 10 mm;
 %       gap(G): between pieces, 3 mm
@@ -77,13 +82,13 @@ those of pattern_look.pl.
 %   (pattern_title.pl).
 %   What was divided, or left out for want of room, is told by messages.
 %
-%   @error usage_error(pattern(What)): see page_sheet/2
+%   @error usage_error(pattern(What)): see page_sheet/2; no_height, no_scale
 %   @error domain_error(unit, U), domain_error(scale, Scale)
 
 pattern_drawing(Ds, Options0, Drawings) :-
     paper_checked(Options0),
     pattern_titles(Ds, Titles),
-    Options = [titles(Titles)|Options0],
+    scale_found(Ds, [titles(Titles)|Options0], Options),
     pattern_layout(Ds, Options, Layout),
     layout_drawings(Layout, Options, Drawings0),
     (   option(tile(true), Options)
@@ -93,6 +98,77 @@ pattern_drawing(Ds, Options0, Drawings) :-
         append(Tiles, Pages, Drawings)
     ;   Drawings = Drawings0
     ).
+
+%   scale_found(Ds, Options0, Options): the scale that is asked for by what should
+%   come of it is among Options.
+
+scale_found(Ds, Options0, [scale(Scale)|Options]) :-
+    wanted_scale(Options0, Want),
+    !,
+    exclude(says_scale, Options0, Options),
+    found_scale(Want, Ds, Options, Scale),
+    print_message(informational, sanggwan(pattern(scale(Scale)))).
+scale_found(_, Options, Options).
+
+wanted_scale(Options, height(H)) :-
+    option(height(H), Options).
+wanted_scale(Options, pages(N)) :-
+    option(pages(N), Options).
+wanted_scale(Options, fit) :-
+    option(fit(true), Options).
+
+says_scale(Option) :-
+    functor(Option, Name, _),
+    memberchk(Name, [scale,unit,height]).
+
+found_scale(height(H), Ds, _, Scale) :-
+    height_scale(Ds, H, Scale).
+found_scale(fit, Ds, Options, Scale) :-
+    unit_pieces(Ds, Options, Pieces, Paper),
+    fitting_scale(Pieces, Paper, Options, Scale).
+found_scale(pages(N), Ds, Options, Scale) :-
+    unit_pieces(Ds, Options, Pieces, Paper),
+    Paper = room(W, H, Gap),
+    pieces_points(Pieces, Pointss),
+    maplist(loop_area, Pointss, Areas),
+    sum_list(Areas, Area),
+    Room is N*W*H,
+    option(tabs(Width), Options, 0),
+    Apart is Gap+Width,
+    nesting_options(Options, Apart, Nesting),
+    pages_scale(Area, Room, sg_pattern_drawing:in_pages(Ds, Nesting, N),
+                Near),
+    (   member(Share, [1.04,1.0,0.97,0.94,0.91,0.88,0.8,0.7,0.6,0.5]),
+        Scale is Share*Near,
+        in_pages(Ds, Options, N, Scale)
+    ->  true
+    ;   throw(error(usage_error(pattern(no_scale)), _))
+    ).
+
+%   nesting_options(Options0, Apart, Options): pieces without tabs, but so far
+%   Apart that these have room: about where the best scale is.
+
+nesting_options(Options0, Apart, [gap(Apart)|Options]) :-
+    exclude(says_tabs, Options0, Options).
+
+says_tabs(Option) :-
+    functor(Option, Name, _),
+    memberchk(Name, [tabs,open_slits,gap]).
+
+%   unit_pieces(Ds, Options, Pieces, Paper): the pieces in units of the model.
+
+unit_pieces(Ds, Options, Pieces, Paper) :-
+    maplist(pieces_of(look(1,outside)), Ds, Piecess),
+    append(Piecess, All),
+    include(has_area, All, Pieces),
+    option(gap(Gap), Options, 3),
+    pattern_paper(Options, Gap, Paper).
+
+in_pages(Ds, Options, N, Scale) :-
+    pattern_layout(Ds, [scale(Scale),told(false)|Options], Layout),
+    Layout = layout(_, _, Sheets, _, _, _),
+    length(Sheets, Count),
+    Count =< N.
 
 %   table_pages(Ds, Options, Drawings): tables on pages of their own, since
 %   tiles would cut through their rows.
@@ -255,9 +331,16 @@ sheet_number(Laid, I-Laid) :-
                 *           DRAWING            *
                 *******************************/
 
-layout_drawings(Layout, Options, Drawings) :-
-    Layout = layout(_, _, Sheets, _, _, _),
+layout_drawings(Layout, Options0, Drawings) :-
+    Layout = layout(_, _, Sheets, Numbers, _, _),
     length(Sheets, Count),
+    findall(Name-I,
+            ( nth1(I, Sheets, Laid),
+              member(laid(piece(Name,_,_),_,_), Laid)
+            ),
+            On),
+    partner_sheets(Numbers, On, Partners),
+    Options = [partner_sheets(Partners)|Options0],
     numbered(Sheets, 1, Numbered),
     maplist(sheet_drawing(Layout, Options, Count), Numbered, Drawings,
             Skippeds),
@@ -559,13 +642,3 @@ sheet_word(Options, _, _, Say) :-
 sheet_word(_, Count, I, Say) :-
     Count > 1,
     format(string(Say), '~d/~d', [I,Count]).
-
-scale_text(N:M, Text) :-
-    !,
-    format(string(Text), '~w:~w', [N,M]).
-scale_text(Factor, Text) :-
-    (   Factor >= 1
-    ->  format(string(Text), '~4g:1', [Factor])
-    ;   M is 1/Factor,
-        format(string(Text), '1:~4g', [M])
-    ).

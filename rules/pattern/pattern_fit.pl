@@ -15,7 +15,7 @@
               [ append/2, append/3, member/2, nth1/3, same_length/2,
                 subtract/3, sum_list/2
               ]).
-:- use_module(library(option), [option/3]).
+:- use_module(library(option), [option/2, option/3]).
 :- use_module(library(pairs),
               [ group_pairs_by_key/2, pairs_keys_values/3, pairs_values/2 ]).
 /** <module> Pieces with their tabs, none larger than the paper.
@@ -36,7 +36,7 @@ all do.
 %   tabs/4 says, and of the seams D-J that have none to an edge of theirs.
 %   Options are tabs(Width) and open_slits(Open): true, false, or `auto`, which
 %   it is if not given: where much of the seam would be without tabs. What was
-%   divided is told.
+%   divided is told, except with told(false).
 %
 %   @error usage_error(pattern(tabs(Width, Most, W-H))): where pieces have to be
 %          divided, a page with room for W x H mm takes tabs of at most Most
@@ -46,8 +46,14 @@ fitted_pieces(Pieces0, Paper, Options, Fitted, Tabs) :-
     must_be(number, Width),
     option(open_slits(Open), Options, auto),
     pieces_opened(Open, Width, Pieces0, Pieces1, Known),
-    told_opened(Open, Pieces0, Pieces1),
     pieces_fitted(Pieces1, Paper, Width, [], Known, Fitted, Tabs),
+    (   option(told(false), Options)
+    ->  true
+    ;   told(Open, Pieces0, Pieces1, Fitted, Tabs)
+    ).
+
+told(Open, Pieces0, Pieces1, Fitted, Tabs) :-
+    told_opened(Open, Pieces0, Pieces1),
     told_more(divided, Pieces1, Fitted),
     (   ( Open == true ; Pieces1 \== Pieces0 )
     ->  Help = none

@@ -1,12 +1,14 @@
 :- module(sg_pattern_number,
           [ seam_numbers/2,             % +Pieces, -Numbers
+            partner_sheets/3,           % +Numbers, +Sheets, -Partners
             seam_strands/2,             % +Pieces, -Strands
             reads_turned/1              % +Number
           ]).
 :- use_module(pattern_outline, [cut_loops/2]).
 :- use_module(library(apply), [maplist/3]).
-:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
-:- use_module(library(lists), [append/3, last/2, member/2, nth1/3, reverse/2]).
+:- use_module(library(assoc), [gen_assoc/3, get_assoc/3, list_to_assoc/2]).
+:- use_module(library(lists),
+              [append/3, last/2, member/2, nth1/3, reverse/2, select/3]).
 :- use_module(library(pairs), [group_pairs_by_key/2, pairs_values/2]).
 /** <module> The numbers of seams.
 
@@ -53,6 +55,32 @@ seam_numbers(Pieces, Numbers) :-
     keysort(Numbered0, Numbered),
     group_pairs_by_key(Numbered, ByPiece),
     list_to_assoc(ByPiece, Numbers).
+
+%!  partner_sheets(+Numbers, +Sheets:list, -Partners) is det.
+%
+%   Partners is an assoc of N-Name to the sheet that has the partners of number
+%   N on piece Name, where that is one other than its own. Numbers are those of
+%   seam_numbers/2, Sheets is a list of Name-Sheet.
+
+partner_sheets(Numbers, Sheets, Partners) :-
+    list_to_assoc(Sheets, On),
+    findall(N-(Name-Sheet),
+            ( gen_assoc(Name, Numbers, Own),
+              get_assoc(Name, On, Sheet),
+              member(N-_, Own)
+            ),
+            Pairs0),
+    keysort(Pairs0, Pairs),
+    group_pairs_by_key(Pairs, Groups),
+    findall((N-Name)-Sheet,
+            ( member(N-Sides, Groups),
+              select(Name-Here, Sides, Others),
+              findall(There, member(_-There, Others), Theres),
+              sort(Theres, [Sheet]),
+              Sheet \== Here
+            ),
+            Found),
+    list_to_assoc_of(Found, Partners).
 
 %!  seam_strands(+Pieces, -Strands) is det.
 %

@@ -42,13 +42,14 @@ most_pages(5000).
 
 most_extent(1.0e12).
 
-% The page of a sheet that is to be tiled if none is asked for.
+% The page if there have to be pages, and none is asked for.
 tile_page('A4').
 
 %!  page_sheet(+Options, -Sheet) is semidet.
 %
 %   Sheet is an empty page as Options ask for: page(P), a name as for --sheet,
-%   `WxH` or W-H in millimetres, or `letter`; of tile(true) A4 without that.
+%   `WxH` or W-H in millimetres, or `letter`; of tile(true), pages(N) and
+%   fit(true) A4 without that.
 %   Fails if there are no pages.
 %
 %   @error usage_error(pattern(What)): paper(P, Names); margin(Margin, W-H);
@@ -79,9 +80,16 @@ page_sheet(Options, sheet(Width,Height,Margin,Bottom,RoomW,RoomH)) :-
 page(Options, Page) :-
     (   option(page(Page0), Options)
     ->  Page = Page0
-    ;   option(tile(true), Options),
-        tile_page(Page)
+    ;   wants_pages(Options)
+    ->  tile_page(Page)
     ).
+
+wants_pages(Options) :-
+    option(tile(true), Options).
+wants_pages(Options) :-
+    option(pages(_), Options).
+wants_pages(Options) :-
+    option(fit(true), Options).
 
 %!  paper_checked(+Options) is det.
 %

@@ -9,7 +9,7 @@
               [row_height/2, true_length_marks/4, true_length_rows/2]).
 :- use_module(library(apply), [convlist/3]).
 :- use_module(library(lists), [append/2, member/2]).
-:- use_module(library(option), [option/3]).
+:- use_module(library(option), [option/2, option/3]).
 /** <module> Tables of true lengths on the sheets of a pattern.
 
 A table is nested like a piece. One that is longer than the paper is divided
@@ -50,7 +50,10 @@ pattern_tables(Ds, Options, Paper, Tables) :-
         option(titles(Titles), Options, []),
         convlist(table_parts(Titles, Paper), Trues, Partss),
         append(Partss, Tables),
-        told_left_out(Trues, Partss)
+        (   option(told(false), Options)
+        ->  true
+        ;   told_left_out(Trues, Partss)
+        )
     ;   Tables = []
     ).
 

@@ -7,7 +7,7 @@
 :- use_module('../kernel', [shapes_add/2, shapes_free/3, shapes_open/2]).
 :- use_module('../sheet/lettering',
               [lettering_drop/3, lettering_width/3]).
-:- use_module(library(apply), [foldl/4]).
+:- use_module(library(apply), [foldl/4, include/3]).
 :- use_module(library(lists), [append/3, last/2, member/2, sum_list/2]).
 :- use_module(library(pairs), [pairs_values/2]).
 /** <module> Numbers and names on a pattern, where there is room for them.
@@ -31,7 +31,8 @@ What is wanted is
     want(Role, D, Text, Heights, over_lines(Place))
                            the same, but not small
 
-Text is a String or underlined(String). Heights in millimetres, largest first;
+Text is a String, underlined(String), or either(Long,Short): Long where it can
+be 2 mm high, else Short, itself one of the others. Heights in millimetres, largest first;
 points X-Y, millimetres of the sheet, y up; Shapes are convex, lists of points.
 The letters are those of lettering.pl.
 */
@@ -86,16 +87,28 @@ line_entered([A,B|Points], Shapes) :-
 
 text_written(Drawn, want(Role,D,Text,Heights,Place), Found0-Left,
              Found-Left1) :-
-    (   text_place(Drawn, Text, Heights, Place, Height, At, Way, Box)
+    (   said_text(Text, Heights, Said, Own),
+        text_place(Drawn, Said, Own, Place, Height, At, Way, Box)
     ->  Drawn = drawn(All, Cut),
         shapes_add(All, Box),
         shapes_add(Cut, Box),
-        text_word(Text, Height, At, Way, Under, Word),
+        text_word(Said, Height, At, Way, Under, Word),
         Found0 = [letters(Role,D,Under,Word)|Found],
         Left1 = Left
     ;   Found0 = Found,
         Left1 = [Role|Left]
     ).
+
+%   said_text(Text, Heights, Said, Own) is multi.
+
+said_text(either(Long,Short), Heights, Said, Own) :-
+    !,
+    (   Said = Long,
+        include(=<(2.0), Heights, Own)
+    ;   Said = Short,
+        Own = Heights
+    ).
+said_text(Text, Heights, Text, Heights).
 
 role_counts(Roles0, Counts) :-
     msort(Roles0, Roles),

@@ -48,7 +48,20 @@ seam_text(placed(Name,_,_,Lines,Sides), Options, Numbers,
             Sided),
     findall(A-B, member(place(_,A,B), Sided), Places),
     findall(Tab, ( member(Place, Sided), tab_at(Place, Folds, Tab) ), Tabs),
-    number_text(N, Text).
+    option(partner_sheets(Sheets), Options, none),
+    partner_text(N, Name, Sheets, Text).
+
+%   partner_text(N, Name, Sheets, Text): with the number of the sheet that the
+%   partner is on, if that is another one and there is room.
+
+partner_text(N, Name, Sheets, Text) :-
+    number_text(N, Short),
+    (   Sheets \== none,
+        get_assoc(N-Name, Sheets, Sheet)
+    ->  format(string(Long), '~d p~d', [N,Sheet]),
+        Text = either(Long, Short)
+    ;   Text = Short
+    ).
 
 %   title_text(Placed, Options, Want): the name of the piece, over generators.
 

@@ -193,6 +193,8 @@ command(pattern(opened(_,_)), [unfold, @('saw.pl'), '--tabs', '5',
                                '--open-slits', '-o', @('a.svg')]).
 command(pattern(no_room(number,_)), [unfold, @('cube.pl'), '-o',
                                      @('a.svg')]).
+command(pattern(scale(_)), [unfold, @('cube.pl'), '--height', '100',
+        '-o', @('x.svg')]).
 command(pattern(without_tab(_,_,_,_,_)),
         [unfold, @('saw.pl'), '--tabs', '5', '--no-open-slits',
          '-o', @('a.svg')]).

@@ -5,6 +5,7 @@
 :- use_module(library(plunit)).
 :- use_module(library(lists)).
 :- use_module(library(apply)).
+:- use_module(library(yall)).
 :- use_module(rules(store)).
 :- use_module(rules(decision), [use_rules/1]).
 :- use_module(rules(development/development), [develop/2]).
@@ -82,6 +83,19 @@ number_beside_name(Gap, Face, Height) :-
     min_list(Ys, Low),
     max_list(Ys, High),
     Height is round((High-Low)*10)/10.0.
+
+% The numbers of partners on each sheet I, N-Sheet, where Sheet is 0 if none is
+% said.
+partner_number(Drawings, I, N, Sheet) :-
+    nth1(I, Drawings, drawing(_,Views)),
+    member(view(_,_,Texts), Views),
+    member(word(number,_,_,text(_,_,_,_,Text),_), Texts),
+    (   split_string(Text, "p", " ", [NText,SheetText])
+    ->  number_string(Sheet, SheetText)
+    ;   NText = Text,
+        Sheet = 0
+    ),
+    number_string(N, NText).
 
 middle(Strokes, X-Y) :-
     findall(P, ( member(stroke(_,_,_,_,Ps,_,_), Strokes), member(P, Ps) ), All),
@@ -196,6 +210,16 @@ test(names_apart_from_numbers, [ Heights == [6.0,4.5] ]) :-
             ( member(Gap, [4.0,2.0]),
               number_beside_name(Gap, Face, Height) ),
             Heights).
+% A number that names a sheet has its partner there, which names the first; one
+% that could name a sheet, 2 mm high, does, and one with both sides here does not.
+test(sheet_of_the_partner, [true(Named > 10)]) :-
+    drawn(cube_pattern(150), [page('A4'),tabs(8)], Drawings),
+    findall(N-(I-Sheet), partner_number(Drawings, I, N, Sheet), All),
+    assertion(forall(member(N-(I-0), All), \+ ( member(N-(J-_), All), J =\= I ))),
+    assertion(forall(( member(N-(I-Sheet), All), Sheet > 0 ),
+                     memberchk(N-(Sheet-I), All))),
+    include([_-(_-Sheet)]>>( Sheet > 0 ), All, Others),
+    length(Others, Named).
 % A tail that reaches below the line is a part of the text.
 test(tails_keep_clear, [ true(Least > 10.0) ]) :-
     Line = [0.0-10.0,100.0-10.0],
