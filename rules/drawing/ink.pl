@@ -36,9 +36,9 @@ A drawing (sheet.pl) says what is where; inked, it says how it looks too:
     text(Ink, Text)
     word(Ink, Angle, Text)
 
-The texts of a view in a drawing may be word(Role,S,Angle,Text,Strokes), Angle in
-thousandths of a degree: a text that is drawn by Strokes, which are among those
-of the view in the same order.
+The texts of a view in a drawing may be word(Role,S,Angle,Text,Strokes), Angle
+in thousandths of a degree: a text that is drawn by Strokes, which are among
+those of the view in the same order.
 
 An ink is a style (style.pl), checked and in the units of the sheet: the
 writers of all formats ask it for its parts, and none of them knows how a line
@@ -53,7 +53,7 @@ of some role looks.
 %
 %     - style(Style): a style file, or its rows; see style_rows/2
 %     - hidden(How): `shown` makes the hidden lines solid
-%     - words(kept): words are in place of their strokes; else they are not there
+%     - words(kept): words are in place of their strokes; else there are none
 %
 %   @error type_error(line_style, Style), type_error(colour, Colour): a rule
 %   file gave what is none; and those of style_rows/2
@@ -86,8 +86,8 @@ word_strokes(Text, Letters0, Letters) :-
     ;   Letters0 = Letters
     ).
 
-%   strokes_without(Strokes0, Letters, Strokes): Letters are some of Strokes0, in
-%   their order.
+%   strokes_without(Strokes0, Letters, Strokes): Letters are some of Strokes0,
+%   in their order.
 
 strokes_without([], _, []).
 strokes_without([Stroke|Strokes0], Letters0, Strokes) :-

@@ -27,8 +27,8 @@
 :- use_module(pattern_word, [word_lines/2, word_text/6]).
 :- use_module('../sheet/sheet_paper', [unit_millimetres/2]).
 :- use_module(library(apply),
-              [ exclude/3, foldl/4, foldl/6, include/3, maplist/3, maplist/4, maplist/5,
-                partition/4 ]).
+              [ exclude/3, foldl/4, foldl/6, include/3, maplist/3, maplist/4,
+                maplist/5, partition/4 ]).
 :- use_module(library(assoc), 
               [empty_assoc/1, get_assoc/3, list_to_assoc/2]).
 :- use_module(library(error), [domain_error/2]).
@@ -99,8 +99,8 @@ pattern_drawing(Ds, Options0, Drawings) :-
     ;   Drawings = Drawings0
     ).
 
-%   scale_found(Ds, Options0, Options): the scale that is asked for by what should
-%   come of it is among Options.
+%   scale_found(Ds, Options0, Options): the scale that is asked for by what
+%   should come of it is among Options.
 
 scale_found(Ds, Options0, [scale(Scale)|Options]) :-
     wanted_scale(Options0, Want),

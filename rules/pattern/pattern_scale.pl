@@ -66,7 +66,8 @@ piece_scale(Paper, Piece, Scale) :-
     points_reach(Points, Reach),
     High is sqrt(W*W+H*H)/Reach,
     steps(Steps),
-    largest(Steps, sg_pattern_scale:points_fit(Points, Paper), 0.0, High, Scale).
+    Fits = sg_pattern_scale:points_fit(Points, Paper),
+    largest(Steps, Fits, 0.0, High, Scale).
 
 points_reach(Points, Reach) :-
     aggregate_all(r(min(X), max(X), min(Y), max(Y)), member(X-Y, Points),

@@ -32,8 +32,9 @@ What is wanted is
                            the same, but not small
 
 Text is a String, underlined(String), or either(Long,Short): Long where it can
-be 2 mm high, else Short, itself one of the others. Heights in millimetres, largest first;
-points X-Y, millimetres of the sheet, y up; Shapes are convex, lists of points.
+be 2 mm high, else Short, itself one of the others. Heights in millimetres,
+largest first; points X-Y, millimetres of the sheet, y up; Shapes are convex,
+lists of points.
 The letters are those of lettering.pl.
 */
 

@@ -37,7 +37,8 @@ letter_point(X0, Y0, U, V, A-B, X-Y) :-
 %
 %   Text is Word, of Role and S, on a sheet of Height mm, as views of a drawing
 %   have it (ink.pl): word(Role,S,Angle,text(X,Y,High,Anchor,String),Strokes),
-%   Angle in thousandths of a degree, counter-clockwise. Strokes are its letters.
+%   Angle in thousandths of a degree, counter-clockwise. Strokes are its
+%   letters.
 
 word_text(Height, Role, S, word(X0-Y0,U-V,High0,Anchor,String), Strokes,
           word(Role,S,Angle,text(X,Y,High,Anchor,String),Strokes)) :-

@@ -211,11 +211,12 @@ test(names_apart_from_numbers, [ Heights == [6.0,4.5] ]) :-
               number_beside_name(Gap, Face, Height) ),
             Heights).
 % A number that names a sheet has its partner there, which names the first; one
-% that could name a sheet, 2 mm high, does, and one with both sides here does not.
+% with both sides on its sheet names none.
 test(sheet_of_the_partner, [true(Named > 10)]) :-
     drawn(cube_pattern(150), [page('A4'),tabs(8)], Drawings),
     findall(N-(I-Sheet), partner_number(Drawings, I, N, Sheet), All),
-    assertion(forall(member(N-(I-0), All), \+ ( member(N-(J-_), All), J =\= I ))),
+    assertion(forall(member(N-(I-0), All),
+                     \+ ( member(N-(J-_), All), J =\= I ))),
     assertion(forall(( member(N-(I-Sheet), All), Sheet > 0 ),
                      memberchk(N-(Sheet-I), All))),
     include([_-(_-Sheet)]>>( Sheet > 0 ), All, Others),
@@ -229,8 +230,8 @@ test(tails_keep_clear, [ true(Least > 10.0) ]) :-
     word_lines(Word, Lines),
     findall(Y, ( member(Points, Lines), member(_-Y, Points) ), Ys),
     min_list(Ys, Least).
-% Each word is a text as well, at the middle of what its strokes reach, and reads
-% along their direction: up a side that stands, for numbers of a cube on edge.
+% Each word is a text as well, at the middle of what its strokes reach, and
+% reads along their direction.
 test(words_are_their_strokes, [ Angles == [0,90,180,270] ]) :-
     drawn(cube_pattern(40), [page('A4')], Drawings),
     findall(Angle,
