@@ -17,7 +17,8 @@
                 solid_box/2 ]).
 :- use_module('../shading/shading_buffer', [write_buffer/3]).
 :- use_module('../shading/shading_leaf', [bent_faces/2]).
-:- use_module('../shading/shading_scene', [shaded_eye/3, shaded_model/3]).
+:- use_module('../shading/shading_scene',
+              [is_shaded/1, shaded_eye/3, shaded_model/3]).
 :- use_module('../shading/shading_section', [sectioned_model/3]).
 :- use_module('../picture/section', [section_plane/4]).
 :- use_module('../sheet/sheet_view', [view_towards/3]).
@@ -31,7 +32,8 @@
               [ some_files/2, outputs/3, may_be_written/1, some_outputs/1,
                 no_model_replaced/2, output_written/2, usage_error/1
               ]).
-:- use_module(library(apply), [foldl/4, maplist/2, maplist/3, maplist/4]).
+:- use_module(library(apply),
+              [foldl/4, include/3, maplist/2, maplist/3, maplist/4]).
 :- use_module(library(lists), [member/2]).
 :- use_module(library(option), [option/2, option/3]).
 /** <module> The verb render: a shaded picture of solids.
@@ -117,7 +119,7 @@ shown_roots(Options, Roots) :-
     ->  maplist(segment_asked, Texts, All)
     ;   findall(S, root_segment(S), All)
     ),
-    findall(S, ( member(S, All), segment(S, solid, _) ), Roots),
+    include(is_shaded, All, Roots),
     forall(( member(S, All), \+ memberchk(S, Roots) ),
            ( segment(S, Kind, _),
              print_message(warning, sanggwan(not_shaded(S, Kind))) )).

@@ -11,13 +11,14 @@
 :- use_module('../drawing/drawing_shading',
               [shaded_view/5, shading_strokes/2, shading_taken/3]).
 :- use_module('../picture/view', [set_projection/1, set_view/3]).
+:- use_module('../shading/shading_scene', [is_shaded/1]).
 :- use_module('../sheet/eye', [eye_target/2]).
 :- use_module('../sheet/sheet', [sheet_strokes/5]).
-:- use_module('../store', [facts_snapshot/1, segment/3]).
+:- use_module('../store', [facts_snapshot/1]).
 :- use_module(sheet_options, [looking/2]).
 :- use_module(shading_words, [shade_named/3, up_matrix/2]).
 :- use_module(verb_output, [usage_error/1]).
-:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(apply), [foldl/4, include/3, maplist/3]).
 :- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(option), [option/2, option/3]).
 /** <module> The option --shade of draw: shading under the lines.
@@ -56,7 +57,7 @@ shade_taken(_, Options, Shading) :-
     ->  findall(S, ( member(Text, Texts), atom_number(Text, S) ), All)
     ;   findall(S, root_segment(S), All)
     ),
-    findall(S, ( member(S, All), segment(S, solid, _) ), Roots),
+    include(is_shaded, All, Roots),
     up_matrix(Options, Matrix),
     shading_taken(Roots, Matrix, Shading).
 

@@ -15,8 +15,8 @@
 :- use_module('../shading/shaded_picture',
               [picture_image/3, shaded_picture/4]).
 :- use_module('../shading/shading_scene',
-              [ scene_handle/2, scene_leaf/2, scene_place/2, scene_size/2,
-                shaded_eye/3, shaded_model/2 ]).
+              [ is_shaded/1, scene_handle/2, scene_leaf/2, scene_place/2,
+                scene_size/2, shaded_eye/3, shaded_model/2 ]).
 :- use_module('../shading/surface_look', [scene_looks/4, scene_opacities/2]).
 :- use_module('../store', [segment/3]).
 :- use_module(library(apply), [maplist/3]).
@@ -74,7 +74,7 @@ dot_statement(Options, nearest_of_palette(Most)) :-
 picture_scene(Options, Scene) :-
     (   option(scene(Scene0), Options)
     ->  Scene = Scene0
-    ;   findall(S, ( root_segment(S), segment(S, solid, _) ), Roots),
+    ;   findall(S, ( root_segment(S), is_shaded(S) ), Roots),
         shaded_model(Roots, Model),
         current_view(Theta, Phi, Rho, Kind),
         shaded_eye(Model, view(Theta,Phi,Rho,Kind), Eye),

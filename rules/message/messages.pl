@@ -301,8 +301,13 @@ notice_en(pixel_colour_in_vain) -->
 notice_en(nothing_seen) -->
     [ 'nothing is seen: the picture is its background alone', nl,
       '  The model has no solid, or what it takes away is all of it.' ].
+notice_en(not_shaded(S, cells)) -->
+    !,
+    [ 'segment ~p is not in the picture: it is cells without their operands'-
+          [S], nl,
+      '  Shade the model whose glue still names them; draw shows cells as well.' ].
 notice_en(not_shaded(S, Kind)) -->
-    [ 'segment ~d is not in the picture: it is a ~w, and only solids are \c
+    [ 'segment ~p is not in the picture: it is a ~w, and only solids are \c
        shaded'-[S, Kind], nl,
       '  draw shows surfaces and curves.' ].
 notice_en(style_in_vain(Segment)) -->

@@ -284,8 +284,12 @@ notice_ko(pixel_colour_in_vain) -->
 notice_ko(nothing_seen) -->
     [ '보이는 것이 없습니다. 그림은 바탕뿐입니다', nl,
       '  모델에 입체가 없거나 모두 빼 버렸습니다.' ].
+notice_ko(not_shaded(S, cells)) -->
+    !,
+    [ '세그먼트 ~p 은(는) 그림에 없습니다. 피연산자가 없는 셀입니다'-[S], nl,
+      '  피연산자를 아직 지닌 glue 모델을 음영하십시오. draw 는 셀도 그립니다.' ].
 notice_ko(not_shaded(S, Kind)) -->
-    [ '세그먼트 ~d 은(는) 그림에 없습니다. 종류가 ~w 이며 음영은 입체만 \c
+    [ '세그먼트 ~p 은(는) 그림에 없습니다. 종류가 ~w 이며 음영은 입체만 \c
        그립니다'-[S, Kind], nl,
       '  draw 는 곡면과 곡선도 그립니다.' ].
 notice_ko(style_in_vain(Segment)) -->

@@ -5,6 +5,7 @@
             shaded_box/3,               % +Model, +Eye, -Box
             shaded_scene/5,             % +Model, +Eye, +Place, +Size, -Scene
             shading_scene/2,            % +Size, -Scene
+            is_shaded/1,                % +S
             without_picture/2,          % +Model, -Scene
             scene_handle/2,             % +Scene, -Handle
             scene_tolerance/2,          % +Scene, -Tolerance
@@ -31,7 +32,7 @@
 :- use_module('../store', [p/3, v/5, segment/3]).
 :- use_module(shading_half, [half_leaf/3]).
 :- use_module(shading_leaf, [term_leaf/4, rows_leaf/4]).
-:- use_module(library(apply), [foldl/4, maplist/3, maplist/4]).
+:- use_module(library(apply), [foldl/4, include/3, maplist/3, maplist/4]).
 :- use_module(library(error), [must_be/2]).
 :- use_module(library(lists),
               [append/2, append/3, member/2, nth1/3, reverse/2, same_length/2]).
@@ -178,7 +179,7 @@ node_in_tree(Term, at(Root,Matrix0,Above,Wanted), Nodes0, Nodes, Built0,
                       Nodes0, Nodes, Built0, Built).
 
 wanted_by(Operation, Wanted0, Wanted) :-
-    (   memberchk(Operation, [same,union,join])
+    (   memberchk(Operation, [same,union,join,glue])
     ->  Wanted = Wanted0
     ;   functor(Operation, Name, _),
         Wanted = solid(Name)
@@ -200,6 +201,10 @@ operation_in_tree(split(Side), Operands, At, Nodes0, Nodes, Built0, Built) :-
     split_operation(Side, Operands, Operation),
     Nodes0 = [node(Operation,2)|Nodes1],
     foldl(operand_in_tree(At), Operands, Nodes1-Built0, Nodes-Built).
+operation_in_tree(glue, Operands0, At, Nodes0, Nodes, Built0, Built) :-
+    !,
+    include(glued_solid, Operands0, Operands),
+    operation_in_tree(union, Operands, At, Nodes0, Nodes, Built0, Built).
 operation_in_tree(Operation0, Operands, At, Nodes0, Nodes, Built0, Built) :-
     (   Operation0 == join
     ->  Operation = union
@@ -211,6 +216,37 @@ operation_in_tree(Operation0, Operands, At, Nodes0, Nodes, Built0, Built) :-
 
 operand_in_tree(At, Operand, Nodes0-Built0, Nodes-Built) :-
     in_tree(Operand, At, Nodes0, Nodes, Built0, Built).
+
+%   glued_solid(Operand): of what a glue holds, solids are shaded; sheets and
+%   wires are not, which is told.
+
+glued_solid(Operand) :-
+    operand_kind(Operand, S, Kind),
+    (   Kind == solid
+    ->  true
+    ;   print_message(warning, sanggwan(not_shaded(S, Kind))),
+        fail
+    ).
+
+operand_kind(S, S, Kind) :-
+    integer(S),
+    !,
+    segment(S, Kind0, Term),
+    (   is_node_term(Term)
+    ->  Kind = solid
+    ;   Kind = Kind0
+    ).
+operand_kind(Term, S, Kind) :-
+    is_node_term(Term),
+    !,
+    node_parts(Term, Operation, Operands, _),
+    (   Operation == same
+    ->  Operands = [Operand],
+        operand_kind(Operand, S, Kind)
+    ;   Kind = solid
+    ).
+operand_kind(Term, Term, Kind) :-
+    primitive_kind(Term, Kind).
 
 split_operation(inside, _, intersection) :-
     !.
@@ -379,6 +415,19 @@ shaded_scene(Model, Eye, Place, Width-Height,
     eye_depth(Eye, Depth),
     shading_open(frame(Matrix,Width,Height,Tolerance), Facts, Roots, Handle).
 
+%!  is_shaded(+S) is semidet.
+%
+%   Segment S is one that a shaded picture shows: a solid, or a glue with its
+%   operands. The rows of a glue alone do not say which of its faces are sheets.
+
+is_shaded(S) :-
+    segment(S, Kind, Term),
+    (   Kind == solid
+    ->  true
+    ;   Kind == cells,
+        is_node_term(Term)
+    ).
+
 %!  shading_scene(+Size, -Scene) is semidet.
 %
 %   Scene is the picture of the roots of the current world in its view, as large
@@ -388,7 +437,7 @@ shaded_scene(Model, Eye, Place, Width-Height,
 shading_scene(Width-Height, Scene) :-
     must_be(positive_integer, Width),
     must_be(positive_integer, Height),
-    findall(S, root_segment(S), Roots),
+    findall(S, ( root_segment(S), is_shaded(S) ), Roots),
     shaded_model(Roots, Model),
     current_view(Theta, Phi, Rho, Kind),
     shaded_eye(Model, view(Theta,Phi,Rho,Kind), Eye),

@@ -126,11 +126,12 @@ is_wrong(unwind(_)).
                 *******************************/
 
 made(Soup) :-
-    one_of([ soup, primitives, primitives, primitives, tree, mesh, file,
-             curve, by_hand ], Kind),
+    one_of([ soup, primitives, primitives, primitives, tree, tree, mesh, file,
+             curve, by_hand, rooms ], Kind),
     catch(ignore(made(Kind, Soup)), _, true),
     one_of([ true, true, penetrate, complete_segments, picture, evaluate,
-             develop(1, _), unfold(1, _), set_view(front) ],
+             develop(1, _), unfold(1, _), set_view(front), regions_made(1, _),
+             regions_made(22, _) ],
            Goal),
     catch(ignore(once(Goal)), _, true).
 
@@ -146,11 +147,25 @@ made(tree, _) :-
     random_between(2, 3, N),
     findall(S, ( between(1, N, _), solid(T), add_primitive(T, S) ), Ss),
     random_permutation(Ss, [A,B|_]),
-    one_of([union, intersection, difference, split, join], Name),
+    one_of([union, intersection, difference, split, join, glue, glue], Name),
     Node =.. [Name,[A,B]],
     N1 is N+20,
     facts_transaction(assert_fact(segment(N1, solid, Node))),
     evaluate.
+%   Boxes beside each other and through each other, glued: walls that two rooms
+%   have in common, and their regions.
+made(rooms, _) :-
+    random_between(2, 4, N),
+    findall(S,
+            ( between(1, N, I),
+              one_of([0, 0.5, 1, 2], Y),
+              X is I*2,
+              one_of([box(size(2,2,2)), box(size(2.5,1,2))], Box),
+              add_primitive(at([translate(X,Y,0)], Box), S) ),
+            Ss),
+    facts_transaction(assert_fact(segment(22, solid, glue(Ss)))),
+    evaluate,
+    regions_made(22, _).
 made(mesh, Soup) :-
     soup_obj(Soup, Text),
     with_text(obj, Text, File, read_mesh(File, _)).
@@ -399,6 +414,24 @@ question(Wrong) :-
     asked(Goal),
     attempt(Goal, Wrong).
 
+%   rendered(Dots), regions_checked(Around): what the verbs render and cells ask
+%   of the world, and what is round each of its edges, faces and vertices.
+
+rendered(Dots) :-
+    shading_scene(24-24, Scene),
+    findall(X-Seen, ( member(X, [3.5,11.5,17.25]),
+                      seen_at(Scene, X, 12.5, Seen) ), Dots),
+    line_spans(Scene, 7.5, _),
+    ignore(seen_layers(Scene, 11.5, 12.5, _)),
+    ignore(seen_side(Scene, 11.5, 12.5, _, _)).
+
+regions_checked(Around) :-
+    findall(R-N, region_neighbour(_, R, N, _), Neighbours),
+    findall(Pages, radial_cycle(_, _, _, Pages), Radial),
+    findall(Vs, loop_cycle(_, _, _, Vs), Loops),
+    findall(Items, disk(_, _, _, Items), Disks),
+    Around = [Neighbours,Radial,Loops,Disks].
+
 %   asked(Goal): a call of something that the facade exports.
 
 asked(Goal) :-
@@ -412,7 +445,10 @@ asked(Goal) :-
                  operand_faults(1, _), repaired(1, _), winding(1, p(0,0,0), _),
                  faces_merged(1, _), show, penetration_chains(_),
                  hidden_by(_, _, _, _, _, _), explain(line(1)),
-                 true_development(1, 94, [], _), write_lines(file(csv)) ],
+                 true_development(1, 94, [], _), write_lines(file(csv)),
+                 regions_made(1, _), regions_made(22, _), unglue(22),
+                 glue_report(22, _), boolean(glue([1,2]), 96),
+                 rendered(_), regions_checked(_) ],
                Goal0)
     ;   exported(All),
         one_of(All, Name/Arity),

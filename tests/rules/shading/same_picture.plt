@@ -54,6 +54,10 @@ same(mirrored_twice, C, at([mirror(x),translate(1,0,0),mirror(x)],
     c(C).
 same(absorbed, A, union([A,intersection([A,B])])) :-
     solids(A, B, _, _).
+same(glued, union([A,B,C,D]), glue([A,B,C,D])) :-
+    solids(A, B, C, D).
+same(glued, difference([D,union([A,C])]), difference([D,glue([A,C])])) :-
+    solids(A, _, C, D).
 same(boxes_on_one_another,
      box(size(2,2,2)),
      union([box(size(2,2,1)), at([translate(0,0,1)], box(size(2,2,1)))])).
