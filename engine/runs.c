@@ -27,7 +27,7 @@ id_column(const sg_table *table)
   unsigned last = info->key ? 31 - (unsigned)__builtin_clz(info->key) : 0;
   sg_type type = info->column[last].type;
 
-  return (info->key & 1) && __builtin_popcount(info->key) == 2 &&
+  return last > 0 && info->key == (1u | 1u << last) &&
                  (type == SG_INT || type == SG_TERM)
              ? last
              : 0;

@@ -23,9 +23,10 @@ unsigned
 sg_relation_id_column(sg_relation relation)
 {
   const sg_relation_info *info = &sg_relation_table[relation];
+  uint32_t others = info->key & (info->key - 1); /* without the lowest */
   unsigned last;
 
-  if (info->key == 0 || __builtin_popcount(info->key) > 2) {
+  if (info->key == 0 || (others & (others - 1)) != 0) {
     return SG_MAX_COLUMNS;
   }
   last = 31 - (unsigned)__builtin_clz(info->key);

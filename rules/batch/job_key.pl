@@ -88,6 +88,9 @@ stream_digest(In, Context, Bytes0, Bytes) :-
 %   Read are dicts, `file` and `sha256`, of Files, texts, that a job with these
 %   Inputs read beside them. Fails if one was changed after the time Start.
 
+also_read([], _, _, _, Read) :-
+    !,
+    Read = [].
 also_read(Files, Inputs, Folder, Start, Read) :-
     findall(Path,
             ( member(input(File, _), Inputs),

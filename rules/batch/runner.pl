@@ -707,13 +707,15 @@ job_written(job(_, _, _, Verb, Files, Options, _, _), Key, Inputs,
     option_words(Options, '.', Words0),
     maplist(without_dot, Words0, Words),
     append([Verb|Files], Words, Argv),
-    maplist(input_dict, Inputs, Dicts),
-    json_text(_{argv:Argv, inputs:Dicts, key:Key, language:Language,
-                program:Digest, version:Version}, Rest0),
-    sub_string(Rest0, 1, _, 0, Rest),
+    list_text(json_text, Argv, ArgvText),
+    list_text(input_text, Inputs, InputsText),
+    maplist(json_text, [Key,Language,Digest,Version], Texts),
     sizes_text(Folder, Made, Sizes),
     result_head(Sizes, Status, Said, Read, Head),
-    format(string(Text), '~w~w~n', [Head, Rest]),
+    format(string(Text),
+           '~w"argv":~w,"inputs":~w,"key":~w,"language":~w,"program":~w,\c
+            "version":~w}~n',
+           [Head, ArgvText, InputsText|Texts]),
     atom_concat(Folder, '/job.json', File),
     octets_written(File, utf8, Text).
 
@@ -723,7 +725,19 @@ without_dot(Word0, Word) :-
     ;   Word = Word0
     ).
 
-input_dict(input(File, Digest), _{file:File, sha256:Digest}).
+input_text(input(File, Digest), Text) :-
+    json_text(File, FileText),
+    atomic_list_concat(['{"file":', FileText, ',"sha256":"', Digest, '"}'],
+                       Text).
+
+:- meta_predicate list_text(2, +, -).
+
+%   list_text(Goal, Items, Text): JSON of what call(Goal, Item, T) gives.
+
+list_text(Goal, Items, Text) :-
+    maplist(Goal, Items, Texts),
+    atomic_list_concat(Texts, ',', Inner),
+    atomic_list_concat(['[', Inner, ']'], Text).
 
 %   failed_job(Job, Key, Folder, Read, Result, Run, Out): Result with its Error
 %   as an object.

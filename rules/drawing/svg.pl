@@ -372,7 +372,14 @@ shown([], S) -->
     " data-segment=\"", number(S), "\"".
 shown(Edges, S) -->
     " data-segment=\"", number(S),
-    "\" data-edge=\"", spaced(number, Edges), "\"".
+    "\" data-edge=\"", numbers(Edges), "\"".
+
+%   With a space between them.
+
+numbers(Ns) -->
+    { atomic_list_concat(Ns, ' ', Text),
+      atom_codes(Text, Codes) },
+    list(Codes).
 
 joints([], _, _) -->
     !,

@@ -8,7 +8,7 @@
 :- use_module('../angle', [exact_sin_cos/3]).
 :- use_module(primitive_argument,
               [given/3, given_facets/4, primitive_error/2, vertices_within/2]).
-:- use_module(shape, [ring_points/6, round_angle/4]).
+:- use_module(shape, [ring_points/4, round_angle/4]).
 :- use_module(library(apply), [foldl/4, maplist/3, maplist/4]).
 :- use_module(library(lists), [append/2, append/3, numlist/3, reverse/2]).
 /** <module> Primitives that are curved both ways: sphere, egg, torus.
@@ -106,7 +106,7 @@ globe_row(N, A-B, Down, Up, Lat, Row) :-
     ->  Row = [point(0.0, 0.0, Z)]
     ;   A1 is A*Cos,
         B1 is B*Cos,
-        ring_points(A1-B1, point(0.0, 0.0, Z), N, 1, N, Row)
+        ring_points(A1-B1, point(0.0, 0.0, Z), N, Row)
     ).
 
 globe_faces([_], [_], _, _, []) :-
@@ -280,7 +280,7 @@ torus_row(R, Tube, N, M, J, Row) :-
     exact_sin_cos(Angle, Sin, Cos),
     A is R + Tube*Cos,
     Z is Tube*Sin + 0.0,
-    ring_points(A-A, point(0.0, 0.0, Z), N, 1, N, Row).
+    ring_points(A-A, point(0.0, 0.0, Z), N, Row).
 
 torus_faces(N, M, J, Faces) :-
     numlist(1, N, Is),

@@ -8,11 +8,11 @@
               [given/3, given_facets/4, primitive_error/2]).
 :- use_module(outline, [outline_loops/4]).
 :- use_module(shape,
-              [ bent_sides_split/2, layer_faces/4, ring_points/6,
-                round_angle/4, vertex_loops/3
+              [ bent_sides_split/2, layer_faces/4, ring_points/4,
+                ring_ranges/2, vertex_loops/3
               ]).
-:- use_module(library(apply), [maplist/3]).
-:- use_module(library(lists), [append/3, numlist/3, reverse/2]).
+:- use_module(library(apply), [maplist/3, maplist/4]).
+:- use_module(library(lists), [append/3, member/2, numlist/3, reverse/2]).
 /** <module> Primitives between two ellipses: discs, cylinders, cones.
 
 The radii are one number, or two: along x and along y. The top is the base
@@ -27,7 +27,7 @@ shapes see shape.pl.
 circle_shape(Given, shape(Points, [face(front, [Loop])], [])) :-
     radii(Given, radius, Radii),
     facets(Given, Radii, N),
-    ring_points(Radii, point(0.0, 0.0, 0.0), N, 1, N, Points),
+    ring_points(Radii, point(0.0, 0.0, 0.0), N, Points),
     numlist(1, N, Loop).
 
 radii(Given, Name, A-B) :-
@@ -90,8 +90,8 @@ top_radii(Given, A-B, A2-B2, Ratio) :-
 frustum(Given, Radii, Top, Ratio, N, shape(Points, Faces, [side-Surface])) :-
     given(Given, height, [H]),
     given(Given, shift, [X, Y]),
-    ring_points(Radii, point(0.0, 0.0, 0.0), N, 1, N, Low),
-    ring_points(Top, point(X, Y, H), N, 1, N, High),
+    ring_points(Radii, point(0.0, 0.0, 0.0), N, Low),
+    ring_points(Top, point(X, Y, H), N, High),
     append(Low, High, Points),
     numlist(1, N, Ring),
     curved_labels(side, N, Labels),
@@ -115,31 +115,24 @@ side_surface(Ratio, A-B, A2-B2, W, Surface) :-
     ).
 
 curved_labels(Part, N, Labels) :-
-    numlist(1, N, Is),
-    maplist(curved_label(Part, N), Is, Labels).
-
-curved_label(Part, N, I, curved(Part, [T1-T2])) :-
-    J is I+1,
-    round_angle(N, 360, I, Angle1),
-    round_angle(N, 360, J, Angle2),
-    T1 is float(Angle1),
-    T2 is float(Angle2).
+    ring_ranges(N, Ranges),
+    findall(curved(Part, [Range]), member(Range, Ranges), Labels).
 
 pointed_cone(Given, A-B, N,
              shape(Points, [face(base, [Base])|Sides], [side-Surface])) :-
     given(Given, height, [H]),
     given(Given, shift, [X, Y]),
-    ring_points(A-B, point(0.0, 0.0, 0.0), N, 1, N, Low),
+    ring_points(A-B, point(0.0, 0.0, 0.0), N, Low),
     append(Low, [point(X, Y, H)], Points),
     numlist(1, N, Ring),
     reverse(Ring, Base),
-    maplist(cone_side(N), Ring, Sides),
+    curved_labels(side, N, Labels),
+    maplist(cone_side(N), Ring, Labels, Sides),
     side_surface(0.0, A-B, _, vector(X, Y, H), Surface).
 
-cone_side(N, I, face(What, [[I, J, Apex]])) :-
+cone_side(N, I, What, face(What, [[I, J, Apex]])) :-
     J is I mod N + 1,
-    Apex is N+1,
-    curved_label(side, N, I, What).
+    Apex is N+1.
 
 %!  hollow_cylinder_shape(+Given, -Shape) is det.
 %
@@ -154,8 +147,8 @@ hollow_cylinder_shape(Given, shape(Points, Faces, Surfaces)) :-
     inner_radii(Given, Outer, Inner),
     facets(Given, Outer, N),
     C = point(0.0, 0.0, 0.0),
-    ring_points(Outer, C, N, 1, N, LowOuter),
-    ring_points(Inner, C, N, 1, N, LowInner),
+    ring_points(Outer, C, N, LowOuter),
+    ring_points(Inner, C, N, LowInner),
     inner_fits(Given, LowOuter, LowInner),
     append(LowOuter, LowInner, Low),
     top_points(Low, X, Y, H, High),

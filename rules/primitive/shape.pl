@@ -1,5 +1,6 @@
 :- module(sg_shape,
-          [ ring_points/6,              % +Radii, +Centre, +N, +From, +To, -Ps
+          [ ring_points/4,              % +Radii, +Centre, +N, -Points
+            ring_ranges/2,              % +N, -Ranges
             rectangle_loop/3,           % +A, +B, -Loop
             round_angle/4,              % +N, +Degrees, +I, -Angle
             layer_faces/4,              % +Loops, +Shift, +Labels, -Faces
@@ -24,21 +25,67 @@ A maker gives shape(Points, Faces, Surfaces):
     curved(Part, Ranges) stand for (smooth_surface/3).
 */
 
-%!  ring_points(+Radii, +Centre, +N, +From, +To, -Points) is det.
+%!  ring_points(+Radii, +Centre, +N, -Points) is det.
 %
-%   Points are those numbered From to To (1 =< From) of N on the ellipse with
-%   Radii = A-B round Centre = point(X, Y, Z), counter-clockwise from the +x
-%   side.
+%   Points are N on the ellipse with Radii = A-B round Centre = point(X, Y, Z),
+%   counter-clockwise from the +x side.
 
-ring_points(Radii, Centre, N, From, To, Points) :-
-    numlist(From, To, Is),
-    maplist(ring_point(Radii, Centre, N), Is, Points).
+ring_points(Radii, Centre, N, Points) :-
+    ring_list(N, corners, Ring),
+    maplist(ring_point(Radii, Centre), Ring, Points).
 
-ring_point(A-B, point(X0, Y0, Z), N, I, point(X, Y, Z)) :-
-    round_angle(N, 360, I, Angle),
-    exact_sin_cos(Angle, Sin, Cos),
+ring_point(A-B, point(X0, Y0, Z), Cos-Sin, point(X, Y, Z)) :-
     X is A*Cos + X0,
     Y is B*Sin + Y0.
+
+%!  ring_ranges(+N, -Ranges) is det.
+%
+%   Ranges is a list of T1-T2, degrees: from where to where on a turn each of
+%   its N facets is.
+
+ring_ranges(N, Ranges) :-
+    ring_list(N, ranges, Ranges).
+
+%   ring_list(N, What, List): List has, for each of N facets of a turn, Cos-Sin
+%   of where it begins (`corners`) or T1-T2 (`ranges`). Those of a few N are
+%   kept: models have many rings of one N, and so have the jobs of a process.
+
+:- dynamic ring_kept/3.                 % N, What, List
+
+ring_list(N, What, List) :-
+    (   ring_kept(N, What, List0)
+    ->  List = List0
+    ;   findall(Item, ring_item(What, N, Item), List),
+        ring_remembered(N, What, List)
+    ).
+
+ring_item(corners, N, Cos-Sin) :-
+    between(1, N, I),
+    round_angle(N, 360, I, Angle),
+    exact_sin_cos(Angle, Sin, Cos).
+ring_item(ranges, N, T1-T2) :-
+    between(1, N, I),
+    J is I+1,
+    round_angle(N, 360, I, Angle1),
+    round_angle(N, 360, J, Angle2),
+    T1 is float(Angle1),
+    T2 is float(Angle2).
+
+%   rings_kept(Lists, Facets): so many, of rings with no more facets.
+
+rings_kept(16, 512).
+
+ring_remembered(N, What, List) :-
+    rings_kept(Most, Facets),
+    (   N =< Facets
+    ->  predicate_property(ring_kept(_, _, _), number_of_clauses(Count)),
+        (   Count >= Most
+        ->  retractall(ring_kept(_, _, _))
+        ;   true
+        ),
+        asserta(ring_kept(N, What, List))
+    ;   true
+    ).
 
 %!  rectangle_loop(+A, +B, -Loop) is det.
 %
