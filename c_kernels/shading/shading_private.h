@@ -132,7 +132,6 @@ struct sg_shading_work {
   SG_LIST_OF(size_t) open; /* of a layer the last span */
   SG_LIST_OF(sg_slice) slice;
   SG_LIST_OF(uint64_t) start; /* x1, then the place of the slice */
-  SG_LIST_OF(int32_t) end;
   SG_LIST_OF(sg_active) active;
   SG_LIST_OF(double) crossing;
   sg_expression expression; /* a copy with counters of its own */

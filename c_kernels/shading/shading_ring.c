@@ -6,9 +6,10 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
-/* Dots. */
-#define FARTHEST 0.125
+/* Dots, of each of the two circles. */
+#define FARTHEST 0.0625
 
 /* Facets round, at most. */
 #define MOST 4096
@@ -19,17 +20,44 @@
 
 #define TURN 6.283185307179586
 
-/* Corners of a polygon of n sides, four times a power of two, that has the area
- * of the unit circle: each is half-way between two, so square roots are enough.
- */
-static bool
-fill_turn(double (*at)[2], size_t n)
+/* The first quarters of polygons of 8, 12 and 20 sides, from which those of
+ * more sides follow. */
+enum { QUARTERS = 3, QUARTER_MOST = 5 };
+
+typedef struct quarter {
+  size_t n; /* corners */
+  double at[QUARTER_MOST][2];
+} quarter;
+
+static void
+fill_quarters(quarter q[QUARTERS])
 {
-  for (size_t i = 0; i < 4; i++) {
-    at[i * (n / 4)][0] = i == 0 ? 1.0 : i == 2 ? -1.0 : 0.0;
-    at[i * (n / 4)][1] = i == 1 ? 1.0 : i == 3 ? -1.0 : 0.0;
+  double h = sqrt(0.5), t = sqrt(0.75), f = sqrt(5.0);
+  double c18 = sqrt(10.0 + 2.0 * f) / 4.0, s18 = (f - 1.0) / 4.0;
+  double c36 = (f + 1.0) / 4.0, s36 = sqrt(10.0 - 2.0 * f) / 4.0;
+
+  q[0] = (quarter){2, {{1, 0}, {h, h}}};
+  q[1] = (quarter){3, {{1, 0}, {t, 0.5}, {0.5, t}}};
+  q[2] = (quarter){5, {{1, 0}, {c18, s18}, {c36, s36}, {s36, c36}, {s18, c18}}};
+}
+
+/* Corners of a polygon of n sides, those of a quarter doubled a few times, that
+ * has the area of the unit circle: each new one is half-way between two, so
+ * square roots are enough. */
+static void
+fill_turn(double (*at)[2], size_t n, const quarter *q)
+{
+  size_t step = n / 4 / q->n;
+
+  for (size_t i = 0; i < q->n; i++) {
+    const double *p = q->at[i];
+    const double turned[4][2] = {
+        {p[0], p[1]}, {-p[1], p[0]}, {-p[0], -p[1]}, {p[1], -p[0]}};
+    for (size_t k = 0; k < 4; k++) {
+      memcpy(at[k * (n / 4) + i * step], turned[k], sizeof *at);
+    }
   }
-  for (size_t step = n / 4; step > 1; step /= 2) {
+  for (; step > 1; step /= 2) {
     for (size_t i = 0; i < n; i += step) {
       const double *a = at[i], *b = at[(i + step) % n];
       double x = a[0] + b[0], y = a[1] + b[1], length = sqrt(x * x + y * y);
@@ -42,20 +70,36 @@ fill_turn(double (*at)[2], size_t n)
     at[i][0] *= larger;
     at[i][1] *= larger;
   }
-  return true;
 }
 
-/* How many parts of a circle of this radius, in dots, are near enough. */
-static size_t
-parts_for(double radius)
+/* How far the corners of n sides, which are farther than the middles of the
+ * sides, are from a circle of this radius, in dots. */
+static double
+away(double radius, size_t n)
 {
-  size_t n = 8;
-  double away = radius * (1.0 - sqrt((1.0 + sqrt(0.5)) / 2.0));
+  double angle = TURN / (double)n;
 
-  for (; n < MOST && away > FARTHEST; n *= 2) {
-    away /= 4.0;
+  return radius * angle * angle / 12.0;
+}
+
+/* The fewest parts of a circle of this radius, in dots, that are near enough,
+ * and the quarter from which they follow. */
+static size_t
+parts_for(double radius, const quarter q[QUARTERS], const quarter **from)
+{
+  size_t best = 2 * MOST;
+
+  for (size_t i = 0; i < QUARTERS; i++) {
+    size_t n = 4 * q[i].n;
+    while (n < MOST && away(radius, n) > FARTHEST) {
+      n *= 2;
+    }
+    if (n < best) {
+      best = n;
+      *from = &q[i];
+    }
   }
-  return n;
+  return best;
 }
 
 /* Of a model vector at the torus, dots in the picture, at most. */
@@ -127,15 +171,20 @@ sg_shading_add_ring(sg_shading *s, const sg_shading_ring *ring)
   }
   nearest = fmax(nearest, middle / MOST_LARGER);
   double u = dots(s, f[1], nearest), v = dots(s, f[2], nearest);
-  t.n = parts_for((1.0 + ring->k) * fmax(u, v));
-  t.m = parts_for(ring->k * fmax(fmax(u, v), dots(s, f[3], nearest)));
+  quarter q[QUARTERS];
+  const quarter *round, *side;
+
+  fill_quarters(q);
+  t.n = parts_for((1.0 + ring->k) * fmax(u, v), q, &round);
+  t.m = parts_for(ring->k * fmax(fmax(u, v), dots(s, f[3], nearest)), q, &side);
   t.round = malloc(t.n * sizeof *t.round);
   t.side = malloc(t.m * sizeof *t.side);
   sg_shading_end end = SG_SHADING_NO_MEMORY;
   uint32_t known = sg_shading_add_known(s, SG_KNOWN_TORUS, f, ring->k, 0.0);
 
-  if (t.round && t.side && fill_turn(t.round, t.n) && fill_turn(t.side, t.m) &&
-      known > 0) {
+  if (t.round && t.side && known > 0) {
+    fill_turn(t.round, t.n, round);
+    fill_turn(t.side, t.m, side);
     sg_cross(f[1], f[2], across);
     sg_shading_stand_for(s, known);
     end = add_facets(s, &t, sg_dot(across, f[3]) < 0);

@@ -5,6 +5,7 @@
 #include "shading_private.h"
 
 #include "engine/search.h"
+#include "rows/sort.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -37,7 +38,6 @@ sg_shading_work_close(sg_shading_work *w)
   if (w) {
     free(w->slice.item);
     free(w->start.item);
-    free(w->end.item);
     free(w->active.item);
     free(w->crossing.item);
     free(w->layer.item);
@@ -173,6 +173,9 @@ sweep_between(sg_shading_work *w, int32_t x1, int32_t x2, sg_spans *out)
 
 /* ---- ends ---- */
 
+/* So many are sorted by comparing. */
+#define FEW_STARTS 512
+
 static int
 compare_starts(const void *a, const void *b)
 {
@@ -181,56 +184,58 @@ compare_starts(const void *a, const void *b)
   return (*x > *y) - (*x < *y);
 }
 
-static int
-compare_ends(const void *a, const void *b)
-{
-  const int32_t *x = a, *y = b;
-
-  return (*x > *y) - (*x < *y);
-}
-
+/* Where slices begin, from left to right; of one place in their order. */
 static bool
-list_ends(sg_shading_work *w)
+list_starts(sg_shading_work *w)
 {
   w->start.n = 0;
-  w->end.n = 0;
   for (size_t i = 0; i < w->slice.n; i++) {
-    const sg_slice *s = &w->slice.item[i];
-
-    if (!SG_PUSH(w->start, (uint64_t)(uint32_t)s->x1 << 32 | i) ||
-        !SG_PUSH(w->end, s->x1) || !SG_PUSH(w->end, s->x2)) {
+    if (!SG_PUSH(w->start, (uint64_t)(uint32_t)w->slice.item[i].x1 << 32 | i)) {
       w->failed = true;
       return false;
     }
   }
-  if (w->slice.n > 0) {
+  if (w->start.n > FEW_STARTS) {
+    w->failed = !sg_sort_upper(&w->start.item, w->start.n);
+    w->start.room = w->start.n;
+  } else if (w->start.n > 0) {
     qsort(w->start.item, w->start.n, sizeof *w->start.item, compare_starts);
-    qsort(w->end.item, w->end.n, sizeof *w->end.item, compare_ends);
   }
-  return true;
+  return !w->failed;
 }
 
-/* Lets go what ends at x, and takes in what begins there. */
+static int32_t
+start_at(const sg_shading_work *w, size_t i)
+{
+  return i < w->start.n ? (int32_t)(w->start.item[i] >> 32) : INT32_MAX;
+}
+
+/* Lets go what ends at x, and takes in what begins there. In *to the next place
+ * where a slice begins or ends. */
 static bool
-change_active(sg_shading_work *w, int32_t x, size_t *next)
+change_active(sg_shading_work *w, int32_t x, size_t *next, int32_t *to)
 {
   size_t kept = 0;
+  int32_t end = INT32_MAX;
 
   for (size_t i = 0; i < w->active.n; i++) {
-    if (w->active.item[i].slice->x2 > x) {
+    int32_t x2 = w->active.item[i].slice->x2;
+    if (x2 > x) {
       w->active.item[kept++] = w->active.item[i];
+      end = x2 < end ? x2 : end;
     }
   }
   w->active.n = kept;
-  for (; *next < w->start.n && (int32_t)(w->start.item[*next] >> 32) <= x;
-       ++*next) {
+  for (; start_at(w, *next) <= x; ++*next) {
     const sg_slice *slice =
         &w->slice.item[(uint32_t)(w->start.item[*next] & UINT32_MAX)];
     if (!SG_PUSH(w->active, (sg_active){.slice = slice})) {
       w->failed = true;
       return false;
     }
+    end = slice->x2 < end ? slice->x2 : end;
   }
+  *to = start_at(w, *next) < end ? start_at(w, *next) : end;
   return true;
 }
 
@@ -244,14 +249,12 @@ sg_shading_line(const sg_shading *scene, sg_shading_work *w, double y,
   out->n = 0;
   w->open.n = 0;
   w->active.n = 0;
-  if (!sg_slices_of_line(w, y) || !list_ends(w)) {
+  if (!sg_slices_of_line(w, y) || !list_starts(w)) {
     return false;
   }
-  for (size_t i = 0; i + 1 < w->end.n; i++) {
-    int32_t x1 = w->end.item[i], x2 = w->end.item[i + 1];
-
-    if (x1 < x2 && !(change_active(w, x1, &next) &&
-                     (w->active.n == 0 || sweep_between(w, x1, x2, out)))) {
+  for (int32_t x1 = start_at(w, 0), x2; x1 < INT32_MAX; x1 = x2) {
+    if (!change_active(w, x1, &next, &x2) ||
+        (w->active.n > 0 && !sweep_between(w, x1, x2, out))) {
       return false;
     }
   }
