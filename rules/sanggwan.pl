@@ -14,7 +14,7 @@ module that has it.
               unfolding/2, region/3, sides/4, from_r/4, lies_in/3, piece/3,
               joint/6, view/3, projection/1,
               title_block/2, look/2, light/2, param/2, param_about/2, formula/2,
-              screen/5, contour/13, surface_facing/6, drawn/7 ]).
+              screen/5, contour/13, surface_facing/6, drawn/7, span/7 ]).
 
 :- topic(asking, "Asking what is there").
 :- reexport(csg/csg, [root_segment/1, node/4]).
@@ -85,6 +85,8 @@ module that has it.
               seen_side/5
             ]).
 :- reexport(shading/surface_look, [line_layers/3]).
+:- reexport(shading/shading_scan, [scan/1]).
+:- reexport(shading/picture_file, [render/2]).
 
 :- topic(unfolding, "Unfolding: developments and patterns").
 :- reexport(unfolding/unfold, [unfold/2, unfold/3]).

@@ -24,6 +24,7 @@
             view/3,                   % ?Theta, ?Phi, ?Rho
             projection/1,             % ?Kind
             title_block/2,            % ?Item, ?Text
+            span/7,                   % ?Y, ?K, ?X1, ?X2, ?R, ?S, ?F
             look/2,                   % ?S, ?Property
             light/2,                  % ?N, ?Property
             param/2,                  % ?Name, ?Value
@@ -230,6 +231,12 @@ refers to any more is freed with its handle by atom garbage collection.
 %   True when the title block of a sheet says Text, text, a number or an atom,
 %   for Item: one of `name number material drawn_by checked_by date company
 %   revision sheet`.
+
+%!  span(?Y, ?K, ?X1, ?X2, ?R, ?S, ?F) is nondet.
+%
+%   True when on line K of row Y of a shaded picture, both counted from 0 from
+%   above, face F of leaf S (0: of no segment) of the root R is seen between X1
+%   and X2, in 1/256 dot. scan/1 fills it.
 
 %!  look(?S, ?Property) is nondet.
 %
@@ -617,6 +624,7 @@ sandbox:safe_primitive(sg_store:joint(_,_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:view(_,_,_)).
 sandbox:safe_primitive(sg_store:projection(_)).
 sandbox:safe_primitive(sg_store:title_block(_,_)).
+sandbox:safe_primitive(sg_store:span(_,_,_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:look(_,_)).
 sandbox:safe_primitive(sg_store:light(_,_)).
 sandbox:safe_primitive(sg_store:param(_,_)).

@@ -47,10 +47,27 @@ read_table(sg_call *call, const sg_number_list *axes,
   return table != NULL;
 }
 
+/* Evenly from the first light to the second. */
+static void
+fill_ramp(sg_ramp *out)
+{
+  uint16_t first[3], second[3];
+
+  memcpy(first, out->light[0], sizeof first);
+  memcpy(second, out->light[1], sizeof second);
+  for (uint32_t i = 0; i <= SG_RAMP; i++) {
+    for (int c = 0; c < 3; c++) {
+      out->light[i][c] =
+          (uint16_t)((first[c] * (SG_RAMP - i) + second[c] * i + SG_RAMP / 2) /
+                     SG_RAMP);
+    }
+  }
+}
+
 static bool
 read_ramp(sg_call *call, const sg_ramp_light_list *list, sg_ramp *out)
 {
-  if (list->n != SG_RAMP + 1) {
+  if (list->n != SG_RAMP + 1 && list->n != 2) {
     return sg_call_domain(call, "shading_ramp", LOOKS);
   }
   for (size_t i = 0; i < list->n; i++) {
@@ -62,6 +79,9 @@ read_ramp(sg_call *call, const sg_ramp_light_list *list, sg_ramp *out)
       }
       out->light[i][c] = (uint16_t)part[c];
     }
+  }
+  if (list->n == 2) {
+    fill_ramp(out);
   }
   memcpy(out->light[SG_RAMP + 1], out->light[SG_RAMP], sizeof out->light[0]);
   return true;
@@ -142,6 +162,12 @@ read_background(sg_call *call, const sg_image_background *fact, sg_shaded *in)
   return true;
 }
 
+static void
+close_shadow(void *shadow)
+{
+  sg_shadow_close(shadow);
+}
+
 static bool
 ended(sg_call *call, sg_shading_end end)
 {
@@ -150,29 +176,109 @@ ended(sg_call *call, sg_shading_end end)
                                       : sg_call_ended(call));
 }
 
+/* A scene of a light is of a parallel picture: its fourth row says so. */
 static bool
-lines_are_valid(sg_call *call, size_t lines)
+read_shadows(sg_call *call, const sg_shading_list *scenes, sg_shaded *in)
 {
-  return (lines > 0 && lines <= SG_COVER_LINES && (lines & (lines - 1)) == 0) ||
-         sg_call_domain(call, "shading_lines", LINES);
+  sg_shadow *shadow = sg_call_alloc(call, (scenes->n + 1) * sizeof *shadow);
+
+  if (scenes->n > SG_TONE_WAYS) {
+    return sg_call_domain(call, "shading_ways", LINES);
+  }
+  for (size_t i = 0; shadow && i < scenes->n; i++) {
+    const double *last = sg_shading_frame_of(scenes->at[i])->matrix[3];
+    if (last[0] != 0 || last[1] != 0 || last[2] != 0 || last[3] != 1) {
+      return sg_call_domain(call, "scene_of_light", LINES);
+    }
+    if (!ended(call,
+               sg_shadow_open(scenes->at[i], &call->cancel, &shadow[i])) ||
+        !sg_call_hold(call, &shadow[i], close_shadow)) {
+      return false;
+    }
+  }
+  in->shadow = shadow;
+  in->shadows = (unsigned)scenes->n;
+  return shadow != NULL;
+}
+
+/* All but the scene. */
+static bool
+read_shaded(sg_call *call, const sg_image_how *how,
+            const sg_shading_look_list *looks, const sg_list_count_list *leaves,
+            sg_shaded *in, sg_opacities *opacities)
+{
+  size_t lines = how->lines;
+
+  if (!(lines > 0 && lines <= SG_COVER_LINES && (lines & (lines - 1)) == 0)) {
+    return sg_call_domain(call, "shading_lines", LINES);
+  }
+  in->lines = (unsigned)lines;
+  in->edges = how->edges > 0;
+  return read_background(call, &how->background, in) &&
+         read_looks(call, looks, leaves, in, opacities) &&
+         read_shadows(call, &how->shadows, in);
 }
 
 bool
-sg_door_image_shade(sg_call *call, sg_shading *scene, size_t lines,
+sg_door_image_shade(sg_call *call, sg_shading *scene, const sg_image_how *how,
                     const sg_shading_look_list *looks,
-                    const sg_list_count_list *leaves,
-                    const sg_image_background *background, sg_image **out)
+                    const sg_list_count_list *leaves, sg_image **out)
 {
   const sg_shading_frame *frame = sg_shading_frame_of(scene);
-  sg_shaded in = {.scene = scene, .lines = (unsigned)lines};
+  sg_shaded in = {.scene = scene};
   sg_opacities opacities;
   sg_pool *pool = sg_call_pool(call);
 
-  return pool && lines_are_valid(call, lines) &&
-         sg_raster_size(call, frame->width, frame->height) &&
-         read_background(call, background, &in) &&
-         read_looks(call, looks, leaves, &in, &opacities) &&
+  return pool && sg_raster_size(call, frame->width, frame->height) &&
+         read_shaded(call, how, looks, leaves, &in, &opacities) &&
          ended(call, sg_shade(&in, pool, &call->cancel, out));
+}
+
+bool
+sg_door_image_scanned(sg_call *call, sg_scan *scan, sg_shading *scene,
+                      const sg_image_how *how,
+                      const sg_shading_look_list *looks,
+                      const sg_list_count_list *leaves, sg_image **out)
+{
+  const sg_shading_frame *frame = sg_shading_frame_of(scene);
+  sg_shaded in = {.scene = scene, .scan = scan};
+  sg_opacities opacities;
+  sg_pool *pool = sg_call_pool(call);
+
+  if (!pool || !sg_raster_size(call, frame->width, frame->height) ||
+      !read_shaded(call, how, looks, leaves, &in, &opacities)) {
+    return false;
+  }
+  return sg_scan_is_of(scan, scene, in.lines)
+             ? ended(call, sg_shade(&in, pool, &call->cancel, out))
+             : sg_call_domain(call, "shading_scan", 1);
+}
+
+bool
+sg_door_image_again(sg_call *call, sg_image *old, const sg_count_list *bands,
+                    sg_shading *scene, const sg_image_how *how,
+                    const sg_shading_look_list *looks,
+                    const sg_list_count_list *leaves, sg_image **out)
+{
+  const sg_shading_frame *frame = sg_shading_frame_of(scene);
+  sg_shaded in = {.scene = scene};
+  sg_opacities opacities;
+  sg_pool *pool = sg_call_pool(call);
+
+  if (!pool || !read_shaded(call, how, looks, leaves, &in, &opacities)) {
+    return false;
+  }
+  if (old->width != frame->width || old->height != frame->height ||
+      old->bytes != (in.clear ? 4 : 3)) {
+    return sg_call_domain(call, "image_of_scene", IMAGE);
+  }
+  for (size_t i = 0; i < bands->n; i++) {
+    if (bands->at[i] >= (size_t)(old->height - 1) / SG_IMAGE_BAND + 1) {
+      return sg_call_domain(call, "image_band", 2);
+    }
+  }
+  return ended(call, sg_shade_again(&in, old, bands->at, bands->n, pool,
+                                    &call->cancel, out));
 }
 
 bool
@@ -227,18 +333,17 @@ add_parts(sg_call *call, const sg_dot_parts *parts, double all,
 }
 
 bool
-sg_door_image_parts(sg_call *call, sg_shading *scene, size_t lines,
+sg_door_image_parts(sg_call *call, sg_shading *scene, const sg_image_how *how,
                     const sg_shading_look_list *looks,
                     const sg_list_count_list *leaves, size_t y,
                     sg_image_part_list *out)
 {
-  sg_shaded in = {.scene = scene, .lines = (unsigned)lines};
+  sg_shaded in = {.scene = scene};
   sg_opacities opacities;
   sg_dot_parts parts = {0};
   sg_spans spans = {0};
 
-  if (!lines_are_valid(call, lines) ||
-      !read_looks(call, looks, leaves, &in, &opacities)) {
+  if (!read_shaded(call, how, looks, leaves, &in, &opacities)) {
     return false;
   }
   if (y >= (size_t)sg_shading_frame_of(scene)->height) {
@@ -348,6 +453,29 @@ sg_door_image_png(sg_call *call, sg_image *image, size_t per_metre,
   bool good = stream->write(stream->data, (const char *)bytes, n);
 
   free(bytes);
+  return good;
+}
+
+/* Of grey dots one byte each. */
+bool
+sg_door_image_pgm(sg_call *call, sg_image *image, const sg_output *stream)
+{
+  size_t width = (size_t)image->width;
+  char *row = sg_call_alloc(call, width), head[64];
+  int n = snprintf(head, sizeof head, "P5\n%d %d\n255\n", (int)image->width,
+                   (int)image->height);
+
+  if (image->bytes != 3) {
+    return sg_call_domain(call, "image_without_alpha", IMAGE);
+  }
+  bool good = row && stream->write(stream->data, head, (size_t)n);
+  for (int32_t y = 0; good && y < image->height; y++) {
+    const uint8_t *dot = image->dot + (size_t)y * width * 3;
+    for (size_t x = 0; x < width; x++) {
+      row[x] = (char)dot[3 * x];
+    }
+    good = stream->write(stream->data, row, width);
+  }
   return good;
 }
 

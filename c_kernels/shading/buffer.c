@@ -5,12 +5,12 @@
 
 #include <stdatomic.h>
 #include <stdlib.h>
-
-enum { BAND = 16 }; /* rows */
+#include <string.h>
 
 typedef struct bands {
   const sg_shaded *in;
   sg_image *image;
+  const size_t *band; /* of each task; null: its own number */
   uint8_t byte[SG_LIGHT_MOST + 1];
   atomic_bool no_memory;
 } bands;
@@ -20,7 +20,7 @@ band_rows(const bands *all, size_t band, sg_dot_row *cover,
           sg_shading_work *work, sg_spans *spans)
 {
   const sg_image *image = all->image;
-  int32_t y = (int32_t)band * BAND, end = y + BAND;
+  int32_t y = (int32_t)band * SG_IMAGE_BAND, end = y + SG_IMAGE_BAND;
   size_t row = (size_t)image->width * image->bytes;
 
   end = end < image->height ? end : image->height;
@@ -34,9 +34,10 @@ band_rows(const bands *all, size_t band, sg_dot_row *cover,
 }
 
 static void
-do_band(void *data, size_t band)
+do_band(void *data, size_t task)
 {
   bands *all = data;
+  size_t band = all->band ? all->band[task] : task;
   sg_spans spans = {0};
   sg_dot_row cover = {0};
   sg_shading_work *work =
@@ -73,9 +74,11 @@ open_image(const sg_shaded *in)
   return image;
 }
 
-sg_shading_end
-sg_shade(const sg_shaded *in, sg_pool *pool, const sg_cancel *cancel,
-         sg_image **out)
+/* Bands n of the image, all if `band` is null; the others are those of `old`.
+ */
+static sg_shading_end
+shade_bands(const sg_shaded *in, const sg_image *old, const size_t *band,
+            size_t n, sg_pool *pool, const sg_cancel *cancel, sg_image **out)
 {
   bands *all = malloc(sizeof *all);
   sg_image *image = open_image(in);
@@ -84,13 +87,16 @@ sg_shade(const sg_shaded *in, sg_pool *pool, const sg_cancel *cancel,
   if (all && image) {
     all->in = in;
     all->image = image;
+    all->band = band;
+    if (old) {
+      memcpy(image->dot, old->dot,
+             (size_t)image->width * (size_t)image->height * image->bytes);
+    }
     atomic_init(&all->no_memory, false);
     sg_srgb_bytes(all->byte);
-    end = !sg_pool_run(pool, (size_t)(image->height + BAND - 1) / BAND, do_band,
-                       all, cancel)
-              ? SG_SHADING_STOPPED
-          : atomic_load(&all->no_memory) ? SG_SHADING_NO_MEMORY
-                                         : SG_SHADING_GOOD;
+    end = !sg_pool_run(pool, n, do_band, all, cancel) ? SG_SHADING_STOPPED
+          : atomic_load(&all->no_memory)              ? SG_SHADING_NO_MEMORY
+                                                      : SG_SHADING_GOOD;
   }
   free(all);
   if (end != SG_SHADING_GOOD) {
@@ -99,6 +105,23 @@ sg_shade(const sg_shaded *in, sg_pool *pool, const sg_cancel *cancel,
   }
   *out = image;
   return end;
+}
+
+sg_shading_end
+sg_shade(const sg_shaded *in, sg_pool *pool, const sg_cancel *cancel,
+         sg_image **out)
+{
+  size_t rows = (size_t)sg_shading_frame_of(in->scene)->height;
+
+  return shade_bands(in, NULL, NULL, (rows + SG_IMAGE_BAND - 1) / SG_IMAGE_BAND,
+                     pool, cancel, out);
+}
+
+sg_shading_end
+sg_shade_again(const sg_shaded *in, const sg_image *old, const size_t *band,
+               size_t n, sg_pool *pool, const sg_cancel *cancel, sg_image **out)
+{
+  return shade_bands(in, old, band, n, pool, cancel, out);
 }
 
 void

@@ -1,8 +1,11 @@
 /* cover.c -- see cover.h. */
 #include "cover.h"
 
+#include "face_edge.h"
+#include "number/vector.h"
 #include "srgb.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,8 +19,9 @@ sg_cover_open(sg_dot_row *out, int32_t width)
   *out = (sg_dot_row){.width = width,
                       .sum = malloc(n * sizeof *out->sum),
                       .seen = malloc(n * sizeof *out->seen),
-                      .light = malloc(n * sizeof *out->light)};
-  if (!out->sum || !out->seen || !out->light) {
+                      .light = malloc(n * sizeof *out->light),
+                      .line = calloc(n + 1, sizeof *out->line)};
+  if (!out->sum || !out->seen || !out->light || !out->line) {
     sg_cover_close(out);
     return false;
   }
@@ -30,6 +34,7 @@ sg_cover_close(sg_dot_row *cover)
   free(cover->sum);
   free(cover->seen);
   free(cover->light);
+  free(cover->line);
   *cover = (sg_dot_row){0};
 }
 
@@ -115,16 +120,48 @@ add_striped(sg_dot_row *cover, const lit *of, const sg_stripes *stripes,
   }
 }
 
+/* How much of each light comes to a point that looks along `normal`. Facets are
+ * in front of what they stand for, or behind it: the point is let out. */
 static void
-light_at(const sg_shaded *in, const sg_face_look *look, const sg_span *span,
-         double x, double y, uint32_t light[3])
+parts_of_lights(const sg_shaded *in, sg_shading_work *work,
+                const sg_tones *tones, const double seen[3],
+                const double normal[3], bool facets, uint32_t *part)
+{
+  double p[3];
+
+  sg_shading_place(in->scene, seen, p);
+  for (unsigned i = 0; i < in->shadows && i < tones->ways; i++) {
+    const sg_shadow *shadow = &in->shadow[i];
+    double out = (facets ? 0.5 : 1.0 / 32) / sg_shadow_scale(shadow), at[3];
+    sg_shading_work *light = sg_shading_work_of_light(work, i, shadow->scene);
+
+    part[i] = SG_OPAQUE;
+    for (int k = 0; k < 3; k++) {
+      at[k] = p[k] + out * normal[k];
+    }
+    if (light && sg_dot(tones->way[i].to, normal) > 0) {
+      (void)sg_shadow_part(shadow, light, at, &part[i]);
+    }
+  }
+}
+
+static void
+light_at(const sg_shaded *in, sg_shading_work *work, const sg_face_look *look,
+         const sg_span *span, double x, double y, uint32_t light[3])
 {
   double depth, normal[3];
+  uint32_t part[SG_TONE_WAYS] = {0};
+  bool shadows = in->shadows > 0;
 
   sg_shading_point(in->scene, span, x, y, &depth, normal);
-  sg_ramp_at(&look->ramp, sg_tone(&look->tones, normal), light);
+  if (shadows) {
+    parts_of_lights(in, work, &look->tones, (double[3]){x, y, depth}, normal,
+                    sg_shading_is_faceted(in->scene, span), part);
+  }
+  sg_ramp_at(&look->ramp, sg_tone(&look->tones, normal, shadows ? part : NULL),
+             light);
   if (look->shine.ways > 0) {
-    uint32_t more = sg_shine_at(&look->shine, normal);
+    uint32_t more = sg_shine_at(&look->shine, normal, shadows ? part : NULL);
     for (int c = 0; c < 3; c++) {
       uint32_t all = light[c] + more;
       light[c] = all < SG_LIGHT_MOST ? all : SG_LIGHT_MOST;
@@ -142,6 +179,39 @@ part_of(const sg_span *span, const uint32_t light[3])
     out.light[c] = (uint32_t)((uint64_t)light[c] * span->part / SG_OPAQUE);
   }
   return out;
+}
+
+/* What changes from line to line is looked at on each, never twice above the
+ * same place of a dot. In 1/256 dot. */
+static int32_t
+place_in_dot(const sg_shaded *in, double line)
+{
+  unsigned k = (unsigned)((line - floor(line)) * in->lines);
+  unsigned step = in->lines > 2 ? in->lines / 2 + 1 : 1;
+
+  return (int32_t)((k * step + in->lines / 2) % in->lines * DOT / in->lines +
+                   HALF / in->lines);
+}
+
+/* Dot after dot, with shadows. */
+static void
+add_shaded(sg_dot_row *cover, const sg_shaded *in, sg_shading_work *work,
+           const sg_span *span, uint32_t number, double line)
+{
+  int32_t place = place_in_dot(in, line);
+
+  for (int32_t x1 = span->x1; x1 < span->x2;) {
+    int32_t dot = x1 / DOT, end = (dot + 1) * DOT, x = dot * DOT + place;
+    uint32_t light[3];
+
+    end = end < span->x2 ? end : span->x2;
+    x = x < span->x1 ? span->x1 : x > span->x2 ? span->x2 : x;
+    light_at(in, work, &in->looks.look[number], span, x / (double)DOT, line,
+             light);
+    lit own = part_of(span, light);
+    add_part(cover->sum[dot], &own, (uint32_t)(end - x1));
+    x1 = end;
+  }
 }
 
 /* Dot after dot; in the middle of a dot, or, if the span does not go so far, at
@@ -163,7 +233,7 @@ add_bent(sg_dot_row *cover, const sg_shaded *in, const sg_span *span,
       int32_t x = centre < span->x1   ? span->x1
                   : centre > span->x2 ? span->x2
                                       : centre;
-      light_at(in, look, span, x / (double)DOT, y, cover->light[dot]);
+      light_at(in, NULL, look, span, x / (double)DOT, y, cover->light[dot]);
       cover->seen[dot] = key;
     }
     lit own = part_of(span, cover->light[dot]);
@@ -173,18 +243,22 @@ add_bent(sg_dot_row *cover, const sg_shaded *in, const sg_span *span,
 }
 
 static void
-add_span(sg_dot_row *cover, const sg_shaded *in, const sg_span *span, int32_t y,
-         double line)
+add_span(sg_dot_row *cover, const sg_shaded *in, sg_shading_work *work,
+         const sg_span *span, int32_t y, double line)
 {
   uint32_t number = sg_face_number(&in->looks.numbers, span->leaf, span->face);
   const sg_face_look *look = &in->looks.look[number];
   uint32_t light[3];
 
+  if (in->shadows > 0 && look->stripes.step == 0) {
+    add_shaded(cover, in, work, span, number, line);
+    return;
+  }
   if (!sg_shading_is_flat(in->scene, span)) {
     add_bent(cover, in, span, number, y + 0.5);
     return;
   }
-  light_at(in, look, span, 0, line, light);
+  light_at(in, work, look, span, span->x1 / (double)DOT, line, light);
   lit own = part_of(span, light);
   if (look->stripes.step > 0) {
     add_striped(cover, &own, &look->stripes, span->x1, span->x2,
@@ -195,15 +269,15 @@ add_span(sg_dot_row *cover, const sg_shaded *in, const sg_span *span, int32_t y,
 }
 
 void
-sg_cover_light(const sg_shaded *in, const sg_span *span, double x, double y,
-               uint32_t light[3])
+sg_cover_light(const sg_shaded *in, sg_shading_work *work, const sg_span *span,
+               double x, double y, uint32_t light[3])
 {
   const sg_face_look *look =
       &in->looks
            .look[sg_face_number(&in->looks.numbers, span->leaf, span->face)];
   int32_t left;
 
-  light_at(in, look, span, x, y, light);
+  light_at(in, work, look, span, x, y, light);
   if (look->stripes.step > 0 && sg_shading_is_flat(in->scene, span) &&
       in_stripe(&look->stripes, (int32_t)(x * DOT), (int64_t)(y * DOT),
                 &left)) {
@@ -220,14 +294,21 @@ sg_cover_row(sg_dot_row *cover, const sg_shaded *in, sg_shading_work *work,
   for (unsigned k = 0; k < in->lines; k++) {
     double line = y + (k + 0.5) / in->lines;
 
-    if (!sg_shading_line(in->scene, work, line, spans)) {
+    sg_spans kept;
+    const sg_spans *here = &kept;
+    if (in->scan) {
+      kept = sg_scan_line(in->scan, (size_t)y * in->lines + k);
+    } else if (sg_shading_line(in->scene, work, line, spans)) {
+      here = spans;
+    } else {
       return false;
     }
-    for (size_t i = 0; i < spans->n; i++) {
-      add_span(cover, in, &spans->span[i], y, line);
+    for (size_t i = 0; i < here->n; i++) {
+      add_span(cover, in, work, &here->span[i], y, line);
     }
   }
-  return true;
+  return (!in->edges || sg_face_edges(cover, in, work, y)) &&
+         !sg_shading_work_failed(work);
 }
 
 /* ---- bytes ---- */

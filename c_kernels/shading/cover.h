@@ -9,7 +9,9 @@
 #ifndef SG_COVER_H
 #define SG_COVER_H
 
+#include "scan.h"
 #include "shading_scene.h"
+#include "shadow.h"
 #include "tone.h"
 
 #define SG_COVER_LINES 16 /* most lines of a dot */
@@ -41,6 +43,11 @@ typedef struct sg_shaded {
   const sg_opacities *opacities; /* null: all is opaque */
   uint16_t background[3];        /* light */
   bool clear;                    /* no background: dots have an alpha */
+  const sg_shadow *shadow; /* [shadows]: of the lights of all looks in their
+                              order; the picture is lit by no others then */
+  unsigned shadows;        /* 0: there are none */
+  bool edges;              /* a line where other faces begin */
+  const sg_scan *scan;     /* null, or spans of this scene, lines, opacities */
 } sg_shaded;
 
 /* Sums of a row of dots. */
@@ -49,6 +56,7 @@ typedef struct sg_dot_row {
   uint32_t (*sum)[4]; /* [width]: light * 1/256 dots; 1/256 dots * SG_OPAQUE */
   uint64_t *seen;     /* [width]: which face `light` is of; 0: none */
   uint32_t (*light)[3];
+  uint32_t *line; /* [width]: 1/256 dots of lines of `edges` */
 } sg_dot_row;
 
 /* False: no memory. Owner: sg_cover_close(). */
@@ -59,9 +67,9 @@ void sg_cover_close(sg_dot_row *cover);
 bool sg_cover_row(sg_dot_row *cover, const sg_shaded *in, sg_shading_work *work,
                   sg_spans *spans, int32_t y);
 
-/* The light that a span sends at x, y, in dots. */
-void sg_cover_light(const sg_shaded *in, const sg_span *span, double x,
-                    double y, uint32_t light[3]);
+/* The light that a span sends at x, y, in dots. `work` is of its scene. */
+void sg_cover_light(const sg_shaded *in, sg_shading_work *work,
+                    const sg_span *span, double x, double y, uint32_t light[3]);
 
 /* The bytes of these dots, 3 a dot, or 4 if it is `clear`: red, green, blue,
  * alpha. `byte` as of sg_srgb_bytes(). */

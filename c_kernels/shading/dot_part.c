@@ -23,8 +23,8 @@ by_dot(const void *a, const void *b)
 }
 
 static bool
-add_pieces(const sg_shaded *in, const sg_span *span, double line,
-           sg_dot_parts *out)
+add_pieces(const sg_shaded *in, sg_shading_work *work, const sg_span *span,
+           double line, sg_dot_parts *out)
 {
   for (int32_t x1 = span->x1; x1 < span->x2;) {
     int32_t dot = x1 / DOT, end = (dot + 1) * DOT;
@@ -35,7 +35,7 @@ add_pieces(const sg_shaded *in, const sg_span *span, double line,
                         .leaf = span->leaf,
                         .face = span->face,
                         .share = (uint32_t)(end - x1) * span->part};
-    sg_cover_light(in, span, (x1 + end) / (2.0 * DOT), line, part.light);
+    sg_cover_light(in, work, span, (x1 + end) / (2.0 * DOT), line, part.light);
     if (!SG_PUSH(*out, part)) {
       return false;
     }
@@ -76,7 +76,7 @@ sg_dot_parts_of(const sg_shaded *in, sg_shading_work *work, sg_spans *spans,
       return false;
     }
     for (size_t i = 0; i < spans->n; i++) {
-      if (!add_pieces(in, &spans->span[i], line, out)) {
+      if (!add_pieces(in, work, &spans->span[i], line, out)) {
         return false;
       }
     }

@@ -41,3 +41,22 @@ sg_opacity_read(sg_call *call, double fact, int argument, uint32_t *out)
   *out = (uint32_t)(fact * SG_OPAQUE + 0.5);
   return true;
 }
+
+bool
+sg_opacities_read(sg_call *call, const sg_number_list *looks,
+                  const sg_list_count_list *leaves, sg_opacities *out,
+                  bool *clear)
+{
+  uint32_t *opacity = sg_call_alloc(call, (looks->n + 1) * sizeof *opacity);
+
+  *clear = false;
+  for (size_t i = 0; opacity && i < looks->n; i++) {
+    if (!sg_opacity_read(call, looks->at[i], 3, &opacity[i])) {
+      return false;
+    }
+    *clear = *clear || opacity[i] < SG_OPAQUE;
+  }
+  out->opacity = opacity;
+  return opacity &&
+         sg_face_numbers_read(call, leaves, looks->n, 4, &out->numbers);
+}

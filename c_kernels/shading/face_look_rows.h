@@ -17,4 +17,10 @@ bool sg_face_numbers_read(sg_call *call, const sg_list_count_list *leaves,
 /* An opacity of 0 .. 1. False: refused. */
 bool sg_opacity_read(sg_call *call, double fact, int argument, uint32_t *out);
 
+/* How opaque looks are, argument 3, and the looks of leaves, argument 4;
+ * *clear: something is not opaque. Refused: false. */
+bool sg_opacities_read(sg_call *call, const sg_number_list *looks,
+                       const sg_list_count_list *leaves, sg_opacities *out,
+                       bool *clear);
+
 #endif

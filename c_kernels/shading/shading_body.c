@@ -309,6 +309,8 @@ sg_shading_add_piece(sg_shading *s, const sg_shading_piece *piece)
     }
     s->low[k] = fmin(s->low[k], end[0]);
     s->high[k] = fmax(s->high[k], end[1]);
+    body.low[k] = end[0];
+    body.high[k] = end[1];
     body.y1 = k == 1 ? nearbyint(end[0] * SG_SNAP) / SG_SNAP : body.y1;
     body.y2 = k == 1 ? nearbyint(end[1] * SG_SNAP) / SG_SNAP : body.y2;
   }

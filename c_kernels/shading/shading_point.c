@@ -99,6 +99,12 @@ sg_shading_point(const sg_shading *scene, const sg_span *span, double x,
 }
 
 bool
+sg_shading_is_faceted(const sg_shading *scene, const sg_span *span)
+{
+  return scene->surface.item[span->surface].known > 0;
+}
+
+bool
 sg_shading_is_flat(const sg_shading *scene, const sg_span *span)
 {
   const sg_shading_surface *s = &scene->surface.item[span->surface];

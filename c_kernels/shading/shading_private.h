@@ -11,6 +11,9 @@
 /* Rows of dots that are worked on together. */
 #define SG_BAND 16
 
+/* Most lights that have shadows. */
+#define SG_SHADOWS 9
+
 /* Places of corners are whole multiples of it: what is computed twice of one
  * corner, and lies on a scan line, is on the same side of it. */
 #define SG_SNAP 1048576.0
@@ -41,7 +44,7 @@ typedef struct sg_shading_polygon {
   int8_t sense; /* of its front: 1 entered, -1 left, 0 edge-on */
   uint32_t edge, edges;
   double y1, y2;
-} sg_shading_polygon;
+} sg_shading_polygon; /* as small as it is: a mesh has a million */
 
 /* A plane that bounds a piece: what is inside has sense * plane >= 0. */
 typedef struct sg_shading_bound {
@@ -56,7 +59,8 @@ typedef struct sg_shading_body {
   uint32_t bounds; /* 0 .. 2 */
   sg_shading_bound bound[2];
   double y1, y2;
-  bool more; /* the next piece is of the same leaf */
+  double low[3], high[3]; /* in the picture */
+  bool more;              /* the next piece is of the same leaf */
 } sg_shading_body;
 
 typedef struct sg_shading_leaf {
@@ -79,6 +83,7 @@ typedef struct sg_shading_item {
 } sg_shading_item;
 
 struct sg_shading {
+  uint64_t serial; /* no two of a process have one */
   sg_shading_frame frame;
   double middle[3];       /* where planes have their `at` */
   double low[3], high[3]; /* of all faces, in the picture */
@@ -131,11 +136,13 @@ struct sg_shading_work {
   SG_LIST_OF(sg_layer) layer;
   SG_LIST_OF(size_t) open; /* of a layer the last span */
   SG_LIST_OF(sg_slice) slice;
+  SG_LIST_OF(sg_slice) over;  /* a point: shadow.c */
   SG_LIST_OF(uint64_t) start; /* x1, then the place of the slice */
   SG_LIST_OF(sg_active) active;
   SG_LIST_OF(double) crossing;
-  sg_expression expression; /* a copy with counters of its own */
-  bool failed;              /* no memory */
+  sg_expression expression;           /* a copy with counters of its own */
+  bool failed;                        /* no memory */
+  sg_shading_work *light[SG_SHADOWS]; /* null: not yet */
 };
 
 static inline double
@@ -151,8 +158,11 @@ sg_slice_depth(const sg_slice *s, double x)
   return depth;
 }
 
-/* slice.c: the slices of the line y, unordered. */
+/* slice.c: the slices of the line y, unordered; those of one thing of a band
+ * come behind what is there. */
 bool sg_slices_of_line(sg_shading_work *work, double y);
+bool sg_slices_of_item(sg_shading_work *work, const sg_shading_item *item,
+                       double y);
 
 /* crossing.c: the first place strictly between x1 and x2, in 1/256 dot, where
  * two slices, of which p is the nearer one in the middle or in one place with

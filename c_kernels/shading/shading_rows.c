@@ -313,22 +313,6 @@ sg_door_shading_spans(sg_call *call, sg_shading *scene, double y,
 
 /* ---- layers ---- */
 
-static bool
-read_opacities(sg_call *call, const sg_number_list *looks,
-               const sg_list_count_list *leaves, sg_opacities *out)
-{
-  uint32_t *opacity = sg_call_alloc(call, (looks->n + 1) * sizeof *opacity);
-
-  for (size_t i = 0; opacity && i < looks->n; i++) {
-    if (!sg_opacity_read(call, looks->at[i], 3, &opacity[i])) {
-      return false;
-    }
-  }
-  out->opacity = opacity;
-  return opacity &&
-         sg_face_numbers_read(call, leaves, looks->n, 4, &out->numbers);
-}
-
 bool
 sg_door_shading_layers(sg_call *call, sg_shading *scene, double y,
                        const sg_number_list *looks,
@@ -336,9 +320,11 @@ sg_door_shading_layers(sg_call *call, sg_shading *scene, double y,
                        sg_shading_layer_list *out)
 {
   sg_opacities opacities = {0};
-  sg_shading_work *work = read_opacities(call, looks, leaves, &opacities)
-                              ? open_work(call, scene, y, &opacities)
-                              : NULL;
+  bool clear;
+  sg_shading_work *work =
+      sg_opacities_read(call, looks, leaves, &opacities, &clear)
+          ? open_work(call, scene, y, &opacities)
+          : NULL;
   sg_spans spans = {0};
   bool good = work && (sg_shading_line(scene, work, y, &spans) ||
                        sg_call_no_memory(call));

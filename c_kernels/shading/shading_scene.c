@@ -3,6 +3,7 @@
 #include "shading_private.h"
 
 #include <math.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -57,11 +58,13 @@ fill_back(sg_shading *s)
 sg_shading *
 sg_shading_open(const sg_shading_frame *frame)
 {
+  static atomic_uint_fast64_t serials;
   sg_shading *s = calloc(1, sizeof *s);
 
   if (!s) {
     return NULL;
   }
+  s->serial = atomic_fetch_add(&serials, 1) + 1;
   s->frame = *frame;
   fill_back(s);
   for (int k = 0; k < 3; k++) {

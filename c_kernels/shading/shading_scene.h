@@ -120,6 +120,12 @@ typedef struct sg_opacities {
 sg_shading_work *sg_shading_work_open(const sg_shading *scene,
                                       const sg_opacities *opacities);
 void sg_shading_work_close(sg_shading_work *work);
+/* The same of the scene of light i, for the same thread: `work` keeps it. Null:
+ * no memory. */
+sg_shading_work *sg_shading_work_of_light(sg_shading_work *work, unsigned i,
+                                          const sg_shading *scene);
+/* Whether memory was wanting since it was opened. */
+bool sg_shading_work_failed(const sg_shading_work *work);
 
 /* The spans of the line y, 0 <= y < height. False: no memory. */
 bool sg_shading_line(const sg_shading *scene, sg_shading_work *work, double y,
@@ -136,6 +142,9 @@ void sg_shading_place(const sg_shading *scene, const double seen[3],
 
 /* Of one normal, by sg_shading_point(). */
 bool sg_shading_is_flat(const sg_shading *scene, const sg_span *span);
+
+/* Of a facet that stands for a known surface. */
+bool sg_shading_is_faceted(const sg_shading *scene, const sg_span *span);
 
 /* The box round all faces, in the picture. False: there are none. */
 bool sg_shading_box(const sg_shading *scene, double low[3], double high[3]);

@@ -405,6 +405,18 @@ slice_body(sg_shading_work *w, const sg_shading_body *body, double y)
 /* ---- a line ---- */
 
 bool
+sg_slices_of_item(sg_shading_work *w, const sg_shading_item *item, double y)
+{
+  const sg_shading *s = w->scene;
+
+  if (item->round) {
+    return slice_body(w, &s->body.item[item->at], y);
+  }
+  const sg_shading_polygon *p = &s->polygon.item[item->at];
+  return !(p->y1 <= y && y < p->y2) || slice_polygon(w, p, y);
+}
+
+bool
 sg_slices_of_line(sg_shading_work *w, double y)
 {
   const sg_shading *s = w->scene;
@@ -412,17 +424,8 @@ sg_slices_of_line(sg_shading_work *w, double y)
 
   w->slice.n = 0;
   for (uint32_t i = s->band_first[band]; i < s->band_first[band + 1]; i++) {
-    const sg_shading_item *item = &s->item[i];
-
-    if (item->round) {
-      if (!slice_body(w, &s->body.item[item->at], y)) {
-        return false;
-      }
-    } else {
-      const sg_shading_polygon *p = &s->polygon.item[item->at];
-      if (p->y1 <= y && y < p->y2 && !slice_polygon(w, p, y)) {
-        return false;
-      }
+    if (!sg_slices_of_item(w, &s->item[i], y)) {
+      return false;
     }
   }
   return true;

@@ -32,11 +32,32 @@ sg_shading_work_open(const sg_shading *scene, const sg_opacities *opacities)
   return NULL;
 }
 
+sg_shading_work *
+sg_shading_work_of_light(sg_shading_work *w, unsigned i,
+                         const sg_shading *scene)
+{
+  if (!w->light[i]) {
+    w->light[i] = sg_shading_work_open(scene, w->opacities);
+    w->failed = w->failed || !w->light[i];
+  }
+  return w->light[i];
+}
+
+bool
+sg_shading_work_failed(const sg_shading_work *w)
+{
+  return w->failed;
+}
+
 void
 sg_shading_work_close(sg_shading_work *w)
 {
   if (w) {
+    for (unsigned i = 0; i < SG_SHADOWS; i++) {
+      sg_shading_work_close(w->light[i]);
+    }
     free(w->slice.item);
+    free(w->over.item);
     free(w->start.item);
     free(w->active.item);
     free(w->crossing.item);

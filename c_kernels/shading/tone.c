@@ -60,8 +60,14 @@ tone_of_table(const sg_tones *tones, const double normal[3])
               (t[SG_TONE_SIDE] * (1 - q) + t[SG_TONE_SIDE + 1] * q) * p);
 }
 
+static double
+come(const uint32_t *part, unsigned i)
+{
+  return part ? part[i] / (double)SG_TONE_MOST : 1.0;
+}
+
 uint32_t
-sg_tone(const sg_tones *tones, const double normal[3])
+sg_tone(const sg_tones *tones, const double normal[3], const uint32_t *part)
 {
   double tone = tones->constant;
 
@@ -70,7 +76,7 @@ sg_tone(const sg_tones *tones, const double normal[3])
   }
   for (unsigned i = 0; i < tones->ways; i++) {
     const sg_tone_way *way = &tones->way[i];
-    double one = way->factor * sg_dot(way->to, normal);
+    double one = way->factor * sg_dot(way->to, normal) * come(part, i);
     tone += one > way->least ? one : way->least;
   }
   return kept(tone);
@@ -88,14 +94,15 @@ power_of(double base, unsigned power)
 }
 
 uint32_t
-sg_shine_at(const sg_shine *shine, const double normal[3])
+sg_shine_at(const sg_shine *shine, const double normal[3], const uint32_t *part)
 {
   double sum = 0.0;
 
   for (unsigned i = 0; i < shine->ways; i++) {
     double along = sg_dot(shine->way[i].to, normal);
     if (along > 0) {
-      sum += shine->way[i].factor * power_of(along, shine->power);
+      sum +=
+          shine->way[i].factor * power_of(along, shine->power) * come(part, i);
     }
   }
   return kept(sum);

@@ -33,8 +33,11 @@ typedef struct sg_tones {
   double axis[3][3];
 } sg_tones;
 
-/* The tone of a side that looks along `normal`, a unit vector of the model. */
-uint32_t sg_tone(const sg_tones *tones, const double normal[3]);
+/* The tone of a side that looks along `normal`, a unit vector of the model.
+ * `part`, if not null, is how much of each way comes there, of SG_TONE_MOST;
+ * a table heeds it not. */
+uint32_t sg_tone(const sg_tones *tones, const double normal[3],
+                 const uint32_t *part);
 
 /* Light of its own that a side throws back: at a place the sum of factor times
  * (normal . to)^power, where that is above 0; `to` halves the angle between the
@@ -45,8 +48,9 @@ typedef struct sg_shine {
   sg_tone_way way[SG_TONE_WAYS];
 } sg_shine;
 
-/* Light, 0 .. SG_TONE_MOST. */
-uint32_t sg_shine_at(const sg_shine *shine, const double normal[3]);
+/* Light, 0 .. SG_TONE_MOST. `part` as above. */
+uint32_t sg_shine_at(const sg_shine *shine, const double normal[3],
+                     const uint32_t *part);
 
 /* The unit vector (right, up, towards the eye) of an entry of the table: half
  * of an octahedron, flattened. */

@@ -22,7 +22,7 @@ is_dark(const walk *w, const sg_span *span, double x)
   double depth, normal[3];
 
   sg_shading_point(w->scene, span, x, w->y, &depth, normal);
-  return sg_tone(&w->looks->look[number].tones, normal) < w->tone;
+  return sg_tone(&w->looks->look[number].tones, normal, NULL) < w->tone;
 }
 
 /* What begins where the last one ends goes on. */

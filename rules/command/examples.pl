@@ -266,6 +266,14 @@ example(seen_side/5, 'facts/two_cubes.pl',
         "shading_scene(320-200, _Scene), \c
          seen_side(_Scene, 160, 99.9, Depth, Normal).",
         "Depth = _, Normal = vector(_,_,_)").
+example(scan/1, 'facts/two_cubes.pl',
+        "scan([size(320-200)]), once(span(100, 0, _, _, R, S, _)).",
+        "R = 1, S = 1").
+example(render/2, 'facts/two_cubes.pl',
+        "tmp_file(shaded, _File), atom_concat(_File, '.png', _Name), \c
+         render(_Name, [size(64-40)]), exists_file(_Name), \c
+         delete_file(_Name), Written = yes.",
+        "Written = yes").
 example(hidden_by_polygon/6, 'facts/two_cubes.pl',
         "picture, hidden_by_polygon(1, 4, S, P, From, To).",
         "S = 1, P = 3, From = 0.0, To = 1.0").

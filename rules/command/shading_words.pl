@@ -15,15 +15,15 @@
 %   @error usage_error(bad_value('--shade', Text, Form))
 
 shade_named(Text, Others, Shade) :-
-    (   memberchk(Text, [lambert,gooch,flat|Others])
+    (   memberchk(Text, [lambert,gooch,flat,xray|Others])
     ->  Shade = Text
     ;   split_string(Text, "=()", "=()", [Name|Number]),
         atom_string(Kind, Name),
         steps(Kind, Usual),
         steps_number(Number, Usual, N)
     ->  Shade =.. [Kind,N]
-    ;   atomic_list_concat(['lambert, gooch, flat, cel=N, zebra=N (N: 2..64)'|
-                            Others], ', ', Form),
+    ;   Known = 'lambert, gooch, flat, xray, cel=N, zebra=N (N: 2..64)',
+        atomic_list_concat([Known|Others], ', ', Form),
         usage_error(bad_value('--shade', Text, Form))
     ).
 

@@ -212,7 +212,8 @@ verb_option(draw, option(language, '', one_of([en, ko]), 'LANGUAGE',
 verb_option(draw, option('no-frame', '', flag, '',
     'a sheet without frame and title block')).
 verb_option(draw, option(shade, '', value, 'SHADE',
-    'shading under the lines, as of render: lambert, gooch, cel=N, zebra=N or \c
+    'shading under the lines, as of render: lambert, gooch, cel=N, zebra=N, \c
+     xray or \c
      flat; or hatch, pen strokes where it is dark, in any format; on a sheet \c
      in pictorial views')).
 verb_option(draw, option(size, '', value, 'WxH',

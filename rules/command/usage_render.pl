@@ -14,8 +14,9 @@
 %   Spec is an option as in arguments.pl.
 
 render_option(option(output, o, each, 'FILE',
-    'where to (.png .ppm); may be repeated')).
-render_option(option(format, '', one_of([png, ppm]), 'FORMAT',
+    'where to (.png .ppm, .pl: spans, looks and view as facts); may be \c
+     repeated')).
+render_option(option(format, '', one_of([png, ppm, pl]), 'FORMAT',
     'the format for -o -')).
 render_option(option(size, '', value, 'WxH',
     'dots, such as 640x400; default 1260x888')).
@@ -26,7 +27,14 @@ render_option(option(smooth, '', one_of(['1', '2', '4', '8', '16']), 'N',
     'scan lines that cross a dot (4, as is usual)')).
 render_option(option(shade, '', value, 'SHADE',
     'lambert (as is usual), gooch (cold to warm), cel=N (N steps), zebra=N (N \c
-     stripes along which it is equally light) or flat')).
+     stripes along which it is equally light), flat or xray')).
+render_option(option(edges, '', flag, '',
+    'a black line where other faces begin')).
+render_option(option(shadows, '', flag, '',
+    'what is behind something, seen from a light, has none of that light')).
+render_option(option(surface, '', one_of([true, facets]), 'WHICH',
+    'what is round as it is (true, as is usual), or the facets that files \c
+     have')).
 render_option(option(colours, '', one_of([root, leaf]), 'BY',
     'what says no colour has one by its root (as is usual) or its leaf')).
 render_option(option(look, '', value, 'FILE',
@@ -46,8 +54,10 @@ render_option(option(background, '', value, 'COLOUR',
 render_option(option(palette, '', value, 'N',
     'no more than N colours (2 to 256), as on the screens of 1989')).
 render_option(option(buffer, '', each, 'KIND=FILE',
-    'what is known of the dots: depth=FILE.pfm, normal=FILE.pfm, id=FILE.csv \c
-     (docs/render.md); may be repeated')).
+    'what is known of the dots: depth=FILE.pfm, normal=FILE.pfm, \c
+     tone=FILE.pgm, id=FILE.csv (docs/render.md); may be repeated')).
+render_option(option(spans, '', value, 'FILE.csv',
+    'what is seen on each line, as rows')).
 render_option(option(dpi, '', number(1), 'N',
     'dots to the inch, written into a .png')).
 
@@ -58,21 +68,28 @@ render_option(option(dpi, '', number(1), 'N',
 shown_option(Spec) :-
     Spec = option(Name, _, _, _, _),
     member(Name, [ size, window, smooth, shade, colours, look, light,
-                   'see-through', section, background, palette ]),
+                   'see-through', section, background, palette, shadows,
+                   surface ]),
     render_option(Spec).
 
 %!  render_option_ko(?Name, -Help) is nondet.
 %
 %   The same in Korean, where no other verb has it.
 
-render_option_ko(output, '결과 파일 (.png .ppm). 여러 번 쓸 수 있다').
+render_option_ko(output,
+    '결과 파일 (.png .ppm, .pl: 구간과 모습과 시점). 여러 번 쓸 수 있다').
+render_option_ko(edges, '다른 면이 시작하는 곳에 검은 선').
+render_option_ko(shadows, '빛 쪽에서 보아 무엇의 뒤에 있으면 그 빛을 받지 않는다').
+render_option_ko(surface,
+    '둥근 것을 그대로(true, 보통), 또는 파일에 있는 대로 평면으로(facets)').
+render_option_ko(spans, '각 주사선에 보이는 것을 행으로 적는다').
 render_option_ko(size, '점의 수. 640x400 등. 보통 1260x888').
 render_option_ko(window,
     '그림의 이 부분(그림 자신의 단위)이 틀을 채운다. 없으면 보이는 것 모두와 여백').
 render_option_ko(smooth, '한 점을 지나는 주사선의 수 (보통 4)').
 render_option_ko(shade,
     'lambert(보통), gooch(찬 색에서 따뜻한 색으로), cel=N(N단계), zebra=N(밝기가 \c
-같은 N개의 줄무늬), flat').
+같은 N개의 줄무늬), flat, xray(X선)').
 render_option_ko(colours,
     '색이 정해지지 않은 것의 색: 루트마다(root, 보통) 또는 잎마다(leaf)').
 render_option_ko(look,
@@ -88,7 +105,8 @@ render_option_ko(background,
     '색 이름이나 R,G,B(0~255). 보통 white. none: 투명(.png)').
 render_option_ko(palette, '색은 많아야 N가지(2~256). 1989년의 화면처럼').
 render_option_ko(buffer,
-    '점마다 아는 것: depth=FILE.pfm(깊이), normal=FILE.pfm(법선), id=FILE.csv \c
+    '점마다 아는 것: depth=FILE.pfm(깊이), normal=FILE.pfm(법선), \c
+tone=FILE.pgm(밝기), id=FILE.csv \c
 (docs/render.md). 여러 번 쓸 수 있다').
 render_option_ko(dpi, '.png에 적는 인치당 점의 수').
 

@@ -12,13 +12,18 @@
 :- use_module('../output', [when_written/1, writing/3]).
 :- use_module('../picture/view',
               [current_view/4, set_projection/1, set_view/3, view_matrix/3]).
+:- use_module('../decision', [decision_is_default/1]).
 :- use_module('../shading/shaded_picture',
               [ shaded_picture/4, empty_picture/3, picture_image/3,
-                solid_box/2 ]).
+                shade_has_shadows/1, solid_box/2 ]).
 :- use_module('../shading/shading_buffer', [write_buffer/3]).
+:- use_module('../shading/shading_facets', [faceted_model/2, facets_off/2]).
 :- use_module('../shading/shading_leaf', [bent_faces/2]).
+:- use_module('../shading/shading_scan',
+              [scan/1, write_shading_facts/1, write_spans/1]).
 :- use_module('../shading/shading_scene',
-              [is_shaded/1, shaded_eye/3, shaded_model/3]).
+              [ is_shaded/1, scene_model/2, scene_scale/2, shaded_eye/3,
+                shaded_model/3 ]).
 :- use_module('../shading/shading_section', [sectioned_model/3]).
 :- use_module('../picture/section', [section_plane/4]).
 :- use_module('../sheet/sheet_view', [view_towards/3]).
@@ -48,26 +53,29 @@ whose leaves are as their terms say.
 
 render_run(Files, Options) :-
     some_files(Files, 'MODEL'),
-    outputs(Options, [png,ppm], Outputs),
+    outputs(Options, [png,ppm,pl], Outputs),
     buffers(Options, Buffers),
-    (   Buffers == []
+    spans_file(Options, Spans),
+    (   Buffers-Spans == []-[]
     ->  some_outputs(Outputs)
     ;   true
     ),
     no_model_replaced(Files, Outputs),
     findall(Option, render_option(Options, Option), Wanted),
     alpha_formats(Wanted, Outputs),
+    may_have_shadows(Wanted),
     ignore(looking(Options, _)),        % says what is wrong with it
     per_metre(Options, PerMetre),
     load_model(Files, [evaluate(false),rows(false)|Options]),
     looks_read(Options),
     stage(shade, sg_verbs_render:shaded_scene_of(Options, Wanted, Scene)),
     maplist(buffer_written(Scene), Buffers),
-    (   Outputs == []
+    spans_scanned(Outputs, Spans, Wanted, Scene),
+    (   \+ ( member(output(_,Format), Outputs), Format \== pl )
     ->  true
-    ;   stage(shade, picture_image(Scene, Wanted, Image)),
-        maplist(output_written(image_output(Image, PerMetre)), Outputs)
-    ).
+    ;   stage(shade, picture_image(Scene, Wanted, Image))
+    ),
+    maplist(output_written(image_output(Image, PerMetre)), Outputs).
 
 %!  wanted_scene(+Options, :Load, -Scene, -Wanted) is det.
 %
@@ -89,16 +97,42 @@ wanted_scene(Options, Load, Scene, Wanted) :-
 shaded_scene_of(Options, Wanted, Scene) :-
     shown_roots(Options, Roots),
     up_matrix(Options, Turned),
-    shaded_model(Roots, Turned, Model0),
+    shaded_model(Roots, Turned, Model00),
+    surfaces_wanted(Wanted, Model00, Model0),
     forall(bent_leaf(Model0, S, Count, P, Off),
            print_message(warning, sanggwan(not_flat(S, Count, P, Off)))),
     placed(Options, Roots, Turned, Model0, Model1, Away, Eye),
     sections_cut(Options, Model0, Away, Eye, Model1, Model),
     (   shaded_picture(Model, Eye, Wanted, Scene)
-    ->  true
+    ->  facets_told(Wanted, Scene)
     ;   print_message(warning, sanggwan(nothing_seen)),
         empty_picture(Eye, Wanted, Scene)
     ).
+
+%   surfaces_wanted(Wanted, Model0, Model): true surfaces, or facets.
+
+surfaces_wanted(Wanted, Model0, Model) :-
+    (   option(surface(facets), Wanted)
+    ->  faceted_model(Model0, Model)
+    ;   Model = Model0
+    ).
+
+%   facets_told(Wanted, Scene): files have facets. By more than a dot that is
+%   told.
+
+facets_told(Wanted, Scene) :-
+    (   \+ option(surface(facets), Wanted),
+        scene_facets_off(Scene, Dots),
+        Dots > 1
+    ->  print_message(informational, sanggwan(facets_off(Dots)))
+    ;   true
+    ).
+
+scene_facets_off(Scene, Dots) :-
+    scene_model(Scene, Model),
+    facets_off(Model, Off),
+    scene_scale(Scene, Scale),
+    Dots is Off*Scale.
 
 %   bent_leaf(Model, S, Count, P, Off): a leaf of segment S, or of a term in
 %   root S, has Count faces that are not flat, the worst P, by Off.
@@ -277,6 +311,12 @@ render_option(Options, shade(Shade)) :-
     shade_named(Text, [], Shade).
 render_option(Options, colours(By)) :-
     option(colours(By), Options).
+render_option(Options, edges(true)) :-
+    option(edges(true), Options).
+render_option(Options, shadows(true)) :-
+    option(shadows(true), Options).
+render_option(Options, surface(Surface)) :-
+    option(surface(Surface), Options).
 render_option(Options, background(Colour)) :-
     option(background(Text), Options),
     background_named(Text, Colour).
@@ -352,6 +392,21 @@ alpha_formats(Wanted, Outputs) :-
     ;   true
     ).
 
+%   may_have_shadows(Wanted): with --shadows a shade that has light and dark.
+
+may_have_shadows(Wanted) :-
+    option(shade(Shade), Wanted, lambert),
+    (   option(shadows(true), Wanted),
+        \+ shade_has_shadows(Shade)
+    ->  functor(Shade, Name, _),
+        atom_concat('--shade ', Name, Other),
+        usage_error(both_options('--shadows', Other))
+    ;   option(shadows(true), Wanted),
+        \+ decision_is_default(tone/3)
+    ->  print_message(warning, sanggwan(shadows_in_vain))
+    ;   true
+    ).
+
 per_metre(Options, PerMetre) :-
     (   option(dpi(N), Options)
     ->  PerMetre is min(0x7fffffff, round(N/0.0254))
@@ -423,6 +478,9 @@ image_output(Image, PerMetre, File) :-
     stage(write, writing(File, binary,
                          sg_verbs_render:image_bytes(Format, Image, PerMetre))).
 
+image_bytes(pl, _, _, Out) :-
+    set_stream(Out, encoding(utf8)),
+    write_shading_facts(Out).
 image_bytes(png, Image, PerMetre, Out) :-
     image_png(Image, PerMetre, Out).
 image_bytes(ppm, Image, _, Out) :-
@@ -432,6 +490,38 @@ image_bytes(ppm, Image, _, Out) :-
                 /*******************************
                 *            BUFFERS           *
                 *******************************/
+
+%   spans_file(Options, Spans): [File] of --spans, or [].
+
+spans_file(Options, Spans) :-
+    (   option(spans(File), Options)
+    ->  file_name_extension(_, Ending, File),
+        (   downcase_atom(Ending, csv)
+        ->  may_be_written(File),
+            Spans = [File]
+        ;   usage_error(ending(File, [csv]))
+        )
+    ;   Spans = []
+    ).
+
+%   spans_scanned(Outputs, Spans, Wanted, Scene): span/7, where something is
+%   written of it.
+
+spans_scanned(Outputs, Spans, Wanted, Scene) :-
+    (   Spans == [],
+        \+ memberchk(output(_,pl), Outputs)
+    ->  true
+    ;   option(smooth(Lines), Wanted, 4),
+        stage(shade, scan(scene(Scene,Lines))),
+        maplist(spans_written, Spans)
+    ).
+
+spans_written(File) :-
+    stage(write, writing(File, text, sg_verbs_render:spans_bytes)),
+    when_written(print_message(informational, sanggwan(wrote(File)))).
+
+spans_bytes(Out) :-
+    write_spans(Out).
 
 %   buffers(Options, Buffers): Kind-File of each --buffer.
 
@@ -452,11 +542,13 @@ buffer(Text, Kind-File) :-
         ;   usage_error(ending(File, [Ending]))
         )
     ;   usage_error(bad_value('--buffer', Text,
-                              'depth=FILE.pfm, normal=FILE.pfm, id=FILE.csv'))
+                              'depth=FILE.pfm, normal=FILE.pfm, \c
+                               tone=FILE.pgm, id=FILE.csv'))
     ).
 
 buffer_kind(depth, pfm).
 buffer_kind(normal, pfm).
+buffer_kind(tone, pgm).
 buffer_kind(id, csv).
 
 buffer_written(Scene, Kind-File) :-

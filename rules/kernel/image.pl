@@ -9,39 +9,63 @@ scene is that of kernel/shading.pl.
 
 /* - - - image_rows.c - - - */
 
-%!  image_shade(+Scene:shading, +Lines:count, +Looks:list(shading_look),
-%!              +Leaves:list(list(count)), +Background:image_background,
-%!              -Image:image) is det.
+%!  image_shade(+Scene:shading, +How:image_how, +Looks:list(shading_look),
+%!              +Leaves:list(list(count)), -Image:image) is det.
 %
-%   Image is Scene in dots; Lines, 1, 2, 4, 8 or 16, cross each. Looks are
+%   Image is Scene in dots. How is how(Lines, Background, Edges, Shadows):
+%   Lines, 1, 2, 4, 8 or 16, cross each. Background is rgb(R, G, B) in bytes, or
+%   `none`: dots have an alpha. Edges 1: a black line is where other faces
+%   begin, 0: there is none. Shadows are scenes of the same solids seen
+%   from where the lights of all looks come, in their order; []: there are no
+%   shadows. Looks are
 %   look(Tones, Ramp, Opacity, Shine, Stripes). Tones is sum(Constant, Ways):
 %   the tone of a side is that, from 0 to 1, with for each way(X, Y, Z,
 %   Factor, Least) Factor times the product of the unit vectors (X, Y, Z) and
 %   normal, but at least Least.
 %   Or table(Axes, Tones): Axes are 9 numbers, what is right, up and towards
 %   the eye in the model, Tones are those of the normals of image_normals/1.
-%   Ramp has 1,025 light(R, G, B), of the tones 0, 1/1024, ... 1. Opacity, 0 to
+%   Ramp has 1,025 light(R, G, B), of the tones 0, 1/1024, ... 1; or two, from
+%   which those between follow evenly. Opacity, 0 to
 %   1, is how much of its light comes from the face, as in shading_layers/5.
 %   Shine is shine(Power, Ways): for each way(X, Y, Z, Factor, _), (X, Y, Z)
 %   being half-way between eye and light, white light is added, Factor times
 %   the product with the normal to the power Power. Stripes is stripes(Step,
 %   Way): dark stripes across a flat face, where X + Way*Y is less than Step/4
 %   behind a multiple of Step, in 1/256 dot; Step 0: none. Leaves has
-%   places of Looks, as in shading_layers/5. Background is rgb(R, G, B) in
-%   bytes, or `none`: dots have an alpha.
+%   places of Looks, as in shading_layers/5.
 %
-%   @error domain_error(shading_lines, Lines), domain_error(shading_look, N),
-%          domain_error(raster_size, W-H)
+%   @error domain_error(shading_lines, How), domain_error(shading_look, N),
+%          domain_error(scene_of_light, How), domain_error(raster_size, W-H)
 
-%!  image_parts(+Scene:shading, +Lines:count, +Looks:list(shading_look),
+%!  image_scanned(+Scan:scan, +Scene:shading, +How:image_how,
+%!                +Looks:list(shading_look), +Leaves:list(list(count)),
+%!                -Image:image) is det.
+%
+%   The same, quicker: Scan (kernel/shading.pl) has the spans of Scene, by the
+%   opacities of Looks.
+%
+%   @error as for image_shade/5, and domain_error(shading_scan, Scan): it is one
+%          of another scene
+
+%!  image_again(+Image0:image, +Bands:list(count), +Scene:shading,
+%!              +How:image_how, +Looks:list(shading_look),
+%!              +Leaves:list(list(count)), -Image:image) is det.
+%
+%   The same for Bands of 16 rows, from 0, alone; the other dots of Image are
+%   those of Image0.
+%
+%   @error as for image_shade/5, domain_error(image_of_scene, Image0): it has
+%          another size; domain_error(image_band, Bands)
+
+%!  image_parts(+Scene:shading, +How:image_how, +Looks:list(shading_look),
 %!              +Leaves:list(list(count)), +Y:count,
 %!              -Parts:list(image_part)) is det.
 %
 %   Parts are part(X, Root, Leaf, Face, Share, light(R, G, B)): Share of the dot
 %   X of row Y, counted from 0, shows that face, which sends that light there.
-%   By X, Leaf and Face, each once. The others are as for image_shade/6.
+%   By X, Leaf and Face, each once. The others are as for image_shade/5.
 %
-%   @error as for image_shade/6, and domain_error(image_dot, Y)
+%   @error as for image_shade/5, and domain_error(image_dot, Y)
 
 %!  image_strokes(+Scene:shading, +Tone:number, +Looks:list(shading_look),
 %!                +Leaves:list(list(count)), +Spacing:number, +Step:number,
@@ -53,8 +77,7 @@ scene is that of kernel/shading.pl.
 %   others are Spacing apart. A bent face is looked at every Step dots.
 %
 %   @error domain_error(tone, Tone), domain_error(spacing, Spacing), and those
-%          of
-%          image_shade/6
+%          of image_shade/5
 
 %!  image_normals(-Normals:list(vector)) is det.
 %
@@ -98,6 +121,12 @@ scene is that of kernel/shading.pl.
 %!  image_ppm(+Image:image, +Stream:output) is det.
 %
 %   The same as a PPM file (P6).
+%
+%   @error domain_error(image_without_alpha, Image)
+
+%!  image_pgm(+Image:image, +Stream:output) is det.
+%
+%   The same as a PGM file (P5), of dots that are grey.
 %
 %   @error domain_error(image_without_alpha, Image)
 

@@ -104,6 +104,23 @@ Leaves are, each with its Number, which several may have:
 %
 %   @error domain_error(scan_line, Y)
 
+/* - - - scan_rows.c - - - */
+
+%!  shading_scan(+Scene:shading, +Lines:count, +Opacities:list(number),
+%!               +Leaves:list(list(count)), -Scan:scan) is det.
+%
+%   Scan has the spans of all lines of Scene, Lines to a dot. Opacities and
+%   Leaves are as for shading_layers/5.
+%
+%   @error domain_error(shading_lines, Lines), and those of shading_layers/5
+
+%!  fill_spans(+Scan:scan, +Segments:list(int)) is det.
+%
+%   Replaces span/7 of the current world by those of Scan. Segments are those of
+%   leaf 1, 2, ... of its scene, 0: of none.
+%
+%   @error domain_error(shading_segments, Segments): too few
+
 /* - - - depth_buffer_rows.c - - - */
 
 %!  shading_depth_pfm(+Scene:shading, +Plane:list(number),

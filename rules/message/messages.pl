@@ -298,6 +298,12 @@ notice_en(pixel_colour_in_vain) -->
     [ 'pixel_colour/4 is a rule, and is not asked of a picture with clear \c
        dots', nl,
       '  Give --background a colour.' ].
+notice_en(shadows_in_vain) -->
+    [ 'a rule decides tone/3, which knows no shadows: --shadows changes \c
+       nothing' ].
+notice_en(facets_off(Dots)) -->
+    [ 'what is round is shown round; the facets of files are up to ~1f dots \c
+       from that (--surface facets shows them)'-[Dots] ].
 notice_en(nothing_seen) -->
     [ 'nothing is seen: the picture is its background alone', nl,
       '  The model has no solid, or what it takes away is all of it.' ].

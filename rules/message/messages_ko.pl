@@ -281,6 +281,11 @@ notice_ko(pixel_colour_in_vain) -->
     [ 'pixel_colour/4 이(가) 규칙이지만 투명한 점이 있는 그림에는 묻지 \c
        않습니다', nl,
       '  --background 에 색을 주십시오.' ].
+notice_ko(shadows_in_vain) -->
+    [ '그림자를 모르는 tone/3을 규칙이 정하므로 --shadows는 아무것도 바꾸지 않는다' ].
+notice_ko(facets_off(Dots)) -->
+    [ '둥근 것은 둥글게 보인다. 파일의 면은 거기서 많아야 ~1f점 떨어져 있다 (--surface \c
+facets는 그 면을 보인다)'-[Dots] ].
 notice_ko(nothing_seen) -->
     [ '보이는 것이 없습니다. 그림은 바탕뿐입니다', nl,
       '  모델에 입체가 없거나 모두 빼 버렸습니다.' ].

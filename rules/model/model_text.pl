@@ -32,8 +32,8 @@ that is loaded can change what a file means.
 
 Besides the relations of the schema there is one fact that only files use:
 `curve(S, [V1, V2, ...])`, a chain of edges (PL-4). The relations of the
-picture (screen/5, contour/13, surface_facing/6, drawn/7) are computed and may
-not stand in a file.
+picture (screen/5, contour/13, surface_facing/6, drawn/7, span/7) are computed
+and may not stand in a file.
 
 Every error is error(model_error(What), location(File, Line, Column)), lines
 and columns counted from 1. What is one of
@@ -333,6 +333,7 @@ computed(screen).
 computed(contour).
 computed(surface_facing).
 computed(drawn).
+computed(span).
 
 file_relation(curve, 2).
 file_relation(Name, Arity) :-

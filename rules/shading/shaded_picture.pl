@@ -1,27 +1,33 @@
 :- module(sg_shaded_picture,
           [ shaded_picture/4,           % +Model, +Eye, +Options, -Scene
+            picture_place/5,            % +Model, +Eye, +Options, -Size, -Place
             empty_picture/3,            % +Eye, +Options, -Scene
             solid_box/2,                % +Model, -Box
             picture_image/3,            % +Scene, +Options, -Image
             picture_image/5,            % +Scene, +KernelLooks, +Leaves,
                                         % +Options, -Image
+            picture_how/3,              % +Scene, +Options, -How
+            picture_decided/6,          % +Scene, +How, +Looks, +Leaves,
+                                        % +Options, +Image
+            shade_has_shadows/1,        % +Shade
             looks_for_kernel/3          % +Looks, +Options, -KernelLooks
           ]).
 :- use_module('../colour', [colour_rgb/2]).
 :- use_module('../decision', [decision_is_default/1]).
 :- use_module('../kernel',
-              [ image_colours/2, image_extent/2, image_parts/6, image_shade/6,
+              [ image_colours/2, image_extent/2, image_parts/6, image_shade/5,
                 light_srgb/2, shading_size/3, srgb_light/2
               ]).
 :- use_module(pixel_colour, [pixels_decided/3]).
+:- use_module(shading_light, [light_scene/3]).
 :- use_module(shading_scene,
               [ scene_handle/2, scene_leaf/2, shaded_box/3, shaded_eye/3,
                 shaded_scene/5 ]).
 :- use_module(surface_look, [look_opacity/2, scene_looks/4]).
-:- use_module(surface_ramp, [look_ramp/2]).
-:- use_module(surface_tone, [look_shine/2, look_tones/2]).
+:- use_module(surface_ramp, [look_ramp/2, ramp_step/3]).
+:- use_module(surface_tone, [light_ways/1, look_shine/2, look_tones/2]).
 :- use_module(library(apply), [maplist/3]).
-:- use_module(library(lists), [append/3, member/2, nth0/3]).
+:- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(option), [option/2, option/3]).
 /** <module> A shaded picture in dots.
 
@@ -40,6 +46,14 @@ units.
 %       picture, the longer way; without it all that is seen
 
 shaded_picture(Model, Eye, Options, Scene) :-
+    picture_place(Model, Eye, Options, Size, Place),
+    shaded_scene(Model, Eye, Place, Size, Scene).
+
+%!  picture_place(+Model, +Eye, +Options, -Size, -Place) is semidet.
+%
+%   Size and Place are those of shaded_scene/5 for shaded_picture/4.
+
+picture_place(Model, Eye, Options, Size, Place) :-
     option(size(Size), Options, 1260-888),
     (   option(window(Window), Options)
     ->  Margin = 0
@@ -47,8 +61,7 @@ shaded_picture(Model, Eye, Options, Scene) :-
         Size = Width-Height,
         Margin is min(Width, Height)/10
     ),
-    frame_place(Window, Size, Margin, Place),
-    shaded_scene(Model, Eye, Place, Size, Scene).
+    frame_place(Window, Size, Margin, Place).
 
 %   seen_box(Model, Eye, Box): round what is seen. Where leaves are is mostly
 %   more, so it is looked at once in dots.
@@ -103,6 +116,9 @@ solid_box(Model, box(X1,Y1,Z1,X2,Y2,Z2)) :-
 %     - colours(By): the palette goes by `root` (default) or `leaf`
 %     - background(Colour): default white; `none`: dots have an alpha
 %     - palette(N): no more than N colours, 2 to 256; not without background
+%     - edges(Bool): a black line is where other faces begin (default false)
+%     - shadows(Bool): what is behind something, seen from a light, has none of
+%       that light (default false); of the shades lambert and cel
 
 picture_image(Scene, Options, Image) :-
     option(colours(Colours), Options, root),
@@ -115,17 +131,52 @@ picture_image(Scene, Options, Image) :-
 %   The same with looks of looks_for_kernel/3, and of scene_looks/4 the Leaves.
 
 picture_image(Scene, Looks, Leaves, Options, Image) :-
+    picture_how(Scene, Options, How),
+    scene_handle(Scene, Handle),
+    image_shade(Handle, How, Looks, Leaves, Image),
+    picture_decided(Scene, How, Looks, Leaves, Options, Image).
+
+%!  picture_how(+Scene, +Options, -How) is det.
+%
+%   How is that of image_shade/5, by Options as of picture_image/3.
+
+picture_how(Scene, Options, how(Lines,Background,Edges,Shadows)) :-
     option(smooth(Lines), Options, 4),
     option(background(Background0), Options, white),
     (   Background0 == none
     ->  Background = none
     ;   colour_rgb(Background0, Background)
     ),
-    scene_handle(Scene, Handle),
-    image_shade(Handle, Lines, Looks, Leaves, Background, Image),
+    (   option(edges(true), Options)
+    ->  Edges = 1
+    ;   Edges = 0
+    ),
+    option(shade(Shade), Options, lambert),
+    (   option(shadows(true), Options),
+        shade_has_shadows(Shade),
+        decision_is_default(tone/3)
+    ->  light_ways(Ways),
+        (   maplist(light_scene(Scene), Ways, Shadows0)
+        ->  Shadows = Shadows0
+        ;   Shadows = []                % there is nothing
+        )
+    ;   Shadows = []
+    ).
+
+%!  shade_has_shadows(+Shade) is semidet.
+
+shade_has_shadows(lambert).
+shade_has_shadows(cel(_)).
+
+%!  picture_decided(+Scene, +How, +Looks, +Leaves, +Options, +Image) is det.
+%
+%   What rules and the option palette(N) change in Image.
+
+picture_decided(Scene, How, Looks, Leaves, Options, Image) :-
+    How = how(_,Background,_,_),
     (   decision_is_default(pixel_colour/4)
     ->  true
-    ;   by_pixels(Scene, Lines, Looks, Leaves, Background, Image)
+    ;   by_pixels(Scene, How, Looks, Leaves, Background, Image)
     ),
     (   option(palette(Most), Options)
     ->  palette(Most, Looks, Background, Colours),
@@ -135,7 +186,7 @@ picture_image(Scene, Looks, Leaves, Options, Image) :-
 
 %!  looks_for_kernel(+Looks, +Options, -KernelLooks) is det.
 %
-%   KernelLooks are Looks of scene_looks/4 as image_shade/6 has them, in the
+%   KernelLooks are Looks of scene_looks/4 as image_shade/5 has them, in the
 %   current view; Options as for picture_image/3.
 
 looks_for_kernel(Looks, Options, KernelLooks) :-
@@ -144,13 +195,13 @@ looks_for_kernel(Looks, Options, KernelLooks) :-
     stripes_step(Size, Step),
     maplist(kernel_look(Shade, Step), Looks, KernelLooks).
 
-%   by_pixels(Scene, Lines, Looks, Leaves, Background, Image): each dot as the
+%   by_pixels(Scene, How, Looks, Leaves, Background, Image): each dot as the
 %   rule pixel_colour/4 says. A clear one has no colour to decide of.
 
 by_pixels(_, _, _, _, none, _) :-
     !,
     print_message(warning, sanggwan(pixel_colour_in_vain)).
-by_pixels(Scene, Lines, Looks, Leaves, rgb(R0,G0,B0), Image) :-
+by_pixels(Scene, How, Looks, Leaves, rgb(R0,G0,B0), Image) :-
     maplist(srgb_light, [R0,G0,B0], [R,G,B]),
     scene_handle(Scene, Handle),
     shading_size(Handle, Width, Height),
@@ -159,12 +210,12 @@ by_pixels(Scene, Lines, Looks, Leaves, rgb(R0,G0,B0), Image) :-
     findall(leaf(Number,S,Faces), scene_leaf(Scene, leaf(Number,_,S,_,Faces)),
             Numbered),
     compound_name_arguments(Named, leaves, Numbered),
-    pixels_decided(sg_shaded_picture:row_parts(row(Handle,Lines,Looks,Leaves),
+    pixels_decided(sg_shaded_picture:row_parts(row(Handle,How,Looks,Leaves),
                                                Named),
                    light(R,G,B), Image).
 
-row_parts(row(Handle,Lines,Looks,Leaves), Named, Y, Parts) :-
-    image_parts(Handle, Lines, Looks, Leaves, Y, Parts0),
+row_parts(row(Handle,How,Looks,Leaves), Named, Y, Parts) :-
+    image_parts(Handle, How, Looks, Leaves, Y, Parts0),
     maplist(named_part(Named), Parts0, Parts).
 
 named_part(Named, part(X,R,Leaf,F,Share,Light),
@@ -200,7 +251,7 @@ ramp_colour(Ramp, Each, rgb(R,G,B)) :-
     ->  At = 768
     ;   At is round(1024*(K-1)/(Each-1))
     ),
-    nth0(At, Ramp, light(R0,G0,B0)),
+    ramp_step(Ramp, At, light(R0,G0,B0)),
     maplist(light_srgb, [R0,G0,B0], [R,G,B]).
 
 %   stripes_step(Size, Step): how far stripes of sections are apart, in 1/256

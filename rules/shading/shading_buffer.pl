@@ -1,10 +1,14 @@
 :- module(sg_shading_buffer,
           [ write_buffer/3              % +Kind, +Scene, +Out
           ]).
-:- use_module('../kernel', [shading_depth_pfm/3, shading_normal_pfm/2]).
+:- use_module('../kernel',
+              [ image_pgm/2, image_shade/5, shading_depth_pfm/3,
+                shading_normal_pfm/2, srgb_light/2 ]).
+:- use_module(shaded_picture, [looks_for_kernel/3, picture_how/3]).
 :- use_module(shading_scene,
               [scene_depth/2, scene_handle/2, scene_leaf/2, scene_size/2]).
-:- use_module(surface_look, [line_layers/3]).
+:- use_module(surface_look, [line_layers/3, scene_looks/4]).
+:- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [member/2]).
 /** <module> What a shaded picture knows of its dots, for other programs.
 
@@ -20,6 +24,8 @@ first.
 %       along its line of sight, in a parallel picture from the origin; infinite
 %       where nothing is
 %     - normal: PFM, a unit vector of the model, 0 0 0 where nothing is
+%     - tone: PGM, in the middle of each dot how light it is, 255 the lightest;
+%       0 where nothing is
 %     - id: CSV, a row for each span of the lines in the middle of each row of
 %       dots: y, x1, x2 in dots, root, number and segment of the leaf (0: of no
 %       segment), face, and the part of the light there that is its own
@@ -31,6 +37,15 @@ write_buffer(depth, Scene, Out) :-
 write_buffer(normal, Scene, Out) :-
     scene_handle(Scene, Handle),
     shading_normal_pfm(Handle, Out).
+write_buffer(tone, Scene, Out) :-
+    scene_looks(Scene, root, Looks0, Leaves),
+    looks_for_kernel(Looks0, [shade(lambert)], Looks1),
+    grey_ramp(Grey),
+    maplist(tone_alone(Grey), Looks1, Looks),
+    scene_handle(Scene, Handle),
+    picture_how(Scene, [smooth(1),background(black)], How),
+    image_shade(Handle, How, Looks, Leaves, Image),
+    image_pgm(Image, Out).
 write_buffer(id, Scene, Out) :-
     format(Out, 'y,x1,x2,root,leaf,segment,face,part~n', []),
     findall(leaf(Number,S), scene_leaf(Scene, leaf(Number,_,S,_,_)), Leaves0),
@@ -42,6 +57,17 @@ write_buffer(id, Scene, Out) :-
              line_layers(Scene, Y, Layers),
              forall(member(Layer, Layers), write_layer(Out, Y, Leaves, Layer))
            )).
+
+%   tone_alone(Grey, Look0, Look): without shine, opaque.
+
+tone_alone(Grey, look(Tones,_,_,_,_),
+           look(Tones,Grey,1,shine(1,[]),stripes(0,1))).
+
+grey_ramp(Ramp) :-
+    findall(light(L,L,L),
+            ( between(0, 1024, K), Byte is round(K*255/1024),
+              srgb_light(Byte, L) ),
+            Ramp).
 
 %   1/256 dot has eight digits.
 

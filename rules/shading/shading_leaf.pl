@@ -1,6 +1,7 @@
 :- module(sg_shading_leaf,
           [ term_leaf/4,                % +Term, -Parts, -Shape, -Faces
             bent_faces/2,               % +Term, -Bent
+            chain_loops/2,              % +Chain, -Loops
             rows_leaf/4                 % +S, +Matrix, -Parts, -Faces
           ]).
 :- use_module('../csg/known_surface',
@@ -171,8 +172,10 @@ known_surface_of(Runs, Part-Surface, Part-Known) :-
            stands_for(Turn, Surface)),
     once(plain_surface(Surface, Known)).
 
-%   chain_loops(Chain, Loops): a vertex list (polygon_list.pl): a jump begins a
-%   hole, and loops close where there is one.
+%!  chain_loops(+Chain:list, -Loops:list) is det.
+%
+%   Loops are those of a vertex list (polygon_list.pl): a jump begins a hole,
+%   and loops close where there is one.
 
 chain_loops(Chain, Loops) :-
     (   append(First, [Jump|Rest], Chain),

@@ -10,6 +10,10 @@
             scene_handle/2,             % +Scene, -Handle
             scene_tolerance/2,          % +Scene, -Tolerance
             scene_depth/2,              % +Scene, -Plane
+            scene_model/2,              % +Scene, -Model
+            scene_scale/2,              % +Scene, -Scale
+            depth_tolerance/3,          % +Matrix, +Facts, -Tolerance
+            facts_rows/6,               % +Eye, +Place, +Size, +Facts, -Y1, -Y2
             scene_size/2,               % +Scene, -Size
             scene_root/2,               % +Scene, -Root
             scene_place/2,              % +Scene, ?Place
@@ -408,7 +412,8 @@ shaded_box(model(_, Facts, _), Eye, b(X1,Y1,X2,Y2)) :-
 %   Handle for the kernel (kernel/shading.pl). It does not follow later changes.
 
 shaded_scene(Model, Eye, Place, Width-Height,
-             scene(Handle,Model,sight(Tolerance,Depth))) :-
+             scene(Handle,Model,sight(Tolerance,Depth,Scale))) :-
+    Place = place(Scale,_,_),
     Model = model(_, Facts, Roots),
     eye_rows(Eye, Place, Matrix),
     depth_tolerance(Matrix, Facts, Tolerance),
@@ -459,14 +464,22 @@ without_picture(Model, scene(none,Model,none)).
 %   Tolerance, in dots: slices nearer in depth are in one place.
 
 scene_handle(scene(Handle, _, _), Handle).
-scene_tolerance(scene(_, _, sight(Tolerance,_)), Tolerance).
+scene_tolerance(scene(_, _, sight(Tolerance,_,_)), Tolerance).
 
 %!  scene_depth(+Scene, -Plane) is det.
 %
 %   Plane is [A, B, C, D]: a point of the model is A*X + B*Y + C*Z + D from the
 %   eye along its line of sight, in a parallel picture from the origin.
 
-scene_depth(scene(_, _, sight(_,Plane)), Plane).
+scene_depth(scene(_, _, sight(_,Plane,_)), Plane).
+
+%!  scene_model(+Scene, -Model) is det.
+%!  scene_scale(+Scene, -Scale) is det.
+%
+%   What Scene is the picture of, and how many dots are a unit of the picture.
+
+scene_model(scene(_, Model, _), Model).
+scene_scale(scene(_, _, sight(_,_,Scale)), Scale).
 
 eye_depth(Eye, [A,B,C,D]) :-
     eye_axes(Eye, eye(_,_,Rho,Kind,_), [_,_,[A,B,C,D0]]),
@@ -566,8 +579,19 @@ row([A2,B2,C2,D2], F, [A1,B1,C1,D1], G, [A,B,C,D]) :-
     C is F*C1 + G*C2 + 0.0,
     D is F*D1 + G*D2 + 0.0.
 
-%   depth_tolerance(Matrix, Facts, Tolerance): 2^-44 of the farthest place, as
-%   resolve.h; but no less than what is rounded.
+%!  facts_rows(+Eye, +Place, +Size, +Facts, -Y1, -Y2) is semidet.
+%
+%   What Facts are in the picture of shaded_scene/5 is between Y1 and Y2, in
+%   dots. Fails if they have no faces.
+
+facts_rows(Eye, Place, Width-Height, Facts, Y1, Y2) :-
+    eye_rows(Eye, Place, Matrix),
+    shading_box(frame(Matrix,Width,Height,0.0), Facts, box(_,Y1,_,_,Y2,_)).
+
+%!  depth_tolerance(+Matrix, +Facts, -Tolerance) is det.
+%
+%   Tolerance, in dots, is 2^-44 of the farthest place, as resolve.h; but no
+%   less than what is rounded.
 
 depth_tolerance(Matrix, Facts, Tolerance) :-
     (   shading_box(frame(Matrix,1,1,0.0), Facts, Box)

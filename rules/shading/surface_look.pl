@@ -231,5 +231,7 @@ scene_opacities(Scene, opaque(Opacities,Leaves)) :-
 look_opacity(Look, A) :-
     (   memberchk(opacity(A0), Look)
     ->  A = A0
+    ;   memberchk(shade(xray), Look)
+    ->  A = 0.25
     ;   A = 1
     ).

@@ -1,11 +1,13 @@
 :- module(sg_surface_ramp,
           [ ramp/3,                     % +Look, +Tone, -Colour
-            look_ramp/2                 % +Look, -Ramp
+            look_ramp/2,                % +Look, -Ramp
+            ramp_step/3                 % +Ramp, +K, -Light
           ]).
 :- use_module('../colour', [colour_rgb/2]).
-:- use_module('../decision', [decision/2]).
+:- use_module('../decision', [decision/2, decision_is_default/1]).
 :- use_module('../kernel', [srgb_light/2]).
-:- use_module(library(apply), [maplist/3]).
+:- use_module(library(apply), [maplist/3, maplist/4]).
+:- use_module(library(lists), [nth0/3]).
 /** <module> Which colour a tone has (CB-8).
 
     lambert     the colour's light times the tone
@@ -13,6 +15,7 @@
     cel(N)      N flat steps of lambert
     zebra(N)    N dark stripes: lines on which they lie are isophotes
     flat        the colour
+    xray        the colour, darker where it is seen edge-on
 
 @see A. Gooch, B. Gooch, P. Shirley, E. Cohen, A non-photorealistic lighting
 model for automatic technical illustration, SIGGRAPH 1998
@@ -35,6 +38,9 @@ ramp(Look, Tone, Colour) :-
 shaded(lambert, Tone, Light, Colour) :-
     light_times(Tone, Light, Colour).
 shaded(flat, _, Light, Light).
+shaded(xray, Tone, Light, Colour) :-
+    Factor is 1 - 0.85*Tone*Tone,
+    light_times(Factor, Light, Colour).
 shaded(cel(N), Tone, Light, Colour) :-
     Step is (min(floor(Tone*N), N-1) + 1) / N,
     light_times(Step, Light, Colour).
@@ -77,14 +83,34 @@ kept_light(X0, X) :-
 
 %!  look_ramp(+Look, -Ramp) is det.
 %
-%   Ramp is that of image_shade/6. A tone for which a rule has no colour is
+%   Ramp is that of image_shade/5. A tone for which a rule has no colour is
 %   black.
 
+look_ramp(Look, [First,Last]) :-
+    decision_is_default(ramp/3),
+    memberchk(shade(Shade), Look),
+    memberchk(Shade, [lambert,flat]),   % straight
+    !,
+    ramp_light(Look, 0.0, First),
+    ramp_light(Look, 1.0, Last).
 look_ramp(Look, Ramp) :-
     findall(Light,
             ( between(0, 1024, K), Tone is K/1024.0,
               ramp_light(Look, Tone, Light) ),
             Ramp).
+
+%!  ramp_step(+Ramp, +K, -Light) is det.
+%
+%   Light is that of the tone K/1024 on Ramp.
+
+ramp_step([light(R0,G0,B0),light(R1,G1,B1)], K, light(R,G,B)) :-
+    !,
+    maplist(between_lights(K), [R0,G0,B0], [R1,G1,B1], [R,G,B]).
+ramp_step(Ramp, K, Light) :-
+    nth0(K, Ramp, Light).
+
+between_lights(K, A, B, C) :-
+    C is (A*(1024-K) + B*K + 512) // 1024.
 
 ramp_light(Look, Tone, Light) :-
     (   ramp(Look, Tone, Colour),

@@ -3,6 +3,7 @@
             tone_sum/3,                 % +Shade, -Constant, -Ways
             picture_normal/2,           % +Normal, -InPicture
             look_tones/2,               % +Look, -Tones
+            light_ways/1,               % -Ways
             look_shine/2                % +Look, -Shine
           ]).
 :- use_module('../decision', [decision/2, decision_is_default/1]).
@@ -21,6 +22,7 @@ side looks, but at least so much:
     lambert, cel   what comes from everywhere, and each light, at least 0
     gooch, zebra   half of the first light, and a half
     flat           1
+    xray           1 less the cosine of the angle to the line of sight
 
 Light 0 comes from everywhere, its strength is 0.25 if no fact says another
 one. Light 1 comes from the upper left in front of the picture, with 0.75, if
@@ -53,6 +55,8 @@ way_tone(X, Y, Z, way(A,B,C,Factor,Least), Tone) :-
 %   the normal, but at least Least.
 
 tone_sum(flat, 1.0, []) :-
+    !.
+tone_sum(xray, 1.0, [way(0.0,0.0,1.0,-1.0,-1.0)]) :-
     !.
 tone_sum(Shade, 0.5, [way(X,Y,Z,0.5,-0.5)]) :-
     memberchk(Shade, [gooch,zebra(_)]),
@@ -141,7 +145,7 @@ picture_normal(vector(X,Y,Z), vector(Right,Up,Towards)) :-
 
 %!  look_tones(+Look, -Tones) is det.
 %
-%   Tones are those of Look for image_shade/6: the sum, or, if a rule decides,
+%   Tones are those of Look for image_shade/5: the sum, or, if a rule decides,
 %   the table of what it says of all normals.
 
 look_tones(Look, sum(Constant,Ways)) :-
@@ -170,9 +174,22 @@ normal_tone(Look, Normal, Tone) :-
     ;   Tone = 0.0
     ).
 
+%!  light_ways(-Ways) is det.
+%
+%   Ways are where the lights of look_tones/2 and look_shine/2 come from, in
+%   their order: [X,Y,Z], unit vectors of the model.
+
+light_ways(Ways) :-
+    lights(Lights),
+    view_axes(Axes),
+    findall([A,B,C],
+            ( member(lit(X,Y,Z,_), Lights),
+              model_way(Axes, way(X,Y,Z,0,0), way(A,B,C,_,_)) ),
+            Ways).
+
 %!  look_shine(+Look, -Shine) is det.
 %
-%   Shine is that of Look for image_shade/6: under `lambert` each light is
+%   Shine is that of Look for image_shade/5: under `lambert` each light is
 %   thrown back, half-way between it and the eye the most. The eye is where the
 %   middle of the picture is seen from.
 
@@ -183,14 +200,24 @@ look_shine(Look, shine(Power,Ways)) :-
         lights(Lights),
         view_axes(Axes),
         findall(Way,
-                ( member(lit(X,Y,Z,F), Lights),
-                  Z1 is Z+1.0,
-                  \+ ( is_rounding(X, 1), is_rounding(Y, 1),
-                       is_rounding(Z1, 1) ),
-                  unit([X,Y,Z1], [A,B,C]),
-                  Factor is Strength*F,
-                  model_way(Axes, way(A,B,C,Factor,0.0), Way) ),
+                ( member(Light, Lights),
+                  halved(Light, Strength, Half),
+                  model_way(Axes, Half, Way) ),
                 Ways)
     ;   Power = 1,
         Ways = []
+    ).
+
+%   halved(Light, Strength, Way): half-way between Light and the eye; a light
+%   behind everything is thrown back nowhere.
+
+halved(lit(X,Y,Z,F), Strength, way(A,B,C,Factor,0.0)) :-
+    Z1 is Z+1.0,
+    (   is_rounding(X, 1),
+        is_rounding(Y, 1),
+        is_rounding(Z1, 1)
+    ->  [A,B,C] = [0.0,0.0,1.0],
+        Factor = 0.0
+    ;   unit([X,Y,Z1], [A,B,C]),
+        Factor is Strength*F
     ).

@@ -4,6 +4,7 @@
  * covers: image_png, png_chunk
  */
 #include "doors/image.h"
+#include "doors/shading.h"
 #include "shading/buffer.h"
 #include "shading/extent.h"
 #include "shading/srgb.h"
@@ -72,8 +73,9 @@ shaded(sg_shading *scene, size_t lines, bool clear)
   sg_image *image = NULL;
 
   back.rgb = (sg_rgb){255, 250, 240};
-  return sg_door_image_shade(&call, scene, lines, &looks, &leaves, &back,
-                             &image)
+  const sg_image_how how = {.lines = lines, .background = back};
+
+  return sg_door_image_shade(&call, scene, &how, &looks, &leaves, &image)
              ? image
              : NULL;
 }
@@ -168,15 +170,17 @@ parts_and_strokes(void)
   sg_shading *scene = sphere_scene(40, 30, 20, 15, 10);
   sg_image *image = scene ? shaded(scene, 1, false) : NULL;
   sg_image_part_list parts = {0};
+  const sg_image_how how = {.lines = 1};
   sg_image_stroke_list strokes = {0};
   size_t width = 0, height = 0, byte = 0;
 
-  CHECK("parts of a row",
-        scene &&
-            sg_door_image_parts(&call, scene, 1, &looks, &leaves, 15, &parts) &&
-            parts.n == 20 && parts.at[9].share == 1 && parts.at[9].leaf == 1);
+  CHECK("parts of a row", scene &&
+                              sg_door_image_parts(&call, scene, &how, &looks,
+                                                  &leaves, 15, &parts) &&
+                              parts.n == 20 && parts.at[9].share == 1 &&
+                              parts.at[9].leaf == 1);
   CHECK("no such row",
-        !sg_door_image_parts(&call, scene, 1, &looks, &leaves, 30, &parts) &&
+        !sg_door_image_parts(&call, scene, &how, &looks, &leaves, 30, &parts) &&
             is_domain("image_dot", 5));
   CHECK("strokes", sg_door_image_strokes(&call, scene, 1, &looks, &leaves, 2, 1,
                                          &strokes) &&
@@ -192,6 +196,63 @@ parts_and_strokes(void)
             !sg_door_light_srgb(&call, SG_LIGHT_MOST + 1, &byte) &&
             is_domain("light", 1));
   sg_image_close(image);
+  sg_shading_close(scene);
+}
+
+/* Of kept spans, and in part again: the same dots. */
+static void
+again(void)
+{
+  static size_t zero[] = {0};
+  static sg_count_list places = {zero, 1, 0};
+  const sg_list_count_list leaves = {&places, 1, 0};
+  const sg_shading_look_list looks = one_look();
+  double opaque[] = {1};
+  const sg_number_list opacities = {opaque, 1, 0};
+  sg_image_how how = {.lines = 2,
+                      .background = {.is = SG_IMAGE_BACKGROUND_RGB}};
+  sg_shading *scene = sphere_scene(40, 50, 20, 25, 10);
+  sg_shading *other = sphere_scene(40, 50, 20, 25, 10);
+  sg_shading *light = sphere_scene(40, 50, 20, 25, 10);
+  sg_image *image = NULL, *same = NULL;
+  size_t bands[] = {1, 3}, far[] = {4}, bytes = 40 * 50 * 3;
+  sg_scan *scan = NULL;
+  written pgm = {0};
+  const sg_output to_pgm = {write_bytes, &pgm};
+
+  CHECK("a picture",
+        sg_door_image_shade(&call, scene, &how, &looks, &leaves, &image));
+  CHECK("a scan",
+        sg_door_shading_scan(&call, scene, 2, &opacities, &leaves, &scan));
+  CHECK("of it", sg_door_image_scanned(&call, scan, scene, &how, &looks,
+                                       &leaves, &same) &&
+                     !memcmp(image->dot, same->dot, bytes));
+  sg_image_close(same);
+  CHECK("of another scene", !sg_door_image_scanned(&call, scan, other, &how,
+                                                   &looks, &leaves, &same) &&
+                                is_domain("shading_scan", 1));
+  memset(image->dot + 16 * 120, 9, 16 * 120);
+  CHECK("two bands again",
+        sg_door_image_again(&call, image, &(sg_count_list){bands, 2, 0}, scene,
+                            &how, &looks, &leaves, &same) &&
+            memcmp(image->dot, same->dot, bytes) != 0 &&
+            !memcmp(image->dot, same->dot, 16 * 120));
+  sg_image_close(same);
+  CHECK("no such band",
+        !sg_door_image_again(&call, image, &(sg_count_list){far, 1, 0}, scene,
+                             &how, &looks, &leaves, &same) &&
+            is_domain("image_band", 2));
+  CHECK("a PGM", sg_door_image_pgm(&call, image, &to_pgm) &&
+                     pgm.n == strlen("P5\n40 50\n255\n") + 2000);
+  how.shadows = (sg_shading_list){&light, 1, 0};
+  CHECK("a ball has no shadow on itself where it is lit",
+        sg_door_image_shade(&call, scene, &how, &looks, &leaves, &same));
+  sg_image_close(same);
+  free(pgm.byte);
+  sg_scan_close(scan);
+  sg_image_close(image);
+  sg_shading_close(light);
+  sg_shading_close(other);
   sg_shading_close(scene);
 }
 
@@ -238,7 +299,8 @@ refused(void)
   size_t one[] = {1}, light;
   sg_count_list places = {one, 1, 0};
   const sg_list_count_list leaves = {&places, 1, 0};
-  const sg_image_background none = {.is = SG_IMAGE_BACKGROUND_NONE};
+  const sg_image_how how = {.lines = 1,
+                            .background = {.is = SG_IMAGE_BACKGROUND_NONE}};
   sg_shading_extent box;
   sg_vector_list normals = {0};
   sg_image *image = NULL;
@@ -248,27 +310,27 @@ refused(void)
   CHECK("lines", !shaded(scene, 3, true) && is_domain("shading_lines", 2));
   CHECK("no lines", !shaded(scene, 0, true) && is_domain("shading_lines", 2));
   CHECK("a look that is not there",
-        !sg_door_image_shade(&call, scene, 1, &looks, &leaves, &none, &image) &&
+        !sg_door_image_shade(&call, scene, &how, &looks, &leaves, &image) &&
             is_domain("shading_look", 4));
   one[0] = 0;
   looks.at->opacity = 1.5;
   CHECK("more than opaque",
-        !sg_door_image_shade(&call, scene, 1, &looks, &leaves, &none, &image) &&
+        !sg_door_image_shade(&call, scene, &how, &looks, &leaves, &image) &&
             is_domain("opacity", 3));
   looks = one_look();
   looks.at->shine.power = 0;
   CHECK("no power",
-        !sg_door_image_shade(&call, scene, 1, &looks, &leaves, &none, &image) &&
+        !sg_door_image_shade(&call, scene, &how, &looks, &leaves, &image) &&
             is_domain("shading_shine", 3));
   looks = one_look();
   looks.at->stripes.step = 3;
   CHECK("narrow stripes",
-        !sg_door_image_shade(&call, scene, 1, &looks, &leaves, &none, &image) &&
+        !sg_door_image_shade(&call, scene, &how, &looks, &leaves, &image) &&
             is_domain("shading_stripes", 3));
   looks = one_look();
   looks.at->ramp.n = 7;
   CHECK("a short ramp",
-        !sg_door_image_shade(&call, scene, 1, &looks, &leaves, &none, &image) &&
+        !sg_door_image_shade(&call, scene, &how, &looks, &leaves, &image) &&
             is_domain("shading_ramp", 3));
   CHECK("where it is", sg_door_image_extent(&call, scene, &box) &&
                            box.x1 > 5.9 && box.x2 < 14.1);
@@ -294,6 +356,7 @@ main(void)
   sg_call_open(&call, NULL, NULL);
   call.world = world;
   parts_and_strokes();
+  again();
   files(1, 1, false);
   files(40, 30, true);
   files(17, 64, false);

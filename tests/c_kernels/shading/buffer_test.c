@@ -83,12 +83,13 @@ table_of_tones(void)
   for (int k = 0; k < 1000; k++) {
     double z = (k + 0.5) / 1000, r = sqrt(1 - z * z), a = k * 2.399963;
     const double n[3] = {r * cos(a), r * sin(a), z};
-    most = fmax(most, fabs((double)sg_tone(&sum, n) - sg_tone(&by, n)));
+    most = fmax(most,
+                fabs((double)sg_tone(&sum, n, NULL) - sg_tone(&by, n, NULL)));
   }
   CHECK("a table is as the sum", most < 0.005 * SG_TONE_MOST);
   CHECK("what looks away is seen edge-on",
-        sg_tone(&by, (double[3]){0.6, 0, -0.8}) ==
-            sg_tone(&by, (double[3]){1, 0, 0}));
+        sg_tone(&by, (double[3]){0.6, 0, -0.8}, NULL) ==
+            sg_tone(&by, (double[3]){1, 0, 0}, NULL));
 }
 
 /* ---- closed forms ---- */

@@ -5,6 +5,8 @@
  */
 #include "doors/shading.h"
 
+#include "shading/scan.h"
+
 #include "tests/c_kernels/cube_world.h"
 #include "tests/c_kernels/door_call.h"
 #include "tests/check.h"
@@ -178,6 +180,63 @@ buffers(void)
   sg_shading_close(scene);
 }
 
+static size_t
+span_rows(void)
+{
+  const sg_version *version = sg_world_version(call.world);
+  size_t n = 0;
+  sg_view view;
+
+  if (sg_version_view(version, SG_SPAN, &view)) {
+    for (size_t page = 0; page < view.pages; page++) {
+      for (unsigned i = sg_live_next(view.live[page], 0); i < SG_PAGE_ROWS;
+           i = sg_live_next(view.live[page], i + 1)) {
+        n += view.column[4].page[page].i[i] == 7 &&
+             view.column[5].page[page].i[i] == 9;
+      }
+    }
+    sg_view_clear(&view);
+  }
+  sg_version_drop(version);
+  return n;
+}
+
+/* Spans as rows of span/7; they are replaced. */
+static void
+scans(void)
+{
+  sg_shading_leaf_fact leaf = rows_leaf(1, 12);
+  sg_shading *scene = open_scene(&leaf, 1, 1);
+  double opaque[] = {1};
+  size_t zero[] = {0};
+  sg_count_list places = {zero, 1, 0};
+  const sg_number_list looks = {opaque, 1, 0};
+  const sg_list_count_list leaves = {&places, 1, 0};
+  int32_t segment[] = {9};
+  sg_scan *scan = NULL;
+  size_t n = 0;
+
+  CHECK("scanned",
+        scene && sg_door_shading_scan(&call, scene, 2, &looks, &leaves, &scan));
+  for (size_t i = 0; i < scan->n; i++) {
+    n += scan->line[i].n;
+  }
+  for (int k = 0; k < 2; k++) {
+    CHECK("rows", n == 20 && sg_door_fill_spans(&call, scan,
+                                                &(sg_int_list){segment, 1, 0}));
+    CHECK("as many", span_rows() == n);
+  }
+  CHECK("a leaf of no segment",
+        !sg_door_fill_spans(&call, scan, &(sg_int_list){segment, 0, 0}) &&
+            is_domain("shading_segments", 2));
+  sg_scan_close(scan);
+  scan = NULL;
+  CHECK("three lines",
+        !sg_door_shading_scan(&call, scene, 3, &looks, &leaves, &scan) &&
+            is_domain("shading_lines", 2));
+  sg_shading_close(scene);
+}
+
 static void
 refused(void)
 {
@@ -209,6 +268,7 @@ main(void)
   seen();
   layers();
   buffers();
+  scans();
   refused();
   sg_call_close(&call);
   sg_world_let_go(world);

@@ -113,6 +113,8 @@ file('pipes.pl', "segment(1, solid,
 segment(2, solid, at([translate(0,0,4),rotate(y,90)],
                      cylinder(radius(1), height(6), facets(24)))).\n").
 file('dot.pl', "pixel_colour(_, _, _, red).\n").
+file('tone.pl', "tone(_, _, 0.5).\n").
+file('ball.pl', "segment(1, solid, sphere(radius(2), facets(24))).\n").
 file('role.pl', "edge_role(_, _, _, _, crease).\n").
 
 % command(Notice, Arguments): the command prints Notice; @(Name) is a file.
@@ -147,6 +149,9 @@ command(pixel_colour_asked(_), [render, @('cube.pl'), '--rules', @('dot.pl'),
 command(pixel_colour_in_vain, [render, @('cube.pl'), '--rules', @('dot.pl'),
                                '--size', '9x9', '--background', none,
                                '-o', @('a.png')]).
+command(facets_off(_), [render, @('ball.pl'), '-o', @('a.png')]).
+command(shadows_in_vain, [render, @('cube.pl'), '--rules', @('tone.pl'),
+                          '--shadows', '--size', '9x9', '-o', @('a.png')]).
 command(look_in_vain(_), [render, @('cube.pl'), '--look', @('looks.pl'),
                           '--size', '9x9', '-o', @('a.png')]).
 command(style_in_vain(_), [draw, @('cube.pl'), '--style', @('style.pl'),

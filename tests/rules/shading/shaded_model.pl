@@ -6,6 +6,7 @@
             shaded_dots/2,              % +Options, -Dots
             shaded_scene_of/2,          % +Options, -Scene
             shaded_bytes/2,             % +Options, -Bytes
+            image_dots/2,               % +Image, -Bytes
             buffer_dots/5               % +Triangles, +W, +H, -Depths, -Dots
           ]).
 :- use_module(library(apply)).
@@ -51,16 +52,21 @@ shaded_dots(Options, Dots) :-
 shaded_bytes(Options, Bytes) :-
     (   shaded_scene_of(Options, Scene)
     ->  picture_image(Scene, Options, Image),
-        setup_call_cleanup(
-            tmp_file_stream(binary, File, Out),
-            ( image_ppm(Image, Out),
-              close(Out),
-              read_file_to_codes(File, Codes0, [type(binary)]) ),
-            delete_file(File)),
-        phrase(( line, line, line ), Codes0, Codes),
-        string_codes(Bytes, Codes)
+        image_dots(Image, Bytes)
     ;   Bytes = nothing
     ).
+
+%   image_dots(Image, Bytes): red, green, blue of each dot.
+
+image_dots(Image, Bytes) :-
+    setup_call_cleanup(
+        tmp_file_stream(binary, File, Out),
+        ( image_ppm(Image, Out),
+          close(Out),
+          read_file_to_codes(File, Codes0, [type(binary)]) ),
+        delete_file(File)),
+    phrase(( line, line, line ), Codes0, Codes),
+    string_codes(Bytes, Codes).
 
 line --> "\n", !.
 line --> [_], line.

@@ -490,4 +490,51 @@ triples([], []).
 triples([R,G,B|Codes], [rgb(R,G,B)|Dots]) :-
     triples(Codes, Dots).
 
+% ---- shadows ---------------------------------------------------------------
+
+%   A cube of 2 on a plate, lit along (1,0,-1), seen from above: its shadow is 2
+%   long, 4 units of area. The light comes from light 1 alone.
+shadow_dark(Options, Dark) :-
+    in_model("segment(1, solid, union([
+                  at([translate(0,0,-1)], box(size(12,12,1))),
+                  box(size(2,2,2))])).
+              look(1, colour(white)). view(270, 0, 0).
+              light(0, strength(0)). light(1, strength(1)).
+              light(1, direction(1,0,-1)).",
+             shaded_dots([size(120-120),window(b(-6.0,-6.0,6.0,6.0))|Options],
+                         Dots)),
+    arg(1, Dots, rgb(R1,_,_)),          % the plate in the light
+    srgb_light(R1, Lit),
+    Dots =.. [_|List],
+    aggregate_all(sum(Part),
+                  ( member(rgb(R,_,_), List), srgb_light(R, Light),
+                    Part is 1 - Light/Lit ),
+                  Sum),
+    Dark is Sum/100.
+
+test(shadow, true(abs(Dark-4) < 0.05)) :-
+    shadow_dark([shadows(true)], Dark).
+test(no_shadow, true(abs(Dark) < 0.05)) :-
+    shadow_dark([], Dark).
+test(shadow_and_windows, true(Same == true)) :-
+    Text = "segment(1, solid, difference([box(size(4,4,2)),
+                 at([translate(0,0,1)], sphere(radius(1.5),facets(48)))])).
+            view(300, 50, 0).",
+    in_model(Text, shaded_dots([size(40-40),window(b(-3.0,-3.0,3.0,3.0)),
+                                shadows(true)], Whole)),
+    in_model(Text, shaded_dots([size(40-20),window(b(-3.0,0.0,3.0,3.0)),
+                                shadows(true)], Upper)),
+    Whole =.. [_|All],
+    Upper =.. [_|Part],
+    length(Part, N),
+    length(First, N),
+    append(First, _, All),
+    (   maplist(near_dot, First, Part)
+    ->  Same = true
+    ;   Same = false
+    ).
+
+near_dot(rgb(A,_,_), rgb(B,_,_)) :-
+    abs(A-B) =< 1.
+
 :- end_tests(shaded_picture).
