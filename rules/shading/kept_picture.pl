@@ -11,8 +11,8 @@
               [ empty_picture/3, looks_for_kernel/3, picture_decided/6,
                 picture_how/3, picture_place/5 ]).
 :- use_module(shading_scene,
-              [ facts_rows/6, is_shaded/1, scene_handle/2, scene_tolerance/2, shaded_eye/3,
-                shaded_model/2, shaded_scene/5 ]).
+              [ facts_rows/6, is_shaded/1, scene_handle/2, scene_tolerance/2,
+                shaded_eye/3, shaded_model/2, shaded_scene/5 ]).
 :- use_module(surface_look, [scene_looks/4]).
 :- use_module(library(apply), [exclude/3, maplist/3, maplist/4]).
 :- use_module(library(lists),
