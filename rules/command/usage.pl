@@ -291,7 +291,10 @@ verb_option(batch, option(copy, '', flag, '',
 verb_option(batch, option(merge, '', flag, '',
     'reports become one: JSON, JUnit, or pages of pictures')).
 verb_option(batch, option(sheets, '', flag, '',
-    'MANIFEST is a file of problems: the same as the verb problems')).
+    'MANIFEST is a file of problems: the same as the verb problems, with its \c
+     options')).
+verb_option(batch, Option) :-
+    sheets_option(Option).
 
 verb_option(explain, option(tolerance, '', number(0), 'T',
     'what is nearer than T (model units) touches; 0: nothing else does')).
@@ -303,13 +306,8 @@ verb_option(explain, option(json, '', flag, '', 'the reasons as JSON')).
 
 verb_option(problems, option(output, o, value, 'FOLDER',
     'where to; it is made if it is not there')).
-verb_option(problems, option(format, '',
-    one_of([svg, pdf, eps, ps, png, dxf, hpgl]), 'FORMAT',
-    'the format of the sheets; default svg')).
-verb_option(problems, option(angle, '', one_of([first, third]), 'ANGLE',
-    'first-angle or third-angle projection (third, as is usual)')).
-verb_option(problems, option(language, '', one_of([en, ko]), 'LANGUAGE',
-    'language of the questions; default en')).
+verb_option(problems, Option) :-
+    sheets_option(Option).
 
 verb_option(serve, option(port, '', whole(1, 65535), 'N',
     'where browsers find it; default 1989, or one that is free')).
@@ -319,6 +317,16 @@ verb_option(serve, option(open, '', flag, '',
     'open the page in the browser of this desktop (as is usual)')).
 verb_option(serve, option(stdio, '', flag, '',
     'no page: frames on standard input and output (docs/protocol.md)')).
+
+%   How problem sheets are made.
+
+sheets_option(option(format, '',
+    one_of([svg, pdf, eps, ps, png, dxf, hpgl]), 'FORMAT',
+    'the format of the sheets; default svg')).
+sheets_option(option(angle, '', one_of([first, third]), 'ANGLE',
+    'first-angle or third-angle projection (third, as is usual)')).
+sheets_option(option(language, '', one_of([en, ko]), 'LANGUAGE',
+    'language of the questions; default en')).
 
 %   What may be done with each of many files.
 

@@ -29,6 +29,9 @@ batch_run_verb(Files, Options, Status) :-
         out_folder(Options, Outs, [out(Folder)]),
         problem_sheets(File, Folder, Options),
         Status = 0
+    ;   member(Option, [format(_),angle(_),language(_)]),
+        option(Option, Options)
+    ->  usage_error(needs_one_of(['--sheets']))
     ;   option(merge(true), Options)
     ->  no_option('--merge', Options,
                   [jobs,shard,only,list,resume,'keep-going',report,copy]),

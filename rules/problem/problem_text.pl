@@ -35,7 +35,8 @@ task_lines(Tasks, Items, Language, Width, Lines) :-
     (   ( memberchk(text(Language, Text), Items)
         ; memberchk(text(_, Text), Items)
         )
-    ->  Lead = [Text-(""-"")],
+    ->  where_added(Tasks, Language, Text, Said0),
+        Lead = [Said0-(""-"")],
         findall(Task,
                 ( member(Task, Tasks), \+ is_drawn(Task) ),
                 Said)
@@ -47,6 +48,22 @@ task_lines(Tasks, Items, Language, Width, Lines) :-
     append(Lead, Sentences, Whole),
     maplist(broken(Width), Whole, Lists),
     append(Lists, Lines).
+
+%   where_added(Tasks, Language, Text, Said): to one's own Text, in which views
+%   to draw, if Tasks name them.
+
+where_added(Tasks, Language, Text, Said) :-
+    (   member(task(ask(draw(penetration, Names)), _, _, _), Tasks)
+    ->  view_words(Language, Names, Views),
+        in_views(Language, Views, Where),
+        format(string(Said), '~w (~s)', [Text,Where])
+    ;   Said = Text
+    ).
+
+in_views(en, Views, Where) :-
+    format(string(Where), 'In ~s.', [Views]).
+in_views(ko, Views, Where) :-
+    format(string(Where), '~s에 그린다.', [Views]).
 
 is_drawn(task(ask(What), _, _, _)) :-
     ( What = draw(_) ; What = draw(_, _) ),
@@ -172,14 +189,19 @@ draw_said(ko, Lines, Words, Where, Sentence) =>
 
 %   views_said(Language, Names, Where): in which views.
 
-views_said(Language, Names, Where) :-
+views_said(en, Names, Where) :-
+    view_words(en, Names, Text),
+    string_concat(" in ", Text, Where).
+views_said(ko, Names, Where) :-
+    view_words(ko, Names, Text),
+    string_concat(Text, "에 ", Where).
+
+view_words(Language, Names, Text) :-
     findall(Word, ( member(Name, Names), view_word(Name, Language, Word) ),
             Words),
     (   Language == en
-    ->  listed_en(Words, Text),
-        string_concat(" in ", Text, Where)
-    ;   listed_ko(Words, Text),
-        string_concat(Text, "에 ", Where)
+    ->  listed_en(Words, Text)
+    ;   listed_ko(Words, Text)
     ).
 
 trimmed_said(en, Word, Sentence) :-

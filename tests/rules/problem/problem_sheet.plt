@@ -150,6 +150,17 @@ test(drawn_in_some_views_ko, true(Has == true)) :-
                 text(Folder, 'fig12-1-question.svg', Asked)),
     has(Asked, "평면도에 원뿔과 원기둥의 상관선을", Has).
 
+%   It is said beside one's own text, too.
+test(drawn_in_some_views_own_text,
+     [forall(member(Language-Where, [en-"Where? (In the top view.)",
+                                     ko-"어디인가? (평면도에 그린다.)"])),
+      true(Has == true)]) :-
+    with_sheets(fig12, [ given([front,top]), ask(draw(penetration, [top])),
+                         text(en, 'Where?'), text(ko, '어디인가?') ],
+                [r-[14]], [language(Language)], Folder,
+                text(Folder, 'fig12-1-question.svg', Asked)),
+    has(Asked, Where, Has).
+
 line_seen(Text, View, Seen) :-
     view_text(Text, View, Own),
     has(Own, "penetration", Seen).
