@@ -111,39 +111,34 @@ $(B)/sanggwan.so: $(OBJS)
 
 # --- the program, its rules inside -----------------------------------------
 
-# boot is Prolog with our C in it; it compiles the rules and saves the state
-# (goal(true) keeps -g goals out of it, class(development) leaves autoloading
-# on for what users call); state.S carries the saved state into the library.
-# Prolog that is told to autoload no more loads at once what its libraries have
-# declared to load when it is first needed.
-LOAD = load_files(user:'rules/command/cli.pl',[]), \
-       set_prolog_flag(autoload,false),set_prolog_flag(autoload,true)
-SAVE = qsave_program('$@',[class(development),goal(true),toplevel(halt), \
-       init_file(none),foreign(no_save),stand_alone(false),autoload(false)])
+# boot is Prolog with our C in it; it compiles the rules (tools/parts.pl: the
+# core and the parts); carried.S puts them into the library.
 $(B)/boot: $(B)/engine/boot.o $(OBJS)
 	$(CC) $(EXTRA_CFLAGS) $^ -o $@ $(PL_LIBS) $(LIBS)
 # The rules' documentation as plain facts, for help/1.
 $(B)/documentation.pl: tools/documentation.pl $(RULES) $(B)/sanggwan.so
 	swipl -f none -p foreign=$(B) $< -- $@
-$(B)/deflated.prc: $(B)/boot $(B)/documentation.pl
-	$(B)/boot -q -f none -O --on-error=status -g "$(strip $(LOAD))" \
-	  -g "$(strip $(SAVE))" -t halt
-# Inflating it would take a tenth of the time of a short command.
-$(B)/sanggwan.prc: tools/stored.pl $(B)/deflated.prc $(WEB)
-	swipl -f none $< -- $(B)/deflated.prc $@ $(WEB)
+COMMA := ,
+$(B)/core.qlf: $(B)/boot $(B)/documentation.pl tools/parts.pl $(WEB)
+	$(B)/boot -q -f none -O --on-error=status \
+	  -g "load_files('tools/parts.pl',[])" \
+	  -g "sg_parts:parts('$@','$(B)/parts',[$(subst $(EMPTY) ,$(COMMA),$(WEB:%='%'))])" \
+	  -t halt
 # The rules alone, compiled: for a host in which Prolog already runs.
 $(B)/embedded.qlf: $(B)/boot $(RULES)
 	@echo ":- module(sg_embedded, []). :- use_module('$(CURDIR)/rules/sanggwan', [])." \
 	  > $(B)/embedded.pl
 	$(B)/boot -q -f none -O --on-error=status \
 	  -g "qcompile('$(B)/embedded.pl',[include(user)])" -t halt
-$(B)/state.o: engine/state.S $(B)/sanggwan.prc $(B)/embedded.qlf
-	$(CC) -DSG_STATE='"$(B)/sanggwan.prc"' \
+$(B)/carried.o: engine/carried.S $(B)/core.qlf $(B)/embedded.qlf
+	$(CC) -DSG_CORE='"$(B)/core.qlf"' -DSG_PARTS='"$(B)/parts"' \
 	  -DSG_RULES='"$(B)/embedded.qlf"' -c $< -o $@
-$(B)/libsanggwan.a: $(OBJS) $(EMBED:%.c=$(B)/%.o) $(B)/state.o
+$(B)/libsanggwan.a: $(OBJS) $(EMBED:%.c=$(B)/%.o) $(B)/carried.o
 	@rm -f $@
 	ar rcs $@ $^
+# Prolog would start from a state of the program's name, as older builds left one.
 $(B)/sanggwan: $(B)/engine/main.o $(B)/engine/signals.o $(B)/libsanggwan.a
+	@rm -f $@.prc
 	$(CC) $(EXTRA_CFLAGS) $^ -o $@ $(PL_LIBS) $(LIBS)
 sanggwan: $(B)/sanggwan
 	@[ "$$(readlink $@)" = $< ] || ln -sf $< $@
@@ -259,7 +254,7 @@ check-san: $(B)/tests/embed/stress_test
 	  B=$(B)/tsan tsan
 # Changed texts of every reader, read by the program with both sanitizers; the
 # rules in it are those of the plain build.
-MADE := documentation.pl deflated.prc sanggwan.prc embedded.qlf
+MADE := documentation.pl core.qlf parts embedded.qlf
 san-text: $(B)/sanggwan
 	@mkdir -p $(B)/san
 	@cp $(MADE:%=$(B)/%) $(B)/san

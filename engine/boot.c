@@ -1,5 +1,5 @@
 /* boot.c -- Prolog with our glue in it, used once: to compile the rules and
- * save the state that state.S puts into the program.
+ * write them as carried.S puts them into the program.
  *
  * Layer: engine.
  */

@@ -87,6 +87,14 @@ choose_language(void)
   }
 }
 
+/* Threads of the host run the rules, so none is loaded later. */
+static bool
+load_rules(void)
+{
+  return PL_call_predicate(NULL, PL_Q_CATCH_EXCEPTION,
+                           PL_predicate("whole_program", 0, "sg_part"), 0);
+}
+
 /* Starts Prolog, which takes the whole locale from the environment; of that
  * only the letters (LC_CTYPE) stay. */
 static bool
@@ -121,7 +129,8 @@ start_prolog(void)
                               no_alerts, no_tty, end,  NULL};
 
   if (!start_keeping_locale(sizeof(arguments) / sizeof(*arguments) - 1,
-                            arguments)) {
+                            arguments) ||
+      !load_rules()) {
     return sg_host_refuse(SANGGWAN_IMPOSSIBLE, "SWI-Prolog cannot be started");
   }
   choose_language();

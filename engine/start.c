@@ -4,12 +4,13 @@
 #include "install.h"
 
 #include <SWI-Prolog.h>
+#include <SWI-Stream.h>
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
 
-extern const unsigned char sg_state[], sg_state_end[];
+extern const unsigned char sg_core[], sg_core_end[];
 extern const unsigned char sg_rules[], sg_rules_end[];
 
 /* Glue makes atoms, so it is installed when Prolog has a heap and no rule is
@@ -22,12 +23,37 @@ install_glue(int argc, char **argv)
   install_sanggwan();
 }
 
+/* Prolog loads compiled code from a stream, here of the library's bytes. */
+static bool
+load_core(void)
+{
+  fid_t frame = PL_open_foreign_frame();
+  term_t t = frame ? PL_new_term_refs(3) : 0;
+  IOSTREAM *in =
+      Sopen_string(NULL, (char *)sg_core, (size_t)(sg_core_end - sg_core), "r");
+  bool loaded = false;
+
+  if (t && in && PL_unify_stream(t + 2, in)) {
+    Ssetenc(in, ENC_OCTET, NULL);
+    loaded = PL_unify_term(t, PL_FUNCTOR_CHARS, ":", 2, PL_CHARS, "user",
+                           PL_TERM, t + 2) &&
+             PL_call_predicate(NULL, PL_Q_NORMAL,
+                               PL_predicate("$qlf_load", 2, "system"), t);
+  }
+  if (in) {
+    Sclose(in);
+  }
+  if (frame) {
+    PL_discard_foreign_frame(frame);
+  }
+  return loaded;
+}
+
 bool
 sg_start(int argc, char **argv)
 {
   PL_initialise_hook(install_glue);
-  return PL_set_resource_db_mem(sg_state, (size_t)(sg_state_end - sg_state)) &&
-         PL_initialise(argc, argv);
+  return PL_initialise(argc, argv) && load_core();
 }
 
 /* ---- inside a Prolog that runs ------------------------------------------ */

@@ -7,7 +7,7 @@
 
 #include <stdbool.h>
 
-/* Registers the glue and starts Prolog from the state in this program. argv as
+/* Registers the glue, starts Prolog and loads the core of the rules. argv as
  * Prolog's own; it must live as long as the process. False: Prolog could not
  * be started. Must not be called when Prolog already runs. */
 bool sg_start(int argc, char **argv);

@@ -41,6 +41,7 @@ has a fixed slot in each world's table (decision4pl.c).
               [ rule_module/2, set_rule_modules/1, world_number/1,
                 ended_world/1
               ]).
+:- use_module(part, [whole_program/0]).
 :- use_module(text_file, [with_text/4]).
 :- use_module(library(lists), [member/2, memberchk/2]).
 :- use_module(library(error), [must_be/2]).
@@ -268,6 +269,7 @@ readable_file(Spec, _) :-
     throw(error(model_error(cannot_read(Why)), location(Spec, 0, 0))).
 
 follow(World, Text, File) :-
+    whole_program,
     forget_ended,
     new_module(Module),
     module_id(Module, File, Id),

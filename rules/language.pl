@@ -1,5 +1,7 @@
+:- encoding(utf8).
 :- module(sg_language,
-          [ language/1,                 % ?Language
+          [ interrupted_word/2,         % +Language, -Word
+            language/1,                 % ?Language
             result_language/1,          % -Language
             with_result_language/2      % +Language, :Goal
           ]).
@@ -20,6 +22,14 @@ language(Language) :-
     ;   Language0 = en
     ),
     Language = Language0.
+
+%!  interrupted_word(+Language, -Word) is det.
+%
+%   Word is what is said of an interrupt. engine/signals.c has it from the start,
+%   so it needs no other message.
+
+interrupted_word(en, interrupted).
+interrupted_word(ko, '중단되었습니다').
 
 :- meta_predicate with_result_language(+, 0).
 

@@ -12,13 +12,14 @@
 :- use_module('../kernel',
               [exact_fallbacks/1, exact_statistics/1, tree_statistics/1]).
 :- use_module('../decimal', [decimal_number/2]).
-:- use_module('../language', [language/1]).
+:- use_module('../language', [interrupted_word/2, language/1]).
 :- use_module('../limits', [limit_value/2, set_limit/2]).
 :- use_module('../message/message_object', [message_said/2]).
 :- use_module('../message/messages', []).
 :- use_module('../message/messages_ko', []).
 :- use_module('../output', [files_together/1]).
 :- use_module('../message/spoken', [spoken_lines/4]).
+:- use_module('../part', [loaded_rule/2, whole_program/0]).
 :- use_module('../progress', [with_progress/1]).
 :- use_module('../model/solid_file', [output_statistics/1]).
 :- use_module('../penetration/resolve', [refusing_tight_moves/1]).
@@ -35,7 +36,7 @@
 :- use_module('../version', [version/1]).
 :- use_module(library(apply), [maplist/2]).
 :- use_module(library(http/json), [json_write_dict/3]).
-:- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(lists), [append/3, clumped/2, member/2]).
 :- use_module(library(option), [option/2, option/3]).
 /** <module> The command line: verbs, exit status, messages, timings.
 
@@ -84,8 +85,9 @@ interrupted_words(Text) :-
     current_prolog_flag(os_argv, Words),
     own_arguments(Words, Arguments),
     set_language(Arguments),
-    phrase('$messages':translate_message(sanggwan(interrupted)), Lines),
-    with_output_to(string(Text), print_prefixed(current_output, '', _, Lines)).
+    language(Language),
+    interrupted_word(Language, Word),
+    format(string(Text), "sanggwan: ~w~n", [Word]).
 
 :- public interrupt/1.
 
@@ -260,6 +262,10 @@ print_version :-
                 *******************************/
 
 verb_command(Verb, Arguments, Status) :-
+    (   memberchk(Verb, [repl,serve,batch])
+    ->  whole_program
+    ;   true
+    ),
     verb_options(Verb, Specs),
     parsed_arguments(Specs, Arguments, Files, Options),
     (   option(help(true), Options)
@@ -395,11 +401,20 @@ measured(Options, Start) :-
         tree_statistics(Trees),
         csg_statistics(Csg),
         output_statistics(Output),
+        rules_statistics(Rules),
         findall(Relation-Dict, facts_statistics(Relation, Dict), Pairs1),
         json_line([exact_fallbacks-Fallbacks,exact-Exact,
-                   trees-Trees,csg-Csg,output-Output|Pairs1])
+                   trees-Trees,csg-Csg,output-Output,rules-Rules|Pairs1])
     ;   true
     ).
+
+%   rules_statistics(Rules): so many files of each folder of rules are loaded.
+
+rules_statistics(Rules) :-
+    findall(Folder, loaded_rule(_, Folder), Folders0),
+    msort(Folders0, Folders),
+    clumped(Folders, Counts),
+    dict_pairs(Rules, _, Counts).
 
 timing(Name, Seconds) :-
     member(Name,

@@ -164,3 +164,10 @@ Foreign predicates; see kernel.pl.
 %!  reader_gone(+Stream) is semidet.
 %
 %   True when Stream writes to a pipe or a socket that nobody reads any more.
+
+/* - - - part4pl.c - - - */
+
+%!  program_part(+From, +Bytes, -Stream) is semidet.
+%
+%   Stream reads Bytes octets, from From on, of the parts of the rules that the
+%   program carries (part.pl). Plain Prolog carries none.

@@ -2,6 +2,7 @@
 :- module(sg_messages,
           [ english//1                  % +Term
           ]).
+:- use_module('../language', [interrupted_word/2]).
 :- use_module(batch_en, [manifest_en//1, batch_en//1]).
 :- use_module(command_en, [command_en//1]).
 :- use_module(csg_en, [csg_en//1]).
@@ -178,7 +179,8 @@ notice_en(each_failed(Bad, Count, Files)) -->
     { shown_names(Files, Text) },
     [ '~D of ~D files failed: ~w'-[Bad, Count, Text] ].
 notice_en(interrupted) -->
-    [ 'interrupted' ].
+    { interrupted_word(en, Word) },
+    [ Word ].
 notice_en(greeting) -->
     [ 'Ask away: goals end with a full stop, halt. ends.', nl,
       '  v/5 e/5 p/3 t/6 segment/3 are the model; penetrate. \c

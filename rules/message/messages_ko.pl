@@ -2,6 +2,7 @@
 :- module(sg_messages_ko,
           [ korean//1                   % +Term
           ]).
+:- use_module('../language', [interrupted_word/2]).
 :- use_module(batch_ko, [manifest_ko//1, batch_ko//1]).
 :- use_module(command_ko, [command_ko//1]).
 :- use_module(csg_ko, [csg_ko//1]).
@@ -170,7 +171,8 @@ notice_ko(each_failed(Bad, Count, Files)) -->
     { shown_names(Files, Text) },
     [ '파일 ~D개 가운데 ~D개가 실패했습니다: ~w'-[Count, Bad, Text] ].
 notice_ko(interrupted) -->
-    [ '중단되었습니다' ].
+    { interrupted_word(ko, Word) },
+    [ Word ].
 notice_ko(greeting) -->
     [ '목표를 물어보십시오. 마침표로 끝나며 halt. 로 나갑니다.', nl,
       '  모델은 v/5 e/5 p/3 t/6 segment/3 입니다. penetrate. \c

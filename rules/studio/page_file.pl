@@ -3,11 +3,11 @@
             page_words/1                % -Text
           ]).
 :- use_module('../message/studio_words', [studio_word/3]).
+:- use_module('../part', [carried_file/2]).
 :- use_module('../plain', [plain_json/2]).
 :- use_module(library(http/json), [json_write_dict/3]).
 :- use_module(library(readutil), [read_file_to_string/3]).
-/** <module> The files of the studio's page: web/, which the program carries in
-its saved state.
+/** <module> The files of the studio's page: web/, which the program carries.
 */
 
 %!  page_file(+Path, -Type, -Text:string) is semidet.
@@ -16,16 +16,16 @@ its saved state.
 
 page_file(Path, Type, Text) :-
     served(Path, Name, Type),
-    (   atom_concat('res://web/', Name, Carried),
-        catch(read_file_to_string(Carried, Text0, [encoding(utf8)]),
-              error(_, _), fail)
-    ->  Text = Text0
+    (   atom_concat('web/', Name, Carried),
+        carried_file(Carried, Stream)
+    ->  set_stream(Stream, encoding(utf8)),
+        call_cleanup(read_string(Stream, _, Text), close(Stream))
     ;   beside(Folder),
         atomic_list_concat([Folder,/,Name], File),
         read_file_to_string(File, Text, [encoding(utf8)])
     ).
 
-%   beside(Folder): where the files are when the rules are not in a saved state.
+%   beside(Folder): where the files are when no program carries them.
 
 beside(Folder) :-
     module_property(sg_page_file, file(File)),

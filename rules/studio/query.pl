@@ -5,6 +5,7 @@
             print_table/2               % +Names, +Rows
           ]).
 :- use_module('../limits', [term_of_text/3, within_depth/1]).
+:- use_module('../part', [whole_program_for/1]).
 :- use_module('../plain', [plain_json/2, plain_text/2, shown_text/2]).
 :- use_module(library(apply), [foldl/4, maplist/3, maplist/4]).
 :- use_module(library(http/json), [json_write_dict/3]).
@@ -31,6 +32,7 @@ read_goal(Text, Goal, Bindings) :-
     ->  true
     ;   bad_goal(Text, not_callable)
     ),
+    whole_program_for(Goal),
     findall_named(Names, Bindings).
 
 bad_goal(Text, Why) :-
