@@ -4,7 +4,6 @@
        swipl -f none tools/check_layers.pl
 */
 :- module(sg_check_layers, []).
-:- use_module(library(prolog_xref)).
 :- use_module(library(readutil)).
 :- use_module(library(ugraphs)).
 :- use_module(folders).
@@ -26,7 +25,6 @@ fault(File-What) :-
     expand_file_name(Pattern, Files),
     member(File, Files),
     absolute_file_name(File, Path),
-    xref_source(Path, [silent(true)]),
     rule_name(Path, Name),
     rule_fault(Name, Path, What).
 fault(File-What) :-
@@ -36,8 +34,7 @@ fault(File-What) :-
     expand_file_name(Those, Files),
     member(File, Files),
     absolute_file_name(File, Path),
-    xref_source(Path, [silent(true)]),
-    xref_uses_file(Path, _, From),
+    imports(Path, From),
     of_the_tree(From, Other),
     \+ ( member(Folder, Tops), in_folder(Other, Folder) ),
     format(atom(What), 'may not import ~w', [Other]).
@@ -57,8 +54,7 @@ fault(File-What) :-
               expand_file_name(Pattern, Files),
               member(F, Files),
               absolute_file_name(F, Path),
-              xref_source(Path, [silent(true)]),
-              xref_uses_file(Path, _, From),
+              imports(Path, From),
               of_the_tree(From, To)
             ),
             Imports),
@@ -66,6 +62,76 @@ fault(File-What) :-
     Circle = [File|_],
     atomic_list_concat(Circle, ' -> ', Way),
     format(atom(What), 'imports go round: ~w', [Way]).
+
+%   imports(Path, From): the file Path loads the file From, by a directive that
+%   begins a line, as all of ours do.
+
+imports(Path, From) :-
+    member(Name, [use_module,reexport,ensure_loaded,load_files,include,consult,
+                  autoload]),
+    directive(Path, Name, Text),
+    one_file(Text, One),
+    named_file(One, Spec),
+    file_directory_name(Path, Folder),
+    absolute_file_name(Spec, From,
+                       [ relative_to(Folder), extensions(['.pl','']),
+                         access(exist), file_errors(fail) ]).
+
+%   one_file(Text, One): Text begins with a file, One, or with a list of them.
+
+one_file(Text, One) :-
+    (   string_concat("[", List, Text)
+    ->  split_string(List, "]", "", [Files|_]),
+        split_string(Files, "\n", "", Lines),
+        member(Line, Lines),
+        split_string(Line, "%", "", [Code|_]),
+        split_string(Code, ",", " ", Ones),
+        member(One, Ones)
+    ;   One = Text
+    ).
+
+%   named_file(Text, Spec): Text begins with the name of a file, not with one
+%   such as library(lists).
+
+named_file(Text0, Spec) :-
+    (   string_concat("user:", Text, Text0)
+    ->  true
+    ;   Text = Text0
+    ),
+    (   string_concat("'", Quoted, Text)
+    ->  split_string(Quoted, "'", "", [Name|_])
+    ;   split_string(Text, ",)", " \n", [Name|_]),
+        \+ sub_string(Name, _, _, _, "(")
+    ),
+    atom_string(Spec, Name).
+
+%   directive(Path, Name, Text): in Path a line begins with the directive Name,
+%   Text stands behind its bracket.
+
+:- dynamic directive_of/3, directives_read/1.
+
+directive(Path, Name, Text) :-
+    (   directives_read(Path)
+    ->  true
+    ;   forall(directive_line(Path, N, T),
+               assertz(directive_of(Path, N, T))),
+        assertz(directives_read(Path))
+    ),
+    directive_of(Path, Name, Text).
+
+directive_line(Path, Name, Text) :-
+    read_file_to_string(Path, All, [encoding(utf8)]),
+    string_concat("\n", All, Lines),
+    sub_string(Lines, Start, 4, _, "\n:- "),
+    From is Start+4,
+    sub_string(Lines, From, _, 0, Rest),
+    once(sub_string(Rest, Before, 1, _, "(")),
+    sub_atom(Rest, 0, Before, _, Name),
+    After is Before+1,
+    sub_string(Rest, After, _, 0, Behind),
+    once(( sub_string(Behind, Length, _, _, ").\n")
+         ; string_length(Behind, Length) )),
+    sub_string(Behind, 0, Length, _, Text).
 
 %   circle(Imports, Files) is semidet: Files, from one back to itself, each
 %   import the next.
@@ -137,14 +203,14 @@ rule_fault(Name, Path, What) :-
     format(atom(What), 'may not import ~w', [Other]).
 rule_fault(Name, Path, 'only store.pl and kernel.pl load foreign code') :-
     \+ door(Name),
-    xref_called(Path, use_foreign_library(_), _).
+    directive(Path, use_foreign_library, _).
 rule_fault(Name, _, 'is in a folder that no order is known of') :-
     \+ topic_of_kernel(Name),
     atom_concat('rules/', Name, Rule),
     \+ floor(Rule, _).
 
 imported_file(Path, Other) :-
-    xref_uses_file(Path, _, From),
+    imports(Path, From),
     rule_name(From, Other).
 
 %   rule_name(Path, Name): Name is the path from rules/ to one of our files.
