@@ -9,12 +9,16 @@
 :- module(sg_parts, [parts/3]).
 
 % plain_predicate(Module, Head), plain_flag(Name, Value): of Prolog without rules.
+% A library does not count, if it is loaded already: the next start may not load it.
 % of_program(Module): it was there before what only this file needs.
 :- dynamic plain_predicate/2, plain_flag/2, of_program/1.
 
 % Prolog's own modules are to be seen too.
 :- set_prolog_flag(access_level, system),
    forall(( current_module(Module),
+            \+ ( module_property(Module, file(_)),
+                 \+ module_property(Module, class(system))
+               ),
             current_predicate(_, Module:Head),
             \+ predicate_property(Module:Head, imported_from(_))
           ),
