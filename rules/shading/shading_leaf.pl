@@ -1,9 +1,11 @@
 :- module(sg_shading_leaf,
-          [ term_leaf/4,                % +Term, -Parts, -Shape, -Faces
+          [ known_leaf/4,               % +S, +Term, +Matrix, -Leaf
+            term_leaf/4,                % +Term, -Parts, -Shape, -Faces
             bent_faces/2,               % +Term, -Bent
             chain_loops/2,              % +Chain, -Loops
             rows_leaf/4                 % +S, +Matrix, -Parts, -Faces
           ]).
+:- use_module('../csg/csg_matrix', [identity_matrix/1, rounded_matrix/2]).
 :- use_module('../csg/known_surface',
               [plain_surface/2, stands_for/2, term_surfaces/3]).
 :- use_module('../kernel', [fill_triangles/2, shape_write/4]).
@@ -27,6 +29,46 @@ facets to stand for it. What else is curved (turnings, mitred pipes,
 transitions) has facets, with the normals of the surfaces for which they stand,
 and as many as a picture needs. All others are flat: a facet is seen as a facet.
 */
+
+%!  known_leaf(+S, +Term, +Matrix, -Leaf) is det.
+%
+%   Leaf is leaf(Placed, Parts, Shape, Faces) of the primitive Term, or `rows`,
+%   of segment S, 0: of none, placed by Matrix: Placed is the placed term, or
+%   `rows`, the others are as of term_leaf/4 and rows_leaf/4. What was said of a
+%   segment last time is kept, for most of a model that is edited stays as it
+%   is.
+
+:- thread_local last_leaf/3.            % S, Term-Matrix, Leaf
+
+known_leaf(S, Term, Matrix, Leaf) :-
+    (   S > 0,
+        Term \== rows,
+        last_leaf(S, Last, Leaf0),
+        Last == Term-Matrix
+    ->  Leaf = Leaf0
+    ;   placed_leaf(S, Term, Matrix, Placed, Parts, Shape, Faces),
+        Leaf = leaf(Placed,Parts,Shape,Faces),
+        (   S > 0,
+            Term \== rows
+        ->  retractall(last_leaf(S, _, _)),
+            assertz(last_leaf(S, Term-Matrix, Leaf))
+        ;   true
+        )
+    ).
+
+placed_leaf(S, rows, Matrix, rows, Parts, Shape, Faces) :-
+    !,
+    rounded_matrix(Matrix, Rounded),
+    rows_leaf(S, Rounded, Parts, Faces),
+    Shape = leaf.
+placed_leaf(_, Term, Matrix, Placed, Parts, Shape, Faces) :-
+    identity_matrix(Identity),
+    (   Matrix == Identity
+    ->  Placed = Term
+    ;   rounded_matrix(Matrix, Rounded),
+        Placed = at([matrix(Rounded)], Term)
+    ),
+    term_leaf(Placed, Parts, Shape, Faces).
 
 %!  term_leaf(+Term, -Parts, -Shape, -Faces) is det.
 %

@@ -22,7 +22,7 @@
 :- use_module('../csg/csg', [root_segment/1]).
 :- use_module('../csg/csg_matrix',
               [ identity_matrix/1, steps_matrix/2, matrix_plane/3,
-                matrix_product/3, rounded_matrix/2
+                matrix_product/3
               ]).
 :- use_module('../csg/csg_term',
               [check_node_term/1, csg_error/1, is_node_term/1, node_parts/4]).
@@ -35,7 +35,7 @@
               [is_primitive/1, primitive_kind/2, primitive_shape/4]).
 :- use_module('../store', [p/3, v/5, segment/3]).
 :- use_module(shading_half, [half_leaf/3]).
-:- use_module(shading_leaf, [term_leaf/4, rows_leaf/4]).
+:- use_module(shading_leaf, [known_leaf/4]).
 :- use_module(library(apply), [foldl/4, include/3, maplist/3, maplist/4]).
 :- use_module(library(error), [must_be/2]).
 :- use_module(library(lists),
@@ -269,7 +269,7 @@ leaf_added(S, Term, at(Root,Matrix,Above,_), Nodes0, Nodes,
            built(Next, Place, [leaf(Number,Root,S,Placed,Faces)|Leaves], Facts,
                  Roots)) :-
     few_leaves(Number, Root, Above),
-    placed_leaf(S, Term, Matrix, Placed, Parts, Shape, Faces),
+    known_leaf(S, Term, Matrix, leaf(Placed,Parts,Shape,Faces)),
     shape_nodes(Shape, Place0, Nodes0, Nodes),
     foldl(part_added(Number), Parts, Place0-Facts0, Place-Facts),
     Next is Number+1.
@@ -282,20 +282,6 @@ few_leaves(Number, Root, Above) :-
     ->  true
     ;   node_error([Root], csg(too_many(Root, Number)))
     ).
-
-placed_leaf(S, rows, Matrix, rows, Parts, Shape, Faces) :-
-    !,
-    rounded_matrix(Matrix, Rounded),
-    rows_leaf(S, Rounded, Parts, Faces),
-    Shape = leaf.
-placed_leaf(_, Term, Matrix, Placed, Parts, Shape, Faces) :-
-    identity_matrix(Identity),
-    (   Matrix == Identity
-    ->  Placed = Term
-    ;   rounded_matrix(Matrix, Rounded),
-        Placed = at([matrix(Rounded)], Term)
-    ),
-    term_leaf(Placed, Parts, Shape, Faces).
 
 %   shape_nodes(Shape, Place, Nodes0, Nodes): Shape is `leaf`, the next part; or
 %   `without`, it without the one behind it.

@@ -13,6 +13,7 @@
 :- use_module('../store', [look/2]).
 :- use_module(shading_scene, [scene_handle/2, scene_leaf/2, scene_root/2]).
 :- use_module(library(apply), [maplist/3]).
+:- use_module(library(assoc), [empty_assoc/1, get_assoc/3, list_to_assoc/2]).
 :- use_module(library(error), [must_be/2]).
 :- use_module(library(lists),
               [ append/2, append/3, list_to_set/2, member/2, nth0/3, selectchk/3
@@ -124,7 +125,11 @@ scene_looks(Scene, Colours, Looks, Leaves) :-
     ->  Asked = leaves                  % faces look alike
     ;   Asked = faces
     ),
-    maplist(leaf_looks(Asked, Colours, Roots), All, Own),
+    (   Asked == leaves
+    ->  root_ways(Roots, Ways)
+    ;   empty_assoc(Ways)
+    ),
+    maplist(leaf_looks(Asked, Colours, Roots, Ways), All, Own),
     append(Own, Every),
     list_to_set(Every, Looks),
     maplist(look_places(Looks), Own, Leaves).
@@ -135,15 +140,52 @@ look_places(Looks, Own, Places) :-
 look_place(Looks, Look, Place) :-
     once(nth0(Place, Looks, Look)).
 
-%   leaf_looks(Asked, Colours, Roots, Leaf, Looks)
+%   root_ways(Roots, Ways): assoc from R-S to what seen_way/3 says of the segment
+%   S below the root R, all in one walk.
 
-leaf_looks(Asked, Colours, Roots, leaf(Number,R,S,_,Faces), Looks) :-
+root_ways(Roots, Ways) :-
+    findall(R/S-Way, ( member(R, Roots), below(R, [], S, Way), S \== R ),
+            Pairs0),
+    sort(1, @<, Pairs0, Pairs),         % of each the first
+    list_to_assoc(Pairs, Ways).
+
+%   below(N, Above, S, Way): S is N, or below it; Above is the way from N up.
+
+below(S, Above, S, [S|Above]).
+below(N, Above, S, Way) :-
+    node(N, Operation, Children, _),
+    nth0(I, Children, Child),
+    integer(Child),
+    (   I > 0,
+        takes_away(Operation),
+        Children = [Body|_],
+        integer(Body)
+    ->  body_way(Body, Bodies),
+        append(Bodies, [N|Above], Above1)
+    ;   Above1 = [N|Above]
+    ),
+    below(Child, Above1, S, Way).
+
+%   leaf_looks(Asked, Colours, Roots, Ways, Leaf, Looks)
+
+leaf_looks(leaves, Colours, Roots, Ways, leaf(Number,R,S,_,Faces), [Look]) :-
+    Faces \= [1-section],
+    get_assoc(R/S, Ways, Way),
+    !,
+    own_colour(Colours, Number, R, Roots, _, Colour),
+    findall(Property, ( member(N, Way), look(N, Property) ), All),
+    nearest(All, [], Look0),
+    with_colour(Look0, Colour, Look).
+leaf_looks(Asked, Colours, Roots, _, leaf(Number,R,S,_,Faces), Looks) :-
+    own_colour(Colours, Number, R, Roots, Place, Colour),
+    asked_looks(Asked, R, S, Faces, Place-Colour, Looks).
+
+own_colour(Colours, Number, R, Roots, Place, Colour) :-
     (   Colours == leaf
     ->  Place is Number-1
     ;   once(nth0(Place, Roots, R))
     ),
-    palette_colour(Place, Colour),
-    asked_looks(Asked, R, S, Faces, Place-Colour, Looks).
+    palette_colour(Place, Colour).
 
 %   asked_looks(Asked, R, S, Faces, Place-Colour, Looks): sections of neighbours
 %   are hatched two ways.
@@ -187,6 +229,9 @@ face_look(R, S, Face, Colour, Look) :-
     ->  true
     ;   Look0 = []
     ),
+    with_colour(Look0, Colour, Look).
+
+with_colour(Look0, Colour, Look) :-
     (   memberchk(colour(_), Look0)
     ->  Look = Look0
     ;   Look = [colour(Colour)|Look0]
