@@ -8,7 +8,8 @@
             solid_verb_run/4            % +Verb, +Files, +Options, -Status
           ]).
 :- use_module('../decimal', [decimal_number/2]).
-:- use_module('../csg/csg', [root_segment/1, is_node/1]).
+:- use_module('../csg/csg',
+              [root_segment/1, root_segments_after/2, is_node/1]).
 :- use_module('../solid/csg_evaluate', [evaluate/2]).
 :- use_module('../csg/csg_roots', [roots_alone/0]).
 :- use_module('../csg/csg_term', [is_node_term/1, plain_name/2]).
@@ -33,7 +34,7 @@
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [maplist/2, maplist/3, maplist/4, partition/4]).
 :- use_module(library(http/json), [json_write_dict/3]).
-:- use_module(library(lists), [append/2, append/3, member/2, subtract/3]).
+:- use_module(library(lists), [append/2, append/3, member/2]).
 :- use_module(library(option), [option/2, option/3]).
 :- use_module(library(yall), [(>>)/3]).
 /** <module> The verbs of solids: union, intersection, difference, split, eval.
@@ -233,14 +234,16 @@ file_operand(Verb, Options, File, Operand, Source) :-
     joined(Roots, Operand).
 
 file_roots(Verb, Options, File, Roots, File-Last) :-
-    findall(S, root_segment(S), Before),
+    last_segment(Before),
     load_model([File],
                [evaluate(false),triangles(false),others_set(true)|Options]),
-    findall(S, root_segment(S), After),
-    subtract(After, Before, Roots),
-    aggregate_all(max(S), segment(S, _, _), Last),
+    root_segments_after(Before, Roots),
+    last_segment(Last),
     catch(maplist(open_checked(Verb, Options), Roots), error(Fault, Context),
           throw_with_file(Fault, Context, [File-Last])).
+
+last_segment(Last) :-
+    aggregate_all(max(S), ( S = 0 ; segment(S, _, _) ), Last).
 
 %   open_checked(Verb, Options, S): what is open is mended if that was asked
 %   for and can be. If it is still open, Verb has to be one that takes surfaces;

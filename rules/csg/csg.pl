@@ -1,6 +1,7 @@
 :- module(sg_csg,
           [ node/4,                     % ?N, ?Operation, ?Children, ?Placement
             root_segment/1,             % ?S
+            root_segments_after/2,      % +Last, -Roots
             operand_segment/2,          % ?S, ?N
             is_node/1,                  % +S
             is_helper/1,                % +S
@@ -91,16 +92,38 @@ operand_segment(S, N) :-
 %   True when segment S is an operand of no node, and no pattern. Ascending.
 
 root_segment(S) :-
-    findall(Operand, operand_segment(Operand, _), Operands0),
-    sort(Operands0, Operands),
-    findall(Root, ( segment(Root, Kind, _), Kind \== pattern ), All0),
-    sort(All0, All),
-    ord_subtract(All, Operands, Others),
-    exclude(is_helper, Others, Roots),
+    root_segments_after(0, Roots),
     (   integer(S)
     ->  ord_memberchk(S, Roots)
     ;   member(S, Roots)
     ).
+
+%!  root_segments_after(+Last, -Roots) is det.
+%
+%   Roots are the segments above Last that are an operand of no node above Last,
+%   and no patterns; ascending.
+
+root_segments_after(Last, Roots) :-
+    findall(Operand,
+            ( segment(N, _, Term),
+              N > Last,
+              is_node_term(Term),
+              \+ is_helper(N),
+              node_parts(Term, _, Children, _),
+              member(Operand, Children),
+              integer(Operand)
+            ),
+            Operands0),
+    sort(Operands0, Operands),
+    findall(Root,
+            ( segment(Root, Kind, _),
+              Root > Last,
+              Kind \== pattern
+            ),
+            All0),
+    sort(All0, All),
+    ord_subtract(All, Operands, Others),
+    exclude(is_helper, Others, Roots).
 
 
                 /*******************************

@@ -32,6 +32,10 @@ test(roots, Roots == [3,5]) :-
     with_tree([ box(size(1,1,1)), box(size(2,2,2)), union([1,4]),
                 intersection([2,1]), box(size(3,3,3)) ],
               findall(S, root_segment(S), Roots)).
+test(roots_after, Roots == [5]) :-
+    with_tree([ box(size(1,1,1)), box(size(2,2,2)), union([1,4]),
+                intersection([2,1]), box(size(3,3,3)) ],
+              root_segments_after(4, Roots)).
 test(nested_get_numbers, Terms == [ 4-difference([1,6]), 5-sphere(radius(1)),
                                     6-union([7,8]), 7-at([translate(1,0,0)],1),
                                     8-box(size(1,1,2)) ]) :-
