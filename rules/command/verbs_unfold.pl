@@ -40,6 +40,7 @@
 :- use_module(unfold_report, [unfold_report/2]).
 :- use_module('../unfolding/unfold_how', [how_wished/3, how_wished_of_any/2]).
 :- use_module('../unfolding/unfold_true', [true_patterns/4]).
+:- use_module('../unfolding/unfold_whole', [pattern_whole/1]).
 :- use_module(verb_output,
               [ some_files/2, outputs/3, may_be_written/1, no_model_replaced/2,
                 no_file/1, output_written/2, usage_error/1
@@ -154,7 +155,7 @@ patterns(Options, Flags, Ds) :-
     append(Dss, Ds),
     (   Ds == []
     ->  throw(error(geometry_error(unfold(all_trimmed_away)), _))
-    ;   true
+    ;   maplist(pattern_whole, Ds)
     ).
 
 %   trims(Options): these, or the model, say that something is trimmed.

@@ -17,7 +17,7 @@
                 segment/3, t/6, v/5, assert_fact/1, facts_transaction/1,
                 fresh_id/3, retract_fact/1, retractall_facts/1
               ]).
-:- use_module('../polygon/triangulation', [complete_segments/1]).
+:- use_module('../polygon/triangulation', [pattern_completed/1]).
 :- use_module('../solid/trimmed', [part_named/2]).
 :- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
 :- use_module(library(assoc),
@@ -398,7 +398,7 @@ changes_written(Changes, Known, D) :-
              \+ get_assoc(V, Known, _) ),
            ( retractall_facts(v(D, V, _, _, _)),
              retractall_facts(from_v(D, V, _, _)) )),
-    complete_segments([D]).
+    pattern_completed(D).
 
 polygon_rewritten(D, P, Map) :-
     p(D, P, Es),

@@ -3,7 +3,7 @@
             outline_crossings/2         % +D, -Count
           ]).
 :- use_module('../near', [is_rounding/2]).
-:- use_module('../polygon/triangulation', [complete_segments/1]).
+:- use_module('../polygon/triangulation', [pattern_completed/1]).
 :- use_module('../store',
               [ e/5, from_v/4, joint/6, origin/3, p/3,
                 piece/3, v/5,
@@ -47,7 +47,7 @@ corners_relieved(D, S, Plate, Wished) :-
         sort(Ps0, Ps),
         maplist(divided_anew(D), Ps),
         maplist(generator_follows(D), Generators),
-        complete_segments([D])
+        pattern_completed(D)
     ).
 
 %   bend_side(D, Plate, E, Bend): edge E is a side of a bend; bend(F, Wide,

@@ -206,6 +206,11 @@ unfold_en(no_table(File)) -->
       '  With --true cylinders, cones and transitions have them.' ].
 unfold_en(all_trimmed_away) -->
     [ 'nothing is left of any segment: all of them are trimmed away' ].
+unfold_en(crosses_itself(S, P)) -->
+    [ 'segment ~d: polygon ~d crosses itself, so it would be missing from the \c
+       pattern'-[S, P], nl,
+      '  Correct it in the model, or leave it out on purpose: --remove ~d.'-[P]
+    ].
 unfold_en(outline_crosses(S, N)) -->
     [ 'segment ~d: bent of this plate its faces lie on each other in the \c
        pattern: sides that are cut cross ~D time(s)'-[S, N], nl,

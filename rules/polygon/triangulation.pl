@@ -1,6 +1,7 @@
 :- module(sg_triangulation,
           [ complete_segments/0,
             complete_segments/1,        % +Ss
+            pattern_completed/1,        % +D
             new_segments_complete/0,
             untriangulated/1,           % +S
             work_triangles/2            % +Work, -Triangles
@@ -10,6 +11,7 @@
                 work_triangulate/2
               ]).
 :- use_module('../store', [p/3, t/6, facts_transaction/1]).
+:- use_module(library(apply), [exclude/3]).
 :- use_module(library(lists), [last/2, member/2]).
 
 /** <module> Polygons into triangles.
@@ -78,10 +80,28 @@ complete_segments(Ss) :-
     filled(Ss).
 
 filled(Which) :-
+    filled(Which, Faults),
+    warn(Faults).
+
+filled(Which, Faults) :-
     facts_transaction(( fill_triangles(Which, Faults),
                         refuse_open(Faults)
-                      )),
+                      )).
+
+%!  pattern_completed(+D) is det.
+%
+%   complete_segments/1 of the pattern D that is being made. A polygon that is
+%   invalid is left without triangles and not named: it is no polygon of the
+%   user's, who is told of it when the pattern is done (unfold_whole.pl).
+%
+%   @error as complete_segments/1
+
+pattern_completed(D) :-
+    filled([D], Faults0),
+    exclude(is_not_simple, Faults0, Faults),
     warn(Faults).
+
+is_not_simple(fault(_, _, not_simple(_,_))).
 
 refuse_open(Faults) :-
     (   member(fault(S, P, not_closed(V)), Faults)

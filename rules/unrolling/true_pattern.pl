@@ -7,7 +7,7 @@
 :- use_module('../store',
               [ e/5, p/3, plane/6, segment/3, v/5, assert_fact/1, fresh_id/3
               ]).
-:- use_module('../polygon/triangulation', [complete_segments/1]).
+:- use_module('../polygon/triangulation', [pattern_completed/1]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [foldl/4, foldl/5, foldl/6, maplist/3]).
 :- use_module(library(assoc),
@@ -51,7 +51,7 @@ pattern_written(Term, Pattern, D) :-
     known_bends(Bends, Facets, Known),
     joints_written(Sides, S, Known, D, Folds),
     pieces_written(Facets, Folds, D),
-    complete_segments([D]),
+    pattern_completed(D),
     foldl(mark_written(D), Marks, E1-W1, _).
 
 emptied(Term, D) :-

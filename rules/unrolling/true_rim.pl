@@ -16,7 +16,7 @@
                 assert_fact/1, facts_transaction/1, fresh_id/3,
                 retractall_facts/1
               ]).
-:- use_module('../polygon/triangulation', [complete_segments/1]).
+:- use_module('../polygon/triangulation', [pattern_completed/1]).
 :- use_module(true_surface, [meeting_surfaces/4]).
 :- use_module('../vector', [cross_product/3, dot_product/3]).
 :- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
@@ -66,7 +66,7 @@ rounded(D, S, Options) :-
     (   Changes == [],
         empty_assoc(Corners)
     ->  true
-    ;   complete_segments([D]),
+    ;   pattern_completed(D),
         pattern_measured(D)
     ).
 

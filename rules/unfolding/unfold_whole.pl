@@ -1,0 +1,61 @@
+:- module(sg_unfold_whole,
+          [ pattern_whole/1             % +D
+          ]).
+:- use_module('../development/bend', [named_segment/2]).
+:- use_module('../near', [is_straight/2]).
+:- use_module('../store', [e/5, from_p/5, p/3, t/6, v/5]).
+:- use_module('../vector', [cross_product/3, difference/3, dot_product/3]).
+:- use_module(unfold, [pattern_of/2]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(lists), [member/2]).
+/** <module> A pattern with each of its faces.
+
+A polygon that crosses itself has no triangles, so nothing is drawn of it. Who
+cuts the pattern out would find a hole in the model; so there is no such pattern.
+*/
+
+%!  pattern_whole(+D) is det.
+%
+%   Each polygon of pattern D, and each that it was made of, has its triangles,
+%   or its corners are on a straight line, so that there is nothing to cut out.
+%
+%   @error geometry_error(unfold(crosses_itself(S, P))): polygon P of segment S,
+%          as the model has them, has none
+
+pattern_whole(D) :-
+    pattern_of(D, T),
+    (   p(D, P, _),
+        laid_from(D, P, T, P1),
+        (   crosses_itself(D, P)
+        ;   crosses_itself(T, P1)
+        )
+    ->  named_segment(D, S),
+        (   from_p(T, P1, _, P0, _)
+        ->  true
+        ;   P0 = P1
+        ),
+        throw(error(geometry_error(unfold(crosses_itself(S, P0))), _))
+    ;   true
+    ).
+
+laid_from(D, P, T, P1) :-
+    (   from_p(D, P, T, P1, _)
+    ->  true
+    ;   P1 = P
+    ).
+
+crosses_itself(S, P) :-
+    \+ t(S, P, _, _, _, _),
+    p(S, P, Es),
+    findall(p(X,Y,Z), ( member(E, Es), e(S, E, V, _, _), v(S, V, X, Y, Z) ),
+            [First|Places]),
+    findall(Way, ( member(Place, Places), difference(Place, First, Way) ), Ways),
+    member(U, Ways),
+    member(W, Ways),
+    cross_product(U, W, Cross),
+    maplist(square, [U,W,Cross], [UU,WW,CC]),
+    \+ is_straight(sqrt(CC), max(UU, WW)),
+    !.
+
+square(U, UU) :-
+    dot_product(U, U, UU).
