@@ -5,7 +5,7 @@
 :- use_module(pattern_lines, [outline_loops/2, piece_outline/3]).
 :- use_module(pattern_nest, [fits_on/2]).
 :- use_module(pattern_slit, [opened_slits/3]).
-:- use_module(pattern_split, [split_piece/3]).
+:- use_module(pattern_split, [split_piece/4]).
 :- use_module(pattern_tab, [deepest_tab/3, side_length/2, tabs/4]).
 :- use_module(library(apply), [foldl/5, include/3, maplist/3, maplist/4]).
 :- use_module(library(assoc),
@@ -46,7 +46,8 @@ fitted_pieces(Pieces0, Paper, Options, Fitted, Tabs) :-
     must_be(number, Width),
     option(open_slits(Open), Options, auto),
     pieces_opened(Open, Width, Pieces0, Pieces1, Known),
-    pieces_fitted(Pieces1, Paper, Width, [], Known, Fitted, Tabs),
+    option(fold_threshold(Flat), Options, 0.5),
+    pieces_fitted(Pieces1, on(Paper,Flat), Width, [], Known, Fitted, Tabs),
     (   option(told(false), Options)
     ->  true
     ;   told(Open, Pieces0, Pieces1, Fitted, Tabs)
@@ -251,12 +252,13 @@ numbered_part(piece(name(D,K,_),Faces,Sides), piece(name(D,K,I),Faces,Sides),
                 *            PAPER             *
                 *******************************/
 
-%   pieces_fitted(Pieces0, Paper, Width, Tight, Known, Fitted, Tabs): those of
-%   Pieces0 whose places are in Tight are divided so that there is room for tabs
-%   all round their parts.
+%   pieces_fitted(Pieces0, On, Width, Tight, Known, Fitted, Tabs): On is
+%   on(Paper,Flat), as of split_piece/4. Those of Pieces0 whose places are in
+%   Tight are divided so that there is room for tabs all round their parts.
 
-pieces_fitted(Pieces0, Paper, Width, Tight, Known, Fitted, Tabs) :-
-    pieces_split(Pieces0, Paper, Width, Tight, Split, Origins),
+pieces_fitted(Pieces0, On, Width, Tight, Known, Fitted, Tabs) :-
+    On = on(Paper, _),
+    pieces_split(Pieces0, On, Width, Tight, Split, Origins),
     numbered_parts(Split, Pieces),
     (   Known = Pieces-Tabs0            % nothing was divided
     ->  true
@@ -276,7 +278,7 @@ pieces_fitted(Pieces0, Paper, Width, Tight, Known, Fitted, Tabs) :-
         Tabs = Tabs0
     ;   append(More, Tight, Tight1),
         sort(Tight1, Tight2),
-        pieces_fitted(Pieces0, Paper, Width, Tight2, Known, Fitted, Tabs)
+        pieces_fitted(Pieces0, On, Width, Tight2, Known, Fitted, Tabs)
     ).
 
 fitted_piece(Tabs, Piece, fitted(Piece,Outline)) :-
@@ -292,7 +294,7 @@ outline_fits(Outline, Paper) :-
 
 %   Origins are the places in Pieces0 of the pieces that Split are parts of.
 
-pieces_split(Pieces0, Paper, Width, Tight, Split, Origins) :-
+pieces_split(Pieces0, on(Paper,Flat), Width, Tight, Split, Origins) :-
     (   Tight == []
     ->  Narrow = Paper
     ;   tab_room(Paper, Width, Pieces0, Narrow)
@@ -300,8 +302,8 @@ pieces_split(Pieces0, Paper, Width, Tight, Split, Origins) :-
     findall(I-Part,
             ( nth1(I, Pieces0, Piece),
               (   memberchk(I, Tight)
-              ->  split_piece(Piece, Narrow, Parts)
-              ;   split_piece(Piece, Paper, Parts)
+              ->  split_piece(Piece, Narrow, Flat, Parts)
+              ;   split_piece(Piece, Paper, Flat, Parts)
               ),
               member(Part, Parts)
             ),

@@ -1,5 +1,5 @@
 :- module(sg_pattern_split,
-          [ split_piece/3,              % +Piece, +Paper, -Parts
+          [ split_piece/4,              % +Piece, +Paper, +Flat, -Parts
             parted_piece/3              % +Piece, +Folds, -Parts
           ]).
 :- use_module('../near', [tolerance/2, is_straight/2]).
@@ -10,27 +10,74 @@
 :- use_module(library(assoc),
               [ empty_assoc/1, get_assoc/3, list_to_assoc/2, put_assoc/4 ]).
 :- use_module(library(lists),
-              [append/3, last/2, member/2, nth1/3, sum_list/2]).
+              [append/2, append/3, last/2, member/2, nth1/3, sum_list/2]).
 :- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> Pieces that are larger than a sheet, divided.
 
 Along folds, which become seams, if there are any: across the longer side of the
 least box round the piece, where few short folds are lost. A single face that is
 too large is divided along a straight line; the new sides are a seam split(A,B),
-named by the corners at its ends. A corner that a line made is x(W1,W2), between
+named by the corners at its ends. What hangs together by folds that are not
+drawn, as the triangles of a flat face of a mesh do, is a single face here. A
+corner that a line made is x(W1,W2), between
 W1 and W2.
 */
 
 :- set_prolog_flag(optimise, true).
 
-%!  split_piece(+Piece, +Paper, -Parts) is det.
+%!  split_piece(+Piece, +Paper, +Flat, -Parts) is det.
 %
 %   Parts is [Piece] (pattern_piece.pl) if that fits on Paper (pattern_nest.pl),
-%   else parts of it that do; all of them have its name.
+%   else parts of it that do; all of them have its name. Folds that bend by no
+%   more than Flat degrees are none.
 
-split_piece(Piece, Paper, Parts) :-
-    small_parts([Piece], Paper, Parts0),
-    joined_parts(Piece, Parts0, Paper, Parts).
+split_piece(Piece0, Paper, Flat, Parts) :-
+    piece_points(Piece0, Points),
+    (   fits_on(Points, Paper)
+    ->  Parts = [Piece0]
+    ;   flat_joined(Piece0, Flat, Piece),
+        small_parts([Piece], Paper, Parts0),
+        joined_parts(Piece, Parts0, Paper, Parts)
+    ).
+
+%   flat_joined(Piece0, Flat, Piece): the faces of Piece0 that hang together by
+%   flat folds are one face, which has the number of the first of them.
+
+flat_joined(piece(Name,Faces0,Sides0), Flat, piece(Name,Faces,Sides)) :-
+    findall(J-P,
+            ( member(side(_,P,_,_,fold(J,Angle,_)), Sides0),
+              abs(Angle) =< Flat
+            ),
+            Pairs0),
+    keysort(Pairs0, Pairs),
+    group_pairs_by_key(Pairs, Grouped),
+    findall(Step, ( member(_-[P1,P2], Grouped),
+                    ( Step = P1-P2 ; Step = P2-P1 ) ), Steps),
+    findall(P, member(face(P,_), Faces0), Ps),
+    components(Ps, Steps, Groups),
+    findall(P-First, ( member([First|Others], Groups),
+                       member(P, [First|Others]) ), Firsts0),
+    list_to_assoc(Firsts0, Firsts),
+    findall(First-Shapes,
+            ( member(face(P,Shapes), Faces0), get_assoc(P, Firsts, First) ),
+            Shaped),
+    grouped_values(Shaped, ShapesOf),
+    findall(face(First,Shapes),
+            ( member([First|_], Groups),
+              values_of(First, ShapesOf, Shapess),
+              append(Shapess, Shapes)
+            ),
+            Faces),
+    findall(J, ( member(J-[P1,P2], Grouped),
+                 get_assoc(P1, Firsts, First), get_assoc(P2, Firsts, First) ),
+            Js),
+    list_to_assoc_of(Js, Gone),
+    findall(side(E,First,A,B,Joint),
+            ( member(side(E,P,A,B,Joint), Sides0),
+              \+ ( Joint = fold(J,_,_), get_assoc(J, Gone, _) ),
+              get_assoc(P, Firsts, First)
+            ),
+            Sides).
 
 small_parts([], _, []).
 small_parts([Piece|Pieces], Paper, Parts) :-

@@ -11,7 +11,7 @@
 /** <module> A pattern with each of its faces.
 
 A polygon that crosses itself has no triangles, so nothing is drawn of it. Who
-cuts the pattern out would find a hole in the model; so there is no such pattern.
+cuts the pattern out would find a hole in the model: there is no such pattern.
 */
 
 %!  pattern_whole(+D) is det.
@@ -49,7 +49,8 @@ crosses_itself(S, P) :-
     p(S, P, Es),
     findall(p(X,Y,Z), ( member(E, Es), e(S, E, V, _, _), v(S, V, X, Y, Z) ),
             [First|Places]),
-    findall(Way, ( member(Place, Places), difference(Place, First, Way) ), Ways),
+    findall(Way, ( member(Place, Places), difference(Place, First, Way) ),
+            Ways),
     member(U, Ways),
     member(W, Ways),
     cross_product(U, W, Cross),

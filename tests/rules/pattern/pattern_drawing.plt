@@ -4,6 +4,7 @@
 % covers: pattern_tab, pattern_table, pattern_word
 :- use_module(library(plunit)).
 :- use_module(library(lists)).
+:- use_module(library(aggregate)).
 :- use_module(library(apply)).
 :- use_module(library(yall)).
 :- use_module(rules(store)).
@@ -490,5 +491,25 @@ area(Points, Area) :-
                  A is (XA*YB-XB*YA)/2 ), As),
     sum_list(As, Area0),
     Area is abs(Area0).
+
+% A box of triangles, larger than the page, is parted between its faces and along
+% straight lines, never along a diagonal of a face.
+test(no_cut_along_a_diagonal, [true(Cuts > 0)]) :-
+    in_new(( Faces = [[1,3,2],[1,4,3],[5,6,7],[5,7,8],[1,2,6],[1,6,5],
+                      [2,3,7],[2,7,6],[3,4,8],[3,8,7],[4,1,5],[4,5,8]],
+             Places = [[0,0,0],[300,0,0],[300,200,0],[0,200,0],
+                       [0,0,90],[300,0,90],[300,200,90],[0,200,90]],
+             add_primitive(polyhedron(points(Places), faces(Faces)), S),
+             develop(S, D),
+             quietly(pattern_layout([D], [page('A4')],
+                                    layout(_,_,Sheets,_,_,_))) )),
+    findall(J-Angle,
+            ( member(Laid, Sheets),
+              member(laid(piece(_,_,Sides),_,_), Laid),
+              member(side(_,_,_,_,seam(J,Angle,_)), Sides)
+            ),
+            Seams),
+    assertion(\+ ( member(J-Angle, Seams), integer(J), abs(Angle) < 1 )),
+    aggregate_all(count, member(split(_,_)-_, Seams), Cuts).
 
 :- end_tests(pattern_drawing).

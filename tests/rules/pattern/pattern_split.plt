@@ -61,7 +61,7 @@ split_inferences(N, Room, Inferences) :-
     strip(N, 15.0, Piece0),
     mixed(Piece0, Piece),
     statistics(inferences, Before),
-    split_piece(Piece, Room, _),
+    split_piece(Piece, Room, -1.0, _),
     statistics(inferences, After),
     Inferences is After-Before.
 
@@ -69,17 +69,17 @@ split_inferences(N, Room, Inferences) :-
 
 test(whole, [ Parts == [Piece] ]) :-
     strip(4, 15.0, Piece),
-    split_piece(Piece, room(60,60,3), Parts).
+    split_piece(Piece, room(60,60,3), -1.0, Parts).
 test(one_for_each_face, [ true(Counts == [1,1,1,1,1,1,1]) ]) :-
     strip(7, 15.0, Piece),
-    split_piece(Piece, room(17,14,1), Parts),
+    split_piece(Piece, room(17,14,1), -1.0, Parts),
     maplist(faces, Parts, Counts).
 % 64 faces, of which 5 go on a page: halves have 4, and are joined again as far
 % as there is room.
 test(all_fit, [ forall(member(N-High, [64-53, 64-75, 100-34, 33-120])) ]) :-
     strip(N, 15.0, Piece),
     Room = room(18,High,1),
-    split_piece(Piece, Room, Parts),
+    split_piece(Piece, Room, -1.0, Parts),
     forall(member(Part, Parts),
            ( piece_points(Part, Points), assertion(fits_on(Points, Room)) )),
     maplist(faces, Parts, Counts),
@@ -89,7 +89,7 @@ test(all_fit, [ forall(member(N-High, [64-53, 64-75, 100-34, 33-120])) ]) :-
 test(no_two_fit, [ forall(member(N-High, [64-53, 64-75, 100-34])) ]) :-
     strip(N, 15.0, Piece),
     Room = room(18,High,1),
-    split_piece(Piece, Room, Parts),
+    split_piece(Piece, Room, -1.0, Parts),
     forall(( member(piece(_,_,Sides1), Parts),
              member(side(_,_,_,_,seam(J,_,1)), Sides1),
              member(piece(_,_,Sides2), Parts),
@@ -101,14 +101,14 @@ test(no_two_fit, [ forall(member(N-High, [64-53, 64-75, 100-34])) ]) :-
 % Each fold is one still, or two sides of a seam.
 test(joints_stay, [ true(Folds+Seams =:= 2*63) ]) :-
     strip(64, 15.0, Piece),
-    split_piece(Piece, room(18,53,1), Parts),
+    split_piece(Piece, room(18,53,1), -1.0, Parts),
     joints(Parts, fold, Folds),
     joints(Parts, seam, Seams),
     length(Parts, N),
     assertion(Seams =:= 2*(N-1)).
 test(folds_join_inside_only) :-
     strip(64, 15.0, Piece),
-    split_piece(Piece, room(18,53,1), Parts),
+    split_piece(Piece, room(18,53,1), -1.0, Parts),
     forall(( member(piece(_,_,Sides), Parts),
              member(side(_,_,_,_,fold(J,_,1)), Sides) ),
            assertion(memberchk(side(_,_,_,_,fold(J,_,2)), Sides))).
@@ -125,7 +125,7 @@ test(longest_fold_first, [ forall(member(Below-Above-Left,
                                          [15.0-12.0-[1,2], 12.0-15.0-[2,3]])),
                            true(Pair == Left) ]) :-
     steps(Below, Above, Piece),
-    split_piece(Piece, room(20,24,1), Parts),
+    split_piece(Piece, room(20,24,1), -1.0, Parts),
     member(piece(_,[face(A,_),face(B,_)],_), Parts),
     !,
     msort([A,B], Pair).
@@ -135,7 +135,7 @@ test(askew, [ forall(member(Degrees, [0,30,90,147])) ]) :-
     strip(12, 90.0, Piece0),
     turned(Degrees, Piece0, Piece),
     Room = room(48,48,1),
-    split_piece(Piece, Room, Parts),
+    split_piece(Piece, Room, -1.0, Parts),
     forall(member(Part, Parts),
            ( piece_points(Part, Points), assertion(fits_on(Points, Room)) )),
     forall(( member(piece(_,_,Sides), Parts),
@@ -173,7 +173,7 @@ test(parted_near_linear, [ true(Exponent < 1.25) ]) :-
 :- end_tests(pattern_split).
 
 part_faces(Piece, Faces) :-
-    split_piece(Piece, room(18,53,1), Parts),
+    split_piece(Piece, room(18,53,1), -1.0, Parts),
     findall(Ps, ( member(piece(_,Own,_), Parts),
                   findall(P, member(face(P,_), Own), Ps0),
                   sort(Ps0, Ps) ),
