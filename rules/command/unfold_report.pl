@@ -17,6 +17,7 @@
 :- use_module('../unrolling/true_parts', [polygon_drawn/4]).
 :- use_module('../unfolding/unfold', [pattern_of/2]).
 :- use_module('../unfolding/unfold_how', [how_wished/3]).
+:- use_module(unfold_plate, [plate_measures/4]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [maplist/2, maplist/3]).
 :- use_module(library(http/json), [json_write_dict/3]).
@@ -45,7 +46,9 @@ measured_if_bent(Options0, M0, M) :-
     how_wished(M0.segment, Options0, Options),
     (   option(thickness(T), Options),
         T > 0
-    ->  measured_again(M0, M)
+    ->  measured_again(M0, M1),
+        plate_measures(M1.pattern, M1.pattern_area, Options, Plate),
+        M = M1.put(Plate)
     ;   M = M0
     ).
 
@@ -191,6 +194,10 @@ print_pattern(Language, M) :-
     ->  say(Language, all, [M.area])
     ;   counted(Language, polygon, M.removed, Removed),
         say(Language, without, [M.area, Removed])
+    ),
+    (   get_dict(weight, M, Weight)
+    ->  say(Language, weight, [Weight, M.material])
+    ;   true
     ).
 
 pieces(ko, N, Text) :-
@@ -223,6 +230,7 @@ text(en, sheet, "  sheet        ~6g x ~6g~n").
 text(en, area, "  area         ~6g").
 text(en, all, " of ~6g~n").
 text(en, without, " of ~6g, without ~s~n").
+text(en, weight, "  weight       ~4g kg of ~w~n").
 text(ko, pattern, "세그먼트 ~d: ~w, ~s, ~s~n").
 text(ko, 'objective seam', "  목표         짧은 솔기~n").
 text(ko, 'objective pieces', "  목표         적은 조각~n").
@@ -238,3 +246,4 @@ text(ko, sheet, "  판           ~6g x ~6g~n").
 text(ko, area, "  넓이         ~6g").
 text(ko, all, " / ~6g~n").
 text(ko, without, " / ~6g, ~s를 빼고~n").
+text(ko, weight, "  무게         ~4g kg (~w)~n").

@@ -80,6 +80,10 @@ unfold_option(option('bend-radius', '', number(0), 'R',
 unfold_option(option(relief, '', one_of([square, round, none]), 'HOW',
     'with --thickness: what is cut out of a corner where two bends meet; \c
      default square')).
+unfold_option(option(material, '',
+    one_of([steel, stainless, aluminium, copper, brass, zinc, titanium]),
+    'NAME',
+    'with --thickness: the report has the weight of each pattern')).
 unfold_option(option('set-in', '', flag, '',
     'with --true, --trim and --thickness: a branch goes through the wall of \c
      the header; without it, it is set on')).
@@ -194,6 +198,7 @@ unfold_option_ko('bend-radius',
 unfold_option_ko(relief,
     '--thickness 와 함께: 두 굽힘이 만나는 모퉁이를 어떻게 따낼지: square(네모, \c
 보통), round(둥글게), none(그대로)').
+unfold_option_ko(material, '--thickness 와 함께: 전개도마다 무게를 알린다').
 unfold_option_ko('set-in',
     '--true, --trim, --thickness 와 함께: 지관이 주관의 벽을 뚫고 들어간다. \c
 없으면 위에 얹힌다').

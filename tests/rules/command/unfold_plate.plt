@@ -1,0 +1,50 @@
+:- module(test_unfold_plate, []).
+:- use_module(library(plunit)).
+:- use_module(library(lists)).
+:- use_module(rules(store)).
+:- use_module(rules(command/unfold_plate)).
+:- use_module(rules(development/seam_measure), [pattern_area/2]).
+:- use_module(rules(primitive/primitive_rows), [add_primitive/2]).
+:- use_module(rules(unfolding/unfold), [unfold/3]).
+
+% Measures of the faces of a box of 100 x 60 x 20 that are not Removed, in plate.
+measured(Removed, Options, Measures) :-
+    new_world(World),
+    in_world(World,
+             ( add_primitive(box(size(100,60,20)), S),
+               findall(removed(P), member(P, Removed), Wishes),
+               append(Wishes, Options, All),
+               unfold(S, All, D),
+               pattern_area(D, Area),
+               plate_measures(D, Area, All, Measures) )).
+
+:- begin_tests(unfold_plate).
+
+% One face: 0.1 m x 0.06 m x 0.002 m x 7850 kg/m3; in inches 25.4^3 as much.
+test(weight, [forall(member(Unit-Times, [mm-1,cm-1000,inch-16387.064]))]) :-
+    measured([top,side(1),side(2),side(3),side(4)],
+             [thickness(2),material(steel),unit(Unit)], M),
+    assertion(M.bends == []),
+    assertion(abs(M.weight/Times - 0.0942) < 1.0e-9).
+test(no_material) :-
+    measured([top,side(1),side(2),side(3),side(4)], [thickness(2)], M),
+    assertion(\+ get_dict(weight, M, _)).
+% A tray has a bend of 90 degrees at each side, all one way; two are longer.
+test(tray) :-
+    measured([top], [thickness(1),bend_radius(1.5),relief(none)], M),
+    findall(bend(Angle,Way,R),
+            ( member(B, M.bends),
+              _{angle:Angle, direction:Way, radius:R} :< B ),
+            Bends0),
+    length(Bends0, N),
+    sort(Bends0, Bends),
+    assertion(N-Bends == 4-[bend(90.0,down,1.5)]),
+    findall(L, ( member(B, M.bends), get_dict(length, B, L) ), Ls0),
+    msort(Ls0, [L1,_,L3,_]),
+    assertion(abs((L3-L1)-40) < 1.0e-9).
+test(radius_is_the_thickness) :-
+    measured([top,side(2),side(3),side(4)], [thickness(2.5)], M),
+    M.bends = [Bend],
+    assertion(Bend.radius == 2.5).
+
+:- end_tests(unfold_plate).
