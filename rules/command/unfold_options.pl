@@ -70,6 +70,7 @@ needs(Name, thickness) :-
                    'other-thickness' ]).
 needs(overlap, tile).
 needs('open-slits', tabs).
+needs('tab-sides', tabs).
 
 %   given(Name, Options): --no-NAME gives nothing.
 

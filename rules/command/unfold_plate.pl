@@ -30,8 +30,8 @@ material(titanium,  4510).
 %                   sees the pattern from outside; or `up`), radius inside
 %     - weight      with material(Name), in kg; unit(U) says what one is
 %
-%   Options are those of the verb, or as of how_wished/3. Lengths are in units of
-%   the model.
+%   Options are those of the verb, or as of how_wished/3. Lengths are in units
+%   of the model.
 
 plate_measures(D, Area, Options, Measures) :-
     option(thickness(T), Options),

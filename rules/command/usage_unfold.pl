@@ -115,6 +115,9 @@ unfold_option(option(margin, '', number(0), 'MM',
 unfold_option(option(gap, '', number(0), 'MM', 'between pieces; default 3')).
 unfold_option(option(tabs, '', number(0), 'MM',
     'tabs to glue, so wide, on one side of each seam')).
+unfold_option(option('tab-sides', '', one_of([one, both, alternate]), 'WHICH',
+    'with --tabs: on one side of each seam, as is usual, on both, or on the \c
+     two in turn')).
 unfold_option(option('open-slits', '', flag, '',
     'with --tabs: pieces are parted at folds wherever a slit has no room for \c
      tabs; --no-open-slits: nowhere; without either where more than a tenth \c
@@ -217,6 +220,8 @@ unfold_option_ko(overlap, '--tile 과 함께: 쪽이 겹치는 너비. 보통 10
 unfold_option_ko(margin, '쪽 둘레의 여백. 보통 10').
 unfold_option_ko(gap, '조각 사이의 간격. 보통 3').
 unfold_option_ko(tabs, '솔기마다 한쪽에 붙이는 풀칠 면의 너비').
+unfold_option_ko('tab-sides',
+    '--tabs 와 함께: 솔기의 한쪽(one, 보통), 양쪽(both), 번갈아(alternate)').
 unfold_option_ko('open-slits',
     '--tabs 와 함께: 틈이 좁아 날개가 들어가지 않는 곳마다 접는 선에서 조각을 나눈다. \c
      --no-open-slits: 나누지 않는다. 둘 다 없으면 이음매의 10분의 1 넘게 날개가 없을 때만').

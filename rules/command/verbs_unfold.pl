@@ -554,6 +554,8 @@ drawing_option(Options, fold_threshold(Degrees)) :-
     option('fold-threshold'(Degrees), Options).
 drawing_option(Options, table(Lengths)) :-
     option(lengths(Lengths), Options).
+drawing_option(Options, tab_sides(On)) :-
+    option('tab-sides'(On), Options).
 drawing_option(Options, open_slits(Open)) :-
     option('open-slits'(Open), Options).
 drawing_option(Options, names(Names)) :-

@@ -66,7 +66,8 @@ those of pattern_look.pl.
 %       gap(G): between pieces, 3 mm
 %     - tile(true): pieces are not divided for the page but the sheet is, into
 %       pages that overlap by overlap(O), 10 mm
-%     - tabs(W): tabs W mm wide at one side of each seam; open_slits(Open):
+%     - tabs(W): tabs W mm wide at one side of each seam; tab_sides(On), see
+%       tabs/5; open_slits(Open):
 %       pieces are parted until each seam has room for one (true), not (false),
 %       or if more than a tenth of the seam had none (auto, as is usual)
 %     - numbers(Bool): of partners, on both sides of each seam, default true

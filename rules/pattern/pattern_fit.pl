@@ -6,7 +6,7 @@
 :- use_module(pattern_nest, [fits_on/2]).
 :- use_module(pattern_slit, [opened_slits/3]).
 :- use_module(pattern_split, [split_piece/4]).
-:- use_module(pattern_tab, [deepest_tab/3, side_length/2, tabs/4]).
+:- use_module(pattern_tab, [deepest_tab/3, side_length/2, tabs/5]).
 :- use_module(library(apply), [foldl/5, include/3, maplist/3, maplist/4]).
 :- use_module(library(assoc),
               [gen_assoc/3, get_assoc/3, list_to_assoc/2, put_assoc/4]).
@@ -34,7 +34,8 @@ all do.
 %   them, name(D,K,Part) with Part from 1, each with its outline round its tabs
 %   (pattern_lines.pl). Tabs is tabs(Tabs,Butt): assocs, of tab(D,E,A,B) to what
 %   tabs/4 says, and of the seams D-J that have none to an edge of theirs.
-%   Options are tabs(Width) and open_slits(Open): true, false, or `auto`, which
+%   Options are tabs(Width), tab_sides(On), as of tabs/5, default `one`, and
+%   open_slits(Open): true, false, or `auto`, which
 %   it is if not given: where much of the seam would be without tabs. What was
 %   divided is told, except with told(false).
 %
@@ -42,8 +43,11 @@ all do.
 %          divided, a page with room for W x H mm takes tabs of at most Most
 
 fitted_pieces(Pieces0, Paper, Options, Fitted, Tabs) :-
-    option(tabs(Width), Options, 0),
-    must_be(number, Width),
+    option(tabs(Deep), Options, 0),
+    must_be(number, Deep),
+    option(tab_sides(On), Options, one),
+    must_be(oneof([one,both,alternate]), On),
+    Width = wide(Deep, On),
     option(open_slits(Open), Options, auto),
     pieces_opened(Open, Width, Pieces0, Pieces1, Known),
     option(fold_threshold(Flat), Options, 0.5),
@@ -126,8 +130,8 @@ seam_lengths(Pieces, Butt, Without, All) :-
 %   that opens; parting a piece moves tabs, which may close others. Known is
 %   Pieces-Tabs as of pieces_tabs/3, or `none`.
 
-pieces_opened(_, Width, Pieces, Pieces, none) :-
-    Width =< 0,
+pieces_opened(_, wide(Deep,_), Pieces, Pieces, none) :-
+    Deep =< 0,
     !.
 pieces_opened(true, Width, Pieces0, Pieces, Known) :-
     !,
@@ -217,9 +221,9 @@ slits_opened(N, Width, Pieces0, Known0, Pieces, Known) :-
         slits_opened(N1, Width, Pieces2, Pieces2-Tabs, Pieces, Known)
     ).
 
-pieces_tabs(Width, Pieces, tabs(Tabs,Butt)) :-
-    (   Width > 0
-    ->  tabs(Width, Pieces, Pairs, Left)
+pieces_tabs(wide(Deep,On), Pieces, tabs(Tabs,Butt)) :-
+    (   Deep > 0
+    ->  tabs(Deep, On, Pieces, Pairs, Left)
     ;   Pairs = [],
         Left = []
     ),
@@ -313,7 +317,7 @@ pieces_split(Pieces0, on(Paper,Flat), Width, Tight, Split, Origins) :-
 %   tab_room(Paper, Width, Pieces, Narrow): what is left of Paper if a piece
 %   grows by a tab on each side, as deep as the longest seam may have one.
 
-tab_room(room(W0,H0,Gap), Width, Pieces, room(W,H,Gap)) :-
+tab_room(room(W0,H0,Gap), wide(Width,_), Pieces, room(W,H,Gap)) :-
     deepest_tab(Width, Pieces, Deep),
     Most is min(W0, H0)/4,
     (   Deep =< Most

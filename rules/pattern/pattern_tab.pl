@@ -1,5 +1,5 @@
 :- module(sg_pattern_tab,
-          [ tabs/4,                     % +Width, +Pieces, -Tabs, -Butt
+          [ tabs/5,                     % +Width, +On, +Pieces, -Tabs, -Butt
             least_tab/2,                % +Width, -Least
             deepest_tab/3,              % +Width, +Pieces, -Deep
             side_length/2,              % +Side, -Length
@@ -8,13 +8,14 @@
 :- use_module('../near', [tolerance/2, less_part/2]).
 :- use_module('../kernel', [shapes_add/2, shapes_free/3, shapes_open/2]).
 :- use_module('../decision', [decision/2, default/1]).
-:- use_module(pattern_outline, [loop_area/2]).
+:- use_module(pattern_outline, [cut_loops/2, loop_area/2]).
 :- use_module(pattern_strip, [seam_runs/3, strip_form/5]).
 :- use_module(pattern_trim, [trimmed_tab/4]).
 :- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- use_module(library(lists), 
-              [append/3, last/2, max_list/2, member/2, reverse/2]).
+              [ append/2, append/3, last/2, max_list/2, member/2, nth1/3,
+                reverse/2 ]).
 :- use_module(library(pairs), 
               [group_pairs_by_key/2, pairs_keys_values/3, pairs_values/2]).
 /** <module> Tabs: what the two sides of a seam are glued with.
@@ -60,7 +61,12 @@ deepest_tab(Width, Pieces, Deep) :-
     max_list([0.0|Lengths], Longest),
     Deep is min(Width, 0.45*Longest).
 
-%!  tabs(+Width, +Pieces, -Tabs, -Butt) is det.
+%!  tabs(+Width, +On, +Pieces, -Tabs, -Butt) is det.
+%
+%   On is `one`, the side of each seam that has more room; `both`; or
+%   `alternate`: of seams that follow each other round a piece one side and the
+%   other in turn, as far as there is room, so that the tabs of two pieces mesh.
+%   The facets of a curve have their tab on one side, or both.
 %
 %   Tabs are tab(D,E,A,B)-What: on side E from vertex A to vertex B, at most
 %   Width deep. What is a list of outlines, each a list of points in the order
@@ -69,7 +75,7 @@ deepest_tab(Width, Pieces, Deep) :-
 %   neighbours, which goes on where that of the side before ended. Butt lists
 %   the seams D-J that have none, as (D-J)-E, E the edge on their first side.
 
-tabs(Width, Pieces, Tabs, Butt) :-
+tabs(Width, On, Pieces, Tabs, Butt) :-
     maplist(piece_shapes(Width), Pieces, Named),
     list_to_assoc(Named, Shapes),
     findall(Seam-(Name-Side), seam_side(Pieces, Seam, Name, Side), Sides0),
@@ -78,8 +84,9 @@ tabs(Width, Pieces, Tabs, Butt) :-
     sort(1, @<, Keys0, Keys1),
     list_to_assoc(Keys1, Keys),
     seam_runs(Width, Pieces, Runs),
-    foldl(run_tabs(Width, Shapes, Keys), Runs, Strips-Served0, []-[]),
-    list_to_assoc(Served0, Served),
+    foldl(run_tabs(On, Width, Shapes, Keys), Runs, Strips-Served0, []-[]),
+    sort(1, @<, Served0, Served1),
+    list_to_assoc(Served1, Served),
     group_pairs_by_key(Sides, Seams0),
     findall(Rank-Seam,
             ( member((D-J)-Own, Seams0),
@@ -90,7 +97,8 @@ tabs(Width, Pieces, Tabs, Butt) :-
             Ranked0),
     keysort(Ranked0, Ranked),
     pairs_values(Ranked, Seams),
-    foldl(seam_tabs(Width, Shapes), Seams, Tabs0-Butt0, []-[]),
+    wanted_sides(On, Pieces, Wanted),
+    foldl(seam_tabs(Wanted, Width, Shapes), Seams, Tabs0-Butt0, []-[]),
     append(Strips, Tabs0, Tabs),
     sort(1, @<, Butt0, Butt).
 
@@ -166,17 +174,28 @@ wider([_-(XA-YA),_-(XB-YB)|_], N0-Sum0, N-Sum) :-
 %   One tab for the seams of a run, on the side where there is room; if there is
 %   none on either, each seam is on its own.
 
-run_tabs(Width, Shapes, Sides, Run, Tabs0-Served0, Tabs-Served) :-
-    least_tab(Width, Least),
-    Run = [k(name(D,_,_),_,_)-_|_],
+run_tabs(On, Width, Shapes, Sides, Run, Tabs0-Served0, Tabs-Served) :-
     pairs_keys_values(Run, Keys, Partners0),
     reverse(Partners0, Partners),
-    (   member(Own, [Keys,Partners]),
+    How = strips(Width, Shapes, Sides),
+    (   On == both
+    ->  run_strip(How, [Keys], Tabs0-Served0, Tabs1-Served1),
+        run_strip(How, [Partners], Tabs1-Served1, Tabs-Served)
+    ;   run_strip(How, [Keys,Partners], Tabs0-Served0, Tabs-Served)
+    ).
+
+%   run_strip(How, Owns, Tabs0-Served0, Tabs-Served): on the first of Owns that
+%   has room.
+
+run_strip(strips(Width,Shapes,Sides), Owns, Tabs0-Served0, Tabs-Served) :-
+    least_tab(Width, Least),
+    (   member(Own, Owns),
         maplist(key_side(Sides), Own, OwnSides),
         Own = [k(Name,_,_)|_],
         get_assoc(Name, Shapes, Piece),
         strip_on(OwnSides, Width, Least, Piece, Outline)
-    ->  strip_tabs(OwnSides, D, Outline, Tabs0, Tabs),
+    ->  Name = name(D, _, _),
+        strip_tabs(OwnSides, D, Outline, Tabs0, Tabs),
         findall((D-J)-strip, member(k(_,J,_), Own), New),
         append(New, Served, Served0)
     ;   Tabs0 = Tabs,
@@ -222,12 +241,12 @@ strip_tab(D, side(E,_,A-_,B-_,_), Points, tab(D,E,A,B)-strip(Points)).
                 *           ONE SEAM           *
                 *******************************/
 
-seam_tabs(Width, Shapes, (D-J)-Sides, Tabs0-Butt0, Tabs-Butt) :-
+seam_tabs(Wanted, Width, Shapes, (D-J)-Sides, Tabs0-Butt0, Tabs-Butt) :-
     maplist(glue_side(Shapes), Sides, Glues),
     Sides = [_-First|_],
     side_length(First, Length),
-    most_tabs(Most),
-    placed_between(0.0, Length, part(Length,Width,Glues), Most, Placed0, []),
+    glues_in_turn(Wanted, D-J, Glues, Turns),
+    turns_placed(Turns, Length, Width, Placed0),
     keysort(Placed0, Placed),
     group_pairs_by_key(Placed, BySide),
     (   BySide == []
@@ -238,6 +257,57 @@ seam_tabs(Width, Shapes, (D-J)-Sides, Tabs0-Butt0, Tabs-Butt) :-
         append(New, Tabs, Tabs0),
         Butt0 = Butt
     ).
+
+%   wanted_sides(On, Pieces, Wanted): Wanted is `one`, `both`, or an assoc from
+%   seams D-J to the side that should have the tab: their places round the piece
+%   of the first side are odd or even.
+
+wanted_sides(alternate, Pieces, Wanted) :-
+    !,
+    findall((D-J)-Which,
+            ( member(piece(name(D,_,_),_,Sides), Pieces),
+              cut_loops(Sides, Loops),
+              member(Loop, Loops),
+              nth1(I, Loop, side(_,_,_,_,seam(J,_,1))),
+              Which is 1 + I mod 2
+            ),
+            Pairs0),
+    sort(1, @<, Pairs0, Pairs),
+    list_to_assoc(Pairs, Wanted).
+wanted_sides(On, _, On).
+
+%   glues_in_turn(Wanted, Seam, Glues, Turns): Turns are all(Lists) if each of
+%   Lists of sides is to have tabs, or first(Lists): the first that has room.
+
+glues_in_turn(one, _, Glues, first([Glues])) :-
+    !.
+glues_in_turn(both, _, Glues, all(Lists)) :-
+    !,
+    findall(One, one_glue(Glues, _, One), Lists).
+glues_in_turn(Wanted, Seam, Glues, first(Lists)) :-
+    (   get_assoc(Seam, Wanted, Which),
+        one_glue(Glues, Which, One)
+    ->  Lists = [One,Glues]
+    ;   Lists = [Glues]
+    ).
+
+one_glue([Glue|_], 1, [Glue]).
+one_glue([_,Glue|_], 2, [none,Glue]).
+
+turns_placed(first(Lists), Length, Width, Placed) :-
+    (   member(Glues, Lists),
+        glues_placed(Length, Width, Glues, Placed),
+        Placed \== []
+    ->  true
+    ;   Placed = []
+    ).
+turns_placed(all(Lists), Length, Width, Placed) :-
+    maplist(glues_placed(Length, Width), Lists, Placeds),
+    append(Placeds, Placed).
+
+glues_placed(Length, Width, Glues, Placed) :-
+    most_tabs(Most),
+    placed_between(0.0, Length, part(Length,Width,Glues), Most, Placed, []).
 
 %   A side that may have tabs, and all that is in its piece.
 
@@ -362,7 +432,8 @@ tab_free(Own, Side, Tab) :-
 %   glue_between(From, To, Part, Which, Start, End, Glue): Start and End are the
 %   two places as the side sees them.
 
-glue_between(From, To, part(_,_,[Glue|_]), 1, From, To, Glue).
+glue_between(From, To, part(_,_,[Glue|_]), 1, From, To, Glue) :-
+    Glue \== none.
 glue_between(From, To, part(Length,_,[_,Glue|_]), 2, Start, End, Glue) :-
     Start is Length-To,
     End is Length-From.

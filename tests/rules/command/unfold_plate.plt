@@ -7,7 +7,7 @@
 :- use_module(rules(primitive/primitive_rows), [add_primitive/2]).
 :- use_module(rules(unfolding/unfold), [unfold/3]).
 
-% Measures of the faces of a box of 100 x 60 x 20 that are not Removed, in plate.
+% Measures of the faces of a box of 100 x 60 x 20 that are not Removed.
 measured(Removed, Options, Measures) :-
     new_world(World),
     in_world(World,

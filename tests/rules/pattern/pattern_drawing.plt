@@ -6,6 +6,7 @@
 :- use_module(library(lists)).
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
+:- use_module(library(assoc)).
 :- use_module(library(yall)).
 :- use_module(rules(store)).
 :- use_module(rules(decision), [use_rules/1]).
@@ -16,6 +17,7 @@
 :- use_module(rules(unrolling/true_development), [true_development/4]).
 :- use_module(rules(pattern/pattern_number), [reads_turned/1]).
 :- use_module(rules(sheet/lettering), [lettering_width/3]).
+:- use_module(rules(pattern/pattern_outline), [cut_loops/2]).
 :- use_module(rules(pattern/pattern_text), [written/5]).
 :- use_module(rules(pattern/pattern_word), [word_lines/2]).
 :- use_module(tests('rules/pattern/pattern_case')).
@@ -115,6 +117,23 @@ above_by_half(Angle, DX, DY, High) :-
     Along is DX*cos(Angle*pi/180) + DY*sin(Angle*pi/180),
     abs(Up-High/2) < High/20,
     abs(Along) < High/2.
+
+% The sides seam(J,Which) of a cube that have tabs; turn_of(J, I): J is the I-th
+% seam whose first side one comes to round the piece.
+:- dynamic turn_of/2.
+
+tab_seams(On, Sided) :-
+    in_new(( call(cube_pattern(40)),
+             quietly(pattern_layout([2], [tabs(6),tab_sides(On)],
+                                    layout(_,_,Sheets,_,Tabs,_))) )),
+    Sheets = [[laid(piece(_,_,Sides),_,_)]],
+    retractall(turn_of(_, _)),
+    cut_loops(Sides, [Loop]),
+    forall(nth1(I, Loop, side(_,_,_,_,seam(J,_,1))), assertz(turn_of(J, I))),
+    findall(seam(J,Which),
+            ( member(side(E,_,A-_,B-_,seam(J,_,Which)), Sides),
+              get_assoc(tab(2,E,A,B), Tabs, _) ),
+            Sided).
 
 :- begin_tests(pattern_drawing).
 
@@ -492,8 +511,8 @@ area(Points, Area) :-
     sum_list(As, Area0),
     Area is abs(Area0).
 
-% A box of triangles, larger than the page, is parted between its faces and along
-% straight lines, never along a diagonal of a face.
+% A box of triangles, larger than the page, is parted between its faces and
+% along straight lines, never along a diagonal of a face.
 test(no_cut_along_a_diagonal, [true(Cuts > 0)]) :-
     in_new(( Faces = [[1,3,2],[1,4,3],[5,6,7],[5,7,8],[1,2,6],[1,6,5],
                       [2,3,7],[2,7,6],[3,4,8],[3,8,7],[4,1,5],[4,5,8]],
@@ -511,5 +530,21 @@ test(no_cut_along_a_diagonal, [true(Cuts > 0)]) :-
             Seams),
     assertion(\+ ( member(J-Angle, Seams), integer(J), abs(Angle) < 1 )),
     aggregate_all(count, member(split(_,_)-_, Seams), Cuts).
+
+% The seven seams of a cube have a tab each, or two, or one each on the sides in
+% turn: of any two that follow each other round the piece one has it.
+test(tab_sides, Counts == [7,14,7]) :-
+    findall(Count,
+            ( member(On, [one,both,alternate]),
+              tab_seams(On, Sided),
+              length(Sided, Count) ),
+            Counts).
+test(tabs_in_turn, [true(Turns >= 5)]) :-
+    tab_seams(alternate, Sided),
+    findall(I-Which, ( member(seam(J,Which), Sided), turn_of(J, I) ), Pairs0),
+    sort(Pairs0, Pairs),
+    aggregate_all(count, append(_, [_-A,_-B|_], Pairs), Pairs1),
+    assertion(Pairs1 == 6),
+    aggregate_all(count, ( append(_, [_-A,_-B|_], Pairs), A =\= B ), Turns).
 
 :- end_tests(pattern_drawing).
