@@ -11,7 +11,7 @@
 :- use_module('../store',
               [ v/5, e/5, p/3, plane/6, segment/3, from_v/4, from_p/5,
                 from_r/4, region/3, sides/4, lies_in/3, edge_polygon/3 ]).
-:- use_module(library(lists), [append/2, member/2, nth1/3]).
+:- use_module(library(lists), [append/2, append/3, member/2, nth1/3]).
 /** <module> Explain: what was glued, what a region is, and why two faces were
 not glued (NG-1 to NG-7).
 */

@@ -13,7 +13,7 @@
               ]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [maplist/2, maplist/3]).
-:- use_module(library(lists), [append/2, member/2]).
+:- use_module(library(lists), [append/2, append/3, member/2]).
 /** <module> Exploded cells: each region moved out, to be seen.
 
 Each cell becomes a solid of its own, region(S, R), moved away from the middle
