@@ -31,7 +31,7 @@ sg_look_role(const sg_look *look, double crease)
   if ((look->left == 0) != (look->right == 0) && !look->inside) {
     return SG_OUTLINE;
   }
-  if (look->edge || look->bend > crease + SG_SMOOTH_OVER) {
+  if (look->edge || (look->bend > crease + SG_SMOOTH_OVER && !look->speck)) {
     return SG_CREASE;
   }
   return look->bend > SG_FLAT_BEND ? SG_SMOOTH : SG_MESH;

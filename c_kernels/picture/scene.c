@@ -3,6 +3,7 @@
  */
 #include "scene.h"
 
+#include "crease.h"
 #include "number/bounds.h"
 #include "picture_points.h"
 #include "rows/keys.h"
@@ -340,31 +341,17 @@ look_at_line(const viewing *w, size_t k, const sg_facings *facings,
   }
 }
 
-/* How much line k bends: its surfaces, or only its faces. */
-static double
-bend_of(const viewing *w, size_t k)
-{
-  const sg_scene_model *m = w->model;
-  const sg_scene_line *line = &m->line[k];
-
-  return w->in->faceted && m->facet_bend &&
-                 w->in->faceted[sg_dense_segment_of(
-                     &m->dense, m->dense.vertex_begin, line->a)]
-             ? m->facet_bend[k]
-             : line->look.bend;
-}
-
 /* Whether line k lies inside a curved sheet. */
 static bool
-is_inside(const viewing *w, size_t k)
+is_inside(const viewing *w, size_t k, const sg_look *look)
 {
   const sg_scene_model *m = w->model;
   const sg_scene_use *use = m->use + m->use_begin[k];
 
   return w->in->curved && m->use_begin[k + 1] - m->use_begin[k] == 2 &&
          use[0].along != use[1].along && w->in->curved[use[0].polygon] &&
-         w->in->curved[use[1].polygon] && !m->line[k].look.edge &&
-         bend_of(w, k) <= w->in->crease + SG_SMOOTH_OVER;
+         w->in->curved[use[1].polygon] && !look->edge &&
+         look->bend <= w->in->crease + SG_SMOOTH_OVER;
 }
 
 static int
@@ -441,8 +428,12 @@ enter_line(const viewing *w, size_t k)
   line->a = w->model->same[line->a];
   line->b = w->model->same[line->b];
   look_at_line(w, k, &facings, &line->look);
-  line->look.bend = bend_of(w, k);
-  line->look.inside = is_inside(w, k);
+  line->look.bend = sg_scene_bend(w->model, w->in->faceted, k);
+  if (w->in->creases) {
+    line->look.edge |= w->in->creases[k] == SG_CREASE_ON;
+    line->look.speck = w->in->creases[k] == SG_CREASE_SPECK;
+  }
+  line->look.inside = is_inside(w, k, &line->look);
   scene->lines++;
 }
 

@@ -58,9 +58,11 @@ typedef struct sg_scene_input {
                           outlines are among `added`; null: none */
   const bool *faceted; /* [segments] that are what their facets are; null:
                           none */
-  double crease;       /* degrees: sheets end at edges that bend more */
-  double depth;        /* model units in one unit of screen z: 1 if parallel */
-  double tolerance;    /* what counts as equal, for a model of size [-1,1] */
+  const uint8_t *creases; /* [lines] of the model, as sg_creases_find(); null:
+                             all are as they are bent */
+  double crease;          /* degrees: sheets end at edges that bend more */
+  double depth;     /* model units in one unit of screen z: 1 if parallel */
+  double tolerance; /* what counts as equal, for a model of size [-1,1] */
 } sg_scene_input;
 
 /* A triangle that can hide lines, or a part of one that an outline divides. */

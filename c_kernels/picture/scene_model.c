@@ -45,10 +45,10 @@ make_normals(sg_scene_builder *b)
   return b->normal != NULL;
 }
 
-/* The half of the longest side of the model. */
-static double
-size_of(const sg_dense *d)
+double
+sg_scene_size(const sg_scene_model *model)
 {
+  const sg_dense *d = &model->dense;
   double half = 0.0;
 
   for (int k = 0; k < 3; k++) {
@@ -90,7 +90,7 @@ find_flat(sg_scene_builder *b)
 {
   sg_scene_model *m = b->model;
   const sg_dense *d = &m->dense;
-  double most = FLAT * size_of(d);
+  double most = FLAT * sg_scene_size(m);
 
   m->flat = malloc(d->polygons + 1);
   for (size_t p = 0; m->flat && p < d->polygons; p++) {
@@ -172,6 +172,18 @@ sg_scene_model_open(sg_dense *dense, sg_known_surfaces *surfaces, bool *solid,
     return NULL;
   }
   return b.model;
+}
+
+double
+sg_scene_bend(const sg_scene_model *m, const bool *faceted, size_t k)
+{
+  const sg_scene_line *line = &m->line[k];
+
+  return faceted && m->facet_bend &&
+                 faceted[sg_dense_segment_of(&m->dense, m->dense.vertex_begin,
+                                             line->a)]
+             ? m->facet_bend[k]
+             : line->look.bend;
 }
 
 static bool

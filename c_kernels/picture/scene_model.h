@@ -26,11 +26,13 @@ typedef struct sg_look {
                               faces stand for known surfaces, of these
                               (known_surface.h) */
   bool edge;               /* different surfaces or named faces meet there, not
-                              tangent */
+                              tangent; in a scene also where a crease of a
+                              mesh goes on (crease.h) */
   bool solid;              /* nobody sees the backs of its segment's faces */
   bool cut;                /* it is (part of) a penetration line */
   bool inside;             /* it lies inside a curved sheet (smooth.h), whose
                               outline does not run along its edges */
+  bool speck;              /* it bends, but is a speck (crease.h) */
   bool substitute_outline; /* an added line that is drawn only where no other
                      line is near (contour.h) */
 } sg_look;
@@ -94,6 +96,14 @@ sg_scene_model *sg_scene_model_open(sg_dense *dense,
                                     sg_known_surfaces *surfaces, bool *solid,
                                     const sg_scene_cut *cut, size_t cuts,
                                     const sg_cancel *cancel, bool *memory);
+/* How much line k bends, in degrees: its surfaces, or its faces if its segment
+ * is one of those (null: none) that are what their facets are. */
+double sg_scene_bend(const sg_scene_model *model, const bool *faceted,
+                     size_t k);
+
+/* The half of the longest side of the model's box. */
+double sg_scene_size(const sg_scene_model *model);
+
 /* True if the polygon (a place) is flat and uses the line or a copy of it: then
  * the line lies on all of its triangles. */
 bool sg_scene_lies_on(const sg_scene_model *model, uint32_t line,

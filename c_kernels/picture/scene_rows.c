@@ -53,19 +53,21 @@ view_model(sg_call *call, sg_scene_index *index, const sg_kept_smooth *smooth,
       !sg_scene_pieces_read(call, model, &screen, &pieces)) {
     return false;
   }
-  return fill_index(call, index,
-                    &(sg_scene_input){.model = model,
-                                      .screen = (const double(*)[3])screen.at,
-                                      .shown = screen.shown,
-                                      .added = pieces.added,
-                                      .addeds = pieces.n,
-                                      .facing = pieces.facing,
-                                      .facings = pieces.facings,
-                                      .curved = smooth ? smooth->curved : NULL,
-                                      .faceted = faceted,
-                                      .crease = q->as.crease,
-                                      .depth = q->depth,
-                                      .tolerance = q->tolerance});
+  return fill_index(
+      call, index,
+      &(sg_scene_input){.model = model,
+                        .screen = (const double(*)[3])screen.at,
+                        .shown = screen.shown,
+                        .added = pieces.added,
+                        .addeds = pieces.n,
+                        .facing = pieces.facing,
+                        .facings = pieces.facings,
+                        .curved = smooth ? smooth->curved : NULL,
+                        .faceted = faceted,
+                        .creases = smooth ? smooth->creases : NULL,
+                        .crease = q->as.crease,
+                        .depth = q->depth,
+                        .tolerance = q->tolerance});
 }
 
 static bool

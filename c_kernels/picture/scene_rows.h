@@ -9,6 +9,7 @@
 #define SG_SCENE_ROWS_H
 
 #include "call.h"
+#include "crease.h"
 #include "doors/drawing.h"
 #include "hide_search.h"
 #include "smooth.h"
@@ -48,6 +49,7 @@ typedef struct sg_kept_smooth {
   sg_smoothness as; /* its ids are its own */
   sg_smooth smooth; /* without curved triangles in segments that are faceted */
   bool *curved;     /* [polygons] that lie in curved sheets */
+  uint8_t *creases; /* [lines] crease.h; null: as they are bent */
 } sg_kept_smooth;
 
 /* Held, and to be dropped. */

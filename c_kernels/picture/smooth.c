@@ -50,10 +50,13 @@ area_of(const sg_smooth_builder *b, uint32_t corner)
 
 /* ----------------------------------------------------------------- sides */
 
-/* A side, or a piece of a penetration line, by its larger vertex. */
+/* A crease goes on there. */
+#define CREASE_ON (SG_NO_SIDE - 1)
+
+/* A side, a piece of a penetration line, or a crease, by its larger vertex. */
 typedef struct entry {
   uint32_t high;
-  uint32_t side; /* SG_NO_SIDE: a line */
+  uint32_t side; /* SG_NO_SIDE: a line; CREASE_ON */
 } entry;
 
 typedef struct entries {
@@ -104,6 +107,10 @@ put_entries(const sg_smooth_builder *b, entries *e, bool count)
     const uint32_t *cut = b->input->cut[i];
     put_entry(e, cut[0], cut[1], SG_NO_SIDE, count);
   }
+  for (size_t i = 0; i < b->input->creases_on; i++) {
+    const uint32_t *crease = b->input->crease_on[i];
+    put_entry(e, crease[0], crease[1], CREASE_ON, count);
+  }
 }
 
 /* Degrees by which two faces bend; a face without area does not. */
@@ -138,13 +145,21 @@ surface_bend(const sg_smooth_builder *b, uint32_t i, uint32_t j, double bend)
   return sg_known_surfaces_bend(&b->known, &meeting);
 }
 
+/* What runs along a side. */
+typedef struct along {
+  bool cut, crease;
+} along;
+
 /* Whether the sheet goes on across the side of triangles i and j. */
 static bool
 hangs_together(const sg_smooth_builder *b, uint32_t i, uint32_t j, double bend,
-               bool cut)
+               along runs)
 {
-  if (cut && (sg_smooth_surface(b, i) < 0 ||
-              sg_smooth_surface(b, i) != sg_smooth_surface(b, j))) {
+  if (runs.crease) {
+    return false;
+  }
+  if (runs.cut && (sg_smooth_surface(b, i) < 0 ||
+                   sg_smooth_surface(b, i) != sg_smooth_surface(b, j))) {
     return bend <= SG_FLAT_BEND;
   }
   sg_bend known = surface_bend(b, i, j, bend);
@@ -188,11 +203,11 @@ side_flags(const sg_smooth_builder *b, uint32_t i, uint32_t j, bool smooth,
 }
 
 static void
-join_sides(sg_smooth_builder *b, uint32_t i, uint32_t j, bool cut)
+join_sides(sg_smooth_builder *b, uint32_t i, uint32_t j, along runs)
 {
   sg_smooth *out = b->out;
   double bend = bend_between(area_of(b, i), area_of(b, j));
-  bool smooth = hangs_together(b, i, j, bend, cut);
+  bool smooth = hangs_together(b, i, j, bend, runs);
 
   if (sg_smooth_vertex(b, i) == sg_smooth_vertex(b, j)) {
     return; /* one of them is turned over */
@@ -200,21 +215,22 @@ join_sides(sg_smooth_builder *b, uint32_t i, uint32_t j, bool cut)
   out->across[i] = j;
   out->across[j] = i;
   b->bend[i] = b->bend[j] = bend;
-  out->side[i] = side_flags(b, i, j, smooth, cut);
-  out->side[j] = side_flags(b, j, i, smooth, cut);
+  out->side[i] = side_flags(b, i, j, smooth, runs.cut);
+  out->side[j] = side_flags(b, j, i, smooth, runs.cut);
 }
 
-/* The sides between two vertices, sorted: lines come last. */
+/* The sides between two vertices, sorted: creases and lines come last. */
 static void
 join_group(sg_smooth_builder *b, const entry *item, size_t n)
 {
+  along runs = {.cut = n > 0 && item[n - 1].side == SG_NO_SIDE};
   size_t sides = n;
 
-  while (sides > 0 && item[sides - 1].side == SG_NO_SIDE) {
-    sides--;
+  while (sides > 0 && item[sides - 1].side >= CREASE_ON) {
+    runs.crease |= item[--sides].side == CREASE_ON;
   }
   if (sides == 2) {
-    join_sides(b, item[0].side, item[1].side, sides < n);
+    join_sides(b, item[0].side, item[1].side, runs);
   }
 }
 
@@ -243,7 +259,8 @@ static bool
 find_sides(sg_smooth_builder *b, bool *memory)
 {
   entries e = {.start = calloc(b->in->vertices + 2, sizeof *e.start),
-               .item = malloc((3 * b->in->triangles + b->input->cuts + 1) *
+               .item = malloc((3 * b->in->triangles + b->input->cuts +
+                               b->input->creases_on + 1) *
                               sizeof *e.item)};
   bool done = false;
 

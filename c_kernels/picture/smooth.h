@@ -4,7 +4,8 @@
  * Layer: kernel. Two triangles are connected smoothly where they alone share a
  * side, run along it in opposite directions, and their faces bend by no more
  * than the crease angle, or not at all if a penetration line runs there, and it
- * is no edge by the terms (known_surface.h). A component is a *sheet*.
+ * is no edge by the terms (known_surface.h), and no crease goes on there
+ * (crease.h). A component is a *sheet*.
  *
  * Where polygons are facets of a known surface (known_surface.h), this says how
  * much they bend, and which way they look at a vertex; facets of one surface
@@ -76,6 +77,9 @@ typedef struct sg_smooth_input {
   const uint32_t (*cut)[2]; /* [cuts] places of the ends of pieces of
                                penetration lines */
   size_t cuts;
+  const uint32_t (*crease_on)[2]; /* [creases_on] the same of the edges along
+                                     which creases go on (crease.h) */
+  size_t creases_on;
   sg_known_surfaces surfaces; /* of the polygons; borrowed */
   double crease;              /* degrees */
 } sg_smooth_input;

@@ -52,6 +52,7 @@ sg_kept_smooth_drop(sg_kept_smooth *kept)
     sg_smooth_clear(&kept->smooth);
     free(kept->as.faceted.at);
     free(kept->curved);
+    free(kept->creases);
     free(kept);
   }
 }
@@ -95,18 +96,47 @@ find_polygons(sg_kept_smooth *kept, const sg_dense *d)
   return kept->curved != NULL;
 }
 
+/* The ends of the edges along which creases go on; memory of the call. */
+static uint32_t (*edges_on(sg_call *call, const sg_scene_model *model,
+                           const uint8_t *creases, size_t *n))[2]
+{
+  uint32_t(*ends)[2] = NULL;
+
+  *n = 0;
+  for (size_t k = 0; creases && k < model->lines; k++) {
+    *n += creases[k] == SG_CREASE_ON;
+  }
+  if (*n == 0 || !(ends = sg_call_alloc(call, *n * sizeof *ends))) {
+    return NULL;
+  }
+  for (size_t k = 0, i = 0; k < model->lines; k++) {
+    if (creases[k] == SG_CREASE_ON) {
+      ends[i][0] = model->line[k].a;
+      ends[i++][1] = model->line[k].b;
+    }
+  }
+  return ends;
+}
+
 /* Sheets with the surfaces of `of`. */
 static bool
 find_sheets(sg_call *call, sg_kept_smooth *kept, const sg_scene_model *model,
             int32_t *of)
 {
+  size_t on;
+  uint32_t(*crease_on)[2] = edges_on(call, model, kept->creases, &on);
   sg_smooth_input in = {.dense = &model->dense,
                         .cut = (const uint32_t(*)[2])model->cut,
                         .cuts = model->cuts,
+                        .crease_on = (const uint32_t(*)[2])crease_on,
+                        .creases_on = on,
                         .surfaces = model->surfaces,
                         .crease = kept->as.crease};
   bool memory;
 
+  if (on > 0 && !crease_on) {
+    return false;
+  }
   in.surfaces.of = of;
   return sg_smooth_init(&kept->smooth, &in, &call->cancel, &memory) ||
          sg_call_ended(call);
@@ -118,8 +148,12 @@ make_smooth(sg_call *call, sg_kept_smooth *kept, const sg_scene_model *model)
   const sg_dense *d = &model->dense;
   bool *faceted = sg_segments_faceted(call, &kept->as.faceted, d);
   int32_t *of = NULL;
+  bool memory;
 
   if (!faceted ||
+      (!sg_creases_find(model, faceted, kept->as.crease, &call->cancel,
+                        &kept->creases, &memory) &&
+       !sg_call_ended(call)) ||
       (model->surfaces.of &&
        !(of = surfaces_but(call, &model->surfaces, d, faceted))) ||
       !find_sheets(call, kept, model, of)) {

@@ -84,7 +84,8 @@ Foreign predicates; see kernel.pl.
 %   vertices (PL-13 step 3), and is not the second copy of a penetration line.
 %   Or, if E is negative, that piece -E of contour/13 is there. Length is its
 %   length in the picture, standardised. Look is
-%   look(Faces,Towards,Away,Left,Right,Bend,Edge,Solid,Cut,Inside), see role.pl.
+%   look(Faces,Towards,Away,Left,Right,Bend,Edge,Solid,Cut,Inside,Speck), see
+%   role.pl.
 %   In order of S and E.
 
 %!  scene_near(+Scene:scene, -Near:number) is det.

@@ -16,7 +16,7 @@ there is one (PL-13 step 3). How its faces lie to the eye, as the join
 scene_edge/5 reports it, decides its role:
 
     Look = look(Faces, Towards, Away, Left, Right, Bend, Edge, Solid, Cut,
-                Inside)
+                Inside, Speck)
 
   - Faces: how often polygons use the edge
   - Towards, Away: how many of these face the eye, or face away from it; one
@@ -27,7 +27,8 @@ scene_edge/5 reports it, decides its role:
     of known surfaces (known_surface.pl) bend as these do, those of one by one
     degree at most
   - Edge: `true` if different surfaces, or faces that the terms name, meet there
-    and are not tangent (known_surface.pl)
+    and are not tangent (known_surface.pl), or if a crease of a mesh goes on
+    there though it bends less (c_kernels/picture/crease.h)
   - Solid: `true` if the segment is a solid whose shells are closed, are not
     inside out and do not go through themselves: its backs cannot be seen
   - Cut: `true` if it is part of a penetration line
@@ -48,8 +49,8 @@ scene_edge/5 reports it, decides its role:
 %     - border: in one polygon only
 %     - outline: all its faces lie on one side of it in the picture, and it is
 %       not inside a smooth surface
-%     - crease: it is an edge by the terms, or its faces bend by more than
-%       Crease degrees
+%     - crease: it is an edge by the terms or where a crease goes on, or its
+%       faces bend by more than Crease degrees, and it is no speck
 %     - smooth: they bend, but less
 %     - mesh: they lie flat side by side
 %
@@ -71,7 +72,8 @@ edge_role(_, _, Look, Crease, Role) :-
     ->  Role = outline
     ;   look_part(edge, Look, true)
     ->  Role = crease
-    ;   before_angle(Crease, Bend)      % all facets of a mesh alike
+    ;   before_angle(Crease, Bend),     % all facets of a mesh alike
+        look_part(speck, Look, false)
     ->  Role = crease
     ;   flat_bend(Flat),
         Bend > Flat
@@ -82,18 +84,19 @@ edge_role(_, _, Look, Crease, Role) :-
 %!  look_part(?Part, +Look, -Value) is nondet.
 %
 %   Value is what Look says of Part: one of `faces`, `towards`, `away`, `left`,
-%   `right`, `bend`, `edge`, `solid`, `cut` and `inside`.
+%   `right`, `bend`, `edge`, `solid`, `cut`, `inside` and `speck`.
 
-look_part(faces,   look(Faces,_,_,_,_,_,_,_,_,_), Faces).
-look_part(towards, look(_,Towards,_,_,_,_,_,_,_,_), Towards).
-look_part(away,    look(_,_,Away,_,_,_,_,_,_,_), Away).
-look_part(left,    look(_,_,_,Left,_,_,_,_,_,_), Left).
-look_part(right,   look(_,_,_,_,Right,_,_,_,_,_), Right).
-look_part(bend,    look(_,_,_,_,_,Bend,_,_,_,_), Bend).
-look_part(edge,    look(_,_,_,_,_,_,Edge,_,_,_), Edge).
-look_part(solid,   look(_,_,_,_,_,_,_,Solid,_,_), Solid).
-look_part(cut,     look(_,_,_,_,_,_,_,_,Cut,_), Cut).
-look_part(inside,  look(_,_,_,_,_,_,_,_,_,Inside), Inside).
+look_part(faces,   look(Faces,_,_,_,_,_,_,_,_,_,_), Faces).
+look_part(towards, look(_,Towards,_,_,_,_,_,_,_,_,_), Towards).
+look_part(away,    look(_,_,Away,_,_,_,_,_,_,_,_), Away).
+look_part(left,    look(_,_,_,Left,_,_,_,_,_,_,_), Left).
+look_part(right,   look(_,_,_,_,Right,_,_,_,_,_,_), Right).
+look_part(bend,    look(_,_,_,_,_,Bend,_,_,_,_,_), Bend).
+look_part(edge,    look(_,_,_,_,_,_,Edge,_,_,_,_), Edge).
+look_part(solid,   look(_,_,_,_,_,_,_,Solid,_,_,_), Solid).
+look_part(cut,     look(_,_,_,_,_,_,_,_,Cut,_,_), Cut).
+look_part(inside,  look(_,_,_,_,_,_,_,_,_,Inside,_), Inside).
+look_part(speck,   look(_,_,_,_,_,_,_,_,_,_,Speck), Speck).
 
 on_one_side(Left, 0) :- Left > 0, !.
 on_one_side(0, Right) :- Right > 0.

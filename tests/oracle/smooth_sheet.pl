@@ -26,7 +26,10 @@
               [ angle_between/3, cross_product/3, difference/3, dot_product/3,
                 scaled/3, unit/2
               ]).
-:- use_module('../../rules/store', [line/9, t/6, v/5]).
+:- use_module('../../rules/kernel', [scene_edge/5]).
+:- use_module('../../rules/picture/hidden_lines', [open_scene/2]).
+:- use_module('../../rules/picture/role', [look_part/3]).
+:- use_module('../../rules/store', [e/5, line/9, t/6, v/5]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [foldl/4, maplist/3, maplist/4]).
 :- use_module(library(assoc),
@@ -106,7 +109,8 @@ smooth_sheets(S, Crease, Sheets) :-
     list_to_assoc(FaceList, Faces),
     empty_assoc(None),
     foldl(add_area(Places), Triangles, None, Areas),
-    findall(Side-Across, side_across(S, Sheets, Triangles, Crease,
+    edges_in_picture(S, Crease, Edges),
+    findall(Side-Across, side_across(S, Sheets, Triangles, Crease-Edges,
                                      Side, Across), Joined0),
     keysort(Joined0, Joined),
     list_to_assoc(Joined, Sides),
@@ -143,7 +147,18 @@ place(Places, V, Place) :-
 
 /* - - - sides - - - */
 
-side_across(S, Sheets, Triangles, Crease, Side, Across) :-
+%   edges_in_picture(S, Crease, Edges): the ends of what is an edge whatever it
+%   bends, also where a crease goes on (tests/c_kernels/picture/crease_test.c).
+
+edges_in_picture(S, Crease, Edges) :-
+    open_scene(Scene, [crease(Crease)]),
+    findall(Low-High,
+            ( scene_edge(Scene, S, E, _, Look), look_part(edge, Look, true),
+              E > 0, e(S, E, V1, V2, _),
+              Low is min(V1, V2), High is max(V1, V2) ),
+            Edges).
+
+side_across(S, Sheets, Triangles, Crease-Edges, Side, Across) :-
     Sheets = sheets(_, _, Areas, _, _, _, _, _, _, _, _),
     findall((Low-High)-use(T-I,A,P),
             ( member(T-corners(P,V1,V2,V3), Triangles),
@@ -166,7 +181,8 @@ side_across(S, Sheets, Triangles, Crease, Side, Across) :-
         surfaces_bend(Sheets, P1, P2, Side1, Bend, Degrees, Edge)
     ),
     (   Degrees =< Most,
-        Edge \== true
+        Edge \== true,
+        \+ memberchk(Low-High, Edges)
     ->  Smooth = true
     ;   Smooth = false
     ),
