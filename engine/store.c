@@ -424,6 +424,27 @@ sg_world_depth(sg_world *world)
   return depth;
 }
 
+/* Whether nothing was changed between two versions but a picture and its view,
+ * and what completes polygons: the model is the same. */
+static bool
+only_drew(const sg_version *before, const sg_version *after)
+{
+  static const sg_relation made[] = {SG_VIEW,    SG_PROJECTION,     SG_SCREEN,
+                                     SG_CONTOUR, SG_SURFACE_FACING, SG_DRAWN,
+                                     SG_PLANE,   SG_T};
+  bool is_made[SG_RELATIONS] = {false};
+
+  for (size_t i = 0; i < sizeof made / sizeof *made; i++) {
+    is_made[made[i]] = true;
+  }
+  for (int r = 0; r < SG_RELATIONS; r++) {
+    if (!is_made[r] && before->map[r] != after->map[r]) {
+      return false;
+    }
+  }
+  return true;
+}
+
 static sg_status
 commit(sg_world *world, bool is_step)
 {
@@ -434,13 +455,14 @@ commit(sg_world *world, bool is_step)
     size_t depth = --world->open.count;
     sg_version *before = world->open.version[depth];
     bool changed = depth == 0 && world->changes != world->changes_at[0];
-    if (changed && is_step) {
+    bool model = changed && !only_drew(before, world->current);
+    if (model && is_step) {
       world->undo.version[world->undo.count++] = before;
       stack_limit(&world->undo, world->undo_limit);
     } else {
       release_version(before);
     }
-    if (changed) {
+    if (model) {
       sg_stack_clear(&world->redo);
     }
     unclaim(world);

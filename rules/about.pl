@@ -15,7 +15,8 @@ to say: spoken.pl puts the name before the message.
 
 %!  said_about(+Name, :Goal) is semidet.
 %
-%   Call Goal once; what it says meanwhile is about Name.
+%   Call Goal once; what it says meanwhile is about Name. Of a Name line(N), a
+%   line of standard input, errors are told too.
 
 said_about(Name, Goal) :-
     setup_call_cleanup(asserta(name(Name), Ref), once(Goal), erase(Ref)).

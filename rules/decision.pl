@@ -3,6 +3,7 @@
             decision/4,                 % ?Decision, -Doc, -Place, -By
             decision_is_default/1,      % +Name/Arity
             default/1,                  % :Goal
+            decided_at/2,               % :Goal, -Location
             use_rules/1,                % +File
             use_rules_of/2,             % +Text, +Name
             no_rules/0,
@@ -47,7 +48,7 @@ has a fixed slot in each world's table (decision4pl.c).
 :- use_module(library(error), [must_be/2]).
 :- use_module(library(occurs), [sub_term/2]).
 
-:- meta_predicate default(:), with_first_error(0, -).
+:- meta_predicate default(:), decided_at(:, -), with_first_error(0, -).
 
 % What decides only reads (sandbox.pl).
 :- multifile sandbox:safe_primitive/1.
@@ -203,6 +204,24 @@ default(_:Goal) :-
     ->  call(Default)
     ;   functor(Goal, Name, Arity),
         throw(error(existence_error(decision, Name/Arity), _))
+    ).
+
+%!  decided_at(:Goal, -Location) is det.
+%
+%   Location, location(File, Line, 0), is where the clause stands by which a rule
+%   file of the current world gives Goal, an answer of a decision: for errors in
+%   it. Unbound if Goal is not of a rule file.
+
+decided_at(_:Goal, Location) :-
+    functor(Goal, Name, Arity),
+    (   declared(Name, Arity, _, Slot, _, _, _),
+        rule_module(Slot, Module),
+        clause(Module:Goal, Body, Ref),
+        catch(once(Module:Body), error(_, _), fail),
+        clause_property(Ref, file(File)),
+        clause_property(Ref, line_count(Line))
+    ->  Location = location(File, Line, 0)
+    ;   true
     ).
 
 %!  rules is det.

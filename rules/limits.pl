@@ -9,7 +9,7 @@
             term_of_text/3              % +Text, -Term, +Options
           ]).
 :- use_module(kernel, [text_fault/4]).
-:- use_module(library(apply), [maplist/3]).
+:- use_module(library(apply), [include/3, maplist/3]).
 :- use_module(library(lists), [member/2]).
 :- use_module(library(error), [must_be/2, domain_error/2]).
 :- meta_predicate with_usual_limits(0).
@@ -163,13 +163,36 @@ text_limits(Limits) :-
 
 %!  term_of_text(+Text, -Term, +Options) is det.
 %
-%   As term_string/3, of a Text that is no larger than a goal may be.
+%   As term_string/3, of a Text that is no larger than a goal may be, and has
+%   nothing after the full stop of the term.
 %
-%   @error syntax_error(Why), with Why also limit(Name, Most)
+%   @error syntax_error(Why), with Why also limit(Name, Most) and
+%          after_full_stop
 
 term_of_text(Text0, Term, Options) :-
     format(string(Text), "~w", [Text0]),
     (   text_beyond(goal, Text, What, _, _)
     ->  throw(error(syntax_error(What), _))
-    ;   term_string(Term, Text, Options)
+    ;   term_string(Term, Text, Options),
+        nothing_after(Text, Options)
     ).
+
+%   nothing_after(Text, Options): the text of one term has no other one behind it.
+%   Without a full stop, there is none.
+
+nothing_after(Text, Options) :-
+    include(is_syntax, Options, Syntax),
+    setup_call_cleanup(
+        open_string(Text, Stream),
+        (   catch(read_term(Stream, _, Syntax), error(_, _), fail)
+        ->  catch(read_term(Stream, Next, Syntax), error(_, _), true)
+        ;   Next = end_of_file
+        ),
+        close(Stream)),
+    (   Next == end_of_file
+    ->  true
+    ;   throw(error(syntax_error(after_full_stop), _))
+    ).
+
+is_syntax(module(_)).
+is_syntax(dotlists(_)).

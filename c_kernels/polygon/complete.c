@@ -352,7 +352,16 @@ is_missing_some(const task *t)
          t->found.n + 2 < t->n;
 }
 
-/* A ring that is seen edge-on along each axis; *done tells if it is one. */
+/* Whether it is a quadrangle that is not flat: it is two triangles, also where
+ * these fold over, so that it crosses itself however it is seen. */
+static bool
+is_bent_quadrangle(const task *t)
+{
+  return t->n == 4 && t->off > sg_flatness_flat(&t->model->flatness);
+}
+
+/* A ring that is seen edge-on along each axis, or crosses itself; *done tells
+ * if it is one. */
 static bool
 triangulate_in_space(task *t, bool *done)
 {
@@ -390,6 +399,12 @@ triangulate(task *t)
     }
     break;
   case SG_STUCK:
+    if (is_bent_quadrangle(t)) {
+      bool ok = triangulate_in_space(t, &done);
+      if (!ok || done) {
+        return ok;
+      }
+    }
     return fault(t, SG_FAULT_EDGE, bad[0], bad[1], 0);
   case SG_STOPPED:
     t->stopped = true;

@@ -276,4 +276,15 @@ relation_text(Name, Arity, Doc, Text) :-
     length(Columns, Arity),
     atomic_list_concat(Columns, ', ', Arguments),
     atomic_list_concat(Lines, '\n', Body),
-    format(string(Text), "~w(~w): ~w~n~n~w", [Name, Arguments, Doc, Body]).
+    findall(Hint, quicker(Name/Arity, Hint), Hints),
+    atomic_list_concat(Hints, Quicker),
+    format(string(Text), "~w(~w): ~w~n~n~w~w",
+           [Name, Arguments, Doc, Body, Quicker]).
+
+%   quicker(PI, Hint): what answers at once the question that people ask PI for
+%   by walking through all of its rows.
+
+quicker(p/3, "\n\nWhich polygon has edge E: edge_polygon(S, E, P), at once.\n\c
+Walking through p/3 with memberchk/2 looks at every list.").
+quicker(e/5, "\n\nWhich edge runs from V1 to V2: e(S, E, V1, V2, _), with both \c
+bound, at once.\nWhich polygon has it: edge_polygon(S, E, P).").

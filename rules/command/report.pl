@@ -165,7 +165,7 @@ counted(ko, What, N, Text) :-
     noun(What, _, _, Ko),
     format(string(Text), "~w ~D개", [Ko, N]).
 
-noun(vertex,      vertex,        vertices,       '꼭지점').
+noun(vertex,      vertex,        vertices,       '꼭짓점').
 noun(edge,        edge,          edges,          '모서리').
 noun(polygon,     polygon,       polygons,       '다각형').
 noun(triangle,    triangle,      triangles,      '삼각형').
@@ -211,7 +211,7 @@ text(en, segment,   "segment ~d: ~w ~w").
 text(ko, segment,   "세그먼트 ~d: ~w ~w").
 text(_,  counts,    "  ~w, ~w, ~w, ~w").
 text(en, box,       "  box ~15|~w ~w ~w to ~w ~w ~w").
-text(ko, box,       "  범위 ~15|~w ~w ~w 에서 ~w ~w ~w 까지").
+text(ko, box,       "  범위 ~15|~w ~w ~w에서 ~w ~w ~w까지").
 text(en, area,      "  area ~15|~6g").
 text(ko, area,      "  넓이 ~15|~6g").
 text(en, volume,    "  volume ~15|~6g").

@@ -238,13 +238,15 @@ direction_view(Name, Text, Direction, View) :-
 %
 %   Request is Request0 with what the title block says: what --title-block
 %   names, or else the model (title_block/2), or for the name of the part the
-%   first of Files.
+%   first of Files. Its language is that of --language, else of --lang, else
+%   English: a drawing does not follow the environment.
 %
 %   @error model_error(What)
 
 request_facts(Options, Files, Request, [facts([language-Language|Facts])
                                        |Request]) :-
-    option(language(Language), Options, en),
+    option(lang(Spoken), Options, en),
+    option(language(Language), Options, Spoken),
     (   option('title-block'(File), Options)
     ->  title_block_read(File, Own)
     ;   Own = []

@@ -232,18 +232,18 @@ text(en, all, " of ~6g~n").
 text(en, without, " of ~6g, without ~s~n").
 text(en, weight, "  weight       ~4g kg of ~w~n").
 text(ko, pattern, "세그먼트 ~d: ~w, ~s, ~s~n").
-text(ko, 'objective seam', "  목표         짧은 솔기~n").
+text(ko, 'objective seam', "  목표         짧은 접합선~n").
 text(ko, 'objective pieces', "  목표         적은 조각~n").
 text(ko, 'objective longest', "  목표         긴 용접선이 없음~n").
-text(ko, 'objective area', "  목표         작은 판~n").
+text(ko, 'objective area', "  목표         작은 판재~n").
 text(ko, 'objective rules', "  목표         규칙 파일대로~n").
-text(ko, seam, "  솔기         ~6g").
-text(ko, 'bound tree', " (적어도 ~6g)").
-text(ko, 'bound forest', " (적어도 ~6g, 숲으로)").
-text(ko, 'bound moats', " (적어도 ~6g, 해자로)").
+text(ko, seam, "  접합선       ~6g").
+text(ko, 'bound tree', " (하한 ~6g)").
+text(ko, 'bound forest', " (하한 ~6g, 숲)").
+text(ko, 'bound moats', " (하한 ~6g, 해자)").
 text(ko, weld, ", 가장 긴 용접선 ~6g~n").
-text(ko, sheet, "  판           ~6g x ~6g~n").
+text(ko, sheet, "  판재         ~6g x ~6g~n").
 text(ko, area, "  넓이         ~6g").
 text(ko, all, " / ~6g~n").
-text(ko, without, " / ~6g, ~s를 빼고~n").
+text(ko, without, " / ~6g, ~s 제외~n").
 text(ko, weight, "  무게         ~4g kg (~w)~n").

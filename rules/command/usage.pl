@@ -15,7 +15,7 @@
 :- use_module(usage_unfold,
               [ unfold_option/1, wish_option/1, unfold_option_ko/2,
                 unfold_example/1 ]).
-:- use_module(library(apply), [exclude/3]).
+:- use_module(library(apply), [exclude/3, foldl/4]).
 :- use_module(library(lists), [append/3, member/2]).
 /** <module> What the program can do: verbs, options, examples.
 
@@ -47,10 +47,10 @@ verb(convert, 'MODEL... -o FILE',
      '모델 파일(.pl)과 메시(.stl .off .obj .ply) 사이의 변환').
 verb(penetrate, 'MODEL... [-o FILE]',
      'the penetration lines of all segments, ordered into loops',
-     '모든 세그먼트의 상관선, 차례로 이은 고리').
+     '모든 세그먼트의 상관선, 차례로 이은 루프').
 verb(draw, 'MODEL... -o FILE',
      'a drawing with its hidden lines',
-     '은선을 처리한 그림').
+     '숨은선을 처리한 도면').
 verb(render, 'MODEL... -o FILE',
      'a shaded picture, straight from the CSG trees',
      'CSG 트리에서 바로 그리는 음영 그림').
@@ -71,19 +71,19 @@ verb(eval, 'TREE...',
      'CSG 트리의 입체').
 verb(unfold, 'MODEL... [-o FILE]',
      'flat patterns of solids and surfaces, to cut out and fold',
-     '입체와 곡면의 전개도, 오려서 접는다').
+     '입체와 곡면의 전개도, 오려 내어 접는다').
 verb(batch, 'MANIFEST -o FOLDER | --merge REPORT... -o FILE',
      'many jobs from a file of facts, in processes of their own',
      '사실 파일에 적힌 많은 작업, 각각 따로 된 프로세스에서').
 verb(query, 'MODEL... GOAL',
      'all answers of a Prolog goal about the model',
-     '모델에 대한 프롤로그 목표의 모든 답').
+     '모델에 대한 Prolog 목표의 모든 답').
 verb(explain, 'MODEL... ITEM',
      'why a line, a vertex or an edge is there, or two polygons give no line',
      '상관선, 꼭짓점, 모서리가 왜 있는지, 두 다각형이 왜 만나지 않는지').
 verb(repl, '[MODEL...]',
      'the Prolog top level with the model loaded',
-     '모델을 읽은 프롤로그 최상위').
+     '모델을 읽은 Prolog 최상위').
 verb(problems, 'FILE -o FOLDER',
      'questions, answers and a key for a class (docs/problems.md)',
      '수업을 위한 문제지, 답안지, 정답 (docs/problems.md)').
@@ -208,7 +208,7 @@ verb_option(draw, option(section, '', each, 'PLANE',
 verb_option(draw, option('title-block', '', value, 'FILE',
     'facts for the title block, such as title_block(name, "Bracket").')).
 verb_option(draw, option(language, '', one_of([en, ko]), 'LANGUAGE',
-    'language of the title block; default en')).
+    'language of the title block; default that of --lang, else en')).
 verb_option(draw, option('no-frame', '', flag, '',
     'a sheet without frame and title block')).
 verb_option(draw, option(shade, '', value, 'SHADE',
@@ -230,6 +230,9 @@ verb_option(draw, option(png, '', one_of([smooth, dots]), 'HOW',
 verb_option(draw, option(dpi, '', number(1), 'N',
     'dots to the inch of a smooth .png')).
 
+verb_option(draw, option('min-line', '', number(0), 'MM',
+    'lines shorter than MM on the sheet that no other line touches at its \c
+     ends are left out: specks of a scan')).
 verb_option(draw, option(tolerance, '', number(0), 'T',
     'what is nearer than T (model units) touches; 0: nothing else does')).
 
@@ -383,7 +386,7 @@ common_option(option(help, h, flag, '', 'this text')).
 option_ko(json, '보고를 JSON으로').
 option_ko(each,
     '파일마다 따로, 결과도 파일마다. 실패한 파일이 있어도 나머지를 계속한다. \c
--o FILE 의 % 는 폴더와 확장자를 뺀 파일 이름').
+-o FILE의 %는 폴더와 확장자를 뺀 파일 이름').
 option_ko(neighbours, '사이에 면이 있는 영역들, 그 면의 수와 넓이도').
 option_ko(stdio,
     '페이지 없이 표준 입력과 표준 출력의 프레임 (docs/protocol.md)').
@@ -393,54 +396,58 @@ option_ko(open, '이 데스크톱의 브라우저에서 페이지를 연다 (기
 option_ko(output, '결과 파일. 확장자가 형식을 정하며 여러 번 쓸 수 있다').
 option_ko(format, '-o - 의 형식').
 option_ko(view,
-    'front back left right top bottom isometric dimetric trimetric 또는 \c
-THETA,PHI[,RHO] (도)').
+    'front(정면도), back(배면도), left(좌측면도), right(우측면도), top(평면도), \c
+bottom(저면도), isometric(등각), dimetric(이축), trimetric(삼축) 또는 \c
+각도 THETA,PHI[,RHO](도)').
 option_ko(direction, '이 방향으로 본다').
 option_ko(eye, '이 점에서 본다').
-option_ko(target, '--eye 와 함께: 이 점을 본다. 없으면 모델의 가운데').
+option_ko(target, '--eye와 함께: 이 점을 본다. 없으면 모델의 가운데').
 option_ko(up,
-    '모델의 어느 축이 위인가 (보통 z. .obj 파일은 흔히 y). 먼저 그 축이 \c
+    '모델의 어느 축이 위인가 (기본값 z, .obj 파일은 흔히 y). 먼저 그 축이 \c
 z가 되게 모델을 돌리고, 시점, 방향, 단면은 돌린 모델의 것이다').
 option_ko(scale, '척도. 1:2, 5:1 등, 또는 fit(자리에 맞추어 가장 크게)').
 option_ko(explode,
     '붙인 것의 세포들을 떼어 그린다. 가운데에서 떨어진 거리의 F배만큼 옮긴다').
-option_ko(unit, '척도를 위한 모델의 단위. 보통 mm').
+option_ko(unit, '척도를 위한 모델의 단위. 기본값 mm').
 option_ko(sheet,
-    '테두리가 있는 도면. A4~A0, A3-portrait(세로), A4-landscape(가로) 등. \c
-아래 선택 사항만 있으면 A3').
+    '윤곽선과 표제란이 있는 도면. 용지 A4~A0, A3-portrait(세로), A4-landscape(가로) 등. \c
+아래 옵션만 있으면 A3').
 option_ko(views,
-    '도면의 그림들. front,top,right,isometric 등(따로 말하지 않으면 이것)').
-option_ko(angle, 'first(제1각법) 또는 third(제3각법, 보통)').
+    '도면의 투상도들. 기본값 front,top,right,isometric').
+option_ko(angle, 'first(제1각법) 또는 third(제3각법, 기본값)').
 option_ko(section,
     '단면도. x=5, y=5, z=5에서, x, y, z는 가운데에서, A,B,C,D는 \c
-A*X + B*Y + C*Z + D > 0 인 쪽에서 본다. 여러 번 쓸 수 있다').
+A*X + B*Y + C*Z + D > 0인 쪽에서 본다. 여러 번 쓸 수 있다').
 option_ko('title-block',
     '표제란의 사실 파일. 보기: title_block(name, "받침대").').
-option_ko(language, '표제란의 언어. 보통 en').
-option_ko('no-frame', '테두리와 표제란 없이').
+option_ko(language, '표제란의 언어. 기본값은 --lang으로 준 언어, 없으면 en').
+option_ko('no-frame', '윤곽선과 표제란 없이').
 option_ko(shade,
-    '선 아래의 음영: render 처럼 lambert, gooch, cel=N, zebra=N, flat. hatch는 \c
-펜으로 긋는 음영(모든 형식). 시트에서는 입체 뷰에만').
-option_ko(projection, 'parallel(평행) 또는 central(중심)').
-option_ko(hidden, '은선: dashed(점선, 보통), removed(없앰), shown(보임)').
-option_ko(lines, 'feature(보통), all(모두), penetration(상관선만)').
+    '선 아래의 음영: render처럼 lambert, gooch, cel=N, zebra=N, flat. hatch는 \c
+펜으로 긋는 음영(모든 형식). 용지에서는 입체도에만').
+option_ko(projection, 'parallel(평행 투상) 또는 central(중심 투상, 투시)').
+option_ko(hidden, '숨은선: dashed(파선, 기본값), removed(생략), shown(실선)').
+option_ko(lines, 'feature(기본값), all(모두), penetration(상관선만)').
 option_ko(crease, Help) :-
     usual_crease(Usual),
     format(atom(Help),
-           '메시에서 DEGREES(보통 ~w)도 이하로 꺾인 면은 이어진 매끄러운 \c
+           '메시에서 DEGREES(기본값 ~w)도 이하로 꺾인 면은 이어진 매끄러운 \c
             곡면으로 본다', [Usual]).
 option_ko(segment, '세그먼트 N만. 여러 번 쓸 수 있다').
-option_ko(size, '종이 크기 mm').
+option_ko(size, '용지 크기 mm. 기본값 210x148').
 option_ko(style, '선의 모양을 정하는 사실 파일 (docs/drawings.md)').
 option_ko(dashes,
-    '점선: auto(형식에 맞게, 보통), geometry(한 선씩 따로, 절단기), \c
+    '파선: auto(형식에 맞게, 기본값), geometry(한 선씩 따로, 절단기), \c
 type(플로터의 선 종류)').
-option_ko(png, '.png: smooth(매끈한 선, 보통), dots(1988년 화면의 점. --size는 점의 수)').
+option_ko(png, '.png: smooth(매끈한 선, 기본값), dots(1988년 화면의 점. --size는 점의 수)').
+option_ko('min-line',
+    '용지에서 MM보다 짧고 양 끝이 다른 선에 닿지 않는 선은 그리지 않는다(스캔한 \c
+메시의 티)').
 option_ko(dpi, '매끈한 .png의 인치당 점의 수').
 option_ko(exact, '표의 좌표를 반올림하지 않은 분수로').
 option_ko(tolerance, 'T(모델 단위)보다 가까우면 닿은 것으로 본다. 0: 그대로').
 option_ko(repair,
-    '먼저 입체를 고친다: 꼭지점 합치기, 겹치거나 변이 없는 면 버리기, \c
+    '먼저 입체를 고친다: 꼭짓점 합치기, 두 번 있거나 넓이가 없는 면 버리기, \c
 뒤집힌 껍질 바로잡기').
 option_ko(plane, '평면 A*X + B*Y + C*Z + D = 0').
 option_ko(by, '나누는 입체, 또는 끝까지 가르는 열린 곡면').
@@ -456,13 +463,13 @@ option_ko(list, '작업 이름만 쓰고 하지는 않는다').
 option_ko(report, '작업마다 JSON 한 줄을 표준 출력 대신 이 파일에 쓴다').
 option_ko(copy, '결과를 링크가 아니라 복사본으로 둔다').
 option_ko(merge, '보고 파일들을 하나로: JSON, JUnit, 그림을 모은 쪽').
-option_ko(sheets, '문제 파일로 문제지를 만든다. 동사 problems와 같다').
+option_ko(sheets, '문제 파일로 문제지를 만든다. problems 명령과 같다').
 option_ko(limit, '처음 N개의 답만').
-option_ko(from, '표준 입력(-)의 형식. 보통 pl').
+option_ko(from, '표준 입력(-)의 형식. 기본값 pl').
 option_ko(set, '모델의 매개변수 param(NAME, 기본값)의 값, 수 또는 수로 된 식. \c
      여러 번 쓸 수 있다').
 option_ko(rules, '결정을 바꾸는 규칙 파일. 여러 번 쓸 수 있다').
-option_ko(limits, '글이 청할 수 있는 크기: depth, blocks, digits, name, fact, file, \c
+option_ko(limits, '텍스트가 쓸 수 있는 크기: depth, blocks, digits, name, fact, file, \c
 text, facets, nodes').
 option_ko(strict, '경고가 있으면 종료 코드 1').
 option_ko(quiet, '알림과 진행 표시 없이').
@@ -473,7 +480,7 @@ option_ko(help, '이 설명').
 
 %   verb_option_ko(Verb, Name, Help): where Verb says another thing.
 
-verb_option_ko(Verb, json, '--each 와 함께: 파일마다 JSON 한 줄') :-
+verb_option_ko(Verb, json, '--each와 함께: 파일마다 JSON 한 줄') :-
     memberchk(Verb, [convert,draw]).
 verb_option_ko(batch, only, '이름이 NAME인 작업만. 여러 번 쓸 수 있다').
 verb_option_ko(batch, output,
@@ -579,7 +586,8 @@ not_of(serve, option(Name, _, _, _, _)) :-
 print_usage(Language) :-
     heading(Language, what, What),
     heading(Language, usage, Usage),
-    format("~w~n~n~w  sanggwan VERB [OPTION...] MODEL...~n", [What, Usage]),
+    in_words(Language, 'VERB [OPTION...] MODEL...', Form),
+    format("~w~n~n~w  sanggwan ~w~n", [What, Usage, Form]),
     format("        sanggwan --help | --version~n~n"),
     forall(verb(Verb, _, Summary, SummaryKo),
            ( in_language(Language, Summary, SummaryKo, Text),
@@ -594,8 +602,9 @@ print_usage(Verb, Language) :-
     heading(Language, options, Options),
     heading(Language, examples, Examples),
     format("sanggwan ~w: ~w~n~n", [Verb, Text]),
-    format("~w  sanggwan ~w [OPTION...] ~w~n~n~w~n",
-           [Usage, Verb, Arguments, Options]),
+    atom_concat('[OPTION...] ', Arguments, Form0),
+    in_words(Language, Form0, Form),
+    format("~w  sanggwan ~w ~w~n~n~w~n", [Usage, Verb, Form, Options]),
     verb_options(Verb, Specs),
     forall(member(Spec, Specs), print_option(Language, Verb, Spec)),
     format("~n~w~n", [Examples]),
@@ -610,20 +619,51 @@ print_option(Language, Verb, option(Name, Short, _, Meta, Help)) :-
     ->  Value = ''
     ;   Value = '='
     ),
-    (   Verb == unfold,
-        unfold_option_ko(Name, HelpKo)
-    ->  true
-    ;   memberchk(Verb, [render,explain]),
-        render_option_ko(Name, HelpKo)
-    ->  true
-    ;   verb_option_ko(Verb, Name, HelpKo)
-    ->  true
-    ;   option_ko(Name, HelpKo)
-    ->  true
-    ;   HelpKo = Help
+    (   Language == ko,
+        help_ko(Verb, Name, HelpKo)
+    ->  Text = HelpKo
+    ;   Text = Help
     ),
-    in_language(Language, Help, HelpKo, Text),
     format("  ~w--~w~w~w ~t~28|~w~n", [Letter, Name, Value, Meta, Text]).
+
+%   in_words(Language, Form0, Form): what stands for a word, in Language.
+
+in_words(ko, Form0, Form) :-
+    !,
+    findall(Word-Korean, placeholder_ko(Word, Korean), Pairs),
+    foldl(replaced_word, Pairs, Form0, Form).
+in_words(_, Form, Form).
+
+replaced_word(Word-Korean, Form0, Form) :-
+    atomic_list_concat(Parts, Word, Form0),
+    atomic_list_concat(Parts, Korean, Form).
+
+placeholder_ko('VERB', '명령').
+placeholder_ko('OPTION', '옵션').
+placeholder_ko('MODEL', '모델').
+placeholder_ko('GOAL', '목표').
+placeholder_ko('ITEM', '항목').
+placeholder_ko('MANIFEST', '작업목록').
+placeholder_ko('FOLDER', '폴더').
+placeholder_ko('FILE', '파일').
+
+%   help_ko(Verb, Name, Help): where verbs share an option, what it says is that
+%   of the table which the verb has it from.
+
+help_ko(Verb, Name, Help) :-
+    verb_option_ko(Verb, Name, Help),
+    !.
+help_ko(Verb, Name, Help) :-
+    ( Verb == unfold ; Verb == explain, wish_option(option(Name, _, _, _, _)) ),
+    unfold_option_ko(Name, Help),
+    !.
+help_ko(Verb, Name, Help) :-
+    memberchk(Verb, [render,explain]),
+    render_option_ko(Name, Help),
+    !.
+help_ko(_, Name, Help) :-
+    option_ko(Name, Help),
+    !.
 
 in_language(ko, _, Text, Text) :-
     !.
@@ -645,10 +685,10 @@ Exit codes: 0 done; 1 the answer is no; 2 wrong usage; 3 input unreadable\n\c
 or invalid; 4 geometry not possible; 5 some jobs of a batch, or some files\n\c
 of --each, failed; 130 interrupted.').
 
-heading_ko(what, '상관: 상관선, 은선, 그리고 관계로서의 모델.').
+heading_ko(what, '상관: 상관선, 숨은선, 그리고 관계로서의 모델.').
 heading_ko(usage, '사용법:').
-heading_ko(options, '선택 사항:').
+heading_ko(options, '옵션:').
 heading_ko(examples, '보기:').
-heading_ko(more, 'sanggwan VERB --help 에 자세한 설명과 보기가 있다.\n종료 코드: \c
-0 끝남; 1 아니오; 2 잘못된 사용; 3 입력을 읽을 수 없거나 잘못됨;\n\c
+heading_ko(more, 'sanggwan 명령 --help에 자세한 설명과 보기가 있다.\n종료 코드: \c
+0 끝남; 1 답이 없음; 2 잘못된 사용; 3 입력을 읽을 수 없거나 잘못됨;\n\c
 4 기하 계산 불가; 5 일괄 작업이나 --each 파일 일부 실패; 130 중단됨.').

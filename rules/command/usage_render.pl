@@ -81,28 +81,28 @@ render_option_ko(output,
 render_option_ko(edges, '다른 면이 시작하는 곳에 검은 선').
 render_option_ko(shadows, '빛 쪽에서 보아 무엇의 뒤에 있으면 그 빛을 받지 않는다').
 render_option_ko(surface,
-    '둥근 것을 그대로(true, 보통), 또는 파일에 있는 대로 평면으로(facets)').
+    '둥근 것을 그대로(true, 기본값), 또는 파일에 있는 대로 평면으로(facets)').
 render_option_ko(spans, '각 주사선에 보이는 것을 행으로 적는다').
-render_option_ko(size, '점의 수. 640x400 등. 보통 1260x888').
+render_option_ko(size, '점의 수. 640x400 등. 기본값 1260x888').
 render_option_ko(window,
     '그림의 이 부분(그림 자신의 단위)이 틀을 채운다. 없으면 보이는 것 모두와 여백').
-render_option_ko(smooth, '한 점을 지나는 주사선의 수 (보통 4)').
+render_option_ko(smooth, '한 점을 지나는 주사선의 수 (기본값 4)').
 render_option_ko(shade,
-    'lambert(보통), gooch(찬 색에서 따뜻한 색으로), cel=N(N단계), zebra=N(밝기가 \c
+    'lambert(기본값), gooch(찬 색에서 따뜻한 색으로), cel=N(N단계), zebra=N(밝기가 \c
 같은 N개의 줄무늬), flat, xray(X선)').
 render_option_ko(colours,
-    '색이 정해지지 않은 것의 색: 루트마다(root, 보통) 또는 잎마다(leaf)').
+    '색이 정해지지 않은 것의 색: 루트마다(root, 기본값) 또는 리프마다(leaf)').
 render_option_ko(look,
     '색과 빛: look(1, colour(red)) 같은 사실 파일 (docs/render.md)').
 render_option_ko(light,
     '빛이 그림에서 오는 쪽: X는 오른쪽, Y는 위, Z는 눈 쪽').
 render_option_ko('see-through',
-    '세그먼트 N(번호나 이름)을 통해 뒤의 것이 보인다. A: 불투명도 0~1(보통 0.3). 여러 번 쓸 수 있다').
+    '세그먼트 N(번호나 이름)을 통해 뒤의 것이 보인다. A: 불투명도 0~1(기본값 0.3). 여러 번 쓸 수 있다').
 render_option_ko(section,
     'x=5, y=5, z=5에서, x, y, z는 가운데에서 잘라 해칭한다. A,B,C,D는 \c
-A*X + B*Y + C*Z + D > 0 인 쪽을 뗀다. 여러 번 쓸 수 있다').
+A*X + B*Y + C*Z + D > 0인 쪽을 뗀다. 여러 번 쓸 수 있다').
 render_option_ko(background,
-    '색 이름이나 R,G,B(0~255). 보통 white. none: 투명(.png)').
+    '색 이름이나 R,G,B(0~255). 기본값 white. none: 투명(.png)').
 render_option_ko(palette, '색은 많아야 N가지(2~256). 1989년의 화면처럼').
 render_option_ko(buffer,
     '점마다 아는 것: depth=FILE.pfm(깊이), normal=FILE.pfm(법선), \c

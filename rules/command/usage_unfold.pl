@@ -161,9 +161,9 @@ unfold_option_ko(only, '이 세그먼트만. 번호나 이름').
 unfold_option_ko(trim,
     '먼저 다른 세그먼트의 안에 있는 부분을 잘라 내고 바깥(outside)을 남긴다. \c
 inside는 그 반대').
-unfold_option_ko(by, '--trim 과 함께: 이 세그먼트만 다른 것을 잘라 낸다').
+unfold_option_ko(by, '--trim과 함께: 이 세그먼트만 다른 것을 잘라 낸다').
 unfold_option_ko(lines,
-    '잘라 내지 않을 때 다른 세그먼트와의 상관선을 그린다(보통). --no-lines: 없이').
+    '잘라 내지 않을 때 다른 세그먼트와의 상관선을 그린다(기본값). --no-lines: 없이').
 unfold_option_ko(root, '펼치기 시작하는 다각형. 번호나 top, side(2) 같은 이름').
 unfold_option_ko(cut,
     '잇지 않을 모서리. 번호, 4-7이나 base-side(2) 같은 두 다각형, 또는 \c
@@ -172,64 +172,64 @@ unfold_option_ko(keep, '다른 것보다 먼저 이을 모서리').
 unfold_option_ko(order, '차례로 이어 갈 다각형들').
 unfold_option_ko(remove, '뺄 다각형. 보기: base,top').
 unfold_option_ko(minimize,
-    '줄일 것: seam(솔기의 길이, 보통), pieces(조각의 수), longest(가장 긴 \c
-용접선), area(판의 넓이)').
+    '줄일 것: seam(접합선의 길이, 기본값), pieces(조각의 수), longest(가장 긴 \c
+용접선), area(판재의 넓이)').
 unfold_option_ko(effort,
-    '더 짧은 솔기를 얼마나 찾을지: 면을 약 N백만 번까지 다시 놓아 본다. 보통 \c
-면 10,000개까지 3, 더 많으면 0, --minimize 와 함께는 48').
+    '더 짧은 접합선을 얼마나 찾을지: 면을 약 N백만 번까지 다시 놓아 본다. 기본값은 \c
+면 10,000개까지 3, 더 많으면 0, --minimize와 함께는 48').
 
 unfold_option_ko(true,
-    '둥근 것은 면마다가 아니라 실제 길이로 펼친다. 원기둥, 원뿔, 변이관').
-unfold_option_ko(seam, '--true 와 함께: 솔기가 될 면소의 각도').
+    '둥근 것은 면마다가 아니라 실제 길이로 펼친다. 원기둥, 원뿔, 변환관').
+unfold_option_ko(seam, '--true와 함께: 접합선이 될 면소의 각도').
 unfold_option_ko(generators,
-    '--true 와 함께: 번호를 단 등분 면소의 수. 2에서 3600까지').
-unfold_option_ko(half, '--true 와 함께: 대칭인 것의 반쪽').
-unfold_option_ko(chord, '--true 와 함께: 곡선이 참값에서 벗어나도 되는 거리').
+    '--true와 함께: 번호를 단 등분 면소의 수. 2에서 3600까지').
+unfold_option_ko(half, '--true와 함께: 대칭인 것의 반쪽').
+unfold_option_ko(chord, '--true와 함께: 곡선이 참값에서 벗어나도 되는 거리').
 unfold_option_ko(table,
-    '--true 와 함께: 실장표. 전개도가 여럿이면 FILE-1.csv 등').
+    '--true와 함께: 실장(실제 길이)표. 전개도가 여럿이면 FILE-1.csv 등').
 unfold_option_ko(lengths,
-    '--true 와 함께: 그 표를 종이에도 넣는다(보통). --no-lengths: 넣지 않는다').
-unfold_option_ko(thickness, '판의 두께(모델 단위). 굽힘만큼 줄인다').
+    '--true와 함께: 그 표를 용지에도 넣는다(기본값). --no-lengths: 넣지 않는다').
+unfold_option_ko(thickness, '판재의 두께(모델 단위). 굽힘만큼 줄인다').
 unfold_option_ko(size,
-    '--thickness 와 함께: 모델이 판의 어느 면인가: inside(안쪽), middle(가운데, \c
-보통), outside(바깥)').
+    '--thickness와 함께: 모델이 판재의 어느 면인가: inside(안쪽), middle(가운데, \c
+기본값), outside(바깥)').
 unfold_option_ko(kfactor,
-    '--thickness 와 함께: 길이가 변하지 않는 층. 굽힘의 안쪽에서 두께의 K배, \c
-0에서 1까지. 보통 0.44, --true 는 0.5').
+    '--thickness와 함께: 길이가 변하지 않는 층. 굽힘의 안쪽에서 두께의 K배, \c
+0에서 1까지. 기본값 0.44, --true는 0.5').
 unfold_option_ko('bend-radius',
-    '--thickness 와 함께: 굽힘의 안쪽 반지름. 보통 두께와 같다').
+    '--thickness와 함께: 굽힘의 안쪽 반지름. 기본값은 두께').
 unfold_option_ko(relief,
-    '--thickness 와 함께: 두 굽힘이 만나는 모퉁이를 어떻게 따낼지: square(네모, \c
-보통), round(둥글게), none(그대로)').
-unfold_option_ko(material, '--thickness 와 함께: 전개도마다 무게를 알린다').
+    '--thickness와 함께: 두 굽힘이 만나는 모퉁이를 어떻게 따낼지: square(네모, \c
+기본값), round(둥글게), none(그대로)').
+unfold_option_ko(material, '--thickness와 함께: 전개도마다 무게를 알린다').
 unfold_option_ko('set-in',
-    '--true, --trim, --thickness 와 함께: 지관이 주관의 벽을 뚫고 들어간다. \c
+    '--true, --trim, --thickness와 함께: 지관이 주관의 벽을 뚫고 들어간다. \c
 없으면 위에 얹힌다').
 unfold_option_ko('other-thickness',
-    '--true, --trim, --thickness 와 함께: 다른 세그먼트의 두께').
+    '--true, --trim, --thickness와 함께: 다른 세그먼트의 두께').
 unfold_option_ko(height, '모델의 높이가 이만큼 되는 척도').
 unfold_option_ko(pages,
-    '모두 N쪽에 들어가는 가장 큰 척도. --page 가 없으면 A4').
+    '모두 N쪽에 들어가는 가장 큰 척도. --page가 없으면 A4').
 unfold_option_ko(fit, '쪽에 맞추어 조각을 나누지 않아도 되는 가장 큰 척도').
 unfold_option_ko(page,
     '이 크기의 쪽들. A4~A0, A3-landscape, letter, WxH(mm). 더 큰 조각은 \c
-나눈다. 없으면 필요한 크기의 종이 한 장').
+나눈다. 없으면 필요한 크기의 용지 한 장').
 unfold_option_ko(tile,
-    '조각을 나누지 않고, 종이를 겹치는 쪽들로 나눈다. --page 가 없으면 A4').
-unfold_option_ko(overlap, '--tile 과 함께: 쪽이 겹치는 너비. 보통 10').
-unfold_option_ko(margin, '쪽 둘레의 여백. 보통 10').
-unfold_option_ko(gap, '조각 사이의 간격. 보통 3').
-unfold_option_ko(tabs, '솔기마다 한쪽에 붙이는 풀칠 면의 너비').
+    '조각을 나누지 않고, 용지를 겹치는 쪽들로 나눈다. --page가 없으면 A4').
+unfold_option_ko(overlap, '--tile과 함께: 쪽이 겹치는 너비. 기본값 10').
+unfold_option_ko(margin, '쪽 둘레의 여백. 기본값 10').
+unfold_option_ko(gap, '조각 사이의 간격. 기본값 3').
+unfold_option_ko(tabs, '접합선마다 한쪽에 붙이는 풀칠면의 너비').
 unfold_option_ko('tab-sides',
-    '--tabs 와 함께: 솔기의 한쪽(one, 보통), 양쪽(both), 번갈아(alternate)').
+    '--tabs와 함께: 접합선의 한쪽(one, 기본값), 양쪽(both), 번갈아(alternate)').
 unfold_option_ko('open-slits',
-    '--tabs 와 함께: 틈이 좁아 날개가 들어가지 않는 곳마다 접는 선에서 조각을 나눈다. \c
-     --no-open-slits: 나누지 않는다. 둘 다 없으면 이음매의 10분의 1 넘게 날개가 없을 때만').
+    '--tabs와 함께: 틈이 좁아 풀칠면이 들어가지 않는 곳마다 접는 선에서 조각을 나눈다. \c
+     --no-open-slits: 나누지 않는다. 둘 다 없으면 접합선의 10분의 1 넘게 풀칠면이 없을 때만').
 unfold_option_ko(numbers,
-    '솔기 양쪽에 짝의 번호를 쓴다(보통). --no-numbers: 쓰지 않는다').
+    '접합선 양쪽에 짝의 번호를 쓴다(기본값). --no-numbers: 쓰지 않는다').
 unfold_option_ko(names, '면의 이름: numbers(번호)나 words(base 같은 말)').
 unfold_option_ko(angles, '접는 각도를 쓴다').
-unfold_option_ko('fold-threshold', '이보다 적게 꺾이는 곳은 그리지 않는다. 보통 0.5').
+unfold_option_ko('fold-threshold', '이보다 적게 꺾이는 곳은 그리지 않는다. 기본값 0.5').
 unfold_option_ko(inside, '안쪽에서 본 전개도').
 unfold_option_ko(grid, '확인하기 위한 모눈. 간격은 0.5 이상').
 

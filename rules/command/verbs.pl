@@ -35,7 +35,7 @@
 :- use_module('../primitive/primitive_rows', [goal_commas_told/1]).
 :- use_module('../problem/problem_sheet', [problem_sheets/3]).
 :- use_module('../studio/query', [query/2, read_goal/3]).
-:- use_module(repl, [repl/0]).
+:- use_module(repl, [repl/1]).
 :- use_module(report, [print_report/2]).
 :- use_module(sheet_options,
               [ sheet_wanted/1, sheet_request/3, request_facts/4,
@@ -230,13 +230,13 @@ verb_run(problems, Files, Options, 0) :-
     ;   usage_error(no_output)
     ),
     problem_sheets(File, Folder, Options).
-verb_run(repl, Files, Options, 0) :-
+verb_run(repl, Files, Options, Status) :-
     (   Files == []
     ->  settings_of(Options, Settings),
         settings_met(Settings, [])
     ;   load_model(Files, Options)
     ),
-    repl.
+    repl(Status).
 
 %!  sheet_drawing_there(+Options, +File, -Drawn) is det.
 %
@@ -578,6 +578,8 @@ drawing_option(Options, style(Rows)) :-
     style_rows(File, Rows).
 drawing_option(Options, dashes(How)) :-
     option(dashes(How), Options).
+drawing_option(Options, min_line(Length)) :-
+    option('min-line'(Length), Options).
 drawing_option(Options, png(How)) :-
     option(png(How), Options).
 drawing_option(Options, dots(Dots)) :-

@@ -22,7 +22,7 @@
 :- use_module('../pattern/pattern_paper', [paper_checked/1]).
 :- use_module('../penetration/penetration', [penetrate/2]).
 :- use_module('../development/polygon_name',
-              [segment_title/2, segments_named/2]).
+              [polygons_named/3, segment_title/2, segments_named/2]).
 :- use_module(sheet_options, [scale_option/2]).
 :- use_module(solid_verbs, [empty_roots_warned/0]).
 :- use_module('../stage', [stage/2]).
@@ -46,7 +46,7 @@
                 no_file/1, output_written/2, usage_error/1
               ]).
 :- use_module(library(aggregate), [aggregate_all/3]).
-:- use_module(library(apply), [maplist/2, maplist/3, maplist/4]).
+:- use_module(library(apply), [include/3, maplist/2, maplist/3, maplist/4]).
 :- use_module(library(lists), [append/2, append/3, last/2, member/2]).
 :- use_module(library(option), [option/2, option/3]).
 /** <module> The verb unfold.
@@ -142,7 +142,8 @@ reported(Ds, Options, Outputs) :-
 patterns(Options, Flags, Ds) :-
     known_wishes,
     chosen(Options, Flags, Ss),
-    maplist(all_wanted(Flags), Ss, Wanteds),
+    flags_met(Ss, Flags),
+    maplist(all_wanted(Ss, Flags), Ss, Wanteds),
     (   trims(Options)
     ->  true
     ;   option(lines(false), Options)
@@ -190,7 +191,7 @@ pattern_wanted(Item, Options, [wanted(Pairs)|How]) :-
     ->  Ss = [S]
     ;   chosen(Options, Flags, Ss)
     ),
-    findall(S-Wanted, ( member(S, Ss), all_wanted(Flags, S, Wanted) ), Pairs),
+    findall(S-Wanted, ( member(S, Ss), all_wanted(Ss, Flags, S, Wanted) ), Pairs),
     develop_options(Options, How0),
     trimming(Options, All),
     How = [by(All)|How0].
@@ -228,7 +229,14 @@ patterns_or_none(Ss, All, Options, S, Wanted, Ds) :-
               Ds = []
           )).
 
-all_wanted(Flags, S, Wanted) :-
+%   all_wanted(Ss, Flags, S, Wanted): of several parts Ss, those that have a
+%   polygon of that name.
+
+all_wanted(Ss, Flags0, S, Wanted) :-
+    (   Ss = [_]
+    ->  Flags = Flags0
+    ;   include(is_met(S), Flags0, Flags)
+    ),
     wishes(S, Flags, Wishes),
     wanted_of(S, Wishes, Wanted).
 
@@ -296,10 +304,29 @@ chosen(Options, Flags, Ss) :-
     (   Ss == []
     ->  throw(error(geometry_error(unfold(nothing_to_unfold)), _))
     ;   Ss = [_,_|_],
-        Flags = [Flag|_]
+        member(Flag, Flags),
+        \+ of_any(Flag)
     ->  functor(Flag, Name, _),
         flag_option(Name, Option),
         usage_error(unfold(which_segment(Option, Ss)))
+    ;   true
+    ).
+
+%   of_any(Flag): what it says may hold of several segments, by a name.
+
+of_any(removed(Name)) :-
+    \+ integer(Name).
+
+is_met(S, removed(Name)) :-
+    \+ polygons_named(S, Name, []).
+
+%   flags_met(Ss, Flags): of several parts Ss, one at least has what a flag names.
+
+flags_met(Ss, Flags) :-
+    (   Ss = [S,_|_],
+        member(Flag, Flags),
+        \+ ( member(Other, Ss), is_met(Other, Flag) )
+    ->  all_wanted([S], [Flag], S, _)   % says what there is
     ;   true
     ).
 

@@ -4,8 +4,8 @@
 :- use_module(ink,
               [dashes_option/3, ink_runs/2, ink_type/2, ink_lines/4]).
 :- use_module(pen_plan, [pen_plans/3]).
-:- use_module(library(apply), [foldl/4, maplist/2]).
-:- use_module(library(lists), [last/2, sum_list/2]).
+:- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
+:- use_module(library(lists), [last/2, list_to_set/2, sum_list/2]).
 :- use_module(library(option), [option/3]).
 /** <module> HPGL: strokes for pen plotters.
 
@@ -13,7 +13,7 @@ The style (style.pl) says which pen draws what; each pen is taken once. Dashes
 are drawn as such, for many plotters and all cutters know no line types; with
 dashes(type) they are the plotter's own, `LT`. Texts are drawn letter by letter
 (lettering.pl). A unit is 0.025 mm, the origin the lower left corner of the
-sheet.
+sheet; `PS` says how large that is.
 */
 
 %!  write_hpgl(+Out, +Inked, +Options) is det.
@@ -28,7 +28,8 @@ write_hpgl(Out, Inked, Options) :-
     dashes_option(Options, geometry, How),
     option(order(Order), Options, short),
     pen_plans(Inked, Order, Plans),
-    format(Out, 'IN;~n', []),
+    units(H, W-0, Wide, High),
+    format(Out, 'IN;~nPS~d,~d;~n', [Wide, High]),
     scaling_points(How, Out, W, H),
     maplist(plot_pen(Out, plot(How,W,H)), Plans),
     format(Out, 'PU;SP0;~n', []),
@@ -114,23 +115,44 @@ line_type(Out, plot(_,W,H), _, dashes(N,Length)) :-
     format(Out, 'LT~d,~3f;~n', [N,Percent]).
 
 %   Where a line begins at the point where the last one ended the pen stays
-%   down.
+%   down. What is shorter than a unit is nothing that a pen could draw; a point
+%   that is meant as one, such as a full stop, is put.
 
-plot_line(Out, H, [Point|Points], At0, At) :-
-    units(H, Point, X, Y),
-    (   At0 == X-Y
+plot_line(Out, H, Points0, At0, At) :-
+    maplist(unit_point(H), Points0, [First|Points1]),
+    moved_points(Points1, First, Points),
+    (   Points \== []
+    ->  drawn_line(Out, First, Points, At0, At)
+    ;   list_to_set(Points0, [_])
+    ->  drawn_line(Out, First, [First], At0, At)
+    ;   At = At0
+    ).
+
+unit_point(H, Point, X-Y) :-
+    units(H, Point, X, Y).
+
+%   moved_points(Points0, At, Points): without those at which the pen is.
+
+moved_points([], _, []).
+moved_points([Point|Points0], At, Points) :-
+    (   Point == At
+    ->  Points = Points1
+    ;   Points = [Point|Points1]
+    ),
+    moved_points(Points0, Point, Points1).
+
+drawn_line(Out, First, Points, At0, At) :-
+    (   At0 == First
     ->  true
-    ;   format(Out, 'PU~d,~d;', [X, Y])
+    ;   First = X-Y,
+        format(Out, 'PU~d,~d;', [X, Y])
     ),
     format(Out, 'PD', []),
-    foldl(plot_to(Out, H), Points, '', _),
+    foldl(plot_to(Out), Points, '', _),
     format(Out, ';~n', []),
-    last([Point|Points], Last),
-    units(H, Last, XLast, YLast),
-    At = XLast-YLast.
+    last(Points, At).
 
-plot_to(Out, H, Point, Before, ',') :-
-    units(H, Point, X, Y),
+plot_to(Out, X-Y, Before, ',') :-
     format(Out, '~w~d,~d', [Before, X, Y]).
 
 %   Letters may reach beyond the sheet: below zero, units are as long as above.

@@ -14,7 +14,8 @@
           ]).
 :- use_module('../sheet/dash', [stroke_dashes/3]).
 :- use_module('../colour', [colour_rgb/2]).
-:- use_module('../decision', [default/1]).
+:- use_module('../decision', [decided_at/2, default/1]).
+:- use_module('../sheet/speck', [without_specks/3]).
 :- use_module('../sheet/lettering', [lettering/2]).
 :- use_module(style,
               [ line_style/4, line_type/3, layer_name/1,
@@ -22,7 +23,7 @@
               ]).
 :- use_module(style_file, [style_rows/2, restyled/6, rows_paper/2]).
 :- use_module(library(apply), [exclude/3, foldl/4, maplist/3]).
-:- use_module(library(error), [domain_error/2, type_error/2]).
+:- use_module(library(error), [domain_error/2]).
 :- use_module('../plain', [plain_text/2]).
 :- use_module(library(lists), [append/2, append/3, list_to_set/2, member/2]).
 :- use_module(library(option), [option/3]).
@@ -54,11 +55,16 @@ of some role looks.
 %     - style(Style): a style file, or its rows; see style_rows/2
 %     - hidden(How): `shown` makes the hidden lines solid
 %     - words(kept): words are in place of their strokes; else there are none
+%     - min_line(L): strokes shorter than L millimetres, at whose ends no other
+%       one of the view ends, are left out (speck.pl)
 %
-%   @error type_error(line_style, Style), type_error(colour, Colour): a rule
-%   file gave what is none; and those of style_rows/2
+%   @error model_error(style(line_style(Style))), model_error(style(colour(C))):
+%   a rule file gave what is none, at the error's place; and those of
+%   style_rows/2
 
-inked(drawing(Sheet,Views0), Options, inked(Sheet,Paper,Views)) :-
+inked(drawing(Sheet,Views1), Options, inked(Sheet,Paper,Views)) :-
+    option(min_line(Least), Options, 0),
+    without_specks(Least, Views1, Views0),
     option(style(Style), Options, []),
     style_rows(Style, Rows),
     paper(Rows, Paper),
@@ -139,8 +145,17 @@ key_ink(how(Rows,Hidden), key(Visibility,Role,S), Ink) :-
     restyled(Rows, Visibility, Role, S, Style0, Style),
     (   style_ink(Style, Ink0)
     ->  shown_ink(Visibility, Hidden, Ink0, Ink)
-    ;   type_error(line_style, Style)
+    ;   decided_at(line_style(Visibility, Role, S, Style0), Location),
+        style_fault(Style, What),
+        throw(error(model_error(style(What)), Location))
     ).
+
+%   style_fault(Style, What): of a colour it is said which there are.
+
+style_fault(style(_,Colour,_,_,_), colour(Colour)) :-
+    \+ colours(Colour, _),
+    !.
+style_fault(Style, line_style(Style)).
 
 decided_style(Visibility, Role, S, Style) :-
     (   line_style(Visibility, Role, S, Style0)
@@ -206,7 +221,8 @@ paper(Rows, RGB) :-
     ),
     (   colours(Colour, colours(RGB0,_))
     ->  RGB = RGB0
-    ;   type_error(colour, Colour)
+    ;   decided_at(paper_style(Colour), Location),
+        throw(error(model_error(style(colour(Colour))), Location))
     ).
 
 %!  inked_lines(+Texts, +Inked, -Lines) is det.

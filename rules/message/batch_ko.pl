@@ -56,7 +56,7 @@ manifest_ko(no_output(Verb)) -->
       '  output(\'%.확장자\')를 쓰거나, defaults([...])로 모든 작업에 주십시오.' ].
 manifest_ko(ending(Pattern, Formats)) -->
     { atomic_list_concat(Formats, ' .', Text) },
-    [ '~w: 이 동사가 쓰는 파일의 확장자가 아닙니다'-[Pattern], nl,
+    [ '~w: 이 명령이 쓰는 파일의 확장자가 아닙니다'-[Pattern], nl,
       '  쓸 수 있는 확장자: .~w'-[Text] ].
 manifest_ko(folder_too(Name, Path)) -->
     [ '작업 ~w의 파일 ~w와(과) 이름이 같은 폴더를 다른 작업이 만듭니다'-
@@ -67,7 +67,7 @@ manifest_ko(limit(Term)) -->
       '  초는 0보다 크고, 메모리는 50메가바이트 이상이어야 합니다.' ].
 manifest_ko(unbound(Name)) -->
     [ '변수의 값을 정하는 것이 없습니다: ~w'-[Name], nl,
-      '  job(...) @ ~w in 1..100 처럼, 쓰는 곳보다 앞에 생성자를 쓰십시오.'-
+      '  job(...) @ ~w in 1..100처럼, 쓰는 곳보다 앞에 생성자를 쓰십시오.'-
       [Name] ].
 manifest_ko(bound_twice(Name)) -->
     [ '두 생성자가 같은 변수의 값을 정합니다: ~w'-[Name], nl,

@@ -148,8 +148,13 @@ command_en(bad_goal(_, limit(Name, Most))) -->
     limit_en(Name),
     [ nl, '  To allow more: --limits ~w=N, in a program set_limit(~w, N).'-
       [Name, Name] ].
+command_en(bad_goal(Text, after_full_stop)) -->
+    [ 'there is more after the first full stop: ~w'-[Text], nl,
+      '  One goal is asked at a time; put commas between its parts.' ].
 command_en(bad_goal(Text, Why)) -->
-    { Why \= limit(_, _) },
+    { Why \= limit(_, _),
+      Why \== after_full_stop
+    },
     [ 'this is no goal: ~w ('-[Text] ],
     syntax_words(Why),
     [ ')' ].

@@ -17,7 +17,7 @@ development_en.pl has the same heads in English.
 
 development_ko(S, What) -->
     { segment_word(S, Name) },
-    [ '세그먼트 ~d~w 은(는) 펼칠 수 없습니다: '-[S, Name] ],
+    [ '세그먼트 ~d~w은(는) 펼칠 수 없습니다: '-[S, Name] ],
     what_ko(What).
 
 what_ko(kind(curve)) -->
@@ -27,33 +27,33 @@ what_ko(kind(pattern)) -->
       '  전개도를 만든 세그먼트를 지정하십시오.' ].
 what_ko(kind(Kind)) -->
     { \+ memberchk(Kind, [curve,pattern]) },
-    [ '종류가 ~w 입니다'-[Kind], nl,
+    [ '종류가 ~w입니다'-[Kind], nl,
       '  입체와 곡면만 펼칠 수 있습니다.' ].
 what_ko(empty) -->
     [ '다각형이 없습니다' ].
 what_ko(not_simple(Ps)) -->
-    [ '스스로 교차하는 다각형: ' ],
+    [ '자기 자신과 교차하는 다각형: ' ],
     some_ko(Ps).
 what_ko(not_flat(Ps)) -->
     [ '평면이 아닌 다각형: ' ],
     some_ko(Ps),
-    [ nl, '  strict(true) 가 없으면 그 삼각형들을 씁니다.' ].
+    [ nl, '  strict(true)가 없으면 그 삼각형들을 씁니다.' ].
 what_ko(overlap(edge(E, Face3, Face4), Face1, Face2)) -->
     { maplist(face_word, [Face1,Face2,Face3,Face4], [W1,W2,W3,W4]) },
-    [ '다각형 ~w 와(과) 다각형 ~w 사이의 유지해야 할 모서리 ~d 에서 붙이면 \c
-       다각형 ~w 이(가) 다각형 ~w 위에 놓입니다'-[W3, W4, E, W2, W1], nl,
-      '  다른 모서리를 유지하거나 이 모서리를 솔기로 두십시오.' ].
+    [ '다각형 ~w와(과) 다각형 ~w 사이의 유지해야 할 모서리 ~d에서 붙이면 \c
+       다각형 ~w이(가) 다각형 ~w 위에 놓입니다'-[W3, W4, E, W2, W1], nl,
+      '  다른 모서리를 유지하거나 이 모서리를 접합선으로 두십시오.' ].
 what_ko(no_joint(E)) -->
-    [ '모서리 ~d 에서 만나는 두 면이 없습니다'-[E], nl,
+    [ '모서리 ~d에서 만나는 두 면이 없습니다'-[E], nl,
       '  두 다각형이 공유하는 모서리를 지정하십시오.' ].
 what_ko(edge_length(E)) -->
-    [ '모서리 ~d 은(는) 너무 짧아, 거기에 매달릴 부분을 붙들 수 없습니다'-[E] ].
+    [ '모서리 ~d은(는) 너무 짧아, 거기에 매달릴 부분을 붙들 수 없습니다'-[E] ].
 what_ko(no_numbers) -->
     [ '평면이 아닌 다각형은 삼각형이 되는데, 다각형과 모서리의 번호 뒤에 남은 \c
        번호가 모자랍니다', nl,
-      '  다각형과 모서리에 2147483647 보다 작은 번호를 주십시오.' ].
+      '  다각형과 모서리에 2147483647보다 작은 번호를 주십시오.' ].
 what_ko(no_polygon(P)) -->
-    [ '다각형 ~p 이(가) 없습니다'-[P] ].
+    [ '다각형 ~p이(가) 없습니다'-[P] ].
 
 some_ko(Ids) -->
     { length(Ids, Count),
@@ -65,7 +65,7 @@ some_ko(Ids) -->
     ;   { append(First, _, Ids),
           atomic_list_concat(First, ', ', Text)
         },
-        [ '~w, ... (모두 ~D 개)'-[Text, Count] ]
+        [ '~w, ... (모두 ~D개)'-[Text, Count] ]
     ).
 
 %!  development_notice_ko(+S, +What)// is det.
@@ -101,7 +101,7 @@ sides_ko(Sides) -->
     sides_ko(Sides, 6),
     (   { Count =< 6 }
     ->  []
-    ;   [ ', ... (모두 ~D 개)'-[Count] ]
+    ;   [ ', ... (모두 ~D개)'-[Count] ]
     ).
 
 sides_ko([side(E, P, Name)|Sides], Most) -->
@@ -110,7 +110,7 @@ sides_ko([side(E, P, Name)|Sides], Most) -->
     ->  []
     ;   [ ' (~p)'-[Name] ]
     ),
-    [ ' 의 ~d'-[E] ],
+    [ '의 모서리 ~d'-[E] ],
     (   { Sides = [_|_], Most > 1 }
     ->  { Most1 is Most-1 },
         [ ', ' ],

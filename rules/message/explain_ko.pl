@@ -22,52 +22,57 @@
 
 statement_ko(line(L, S1, P1, S2, P2)) -->
     { segment_word(S1, W1), segment_word(S2, W2) },
-    [ '선 ~d: 세그먼트 ~d~w의 다각형 ~d과(와) 세그먼트 ~d~w의 다각형 ~d이(가) \c
+    [ '상관선 ~d: 세그먼트 ~d~w의 다각형 ~d과(와) 세그먼트 ~d~w의 다각형 ~d이(가) \c
        만난다'-[L, S1, W1, P1, S2, W2, P2] ].
 statement_ko(touch(L, S1, P1, S2, P2)) -->
     { segment_word(S1, W1), segment_word(S2, W2) },
-    [ '선 ~d: 세그먼트 ~d~w의 다각형 ~d과(와) 세그먼트 ~d~w의 다각형 ~d이(가) 한 \c
+    [ '상관선 ~d: 세그먼트 ~d~w의 다각형 ~d과(와) 세그먼트 ~d~w의 다각형 ~d이(가) 한 \c
        점에서 닿는다'-[L, S1, W1, P1, S2, W2, P2] ].
 statement_ko(point(End, Point, S1, V1, S2, V2)) -->
     { memberchk(End-Word, [start-'시작점', end-'끝점', point-'점']) },
     [ '~w '-[Word] ],
     point(Point),
-    [ ', 세그먼트 ~d의 꼭지점 ~d, 세그먼트 ~d의 꼭지점 ~d'-
+    [ ', 세그먼트 ~d의 꼭짓점 ~d, 세그먼트 ~d의 꼭짓점 ~d'-
       [S1, V1, S2, V2] ].
 statement_ko(contact('vertex-vertex', seat(S1,V1,_), seat(S2,V2,_))) -->
-    [ '세그먼트 ~d의 꼭지점 ~d과(와) 세그먼트 ~d의 꼭지점 ~d이(가) 한 곳에 있다'-
+    [ '세그먼트 ~d의 꼭짓점 ~d과(와) 세그먼트 ~d의 꼭짓점 ~d이(가) 한 곳에 있다'-
       [S1, V1, S2, V2] ].
 statement_ko(contact('vertex-edge', Seat1, Seat2)) -->
     { in_order(Seat1, Seat2, seat(S1,V1,_), seat(S2,_,Place)) },
-    [ '세그먼트 ~d의 꼭지점 ~d이(가) 있는 곳: '-[S1, V1] ],
-    place(S2, Place).
+    [ '세그먼트 ~d의 꼭짓점 ~d이(가) '-[S1, V1] ],
+    place(S2, Place),
+    [ '에 있다' ].
 statement_ko(contact('vertex-face', Seat1, Seat2)) -->
     { in_order(Seat1, Seat2, seat(S1,V1,_), seat(S2,_,Place)) },
-    [ '세그먼트 ~d의 꼭지점 ~d이(가) 안에 있는 곳: '-[S1, V1] ],
-    place(S2, Place).
+    [ '세그먼트 ~d의 꼭짓점 ~d이(가) '-[S1, V1] ],
+    place(S2, Place),
+    [ ' 안에 있다' ].
 statement_ko(contact('edge-edge', seat(S1,_,Place1), seat(S2,_,Place2))) -->
     place(S1, Place1),
-    [ '이(가) 만나는 것: ' ],
-    place(S2, Place2).
+    [ '이(가) ' ],
+    place(S2, Place2),
+    [ '과(와) 만난다' ].
 statement_ko(contact('edge-face', Seat1, Seat2)) -->
     { in_order(Seat1, Seat2, seat(S1,_,Place1), seat(S2,_,Place2)) },
     place(S1, Place1),
-    [ '이(가) 뚫는 것: ' ],
-    place(S2, Place2).
+    [ '이(가) ' ],
+    place(S2, Place2),
+    [ '을(를) 뚫는다' ].
 statement_ko(contact('edge-in-face', Seat1, Seat2)) -->
     { in_order(Seat1, Seat2, seat(S1,_,Place1), seat(S2,_,Place2)) },
     place(S1, Place1),
-    [ '이(가) 안을 지나는 것: ' ],
-    place(S2, Place2).
+    [ '이(가) ' ],
+    place(S2, Place2),
+    [ ' 안을 지난다' ].
 statement_ko(contact('face-face', seat(S1,_,Place1), seat(S2,_,Place2))) -->
-    [ '안에 있는 곳: ' ],
     place(S1, Place1),
-    [ ', ' ],
-    place(S2, Place2).
+    [ '과(와) ' ],
+    place(S2, Place2),
+    [ '의 안에 있다' ].
 statement_ko(made(v(S, V))) -->
-    [ '세그먼트 ~d의 꼭지점 ~d이(가) 만들었다'-[S, V] ].
+    [ '세그먼트 ~d의 꼭짓점 ~d이(가) 만들었다'-[S, V] ].
 statement_ko(made(on(S-V, _))) -->
-    [ '세그먼트 ~d의 꼭지점 ~d 자리'-[S, V] ].
+    [ '세그먼트 ~d의 꼭짓점 ~d 자리'-[S, V] ].
 statement_ko(made(lpi(S1-(A,B), S2-p(P)))) -->
     [ '세그먼트 ~d의 ~d-~d이(가) 세그먼트 ~d의 다각형 ~d을(를) 뚫어 만들었다'-
       [S1, A, B, S2, P] ].
@@ -92,31 +97,32 @@ statement_ko(made(tpi(T1, T2, T3))) -->
     [ '세 평면이 만들었다: ~w, ~w, ~w'-[W1, W2, W3] ].
 statement_ko(made(Origin)) -->
     { other_origin(Origin) },
-    [ '모형에 적힌 대로 ~p에서 만들었다'-[Origin] ].
+    [ '모델에 적힌 대로 ~p에서 만들었다'-[Origin] ].
 statement_ko(made(near(Origin))) -->
     [ '허용 오차보다 가까워 닿게 했다: ' ],
     statement_ko(made(Origin)).
 statement_ko(at(S, V, Point)) -->
-    [ '세그먼트 ~d의 꼭지점 ~d '-[S, V] ],
+    [ '세그먼트 ~d의 꼭짓점 ~d '-[S, V] ],
     point(Point).
 statement_ko(side(S, V, Point, Side, Triangle)) -->
     { triangle_text(Triangle, Text) },
     { memberchk(Side-Word, [above-'위', below-'아래', on-'평면 위']) },
-    [ '세그먼트 ~d의 꼭지점 ~d '-[S, V] ],
+    [ '세그먼트 ~d의 꼭짓점 ~d '-[S, V] ],
     point(Point),
     [ '은(는) ~w의 평면에 대해 ~w에 있다'-[Text, Word] ].
 statement_ko(exact(X, Y, Z)) -->
     { maplist(exact_word, [X,Y,Z], [Tx,Ty,Tz]) },
     [ '정확히 (~w, ~w, ~w)'-[Tx, Ty, Tz] ].
 statement_ko(also(S, V, Place)) -->
-    [ '세그먼트 ~d의 꼭지점 ~d이기도 하다'-[S, V] ],
+    [ '세그먼트 ~d의 꼭짓점 ~d이기도 하다'-[S, V] ],
     (   { Place = vertex(_) }
     ->  []
-    ;   [ ', 있는 곳: ' ],
-        place(S, Place)
+    ;   [ '. 그 자리는 ' ],
+        place(S, Place),
+        [ '이다' ]
     ).
 statement_ko(not_merged(L, By)) -->
-    [ '거기서 선 ~d과(와) 잇지 않았다: merge_line/2 (~w)이(가) 거절했다'-[L, By] ].
+    [ '거기서 상관선 ~d과(와) 잇지 않았다: merge_line/2 (~w)이(가) 거절했다'-[L, By] ].
 statement_ko(made_to_touch) -->
     [ '다각형들이 허용 오차보다 가까워 먼저 닿게 했다' ].
 statement_ko(touching(1)) -->
@@ -128,7 +134,7 @@ statement_ko(pieces(1, _)) -->
     [ '두 삼각형의 조각 하나' ].
 statement_ko(pieces(N, By)) -->
     { N \== 1 },
-    [ '삼각형의 조각 ~d개를 merge_line/2 (~w)가 하나로 이었다'-[N, By] ].
+    [ '삼각형의 조각 ~d개를 merge_line/2 (~w)이(가) 하나로 이었다'-[N, By] ].
 statement_ko(piece(I, T1, T2)) -->
     { maplist(triangle_text, [T1,T2], [W1,W2]) },
     [ '~d: ~w, ~w'-[I, W1, W2] ].
@@ -148,66 +154,67 @@ statement_ko(chain_head(C, Kind, S1, S2, N, Length)) -->
     ).
 statement_ko(derived(S, V, Point, Place)) -->
     { segment_word(S, Word) },
-    [ '세그먼트 ~d~w의 꼭지점 ~d '-[S, Word, V] ],
+    [ '세그먼트 ~d~w의 꼭짓점 ~d '-[S, Word, V] ],
     point(Point),
-    [ ', 있는 곳: ' ],
-    place(S, Place).
+    [ '은(는) ' ],
+    place(S, Place),
+    [ '에 있다' ].
 statement_ko(moved(S, V, Point)) -->
     { segment_word(S, Word) },
-    [ '세그먼트 ~d~w의 꼭지점 ~d '-[S, Word, V] ],
+    [ '세그먼트 ~d~w의 꼭짓점 ~d '-[S, Word, V] ],
     point(Point),
-    [ ', 닿도록 옮긴 것' ].
+    [ '은(는) 닿도록 옮긴 것이다' ].
 statement_ko(was_at(_, _, Point)) -->
     [ '원래 있던 곳: ' ],
     point(Point).
 statement_ko(original(S, V, Point)) -->
     { segment_word(S, Word) },
-    [ '세그먼트 ~d~w의 꼭지점 ~d '-[S, Word, V] ],
+    [ '세그먼트 ~d~w의 꼭짓점 ~d '-[S, Word, V] ],
     point(Point),
-    [ ', 모델에 있던 것' ].
+    [ '은(는) 모델에 있던 것이다' ].
 statement_ko(vertex_of(S, V)) -->
-    [ '세그먼트 ~d의 꼭지점 ~d이었다'-[S, V] ].
+    [ '세그먼트 ~d의 꼭짓점 ~d이었다'-[S, V] ].
 statement_ko(lies_on(S, v(V))) -->
-    [ '세그먼트 ~d의 꼭지점 ~d 위'-[S, V] ].
+    [ '세그먼트 ~d의 꼭짓점 ~d 위에 있다'-[S, V] ].
 statement_ko(lies_on(S, e(E))) -->
-    [ '세그먼트 ~d의 모서리 ~d 위'-[S, E] ].
+    [ '세그먼트 ~d의 모서리 ~d 위에 있다'-[S, E] ].
 statement_ko(lies_on(S, p(P))) -->
-    [ '세그먼트 ~d의 다각형 ~d 위'-[S, P] ].
+    [ '세그먼트 ~d의 다각형 ~d 위에 있다'-[S, P] ].
 statement_ko(vertex_lines(Ls)) -->
     { atomic_list_concat(Ls, ', ', Text) },
-    [ '상관선 ~w의 끝'-[Text] ].
+    [ '상관선 ~w의 끝이다'-[Text] ].
 statement_ko(edge(S, E, V1, V2)) -->
     { segment_word(S, Word) },
-    [ '세그먼트 ~d~w의 모서리 ~d, 꼭지점 ~d에서 ~d까지'-
+    [ '세그먼트 ~d~w의 모서리 ~d, 꼭짓점 ~d에서 ~d까지'-
       [S, Word, E, V1, V2] ].
 statement_ko(edge_whole(_, _)) -->
-    [ '모델에 있던 것' ].
+    [ '모델에 있던 것이다' ].
 statement_ko(edge_near(_, _)) -->
     [ '다각형들이 닿도록 만들었다' ].
 statement_ko(edge_of_line(_)) -->
     [ '상관선이 만들었다' ].
 statement_ko(part_of(_, E, V1, V2)) -->
-    [ '꼭지점 ~d에서 ~d까지였던 모서리 ~d의 부분'-[V1, V2, E] ].
+    [ '꼭짓점 ~d에서 ~d까지였던 모서리 ~d의 부분이다'-[V1, V2, E] ].
 statement_ko(edge_polygons(_, Ps)) -->
     { atomic_list_concat(Ps, ', ', Text) },
     [ '다각형 ~w에 있다'-[Text] ].
 statement_ko(edge_divided(S, E, V1, V2)) -->
     { segment_word(S, Word) },
-    [ '세그먼트 ~d~w의 모서리 ~d은(는) 꼭지점 ~d에서 ~d까지였고 나뉘었다'-
+    [ '세그먼트 ~d~w의 모서리 ~d은(는) 꼭짓점 ~d에서 ~d까지였고 나뉘었다'-
       [S, Word, E, V1, V2] ].
 statement_ko(edge_part(_, E, V1, V2)) -->
-    [ '모서리 ~d, 꼭지점 ~d에서 ~d까지'-[E, V1, V2] ].
+    [ '모서리 ~d, 꼭짓점 ~d에서 ~d까지'-[E, V1, V2] ].
 statement_ko(segments(S1, S2)) -->
     { segment_word(S1, W1), segment_word(S2, W2) },
     [ '세그먼트 ~d~w과(와) 세그먼트 ~d~w'-[S1, W1, S2, W2] ].
 statement_ko(lines_between(N)) -->
     [ '상관선 조각 ~d개가 있다'-[N] ].
 statement_ko(same_segment) -->
-    [ '선 없음: 한 세그먼트는 자신을 자르지 않는다 (check 참고)' ].
+    [ '상관선 없음: 한 세그먼트는 자신을 자르지 않는다 (check 참고)' ].
 statement_ko(refused(S1, S2, By)) -->
-    [ '선 없음: may_cut(~d, ~d)이(가) 거절했다, 규칙: ~w'-[S1, S2, By] ].
+    [ '상관선 없음: may_cut(~d, ~d)이(가) 거절했다, 규칙: ~w'-[S1, S2, By] ].
 statement_ko(no_common_piece) -->
-    [ '선 없음: 공통 조각이 있는 두 삼각형이 없다' ].
+    [ '상관선 없음: 공통 조각이 있는 두 삼각형이 없다' ].
 statement_ko(pair(S1, P1, S2, P2)) -->
     { segment_word(S1, W1), segment_word(S2, W2) },
     [ '세그먼트 ~d~w의 다각형 ~d과(와) 세그먼트 ~d~w의 다각형 ~d'-
@@ -216,24 +223,24 @@ statement_ko(pair_lines(Ls)) -->
     { atomic_list_concat(Ls, ', ', Text) },
     [ '상관선 ~w을(를) 만든다'-[Text] ].
 statement_ko(of_line(L)) -->
-    [ '선 ~d'-[L] ].
+    [ '상관선 ~d'-[L] ].
 statement_ko(boxes_apart(Axis, High, Low, Lower)) -->
     { memberchk(Lower-Words, [first-['첫째','둘째'],
                         second-['둘째','첫째']]),
       Words = [One,Other] },
-    [ '선 없음: 상자가 떨어져 있다. ~w는 ~w = ~w에서 끝나고 ~w는 ~w에서 \c
+    [ '상관선 없음: 둘러싼 상자가 서로 떨어져 있다. ~w은(는) ~w = ~w에서 끝나고 ~w은(는) ~w에서 \c
        시작한다'-
       [One, Axis, High, Other, Low] ].
 statement_ko(no_line) -->
-    [ '선을 만들지 않는다' ].
+    [ '상관선을 만들지 않는다' ].
 statement_ko(inside_faces) -->
     [ '공통 부분이 면의 안에 있다. 한 세그먼트에서 한 평면으로 이어지는 \c
-       다각형들은 한 면이고, 그 경계만 선이 된다' ].
+       다각형들은 한 면이고, 그 경계만 상관선이 된다' ].
 statement_ko(elsewhere(L, S1, P1, S2, P2)) -->
-    [ '만나는 곳은 세그먼트 ~d의 다각형 ~d과(와) 세그먼트 ~d의 다각형 ~d의 선 \c
+    [ '만나는 곳은 세그먼트 ~d의 다각형 ~d과(와) 세그먼트 ~d의 다각형 ~d의 상관선 \c
        ~d이다. 모서리를 따라가는 선은 한 다각형이 가진다'-[S1, P1, S2, P2, L] ].
 statement_ko(triangles_apart(N)) -->
-    [ '상자가 떨어져 있는 삼각형 쌍: ~d'-[N] ].
+    [ '둘러싼 상자가 떨어져 있는 삼각형 쌍: ~d'-[N] ].
 statement_ko(triangles(Reason, N)) -->
     { reason_ko(Reason, Text) },
     [ '~w: ~d'-[Text, N] ].
@@ -242,16 +249,16 @@ statement_ko(example(T1, T2)) -->
     [ '보기: ~w, ~w'-[W1, W2] ].
 statement_ko(piece(S, P)) -->
     { segment_word(S, Word) },
-    [ '세그먼트 ~d~w 의 다각형 ~d'-[S, Word, P] ].
+    [ '세그먼트 ~d~w의 다각형 ~d'-[S, Word, P] ].
 statement_ko(piece_of(S, P, Sense)) -->
     { segment_word(S, Word) },
-    [ '세그먼트 ~d~w 의 다각형 ~d 의 부분이 있다'-[S, Word, P] ],
+    [ '세그먼트 ~d~w의 다각형 ~d의 부분이 있다'-[S, Word, P] ],
     sense(Sense).
 statement_ko(polygon_in(S0, P0, S)) -->
     { segment_word(S0, W0), segment_word(S, W) },
-    [ '세그먼트 ~d~w 안에서 세그먼트 ~d~w 의 다각형 ~d'-[S, W, S0, W0, P0] ].
+    [ '세그먼트 ~d~w 안에서 세그먼트 ~d~w의 다각형 ~d'-[S, W, S0, W0, P0] ].
 statement_ko(became(S, P, Sense)) -->
-    [ '그 부분이나 전체가 세그먼트 ~d 의 다각형 ~d 에 있다'-[S, P] ],
+    [ '그 부분이나 전체가 세그먼트 ~d의 다각형 ~d에 있다'-[S, P] ],
     sense(Sense).
 statement_ko(triangles_of(N, Verdict)) -->
     { verdict_ko(Verdict, Text) },
@@ -262,41 +269,43 @@ statement_ko(witness(Point)) -->
 statement_ko(round(S, Below, Above)) -->
     { segment_word(S, Word),
       maplist(inside_ko, [Below,Above], [B,A]) },
-    [ '바로 아래는 세그먼트 ~d~w 의 ~w, 바로 위는 ~w'-[S, Word, B, A] ].
+    [ '바로 아래는 세그먼트 ~d~w의 ~w, 바로 위는 ~w'-[S, Word, B, A] ].
 statement_ko(verdict(kept(Sense), By)) -->
     [ '남았다' ],
     sense(Sense),
     [ '. 한쪽만 안이기 때문이다 (stays/3, ~w)'-[By] ].
 statement_ko(verdict(covered(S), _)) -->
     { segment_word(S, Word) },
-    [ '세그먼트 ~d~w 의 조각과 같은 곳에 있으며 그 조각이 둘을 대신한다'-
+    [ '세그먼트 ~d~w의 조각과 같은 곳에 있으며 그 조각이 둘을 대신한다'-
       [S, Word] ].
 statement_ko(verdict(dropped, By)) -->
     [ '버렸다. 두 쪽 모두 안이거나 모두 밖이기 때문이다 (stays/3, ~w)'-[By] ].
 statement_ko(hidden_line(S, E, V1, V2)) -->
     { segment_word(S, Word) },
-    [ '선 s~de~d: 세그먼트 ~d~w의 모서리 ~d, 그림에서 꼭지점 ~d (0) 부터 꼭지점 ~d \c
-       (1) 까지'-[S, E, S, Word, E, V1, V2] ].
+    [ '선 s~de~d: 세그먼트 ~d~w의 모서리 ~d, 그림에서 꼭짓점 ~d (0)부터 꼭짓점 ~d \c
+       (1)까지'-[S, E, S, Word, E, V1, V2] ].
 statement_ko(outline_piece(S, E, P, T)) -->
     { segment_word(S, Word) },
-    [ '선 s~de~d: 매끄러운 곡면의 윤곽 조각, 세그먼트 ~d~w의 다각형 ~d, 삼각형 ~d을(를) \c
-       지난다. 그림에서 0 부터 1 까지'-[S, E, S, Word, P, T] ].
+    [ '선 s~de~d: 매끄러운 곡면의 실루엣선 조각, 세그먼트 ~d~w의 다각형 ~d, 삼각형 ~d을(를) \c
+       지난다. 그림에서 0부터 1까지'-[S, E, S, Word, P, T] ].
 statement_ko(behind_fold(From)) -->
     [ '~6g 부터는 제 곡면이 접힌 곳의 뒤에 있다'-[From] ].
 statement_ko(substitute_outline) -->
-    [ '매끄러운 곡면의 삼각형들이 여기서 눈에서 돌아선다: 보이고 가까이에 다른 선이 \c
+    [ '매끄러운 곡면의 삼각형들이 여기서부터 뒤를 향한다. 보이고 가까이에 다른 선이 \c
        없는 곳에만 그린다' ].
 statement_ko(turned_away(S, P, From, To)) -->
     { segment_word(S, Word) },
-    [ '~6g 부터 ~6g 까지는 세그먼트 ~d~w의 다각형 ~d이(가) 나타내는 매끄러운 곡면이 \c
+    [ '~6g부터 ~6g까지는 세그먼트 ~d~w의 다각형 ~d이(가) 나타내는 매끄러운 곡면이 \c
        눈을 등지고 가린다'-[From, To, S, Word, P] ].
 statement_ko(same_line(S1, E1, S2, E2)) -->
     [ '세그먼트 ~d의 모서리 ~d은(는) 세그먼트 ~d의 모서리 ~d(으)로 그려진다'-
       [S1, E1, S2, E2] ].
 statement_ko(line_role(Role)) -->
-    [ '역할: ~w'-[Role] ].
+    { role_ko(Role, Word) },
+    [ '역할: ~w'-[Word] ].
 statement_ko(not_drawn(Role, Which)) -->
-    [ '그리지 않는다: lines ~w 그림에는 ~w 선이 없다'-[Which, Role] ].
+    { role_ko(Role, Word) },
+    [ '그리지 않는다: --lines ~w 그림에는 ~w 선이 없다'-[Which, Word] ].
 statement_ko(end_on) -->
     [ '선의 방향으로 본다: 그림에서 점이므로 그리지 않는다' ].
 statement_ko(backs(S, N)) -->
@@ -304,36 +313,36 @@ statement_ko(backs(S, N)) -->
     [ '세그먼트 ~d~w은(는) 닫힌 입체이고, 이 선에서 만나는 면 중 눈을 향한 것이 \c
        없다 (뒷면: ~d)'-[S, Word, N] ].
 statement_ko(hidden_part(From, To)) -->
-    [ '가려진 부분: ~6g 부터 ~6g 까지'-[From, To] ].
+    [ '가려진 부분: ~6g부터 ~6g까지'-[From, To] ].
 statement_ko(surface_goes_on(S, P, From, To)) -->
-    [ '~6g 부터 ~6g 까지 바로 뒤에서 곡면이 이어진다: 세그먼트 ~d의 다각형 \c
+    [ '~6g부터 ~6g까지 바로 뒤에서 곡면이 이어진다: 세그먼트 ~d의 다각형 \c
        ~d'-[From, To, S, P] ].
 statement_ko(hiding_face(S, P, From, To, Behind)) -->
     { segment_word(S, Word) },
-    [ '세그먼트 ~d~w의 다각형 ~d이(가) ~6g 부터 ~6g 까지 가린다. 가운데에서 ~6g \c
-       만큼 눈에 더 가깝다'-[S, Word, P, From, To, Behind] ].
+    [ '세그먼트 ~d~w의 다각형 ~d이(가) ~6g부터 ~6g까지 가린다. 가운데에서 ~6g만큼 \c
+       눈에 더 가깝다'-[S, Word, P, From, To, Behind] ].
 statement_ko(ends_with_line(Which, At)) -->
     which_end(Which, At),
     [ ': 선이 끝나는 곳' ].
 statement_ko(ends_at_edge(Which, At, S, E, V1, V2)) -->
     which_end(Which, At),
-    [ ': 그림에서 세그먼트 ~d의 모서리 ~d (~d-~d)과(와) 엇갈리는 곳'-
+    [ ': 그림에서 세그먼트 ~d의 모서리 ~d (~d-~d)과(와) 교차하는 곳'-
       [S, E, V1, V2] ].
 statement_ko(ends_at_outline(Which, At, S, E)) -->
     which_end(Which, At),
-    [ ': 그림에서 세그먼트 ~d의 윤곽선 (~d)과(와) 엇갈리는 곳'-[S, E] ].
+    [ ': 그림에서 세그먼트 ~d의 외형선 (~d)과(와) 교차하는 곳'-[S, E] ].
 statement_ko(ends_in_face(Which, At, S, P)) -->
     which_end(Which, At),
     [ ': 선이 세그먼트 ~d의 다각형 ~d을(를) 뚫는 곳'-[S, P] ].
 statement_ko(visible_part(From, To)) -->
-    [ '보이는 부분: ~6g 부터 ~6g 까지'-[From, To] ].
+    [ '보이는 부분: ~6g부터 ~6g까지'-[From, To] ].
 statement_ko(nowhere_visible) -->
-    [ '보이는 부분이 없다: 무엇이 가리는지는 hidden(...) 으로 묻는다' ].
+    [ '보이는 부분이 없다: 무엇이 가리는지는 hidden(...)으로 묻는다' ].
 statement_ko(nothing_over) -->
     [ '그림에서 그 위에 놓인, 선을 가릴 수 있는 다른 면이 없다' ].
 statement_ko(face_behind(S, P, From, To, Before)) -->
     { segment_word(S, Word) },
-    [ '세그먼트 ~d~w의 다각형 ~d이(가) 그림에서 ~6g 부터 ~6g 까지 겹치지만, 선보다 \c
+    [ '세그먼트 ~d~w의 다각형 ~d이(가) 그림에서 ~6g부터 ~6g까지 겹치지만, 선보다 \c
        뒤에 있다 (가운데에서 ~6g)'-[S, Word, P, From, To, Before] ].
 statement_ko(line_in_face(S, P)) -->
     { segment_word(S, Word) },
@@ -341,11 +350,11 @@ statement_ko(line_in_face(S, P)) -->
       [S, Word, P] ].
 statement_ko(let_through(S, P, From, To, Decision, By)) -->
     { segment_word(S, Word) },
-    [ '세그먼트 ~d~w의 다각형 ~d이(가) ~6g 부터 ~6g 까지 앞에 있지만, ~w (~w) \c
+    [ '세그먼트 ~d~w의 다각형 ~d이(가) ~6g부터 ~6g까지 앞에 있지만, ~w (~w) \c
        때문에 비쳐 보인다'-[S, Word, P, From, To, Decision, By] ].
 statement_ko(drawn_instead(From, To, Visibility, S, E, Role)) -->
     { segment_word(S, Word) },
-    [ '~6g 부터 ~6g 까지는 그림에서 같은 곳에 있는 세그먼트 ~d~w의 모서리 ~d이(가) \c
+    [ '~6g부터 ~6g까지는 그림에서 같은 곳에 있는 세그먼트 ~d~w의 모서리 ~d이(가) \c
        그려진다: ~w, ~w'-[From, To, S, Word, E, Visibility, Role] ].
 statement_ko(common(_, End1, End2)) -->
     (   { End1 == End2 }
@@ -354,12 +363,12 @@ statement_ko(common(_, End1, End2)) -->
     ).
 statement_ko(seam_edge(S, E, E2, P1, P2, Length)) -->
     { segment_word(S, Word), maplist(polygon_word(S), [P1,P2], [W1,W2]) },
-    [ '세그먼트 ~d~w의 모서리 ~d은(는) 길이 ~6g의 솔기이다: 다각형 ~w과(와) \c
+    [ '세그먼트 ~d~w의 모서리 ~d은(는) 길이 ~6g의 접합선이다: 다각형 ~w과(와) \c
        다각형 ~w 사이, 그쪽에서는 모서리 ~d'-[S, Word, E, Length, W1, W2, E2] ].
 statement_ko(fold_edge(S, E, E2, P1, P2, Length, Angle)) -->
     { segment_word(S, Word), maplist(polygon_word(S), [P1,P2], [W1,W2]) },
     [ '세그먼트 ~d~w의 모서리 ~d은(는) 길이 ~6g의 접는 선이다: 다각형 ~w과(와) \c
-       다각형 ~w 사이, 그쪽에서는 모서리 ~d; ~6g도 꺾인다'-
+       다각형 ~w 사이, 그쪽에서는 모서리 ~d, ~6g도 꺾인다'-
       [S, Word, E, Length, W1, W2, E2, Angle] ].
 statement_ko(border_edge(S, E, P)) -->
     { segment_word(S, Word), polygon_word(S, P, W) },
@@ -367,13 +376,13 @@ statement_ko(border_edge(S, E, P)) -->
        다각형에는 없다'-[S, Word, E, W] ].
 statement_ko(line_in_polygon(S, E, E2, P)) -->
     { segment_word(S, Word), polygon_word(S, P, W) },
-    [ '세그먼트 ~d~w의 모서리 ~d은(는) 다각형 ~w 안의 상관선이다; 되돌아오는 \c
+    [ '세그먼트 ~d~w의 모서리 ~d은(는) 다각형 ~w 안의 상관선이다. 되돌아오는 \c
        모서리는 ~d'-[S, Word, E, W, E2] ].
 statement_ko(joined_already(1, E, Length)) -->
     [ '두 다각형은 길이 ~6g의 모서리 ~d에서 먼저 이어졌다'-[Length, E] ].
 statement_ko(joined_already(N, E, Length)) -->
     { N \== 1 },
-    [ '두 다각형은 접는 선 ~d개로 이미 이어져 있었다; 가장 짧은 것은 길이 ~6g의 \c
+    [ '두 다각형은 접는 선 ~d개로 이미 이어져 있었다. 가장 짧은 것은 길이 ~6g의 \c
        모서리 ~d'-[N, Length, E] ].
 statement_ko(fold_on_the_way(E, P1, P2, Length)) -->
     [ '모서리 ~d, 길이 ~6g, 다각형 ~d과(와) 다각형 ~d 사이'-
@@ -384,22 +393,22 @@ statement_ko(joined_in_order(By)) -->
     { By \== default },
     [ '모서리는 ~w의 순서로 잇는다 (join_order/3)'-[By] ].
 statement_ko(folds_exchanged) -->
-    [ '그런 다음 전개도 전체의 솔기가 짧아지는 곳마다 접는 선을 다른 것으로 \c
+    [ '그런 다음 전개도 전체의 접합선이 짧아지는 곳마다 접는 선을 다른 것으로 \c
        바꾸었다' ].
 statement_ko(cut_instead(E, Difference)) -->
     { by_how_much_ko(Difference, Text) },
-    [ '대신 모서리 ~d에서 자르면 솔기는 ~w'-[E, Text] ].
+    [ '대신 모서리 ~d에서 자르면 접합선 ~w'-[E, Text] ].
 statement_ko(kept_instead(Difference, Pieces, Before)) -->
     { by_how_much_ko(Difference, Text), pieces_ko(Pieces, Before, PiecesText) },
-    [ '여기를 가장 먼저 이으면 전개도 전체의 솔기는 ~w~w'-[Text, PiecesText] ].
+    [ '여기를 가장 먼저 이으면 전개도 전체의 접합선은 ~w~w'-[Text, PiecesText] ].
 statement_ko(not_tried) -->
-    [ '너무 많아 다른 선택의 값은 해 보지 않았습니다: 이 모서리만 물으십시오' ].
+    [ '너무 많아 다른 선택은 해 보지 않았다. 이 모서리만 물으면 해 본다' ].
 statement_ko(held_by_kept) -->
-    [ '이 모서리까지 유지할 수는 없습니다: 유지할 모서리들이 이미 그 다각형들을 \c
-       이어 줍니다' ].
+    [ '이 모서리까지 유지할 수는 없다. 유지할 모서리들이 이미 그 다각형들을 \c
+       이어 준다' ].
 statement_ko(cut_here(Difference, Pieces, Before)) -->
     { by_how_much_ko(Difference, Text), pieces_ko(Pieces, Before, PiecesText) },
-    [ '여기를 자르면 전개도 전체의 솔기는 ~w~w'-[Text, PiecesText] ].
+    [ '여기를 자르면 전개도 전체의 접합선은 ~w~w'-[Text, PiecesText] ].
 statement_ko(cannot_be_kept(S, P1, P2)) -->
     { maplist(polygon_word(S), [P1,P2], [W1,W2]) },
     [ '유지할 수 없다: 다각형 ~w이(가) 다각형 ~w 위에 놓인다'-[W2, W1] ].
@@ -415,8 +424,8 @@ statement_ko(cut_by_wish) -->
 statement_ko(could_be_joined) -->
     [ '이어도 되는 곳이다: 자르라고 했거나 규칙이 거절했다' ].
 statement_ko(cut_open(Part)) -->
-    [ '~w은(는) 둥근 면 그대로 펼친다; 한 바퀴를 돌면 모선 하나를 따라 자른다: \c
-       가장 짧은 것이나 --seam, --cut 이 말하는 것'-[Part] ].
+    [ '~w은(는) 둥근 면 그대로 펼친다. 한 바퀴를 돌면 면소 하나를 따라 \c
+       자른다. 정하지 않으면(--seam, --cut) 가장 짧은 면소이다'-[Part] ].
 statement_ko(unrolled(Part)) -->
     [ '~w은(는) 둥근 면 그대로 펼친다: 그 면들은 둘레의 차례대로 이어져 있다'-
       [Part] ].
@@ -429,7 +438,7 @@ statement_ko(no_length) -->
 statement_ko(too_short) -->
     [ '너무 짧다. 거기에 매달릴 부분이 2,048배보다 길다' ].
 statement_ko(changed_since) -->
-    [ '전개도를 만든 뒤에 세그먼트가 바뀌었다: 까닭을 더는 알 수 없다' ].
+    [ '전개도를 만든 뒤에 세그먼트가 바뀌어 까닭을 더는 알 수 없다' ].
 statement_ko(pattern_piece(S, _, N, 1)) -->
     { segment_word(S, Word) },
     [ '세그먼트 ~d~w의 전개도는 조각 하나이다: 다각형 ~d개'-[S, Word, N] ].
@@ -439,10 +448,10 @@ statement_ko(pattern_piece(S, K, N, Pieces)) -->
     [ '세그먼트 ~d~w의 조각 ~d개 가운데 ~d번: 다각형 ~d개'-
       [S, Word, Pieces, K, N] ].
 statement_ko(seams_out(1)) -->
-    [ '솔기 하나가 다른 조각으로 이어진다' ].
+    [ '접합선 하나가 다른 조각으로 이어진다' ].
 statement_ko(seams_out(N)) -->
     { N \== 1 },
-    [ '솔기 ~d개가 다른 조각으로 이어진다; 가장 긴 것:'-[N] ].
+    [ '접합선 ~d개가 다른 조각으로 이어진다. 가장 긴 것:'-[N] ].
 statement_ko(no_seam_out) -->
     [ '다른 조각으로 이어지는 모서리가 없다' ].
 statement_ko(Statement) -->
@@ -458,19 +467,31 @@ statement_ko(Statement) -->
 
 hidden_ko(nothing(Item)) -->
     [ '~p: 설명할 것이 없습니다'-[Item], nl,
-      '  hidden(S, E) 는 세그먼트 S 의 실제 모서리 E 이고 (그림의 data-segment, \c
-       data-edge), hidden(s1e7) 은 그림에 쓰인 id 입니다. Prolog 에서는 먼저 \c
-       picture 나 draw(File) 로 그림을 만드십시오.' ].
+      '  hidden(S, E)는 세그먼트 S의 실제 모서리 E이고 (그림의 data-segment, \c
+       data-edge), hidden(s1e7)은 그림에 쓰인 id입니다. Prolog에서는 먼저 \c
+       picture나 draw(File)로 그림을 만드십시오.' ].
 
 which_end(from, At) -->
-    [ '~6g 부터'-[At] ].
+    [ '~6g부터'-[At] ].
 which_end(to, At) -->
-    [ '~6g 까지'-[At] ].
+    [ '~6g까지'-[At] ].
 
 sense(1) -->
     [].
 sense(-1) -->
     [ ' (뒤집힘)' ].
+
+%   role_ko(Role, Word): with the name that styles and data have.
+
+role_ko(penetration, '상관선(penetration)') :- !.
+role_ko(outline, '외형선(outline)') :- !.
+role_ko(crease, '꺾인선(crease)') :- !.
+role_ko(border, '경계 모서리(border)') :- !.
+role_ko(curve, '곡선(curve)') :- !.
+role_ko(section, '단면선(section)') :- !.
+role_ko(smooth, '매끄러운 모서리(smooth)') :- !.
+role_ko(mesh, '평평한 모서리(mesh)') :- !.
+role_ko(Role, Role).
 
 verdict_ko(kept(_), '남은').
 verdict_ko(dropped, '버린').
@@ -496,7 +517,7 @@ reason_ko(common_piece, '공통 조각이 있다').
 %   place(+S, +Place)//: a feature of segment S.
 
 place(S, vertex(V)) -->
-    [ '세그먼트 ~d의 꼭지점 ~d'-[S, V] ].
+    [ '세그먼트 ~d의 꼭짓점 ~d'-[S, V] ].
 place(S, edge(A, B)) -->
     [ '세그먼트 ~d의 모서리 ~d-~d'-[S, A, B] ].
 place(S, face(P, Corners)) -->

@@ -42,7 +42,7 @@ parameter_statement_ko(segment(S, Kind)) -->
 parameter_statement_ko(no_size_from_parameter) -->
     [ '매개변수로 정한 치수가 없다' ].
 parameter_statement_ko(vertex_place(S, V, Place)) -->
-    [ '세그먼트 ~d의 꼭지점 ~d의 위치: ~p'-[S, V, Place] ].
+    [ '세그먼트 ~d의 꼭짓점 ~d의 위치: ~p'-[S, V, Place] ].
 parameter_statement_ko(size(Value, Formula)) -->
     (   { Value =.. [Name, Number],
           number(Number),

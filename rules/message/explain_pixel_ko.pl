@@ -121,7 +121,7 @@ pixel_statement_ko(back_side(R)) -->
 pixel_statement_ko(thinner_than_a_dot) -->
     [ '거기서 가장 가깝지만 그림에 나타나기에는 너무 얇다' ].
 pixel_statement_ko(out_of_the_picture) -->
-    [ '그림의 테두리 안에 그 면이 없다' ].
+    [ '그림의 틀 안에 그 면이 없다' ].
 
 %!  pixel_nothing_ko(+Item)// is det.
 %

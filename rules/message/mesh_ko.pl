@@ -21,49 +21,49 @@ mesh_ko(unknown_format) -->
     [ 'STL, OFF, OBJ, PLY 어느 메시로도 보이지 않습니다', nl,
       '  형식에 맞는 확장자를 주십시오.' ].
 mesh_ko(unsupported(Text)) -->
-    [ '~w 은(는) 이 형식 가운데 읽지 않는 종류입니다'-[Text], nl,
-      '  보통의 텍스트 형식으로 저장하십시오.' ].
+    [ '~w: 이 형식 가운데 읽지 않는 종류입니다'-[Text], nl,
+      '  텍스트 형식으로 저장하십시오.' ].
 mesh_ko(expected(Wanted, '')) -->
-    [ '~w 이(가) 와야 할 곳에 아무것도 없습니다'-[Wanted], nl,
+    [ '~w이(가) 와야 할 곳에 아무것도 없습니다'-[Wanted], nl,
       '  줄을 채우십시오. 파일이 여기서 끝나면 온전한 파일을 구하십시오.' ].
 mesh_ko(expected(Wanted, Text)) -->
     { Text \== '' },
-    [ '~w 이(가) 와야 할 곳에 ~w 이(가) 있습니다'-[Wanted, Text], nl,
+    [ '~w이(가) 와야 할 곳에 ~w이(가) 있습니다'-[Wanted, Text], nl,
       '  줄을 고치십시오. 확장자에 맞는 형식입니까?' ].
 mesh_ko(bad_number(Text)) -->
     [ '수가 아닙니다: ~w'-[Text], nl,
-      '  -12.5 나 1e-3 처럼 점을 찍어 쓰십시오.' ].
+      '  -12.5나 1e-3처럼 점을 찍어 쓰십시오.' ].
 mesh_ko(not_finite(Text)) -->
-    [ '좌표가 ~w 입니다. 유한한 수여야 합니다'-[Text], nl,
+    [ '좌표가 ~w입니다. 유한한 수여야 합니다'-[Text], nl,
       '  모델을 만든 프로그램에서 고치십시오.' ].
 mesh_ko(no_float32) -->
     [ '좌표가 STL에 쓰기에는 너무 큽니다. STL의 수는 3.4e38 까지입니다', nl,
-      '  .off, .obj, .ply 로 쓰거나 다른 단위를 고르십시오.' ].
+      '  .off, .obj, .ply로 쓰거나 다른 단위를 고르십시오.' ].
 mesh_ko(too_far(Text)) -->
-    [ '좌표 ~w 이(가) 1.0e90 을 넘습니다'-[Text], nl,
+    [ '좌표 ~w이(가) 1.0e90을 넘습니다'-[Text], nl,
       '  다른 단위를 쓰십시오. 이 크기로는 계산할 수 없습니다.' ].
 mesh_ko(bad_index(Index, Lowest, Highest)) -->
     { Lowest =< Highest },
-    [ '꼭지점 ~d 은(는) 없습니다. 있는 것은 ~d 부터 ~d 까지입니다'-
+    [ '꼭짓점 ~d은(는) 없습니다. 있는 것은 ~d부터 ~d까지입니다'-
       [Index, Lowest, Highest], nl,
-      '  번호를 고치거나 꼭지점을 추가하십시오.' ].
+      '  번호를 고치거나 꼭짓점을 추가하십시오.' ].
 mesh_ko(bad_index(Index, Lowest, Highest)) -->
     { Lowest > Highest },
-    [ '꼭지점 ~d 은(는) 없습니다. 아직 하나도 없습니다'-[Index], nl,
-      '  꼭지점을 먼저 주십시오.' ].
+    [ '꼭짓점 ~d은(는) 없습니다. 아직 하나도 없습니다'-[Index], nl,
+      '  꼭짓점을 먼저 주십시오.' ].
 mesh_ko(bad_count(What, Text)) -->
-    [ '~w 의 수가 ~q 일 수 없습니다'-[What, Text], nl,
+    [ '~w의 수가 될 수 없습니다: ~q'-[What, Text], nl,
       '  0 이상의 정수를 쓰십시오.' ].
 mesh_ko(truncated(What, Present, Needed)) -->
     [ '너무 짧습니다: ~w ~D개여야 하지만 많아야 ~D개 있습니다'-
       [What, Needed, Present], nl,
       '  잘린 파일입니다. 온전한 파일을 구하십시오.' ].
 mesh_ko(short_face(Corners)) -->
-    [ '면이나 선의 꼭지점이 모자랍니다: ~d개'-[Corners], nl,
+    [ '면이나 선의 꼭짓점이 모자랍니다: ~d개'-[Corners], nl,
       '  면은 셋, 선은 둘이 필요합니다. 고치거나 지우십시오.' ].
 mesh_ko(too_large) -->
-    [ '꼭지점이나 모서리가 2,147,483,647개보다 많습니다', nl,
+    [ '꼭짓점이나 모서리가 2,147,483,647개보다 많습니다', nl,
       '  모델을 여러 파일로 나누십시오.' ].
 mesh_ko(no_property(Property, Element)) -->
-    [ '요소 ~w 에 속성 ~w 이(가) 하나 필요합니다'-[Element, Property], nl,
-      '  모델을 보통의 PLY 로 다시 내보내십시오.' ].
+    [ '요소 ~w에 속성 ~w이(가) 하나 필요합니다'-[Element, Property], nl,
+      '  모델을 일반적인 PLY로 다시 내보내십시오.' ].

@@ -3,6 +3,8 @@
           [ located//1,                 % +Context
             endless_goal/2,             % +Context, -Goal
             counted//3,                 % +N, +One, +Many
+            dots_that_fit/5,            % +W, +H, -Wide, -High, -By
+            size_that_fits/3,           % +Width, +Height, -Size
             near_predicates/2,          % +PI, -Near
             meant_en//1,                % +Near
             meant_ko//1,                % +Near
@@ -17,6 +19,7 @@
 :- use_module(library(apply), [convlist/3, maplist/3]).
 :- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(uri), [uri_encoded/3]).
+:- use_module('../sheet/sheet_paper', [paper_size/3]).
 :- use_module('../spelling', [near_words/3]).
 :- meta_predicate loading_fault(4, +, ?, ?).
 /** <module> Parts of messages that are the same in every language, or have none
@@ -88,7 +91,7 @@ meant_ko(Near) -->
     { maplist(near_text, Near, Atoms),
       atomic_list_concat(Atoms, ', ', Words)
     },
-    [ nl, '  혹시 ~w 입니까?'-[Words] ].
+    [ nl, '  비슷한 것: ~w'-[Words] ].
 
 near_text(Near, Text) :-
     format(atom(Text), '~w', [Near]).
@@ -110,6 +113,41 @@ near_predicates(PI, Near) :-
     sort(Near0, Near),
     !.
 near_predicates(_, []).
+
+%!  dots_that_fit(+W, +H, -Wide, -High, -By) is semidet.
+%
+%   Wide and High are the largest numbers of dots in the proportions of W and H
+%   that a picture can have; By is how many times W and H are more, rounded up.
+
+dots_that_fit(W, H, Wide, High, By) :-
+    number(W),
+    number(H),
+    W >= 1,
+    H >= 1,
+    By0 is max(max(W, H)/16384, sqrt(W*H/67108864)),
+    By0 > 1,
+    By is ceiling(By0*10)/10.0,
+    Wide is max(1, floor(W/By)),
+    High is max(1, floor(H/By)).
+
+%!  size_that_fits(+Width, +Height, -Size) is det.
+%
+%   Size, as --size has it, is the smallest of the usual papers that holds a
+%   picture of Width x Height millimetres, or that size itself.
+
+size_that_fits(Width, Height, Size) :-
+    (   paper_size(_, Long, Short),
+        (   Width >= Height
+        ->  W-H = Long-Short
+        ;   W-H = Short-Long
+        ),
+        Width =< W,
+        Height =< H
+    ->  true
+    ;   W is ceiling(Width),
+        H is ceiling(Height)
+    ),
+    format(atom(Size), '~wx~w', [W, H]).
 
 %!  shown_value(+Value, -Shown) is det.
 %

@@ -14,7 +14,7 @@
               [ development_en//2, development_notice_en//2 ]).
 :- use_module(mesh_en, [mesh_en//1]).
 :- use_module(message_parts,
-              [ counted//3, loading_fault//2, located//1, manual_page//1,
+              [ counted//3, dots_that_fit/5, loading_fault//2, located//1, manual_page//1,
                 shown_names/2
               ]).
 :- use_module(session_en, [session_en//1]).
@@ -276,7 +276,12 @@ drawing_en(domain(sheet_size, Size)) -->
       '  Give width x height in mm, like 210x148, up to 100000.' ].
 drawing_en(domain(raster_size, W-H)) -->
     [ 'a picture cannot have ~p x ~p dots'-[W, H], nl,
-      '  Each side has 1 to 16384, all together 67 million at most.' ].
+      '  Each side has 1 to 16384, all together 67 million at most.' ],
+    (   { dots_that_fit(W, H, Wide, High, By) }
+    ->  [ nl, '  In these proportions ~d x ~d fit: take --dpi (with --png dots, \c
+               --size) ~w times smaller.'-[Wide, High, By] ]
+    ;   []
+    ).
 drawing_en(domain(dot_pattern, Pattern)) -->
     [ 'no pattern of dots is written ~p'-[Pattern], nl,
       '  Give N, for N on and N off, or a list [On, Off, ...].' ].

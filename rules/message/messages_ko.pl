@@ -20,7 +20,7 @@
               [ development_ko//2, development_notice_ko//2 ]).
 :- use_module(mesh_ko, [mesh_ko//1]).
 :- use_module(message_parts,
-              [ loading_fault//2, located//1, manual_page//1, shown_names/2
+              [ dots_that_fit/5, loading_fault//2, located//1, manual_page//1, shown_names/2
               ]).
 :- use_module(session_ko, [session_ko//1]).
 :- use_module(prolog_ko, [prolog_ko//2]).
@@ -28,7 +28,9 @@
 :- use_module(operand_ko, [operand_ko//2, operand_notice_ko//2]).
 :- use_module(true_ko, [true_ko//1]).
 :- use_module(unfold_ko, [wish_ko//3, unfold_ko//1, trim_ko//1]).
+:- use_module(particle, [lines_joined/2]).
 :- use_module(primitive_ko, [comma_ko//1, primitive_ko//2]).
+:- use_module(library(lists), [append/3]).
 /** <module> Messages in Korean; messages.pl has them in English.
 
 The heads are the same as in messages.pl, clause by clause
@@ -37,8 +39,11 @@ The heads are the same as in messages.pl, clause by clause
 
 :- multifile prolog:message//2.
 
-prolog:message(ko, Term) -->
-    korean(Term).
+prolog:message(ko, Term, Lines, Rest) :-
+    phrase(korean(Term), Lines0),
+    lines_joined(Lines0, Lines1),
+    append(Lines1, Rest, Lines).
+
 %!  korean(+Term)// is semidet.
 %
 %   The message for Term in Korean.
@@ -120,11 +125,11 @@ fault_ko(problem(What)) -->
 fault_ko(style(What)) -->
     style_ko(What).
 fault_ko(not_whole(Row, Missing)) -->
-    [ '~p 이(가) 가리키는 ~p 이(가) 없습니다'-[Row, Missing], nl,
-      '  같은 facts_transaction/1 안에서 함께 지우거나 ~p 을(를) 다시 넣으십시오. \c
-       옵션 cascade(true) 는 그것을 가리키는 것도 지웁니다.'-[Missing] ].
+    [ '~p이(가) 가리키는 ~p이(가) 없습니다'-[Row, Missing], nl,
+      '  같은 facts_transaction/1 안에서 함께 지우거나 ~p을(를) 다시 넣으십시오. \c
+       옵션 cascade(true)는 그것을 가리키는 것도 지웁니다.'-[Missing] ].
 fault_ko(referred(Fact, Row)) -->
-    [ '~p 을(를) 지우지 않았습니다. ~p 이(가) 가리킵니다'-[Fact, Row], nl,
+    [ '~p을(를) 지우지 않았습니다. ~p이(가) 가리킵니다'-[Fact, Row], nl,
       '  facts_transaction/1 하나에서 함께 바꾸거나 함께 지우십시오: \c
        retract_fact(Fact, [cascade(true)]).' ].
 
@@ -157,15 +162,15 @@ notice_ko(pattern(What)) -->
 notice_ko(one_segment) -->
     [ '세그먼트가 하나뿐이라 상관선이 없습니다' ].
 notice_ko(empty_result(S, Name)) -->
-    [ '세그먼트 ~d(~p) 이(가) 비었습니다. 피연산자에서 남은 것이 없습니다'-[S, Name] ].
+    [ '세그먼트 ~d(~p)이(가) 비었습니다. 피연산자에서 남은 것이 없습니다'-[S, Name] ].
 notice_ko(summary_sent(File)) -->
-    [ '~w 에는 입체가 아니라 요약이 들어갔습니다'-[File], nl,
-      '  > ~w 대신 -o ~w (으)로 쓰십시오.'-[File, File] ].
+    [ '~w 파일에는 입체가 아니라 요약이 들어갔습니다'-[File], nl,
+      '  > ~w 대신 -o ~w 옵션을 쓰십시오.'-[File, File] ].
 notice_ko(wrote(File)) -->
-    [ '~w 을(를) 썼습니다'-[File] ].
+    [ '~w 파일을 썼습니다'-[File] ].
 notice_ko(pen_travel(N, Way, Unsorted)) -->
     { Metres is Way/1.0e6, Before is Unsorted/1.0e6 },
-    [ '펜이 그리는 선 ~D개, 그 사이를 ~3f m 간다 (차례를 바꾸지 않으면 ~3f m)'-
+    [ '펜이 그리는 선 ~D개, 그 사이에 들고 가는 길이 ~3f m (차례를 바꾸지 않으면 ~3f m)'-
       [N, Metres, Before] ].
 notice_ko(each_failed(Bad, Count, Files)) -->
     { shown_names(Files, Text) },
@@ -175,23 +180,23 @@ notice_ko(interrupted) -->
     [ Word ].
 notice_ko(greeting) -->
     [ '목표를 물어보십시오. 마침표로 끝나며 halt. 로 나갑니다.', nl,
-      '  모델은 v/5 e/5 p/3 t/6 segment/3 입니다. penetrate. \c
+      '  모델은 v/5 e/5 p/3 t/6 segment/3입니다. penetrate. \c
        draw(\'a.svg\'). show. rules.' ].
 notice_ko(segment(S, Kind, Name)) -->
     [ '세그먼트 ~d: ~w ~p'-[S, Kind, Name] ].
 notice_ko(uncaught(What)) -->
-    [ '목표나 규칙이 throw(~p) 로 끝났습니다'-[What], nl,
-      '  거기에서 잡거나 error(Formal, Context) 를 던지십시오.' ].
+    [ '목표나 규칙이 throw(~p)(으)로 끝났습니다'-[What], nl,
+      '  거기에서 잡거나 error(Formal, Context)를 던지십시오.' ].
 notice_ko(no_answer) -->
-    [ '아니오' ].
+    [ '답이 없습니다' ].
 notice_ko(warnings_are_errors(N)) -->
-    [ '경고 ~d개, --strict 가 주어졌습니다'-[N] ].
+    [ '경고 ~d개, --strict 옵션이 주어졌습니다'-[N] ].
 notice_ko(no_memory) -->
     [ '메모리가 모자랍니다', nl,
       '  아무것도 바뀌지 않았습니다. 나누거나 면을 줄이면 덜 듭니다.' ].
 notice_ko(no_end) -->
     [ '일이 결과 없이 끝났습니다. 프로그램의 잘못입니다', nl,
-      '  모형과 명령을 만든 사람에게 보내 주십시오.' ].
+      '  모델과 명령을 만든 사람에게 보내 주십시오.' ].
 notice_ko(progress(Stage, Seconds)) -->
     [ '~w: ~0f초'-[Stage, Seconds] ].
 notice_ko(progress(Stage, Done, Total, Rate, Left)) -->
@@ -218,11 +223,11 @@ fault_ko(mesh(Fault, Byte)) -->
     mesh_ko(Fault).
 
 fault_ko(mesh_write(unsupported(Text))) -->
-    [ '이 형식은 ~w 을(를) 담을 수 없습니다'-[Text], nl,
-      '  .obj 나 .ply 로 쓰십시오.' ].
+    [ '이 형식에는 담을 수 없습니다: ~w'-[Text], nl,
+      '  .obj나 .ply로 쓰십시오.' ].
 
 fault_ko(written(faulty(S, Rounds, What))) -->
-    [ '세그먼트 ~d을(를) 쓰지 않았다, ~D번 뒤: '-[S, Rounds] ],
+    [ '세그먼트 ~d을(를) 쓰지 않았습니다. ~D번 고친 뒤: '-[S, Rounds] ],
     unwritten_ko(What).
 fault_ko(no_triangles(S, P)) -->
     [ '세그먼트 ~d의 다각형 ~d에 삼각형이 없습니다'-[S, P], nl,
@@ -230,7 +235,7 @@ fault_ko(no_triangles(S, P)) -->
        부르십시오.' ].
 
 notice_ko(mesh(File, degenerate(N))) -->
-    [ '~w: 서로 다른 세 꼭지점이 없는 면 ~D개를 뺐습니다'-[File, N] ].
+    [ '~w: 서로 다른 세 꼭짓점이 없는 면 ~D개를 뺐습니다'-[File, N] ].
 notice_ko(mesh(File, ignored(N, Line))) -->
     [ '~w: 모르는 항목 ~D개를 건너뛰었습니다. 처음은 ~D번째 줄'-
       [File, N, Line] ].
@@ -252,55 +257,60 @@ notice_ko(mesh(File, trailing(Bytes))) -->
 
 drawing_ko(domain(sheet_size, W-H)) -->
     { number(W), number(H) },
-    [ '그림이 ~0f x ~0f mm 나 된다'-[W,H], nl,
-      '  더 작은 --scale을 쓴다. 각 변은 0보다 크고 100000 mm까지 된다.' ].
+    [ '그림이 ~0f x ~0f mm입니다'-[W,H], nl,
+      '  --scale 값을 줄이십시오. 각 변은 0보다 크고 100000 mm 이하여야 합니다.' ].
 drawing_ko(domain(sheet_size, Size)) -->
-    [ '~p은(는) 종이의 크기가 아니다'-[Size], nl,
-      '  너비x높이를 210x148처럼 mm로 쓴다. 100000까지 된다.' ].
+    [ '~p: 용지의 크기가 아닙니다'-[Size], nl,
+      '  너비x높이를 210x148처럼 mm로, 100000까지 쓰십시오.' ].
 drawing_ko(domain(raster_size, W-H)) -->
-    [ '그림은 ~p x ~p 점이 될 수 없다'-[W, H], nl,
-      '  한 변은 1에서 16384까지, 모두 6700만 점까지 된다.' ].
+    [ '그림은 ~p x ~p 점이 될 수 없습니다'-[W, H], nl,
+      '  한 변은 1에서 16384까지, 모두 6700만 점까지입니다.' ],
+    (   { dots_that_fit(W, H, Wide, High, By) }
+    ->  [ nl, '  이 비율로는 ~d x ~d 점이 들어갑니다. --dpi 값을(--png dots이면 \c
+               --size 값을) ~w분의 1로 줄이십시오.'-[Wide, High, By] ]
+    ;   []
+    ).
 drawing_ko(domain(dot_pattern, Pattern)) -->
-    [ '~p은(는) 점의 무늬가 아니다'-[Pattern], nl,
-      '  N개 찍고 N개 비우는 N이나 목록 [찍음, 비움, ...]으로 쓴다.' ].
+    [ '~p: 점의 무늬가 아닙니다'-[Pattern], nl,
+      '  N개 찍고 N개 비우는 N이나 리스트 [찍음, 비움, ...]으로 쓰십시오.' ].
 drawing_ko(domain(drawing_format, Ending)) -->
-    [ '확장자 .~w인 그림은 없다'-[Ending], nl,
-      '  그림은 .svg .pdf .eps .ps .png .dxf .hpgl .json .pl 파일이다.' ].
+    [ '.~w: 그림의 확장자가 아닙니다'-[Ending], nl,
+      '  그림은 .svg .pdf .eps .ps .png .dxf .hpgl .json .pl 파일입니다.' ].
 drawing_ko(domain(dashes, How)) -->
-    [ '점선은 auto, geometry, type 가운데 하나이며 ~p 은(는) 아니다'-[How] ].
+    [ '파선은 auto, geometry, type 가운데 하나여야 합니다: ~p'-[How] ].
 drawing_ko(domain(png, How)) -->
-    [ 'PNG 는 smooth 또는 dots 이며 ~p 은(는) 아니다'-[How] ].
+    [ 'PNG는 smooth 또는 dots여야 합니다: ~p'-[How] ].
 
 notice_ko(sheet_tiny(N:M, How)) -->
     sheet_tiny_ko(N, M, How).
 notice_ko(nothing_drawn) -->
     [ '그릴 것이 없습니다' ].
 notice_ko(look_in_vain(Name)) -->
-    [ '모양 사실에 ~p 이(가) 있지만 그런 이름의 세그먼트가 없습니다'-[Name] ].
+    [ '모양 사실에 ~p이(가) 있지만 그런 이름의 세그먼트가 없습니다'-[Name] ].
 notice_ko(pixel_colour_asked(Dots)) -->
-    [ 'pixel_colour/4 이(가) 규칙입니다. 점 ~D개에 하나씩 묻습니다'-[Dots] ].
+    [ 'pixel_colour/4의 규칙이 있습니다. 점 ~D개에 하나씩 묻습니다'-[Dots] ].
 notice_ko(pixel_colour_in_vain) -->
-    [ 'pixel_colour/4 이(가) 규칙이지만 투명한 점이 있는 그림에는 묻지 \c
+    [ 'pixel_colour/4의 규칙이 있지만 투명한 점이 있는 그림에는 묻지 \c
        않습니다', nl,
-      '  --background 에 색을 주십시오.' ].
+      '  --background에 색을 주십시오.' ].
 notice_ko(shadows_in_vain) -->
-    [ '그림자를 모르는 tone/3을 규칙이 정하므로 --shadows는 아무것도 바꾸지 않는다' ].
+    [ '그림자를 모르는 tone/3을 규칙이 정하므로 --shadows는 아무것도 바꾸지 않습니다' ].
 notice_ko(facets_off(Dots)) -->
-    [ '둥근 것은 둥글게 보인다. 파일의 면은 거기서 많아야 ~1f점 떨어져 있다 (--surface \c
-facets는 그 면을 보인다)'-[Dots] ].
+    [ '둥근 것은 둥글게 보입니다. 파일의 면은 거기서 많아야 ~1f점 떨어져 있습니다 (--surface \c
+facets는 그 면을 보입니다)'-[Dots] ].
 notice_ko(nothing_seen) -->
     [ '보이는 것이 없습니다. 그림은 바탕뿐입니다', nl,
       '  모델에 입체가 없거나 모두 빼 버렸습니다.' ].
 notice_ko(not_shaded(S, cells)) -->
     !,
-    [ '세그먼트 ~p 은(는) 그림에 없습니다. 피연산자가 없는 셀입니다'-[S], nl,
-      '  피연산자를 아직 지닌 glue 모델을 음영하십시오. draw 는 셀도 그립니다.' ].
+    [ '세그먼트 ~p은(는) 그림에 없습니다. 피연산자가 없는 셀입니다'-[S], nl,
+      '  피연산자를 아직 지닌 glue 모델을 음영하십시오. draw는 셀도 그립니다.' ].
 notice_ko(not_shaded(S, Kind)) -->
-    [ '세그먼트 ~p 은(는) 그림에 없습니다. 종류가 ~w 이며 음영은 입체만 \c
+    [ '세그먼트 ~p은(는) 그림에 없습니다. 종류가 ~w인데, 음영은 입체만 \c
        그립니다'-[S, Kind], nl,
-      '  draw 는 곡면과 곡선도 그립니다.' ].
+      '  draw는 곡면과 곡선도 그립니다.' ].
 notice_ko(style_in_vain(Segment)) -->
-    [ '모양 파일이 세그먼트 ~p 의 선을 말하지만, 모델에 그런 세그먼트가 \c
+    [ '모양 파일이 세그먼트 ~p의 선을 정하지만, 모델에 그런 세그먼트가 \c
        없습니다'-[Segment] ].
 
 
@@ -309,7 +319,7 @@ notice_ko(style_in_vain(Segment)) -->
                 *******************************/
 
 fault_ko(eye_in_model(D)) -->
-    [ '시점이 모델 안이나 뒤에 있습니다: 가장 가까운 점이 ~4g 입니다'-[D], nl,
+    [ '시점이 모델 안이나 뒤에 있습니다: 가장 가까운 점이 ~4g입니다'-[D], nl,
       '  더 멀리 가거나(--eye, 더 큰 RHO) 평행 투상을 쓰십시오.' ].
 fault_ko(leaf_behind_eye(N)) -->
     [ '트리의 리프 ~D 번이 시점 앞에 있지 않습니다'-[N], nl,
@@ -321,15 +331,15 @@ fault_ko(leaf_behind_eye(N)) -->
                 *******************************/
 
 fault_ko(rules(no_decision(PI))) -->
-    [ '~q 은(는) 판단의 이름이 아니고, 이 규칙 파일에서 부르지도 않습니다'-[PI],
+    [ '~q: 결정의 이름이 아니고, 이 규칙 파일에서 부르지도 않습니다'-[PI],
       nl,
-      '  이름을 고치거나(rules/0 이 이름을 보여 줍니다) 지우십시오.' ].
+      '  이름을 고치거나(rules/0이 이름을 보여 줍니다) 지우십시오.' ].
 fault_ko(rules(no_decisions)) -->
-    [ '이 규칙 파일은 아무 판단도 바꾸지 않습니다', nl,
-      '  rules/0 이 보여 주는 판단 가운데 하나를 정의하십시오.' ].
+    [ '이 규칙 파일은 아무 결정도 바꾸지 않습니다', nl,
+      '  rules/0이 보여 주는 결정 가운데 하나를 정의하십시오.' ].
 fault_ko(rules(module_file)) -->
     [ '규칙 파일에는 모듈 머리말이 없어야 합니다', nl,
-      '  지시문 :- module(...) 을 지우십시오.' ].
+      '  지시문 :- module(...)을 지우십시오.' ].
 fault_ko(rules(Formal)) -->
     { \+ memberchk(Formal, [no_decision(_), no_decisions, module_file]) },
     [ '이 규칙 파일을 읽을 수 없습니다: ' ],
@@ -366,8 +376,8 @@ notice_ko(cells_apart(S, N, P1, P2)) -->
                 *******************************/
 
 fault_ko(no_third_vertex(V1, V2)) -->
-    [ '꼭지점 ~d 에서 ~d 로 가는 모서리에 셋째 꼭지점이 없습니다'-[V1, V2], nl,
-      '  다각형이 그곳에서 스스로 엇갈리거나 겹칩니다.' ].
+    [ '꼭짓점 ~d에서 ~d(으)로 가는 모서리에 셋째 꼭짓점이 없습니다'-[V1, V2], nl,
+      '  다각형이 그곳에서 자기 자신과 교차하거나 겹칩니다.' ].
 fault_ko(polygon_edge(S, P, V1, V2)) -->
     invalid_polygon_ko(S, P, V1, V2).
 
@@ -375,47 +385,47 @@ notice_ko(polygon_edge(S, P, V1, V2)) -->
     invalid_polygon_ko(S, P, V1, V2),
     [ nl, '  빼고 계속합니다.' ].
 notice_ko(no_area(S, Count, P)) -->
-    [ '세그먼트 ~d 의 다각형 ~D개는 넓이가 없습니다 (처음은 ~d)'-
+    [ '세그먼트 ~d의 다각형 ~D개는 넓이가 없습니다 (처음은 ~d)'-
       [S, Count, P], nl,
       '  빼고 계속합니다.' ].
 fault_ko(tolerance(Tolerance, Most)) -->
-    [ '허용 오차 ~4g 는 너무 큽니다: 그보다 별로 크지 않은 부분이 있습니다'-
+    [ '허용 오차 ~4g은(는) 너무 큽니다: 그보다 별로 크지 않은 부분이 있습니다'-
       [Tolerance], nl,
-      '  --tolerance 를 ~4g 이하로 주거나 빼십시오.'-[Most] ].
+      '  --tolerance를 ~4g 이하로 주거나 빼십시오.'-[Most] ].
 fault_ko(tight(S1, S2, At, Move, Feature, N)) -->
     tight_ko(S1, S2, At, Move, Feature, N).
 fault_ko(flattened(S, At, Move, Edge, N)) -->
     flattened_ko(S, At, Move, Edge, N).
 fault_ko(result_open) -->
     [ '결과가 닫히지 않습니다', nl,
-      '  --tolerance 를 바꾸거나 --repair 로 피연산자를 고치십시오.' ].
+      '  --tolerance를 바꾸거나 --repair로 피연산자를 고치십시오.' ].
 
 fault_ko(glue_law(S, Faults)) -->
     { atomic_list_concat(Faults, ', ', Text) },
     [ '세그먼트 ~d: 붙인 것이 법칙에 어긋나(~w) 아무것도 붙이지 않았습니다'-
       [S, Text], nl,
-      '  --tolerance 를 바꾸거나 --repair 로 피연산자를 고치십시오.' ].
+      '  --tolerance를 바꾸거나 --repair로 피연산자를 고치십시오.' ].
 fault_ko(glue_wire(S, E, P)) -->
-    [ '곡선 ~d 의 모서리 ~d번이 붙인 다각형 ~d번 안을 지나거나 꼭지점이 아닌 \c
+    [ '곡선 ~d의 모서리 ~d번이 붙인 다각형 ~d번 안을 지나거나 꼭짓점이 아닌 \c
        경계에서 만납니다'-[S, E, P], nl,
       '  그곳에서 곡선과 면을 나누거나 그 선을 따라 면을 붙이십시오.' ].
 fault_ko(glue_meets(S, P1, P2, X, Y, Z)) -->
-    [ '세그먼트 ~d: 다각형 ~d번과 ~d번이 ~6g ~6g ~6g 에서 공통 요소 없이 \c
+    [ '세그먼트 ~d: 다각형 ~d번과 ~d번이 ~6g ~6g ~6g에서 공통 요소 없이 \c
        만나게 되어 아무것도 붙이지 않았습니다'-[S, P1, P2, X, Y, Z], nl,
-      '  --tolerance 를 바꾸거나 --repair 로 피연산자를 고치십시오.' ].
+      '  --tolerance를 바꾸거나 --repair로 피연산자를 고치십시오.' ].
 
 notice_ko(glue_overlap(S, S1, S2, R, Volume)) -->
-    [ '세그먼트 ~d: 피연산자 ~d번과 ~d번이 겹칩니다: 부피 ~6g 인 영역 ~d 이(가) \c
+    [ '세그먼트 ~d: 피연산자 ~d번과 ~d번이 겹칩니다: 부피 ~6g인 영역 ~d이(가) \c
        둘 다의 안입니다'-[S, S1, S2, Volume, R] ].
 notice_ko(glue_apart(S)) -->
     [ '세그먼트 ~d: 피연산자들이 아무 데서도 닿지 않습니다'-[S] ].
 notice_ko(glue_gap(S, S1, S2, Gap, p(X,Y,Z))) -->
-    [ '세그먼트 ~d: 피연산자 ~d번과 ~d번이 ~6g ~6g ~6g 에서 ~6g 떨어져 있어 \c
+    [ '세그먼트 ~d: 피연산자 ~d번과 ~d번이 ~6g ~6g ~6g에서 ~6g 떨어져 있어 \c
        붙지 않았습니다'-[S, S1, S2, X, Y, Z, Gap] ].
 notice_ko(glue_gaps(S, N)) -->
     [ '세그먼트 ~d: 그만큼 가깝지만 붙지 않은 피연산자 쌍이 ~D개 더 있습니다'-
       [S, N], nl,
-      '  틈보다 큰 --tolerance 를 주면 닿게 됩니다.' ].
+      '  틈보다 큰 --tolerance를 주면 닿게 됩니다.' ].
 notice_ko(nothing_glued) -->
     [ '이 모델에는 붙인 것이 없습니다' ].
 notice_ko(opened(contacts)) -->
@@ -434,7 +444,7 @@ notice_ko(tight(S1, S2, At, Move, Feature, N)) -->
 notice_ko(flattened(S, At, Move, Edge, N)) -->
     flattened_ko(S, At, Move, Edge, N).
 notice_ko(not_flat(S, Count, P, Off)) -->
-    [ '세그먼트 ~d 의 다각형 ~D개는 평평하지 않습니다 (가장 심한 ~d: ~4g)'-
+    [ '세그먼트 ~d의 다각형 ~D개는 평평하지 않습니다 (가장 심한 ~d: ~4g)'-
       [S, Count, P, Off], nl,
       '  삼각형으로 나누어 씁니다.' ].
 
@@ -442,14 +452,14 @@ tight_ko(S1, S2, At, Move, Feature, N) -->
     (   { Move =:= Feature }
     ->  [ '반올림으로 설명되지 않는 ~4g 만큼의 틈을 닿게 하였습니다: '-
           [Move] ]
-    ;   [ '닿게 하느라 ~4g 만큼 옮겼지만 그곳의 요소는 크기가 ~4g 뿐입니다: '-
+    ;   [ '닿게 하느라 ~4g만큼 옮겼지만 그곳의 요소는 크기가 ~4g뿐입니다: '-
           [Move, Feature] ]
     ),
     place_ko(At, S1, S2),
     other_places_ko(N).
 
 flattened_ko(S, At, Move, Edge, N) -->
-    [ '한 면으로 합치느라 ~4g 만큼 벗어난 곳의 모서리 길이가 ~4g 뿐입니다: '-
+    [ '한 면으로 합치느라 ~4g만큼 벗어난 곳의 모서리 길이가 ~4g뿐입니다: '-
       [Move, Edge] ],
     place_ko(At, S, 0),
     other_places_ko(N).
@@ -461,7 +471,7 @@ other_places_ko(N) -->
     ),
     [ nl,
       '  반올림 이상일 수 있습니다: 그곳을 살펴보거나, 아무것도 옮기지 않는 \c
-       --tolerance 0 을 주십시오.' ].
+       --tolerance 0을 주십시오.' ].
 
 place_ko([X, Y, Z], S1, S2) -->
     [ '~8g ~8g ~8g'-[X, Y, Z] ],
@@ -471,8 +481,8 @@ place_ko([X, Y, Z], S1, S2) -->
     ).
 
 invalid_polygon_ko(S, P, V1, V2) -->
-    [ '세그먼트 ~d 의 다각형 ~d 은(는) 꼭지점 ~d 와 ~d 사이에서 스스로 \c
-       엇갈리거나 겹칩니다'-[S, P, V1, V2] ].
+    [ '세그먼트 ~d의 다각형 ~d은(는) 꼭짓점 ~d과(와) ~d 사이에서 자기 자신과 \c
+       교차하거나 겹칩니다'-[S, P, V1, V2] ].
 
 
                 /*******************************
@@ -480,7 +490,7 @@ invalid_polygon_ko(S, P, V1, V2) -->
                 *******************************/
 
 notice_ko(lines_by_rules(Lines, Each)) -->
-    [ '선 ~D 개를 커널이 아니라 규칙으로 그렸습니다: 판단이 바뀌었습니다'-[Lines], nl,
+    [ '선 ~D개를 커널이 아니라 규칙으로 그렸습니다: 결정이 바뀌었습니다'-[Lines], nl,
       '  선마다 ~1f 마이크로초'-[Each] ].
 
 
@@ -508,9 +518,9 @@ notice_ko(because(Statement)) -->
     statement_ko(Statement).
 notice_ko(nothing_to_explain(piece(S, P))) -->
     !,
-    [ '~p 에는 설명할 것이 없습니다'-[piece(S, P)], nl,
-      '  piece(S, P) 는 입체의 연산인 세그먼트 S 의 다각형 P 이고, \c
-       piece(S, S0-P0) 는 그 피연산자 S0 의 다각형 P0 입니다.' ].
+    [ '~p에는 설명할 것이 없습니다'-[piece(S, P)], nl,
+      '  piece(S, P)는 입체의 연산인 세그먼트 S의 다각형 P이고, \c
+       piece(S, S0-P0)는 그 피연산자 S0의 다각형 P0입니다.' ].
 notice_ko(nothing_to_explain(Item)) -->
     { memberchk(Item, [pixel(_, _), why_not(seen(_))]) },
     !,
@@ -526,16 +536,16 @@ notice_ko(nothing_to_explain(Item)) -->
 notice_ko(nothing_to_explain(Item)) -->
     [ '~p: 설명할 것이 없습니다'-[Item], nl,
       '  line(L), vertex(S, V), edge(S, E), pair(S1-P1, S2-P2), \c
-       pair(S1, S2), piece(S, P), piece(S, S0-P0) 를 모델의 번호로 \c
+       pair(S1, S2), piece(S, P), piece(S, S0-P0)를 모델의 번호로 \c
        물어보십시오. segment(S), param(이름)도 됩니다. 선은 penetrate \c
-       다음에 있습니다. seam(S, E), fold(S, E), pattern(S, K) 는 세그먼트 S 의 \c
+       다음에 있습니다. seam(S, E), fold(S, E), pattern(S, K)는 세그먼트 S의 \c
        전개도에 관한 것입니다.' ].
 %   허용 오차 안의 접촉을 맞추지 못한 까닭 (resolve.pl).
 
 contacts_ko(wide(S, V)) -->
-    [ '세그먼트 ~d 의 꼭짓점 ~d 이(가) 허용 오차의 세 배보다 넓게 다른 것과 '-
-      [S, V], '이어져 있습니다;', nl,
+    [ '세그먼트 ~d의 꼭짓점 ~d이(가) 허용 오차의 세 배보다 넓게 다른 것과 '-
+      [S, V], '이어져 있습니다.', nl,
       '  허용 오차 안에서 닿는 것을 그대로 두었습니다.' ].
 contacts_ko(stuck(S, P)) -->
-    [ '세그먼트 ~d 의 다각형 ~d 이(가) 허용 오차 안에서 닿는 것을 모두 '-
-      [S, P], '받아들이지 못합니다;', nl, '  그대로 두었습니다.' ].
+    [ '세그먼트 ~d의 다각형 ~d이(가) 허용 오차 안에서 닿는 것을 모두 '-
+      [S, P], '받아들이지 못합니다.', nl, '  그대로 두었습니다.' ].

@@ -52,118 +52,118 @@ model_ko(syntax(too_deep)) -->
 model_ko(syntax(Message)) -->
     { \+ memberchk(Message, [end_of_file, end_of_file_in_quoted(_),
                              too_deep]) },
-    [ '프롤로그 글이 아닙니다: ' ],
+    [ 'Prolog 문법에 맞지 않습니다: ' ],
     syntax_words(Message),
     [ nl,
-      '  v(1, 1, 0.0, 0.0, 0.0). 과 같은 사실을 마침표와 함께 쓰십시오.' ].
+      '  v(1, 1, 0.0, 0.0, 0.0). 처럼 마침표로 끝나는 사실을 쓰십시오.' ].
 model_ko(limit(Name, Most)) -->
     limit_ko(Name),
-    [ ': ~D 을(를) 넘습니다'-[Most], nl ],
+    [ ': ~D을(를) 넘습니다'-[Most], nl ],
     limit_way_ko(Name).
 model_ko(limit(Name, Count, Most)) -->
     { shown_count(Count, Shown) },
     limit_ko(Name),
-    [ ': ~w 인데 ~D 까지입니다'-[Shown, Most], nl ],
+    [ ': ~w. 한도는 ~D입니다'-[Shown, Most], nl ],
     limit_way_ko(Name).
 model_ko(early_end) -->
-    [ '파일 중간에 end_of_file 이 있습니다', nl,
+    [ '파일 중간에 end_of_file이 있습니다', nl,
       '  지우십시오. 뒤의 내용을 잃게 됩니다.' ].
 model_ko(directive(Goal)) -->
     [ '모델 파일에 지시문이 있습니다: :- ~p'-[Goal], nl,
-      '  모델은 자료이며 실행되지 않습니다. 규칙은 --rules FILE 로 주십시오.' ].
+      '  모델은 자료이며 실행되지 않습니다. 규칙은 --rules FILE로 주십시오.' ].
 model_ko(rule(Head)) -->
     [ '모델 파일에 규칙이 있습니다: ~p :- ...'-[Head], nl,
-      '  모델은 사실로만 된 자료입니다. 규칙은 --rules FILE 로 주십시오.' ].
+      '  모델은 사실로만 된 자료입니다. 규칙은 --rules FILE로 주십시오.' ].
 model_ko(no_fact(Term)) -->
     [ '사실이 아닙니다: ~p'-[Term], nl,
-      '  v(1, 1, 0.0, 0.0, 0.0). 과 같은 사실을 쓰십시오.' ].
+      '  v(1, 1, 0.0, 0.0, 0.0). 같은 사실을 쓰십시오.' ].
 model_ko(unknown_relation(Name, Arity)) -->
-    [ '관계 ~q/~d 은(는) 없습니다'-[Name, Arity], nl,
+    [ '~q/~d: 그런 관계는 없습니다'-[Name, Arity], nl,
       '  모델의 관계: v/5, e/5, p/3, plane/6, t/6, segment/3, \c
        leaf_v/5, leaf_e/5, leaf_p/3, leaf_t/6, origin/3, from_v/4, \c
        from_p/5, line/9, curve/2, view/3, projection/1, \c
        title_block/2, look/2, light/2, param/2.' ].
 model_ko(arity(Name, Arity, Wanted)) -->
-    [ '~w 의 인수가 ~d개입니다. ~d개여야 합니다'-[Name, Arity, Wanted], nl,
-      '  ~w/~d 의 설명과 비교하십시오.'-[Name, Wanted] ].
+    [ '~w의 인수가 ~d개입니다. ~d개여야 합니다'-[Name, Arity, Wanted], nl,
+      '  ~w/~d의 설명과 비교하십시오.'-[Name, Wanted] ].
 model_ko(computed(Name)) -->
-    [ '~w 은(는) 시점에서 계산되므로 파일에 둘 수 없습니다'-[Name], nl,
-      '  지우십시오. draw 가 다시 만듭니다.' ].
+    [ '~w: 시점에서 계산되므로 파일에 둘 수 없습니다'-[Name], nl,
+      '  지우십시오. draw가 다시 만듭니다.' ].
 model_ko(value(Relation, Column, Value, Expected)) -->
     { shown_value(Value, Shown) },
-    [ '~w 의 ~w 이(가) ~w 입니다. 있어야 할 것: '-
+    [ '~w의 ~w: ~w. 있어야 할 것: '-
       [Relation, Column, Shown] ],
     expected_ko(Expected).
 model_ko(missing(Relation, S, Id)) -->
     { relation_word(Relation, Word) },
-    [ '세그먼트 ~d 에 ~w ~d 이(가) 없습니다'-[S, Word, Id], nl,
+    [ '세그먼트 ~d에 ~w ~d이(가) 없습니다'-[S, Word, Id], nl,
       '  추가하거나 번호를 고치십시오.' ].
 model_ko(twice(Name, Key)) -->
     [ '~w 사실이 둘 있습니다: '-[Name] ],
     key_ko(Key),
     [ nl, '  하나를 지우거나 다른 번호를 주십시오.' ].
 model_ko(polygon(S, P, Why)) -->
-    [ '세그먼트 ~d 의 다각형 ~d: '-[S, P] ],
+    [ '세그먼트 ~d의 다각형 ~d: '-[S, P] ],
     polygon_ko(Why).
 model_ko(chain(S, V)) -->
-    [ '세그먼트 ~d 의 곡선이 꼭지점 ~d 에서 자기 자신으로 갑니다'-[S, V], nl,
-      '  꼭지점을 한 번씩만 쓰십시오.' ].
+    [ '세그먼트 ~d의 곡선이 꼭짓점 ~d에서 자기 자신으로 갑니다'-[S, V], nl,
+      '  꼭짓점을 한 번씩만 쓰십시오.' ].
 model_ko(formula(What, Formula)) -->
     parameter_ko(formula(What, Formula)).
 model_ko(parameter(What)) -->
     parameter_ko(What).
 model_ko(kind(Term, Kind, Wanted)) -->
     { primitive_name(Term, Name) },
-    [ '~w 의 종류는 ~w 이며 ~w 이(가) 아닙니다'-[Name, Wanted, Kind], nl,
-      '  segment(S, ~w, ~w(...)) 로 쓰십시오.'-[Wanted, Name] ].
+    [ '~w: 종류가 ~w여야 하는데 ~w입니다'-[Name, Wanted, Kind], nl,
+      '  segment(S, ~w, ~w(...))로 쓰십시오.'-[Wanted, Name] ].
 model_ko(no_vertices(_, Name)) -->
     misshapen_ko(Name),
     !,
-    [ nl, '  아니면 세그먼트에 v/5 와 p/3 을 쓰십시오.' ].
+    [ nl, '  아니면 세그먼트에 v/5와 p/3을 쓰십시오.' ].
 model_ko(no_vertices(S, Name)) -->
-    [ '세그먼트 ~d 에 꼭지점이 없고 ~p 은(는) 기본 입체가 아닙니다'-[S, Name] ],
+    [ '세그먼트 ~d에 꼭짓점이 없고, 이름이 기본 입체도 아닙니다: ~p'-[S, Name] ],
     { near_operands(Name, Near) },
     meant_ko(Near),
     [ nl,
-      '  v/5 와 p/3, 연산(docs/model_files.md), 또는 기본 입체를 쓰십시오: ' ],
+      '  v/5와 p/3, 연산(docs/model_files.md), 또는 기본 입체를 쓰십시오: ' ],
     primitive_names.
 model_ko(no_edges(S)) -->
-    [ '세그먼트 ~d 에 다각형도 모서리도 없습니다'-[S], nl,
-      '  p/3, e/5 또는 curve/2 를 추가하십시오.' ].
+    [ '세그먼트 ~d에 다각형도 모서리도 없습니다'-[S], nl,
+      '  p/3, e/5 또는 curve/2를 추가하십시오.' ].
 model_ko(title_block_only(Name)) -->
     [ '표제란 파일에 ~w 사실은 쓸 수 없습니다'-[Name], nl,
-      '  title_block(Item, Text) 만 쓰십시오. 보기: \c
+      '  title_block(Item, Text)만 쓰십시오. 보기: \c
        title_block(name, "받침대").' ].
 model_ko(look(What)) -->
     look_ko(What).
 model_ko(empty) -->
     [ '모델이 비어 있습니다', nl,
-      '  꼭지점과 다각형이 있는 세그먼트를 하나 이상 주십시오.' ].
+      '  꼭짓점과 다각형이 있는 세그먼트를 하나 이상 주십시오.' ].
 model_ko(refused(Row, Error)) -->
-    [ '사실 ~p 은(는) 불가능합니다: ~p'-[Row, Error] ].
+    [ '불가능한 사실 ~p: ~p'-[Row, Error] ].
 model_ko(unknown_format('', Formats)) -->
     !,
     { atomic_list_concat(Formats, ' .', All) },
-    [ '파일의 종류를 말하는 확장자가 없습니다', nl,
-      '  모델의 확장자는 .~w 입니다. 또는 --from 과 함께 표준 입력(-)으로 \c
+    [ '파일의 종류를 정하는 확장자가 없습니다', nl,
+      '  모델의 확장자는 .~w입니다. 또는 --from과 함께 표준 입력(-)으로 \c
        주십시오.'-[All] ].
 model_ko(unknown_format(Format, Formats)) -->
     { atomic_list_concat(Formats, ' .', All) },
     [ '.~w 형식은 모릅니다'-[Format], nl,
-      '  모델의 확장자는 .~w 입니다.'-[All] ].
+      '  모델의 확장자는 .~w입니다.'-[All] ].
 
 expected_ko(id) -->
-    [ '1 에서 2147483647 까지의 정수', nl,
-      '  세그먼트, 꼭지점, 모서리, 다각형의 번호는 1부터입니다.' ].
+    [ '1에서 2147483647까지의 정수', nl,
+      '  세그먼트, 꼭짓점, 모서리, 다각형의 번호는 1부터입니다.' ].
 expected_ko(ids) -->
     [ '양의 정수의 리스트' ].
 expected_ko(steps) -->
     [ '정수의 리스트', nl,
-      '  [1, 2, 3] 처럼 다각형의 꼭지점을 쓰십시오. 음수는 건너뜀입니다.' ].
+      '  [1, 2, 3]처럼 다각형의 꼭짓점을 쓰십시오. 음수는 건너뜀입니다.' ].
 expected_ko(chain) -->
-    [ '하나 이상의 꼭지점 번호의 리스트' ].
+    [ '하나 이상의 꼭짓점 번호의 리스트' ].
 expected_ko(float) -->
-    [ '수', nl, '  -1.5 나 2.0e-3 처럼 숫자로 쓰십시오.' ].
+    [ '수', nl, '  -1.5나 2.0e-3처럼 숫자로 쓰십시오.' ].
 expected_ko(number) -->
     [ '수 또는 식', nl,
       '  길이는 모델의 단위, 각은 도이며 단위는 쓰지 않습니다.' ].
@@ -171,12 +171,12 @@ expected_ko(distance) -->
     [ '0 이상의 수 (0: 필요한 만큼 멀리)' ].
 expected_ko(finite) -->
     [ '유한한 수', nl,
-      '  무한대와 NaN 은 자리가 아닙니다. 그것을 쓴 프로그램을 고치십시오.' ].
+      '  무한대와 NaN은 쓸 수 없습니다. 그것을 쓴 프로그램을 고치십시오.' ].
 expected_ko(within(Most)) -->
-    [ '-~w 과 ~w 사이'-[Most, Most], nl,
+    [ '-~w과(와) ~w 사이'-[Most, Most], nl,
       '  다른 단위를 쓰십시오. 이 크기로는 계산할 수 없습니다.' ].
 expected_ko(text) -->
-    [ '글, 수, 또는 아톰' ].
+    [ '텍스트, 수, 또는 아톰' ].
 expected_ko(look(What)) -->
     expected_look_ko(What).
 expected_ko(light(What)) -->
@@ -190,7 +190,7 @@ expected_ko(one_of(Atoms)) -->
     { atomic_list_concat(Atoms, ', ', Text) },
     [ '다음의 하나: ~w'-[Text] ].
 
-relation_word(v, '꼭지점').
+relation_word(v, '꼭짓점').
 relation_word(e, '모서리').
 relation_word(p, '다각형').
 relation_word(leaf_e, leaf_e).
@@ -205,20 +205,20 @@ key_ko(Key) -->
 
 polygon_ko(list) -->
     [ '리스트의 건너뜀이 갈 곳이 없습니다', nl,
-      '  음수는 닫힌 고리 다음에 와서 새 고리를 시작합니다: \c
+      '  음수는 닫힌 루프 다음에 와서 새 루프를 시작합니다: \c
        [1,2,3,1,-4,5,6,4].' ].
 polygon_ko(edges(N)) -->
     [ '모서리가 ~d개입니다. 셋 이상이어야 합니다'-[N] ].
 polygon_ko(open(V)) -->
-    [ '꼭지점 ~d 에서 닫히지 않습니다'-[V], nl,
-      '  꼭지점마다 들어오는 모서리와 나가는 모서리의 수가 같아야 합니다. \c
-       건너뛴 고리는 첫 꼭지점을 다시 써서 닫으십시오.' ].
+    [ '꼭짓점 ~d에서 닫히지 않습니다'-[V], nl,
+      '  꼭짓점마다 들어오는 모서리와 나가는 모서리의 수가 같아야 합니다. \c
+       건너뛴 루프는 첫 꼭짓점을 다시 써서 닫으십시오.' ].
 polygon_ko(twice(V1, V2)) -->
-    [ '~d 에서 ~d 로 가는 모서리가 둘 있습니다'-[V1, V2], nl,
+    [ '~d에서 ~d(으)로 가는 모서리가 둘 있습니다'-[V1, V2], nl,
       '  한 걸음은 한 번만 쓰십시오. 구멍은 반대로 돕니다.' ].
 polygon_ko(no_edge(V)) -->
-    [ '꼭지점 ~d 에서 자기 자신으로 가는 모서리가 있습니다'-[V], nl,
-      '  꼭지점을 한 번만 쓰십시오.' ].
+    [ '꼭짓점 ~d에서 자기 자신으로 가는 모서리가 있습니다'-[V], nl,
+      '  꼭짓점을 한 번만 쓰십시오.' ].
 
 
                 /*******************************
@@ -236,17 +236,17 @@ limit_ko(blocks) -->
 limit_ko(digits) -->
     [ '수 하나의 글자 수' ].
 limit_ko(name) -->
-    [ '이름이나 글 하나의 글자 수' ].
+    [ '이름이나 텍스트 하나의 글자 수' ].
 limit_ko(fact) -->
     [ '사실 하나의 글자 수' ].
 limit_ko(file) -->
     [ '.csg 파일의 바이트' ].
 limit_ko(text) -->
-    [ '글의 바이트' ].
+    [ '텍스트의 바이트' ].
 limit_ko(facets) -->
-    [ '프리미티브 하나의 꼭짓점' ].
+    [ '기본 입체 하나의 꼭짓점' ].
 limit_ko(nodes) -->
-    [ '트리의 잎, 쓰이는 횟수만큼' ].
+    [ '트리의 리프, 쓰이는 횟수만큼' ].
 
 limit_way_ko(Name) -->
     [ '  더 허용하려면 --limits ~w=N, 프로그램에서는 set_limit(~w, N).'-

@@ -16,7 +16,7 @@ operand_en.pl has the same heads in English.
 
 operand_ko(S, Faults) -->
     operand_ko(S),
-    [ ' 은(는) 불 연산에 쓸 수 없습니다:' ],
+    [ '은(는) 집합 연산(불 연산)에 쓸 수 없습니다:' ],
     faults_ko(Faults),
     [ nl, '  만든 곳에서 고치십시오. repair 옵션은 고칠 수 있는 것을 \c
            고칩니다.' ].
@@ -50,7 +50,7 @@ operand_fault_ko(unbalanced_edges(N, Edges)) -->
 edges_ko([]) -->
     [].
 edges_ko([edge(V1, V2, [X1,Y1,Z1], [X2,Y2,Z2], N)|Edges]) -->
-    [ nl, '    ~d-~d: (~6g, ~6g, ~6g) 에서 (~6g, ~6g, ~6g) 까지, 면 ~d개'-
+    [ nl, '    ~d-~d: (~6g, ~6g, ~6g)에서 (~6g, ~6g, ~6g)까지, 면 ~d개'-
           [V1,V2,X1,Y1,Z1,X2,Y2,Z2,N] ],
     edges_ko(Edges).
 
@@ -60,18 +60,18 @@ edges_ko([edge(V1, V2, [X1,Y1,Z1], [X2,Y2,Z2], N)|Edges]) -->
 
 operand_notice_ko(inside_out, S) -->
     { segment_word(S, Name) },
-    [ '세그먼트 ~d~w 은(는) 안팎이 뒤집혀 있어 그 안에 아무것도 없습니다'-
+    [ '세그먼트 ~d~w은(는) 안팎이 뒤집혀 있어 그 안에 아무것도 없습니다'-
       [S, Name], nl,
       '  다각형의 방향을 뒤집으십시오. repair 옵션이 그렇게 합니다.' ].
 operand_notice_ko(surface(Faults), S) -->
     { segment_word(S, Name) },
-    [ '세그먼트 ~d~w 을(를) 곡면으로 봅니다. 입체 밖에 있는 부분만 \c
+    [ '세그먼트 ~d~w을(를) 곡면으로 봅니다. 입체 밖에 있는 부분만 \c
        남습니다'-[S, Name] ],
     faults_ko(Faults),
     [ nl, '  입체여야 한다면 만든 곳에서 고치십시오. repair 옵션은 고칠 수 있는 \c
            것을 고칩니다.' ].
 operand_notice_ko(repaired(welded, N), S) -->
-    [ '세그먼트 ~d: 같은 곳의 꼭지점 ~D개를 하나로 합쳤습니다'-[S, N] ].
+    [ '세그먼트 ~d: 같은 곳의 꼭짓점 ~D개를 하나로 합쳤습니다'-[S, N] ].
 operand_notice_ko(repaired(no_area, N), S) -->
     [ '세그먼트 ~d: 넓이 없는 면 ~D개를 버렸습니다'-[S, N] ].
 operand_notice_ko(repaired(duplicate, N), S) -->

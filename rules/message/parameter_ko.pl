@@ -24,7 +24,7 @@ parameter_ko(renamed(File, Name, New)) -->
 parameter_ko(unset(Name, Near, Names)) -->
     (   { Names == [] }
     ->  [ '--set ~w: 모델에 매개변수가 없습니다'-[Name], nl,
-          '  파일에 param(~w, 기본값). 을 쓰고 수가 있을 자리에 param(~w)를 \c
+          '  파일에 param(~w, 기본값). 을 쓰고 수가 있을 자리에 param(~w) 항을 \c
            쓰십시오.'-[Name, Name] ]
     ;   { atomic_list_concat(Names, ', ', All) },
         [ '--set ~w: 그런 매개변수를 가진 모델이 없습니다'-[Name] ],
@@ -39,7 +39,7 @@ parameter_ko(setting(Text, What)) -->
     setting_ko(What).
 parameter_ko(unused(Name)) -->
     [ '--set ~w: 모델에 이 매개변수로 만든 것이 없습니다'-[Name], nl,
-      '  수가 있을 자리에 param(~w)를 쓰십시오.'-[Name] ].
+      '  수가 있을 자리에 param(~w) 항을 쓰십시오.'-[Name] ].
 parameter_ko(range(Name, Value, Least, Most)) -->
     [ '매개변수 ~w의 값 ~w이(가) 범위를 벗어났습니다: '-[Name, Value] ],
     range_ko(Least, Most).
@@ -65,7 +65,7 @@ about_ko(no_parameter(Name, Near)) -->
     [ nl, '  같은 파일에 param(~w, 기본값). 을 쓰십시오.'-[Name] ].
 about_ko(list(Items)) -->
     { shown_value(Items, Shown) },
-    [ '매개변수에 대해 말하는 것의 목록이 아닙니다: ~p'-[Shown], nl ],
+    [ '매개변수에 대해 말하는 것의 리스트가 아닙니다: ~p'-[Shown], nl ],
     about_ko(items).
 about_ko(item(Item)) -->
     { shown_value(Item, Shown) },
@@ -90,7 +90,7 @@ formula_ko(no_number(Item), Formula) -->
     { shown_value(Item, Shown) },
     [ '수가 아닙니다: ~p (식 ~p)'-[Shown, Formula], nl ],
     (   { atom(Item), Item \== [] }
-    ->  [ '  매개변수는 param(~w)로 씁니다.'-[Item] ]
+    ->  [ '  매개변수는 param(~w) 항으로 씁니다.'-[Item] ]
     ;   [ '  수, param(이름), pi, 식의 함수를 쓰십시오.' ]
     ).
 formula_ko(no_function(Name, Arity, Near), Formula) -->
@@ -117,13 +117,13 @@ setting_ko(form) -->
       '  보기: --set d=114.3' ].
 setting_ko(comma(Point)) -->
     [ '소수점은 점으로 씁니다', nl,
-      '  ~w 로 쓰십시오.'-[Point] ].
+      '  ~w(으)로 쓰십시오.'-[Point] ].
 setting_ko(unit(Unit)) -->
-    [ '매개변수는 단위(~w)가 없는 수입니다'-[Unit], nl,
+    [ '매개변수는 단위가 없는 수입니다: ~w'-[Unit], nl,
       '  길이는 모델의 단위, 각은 도입니다.' ].
 setting_ko(formula(unknown(Name, _), _)) -->
     !,
-    [ 'param(~w)는 수가 아닙니다. 매개변수의 값은 수입니다'-[Name], nl,
+    [ 'param(~w): 수가 아닙니다. 매개변수의 값은 수입니다'-[Name], nl,
       '  114.3이나 6.625*25.4처럼 수를 쓰십시오.' ].
 setting_ko(formula(What, Formula)) -->
     formula_ko(What, Formula).

@@ -15,28 +15,28 @@ pattern_en.pl has the same heads in English.
 %   The notice sanggwan(pattern(What)).
 
 pattern_ko(divided(Before, After)) -->
-    [ '조각 ~D개 가운데 종이보다 큰 것을 나누어 ~D개가 되었습니다'
+    [ '조각 ~D개 가운데 용지보다 큰 것을 나누어 ~D개가 되었습니다'
       -[Before, After], nl,
       '  --tile을 주면 나누지 않고, 이어 붙일 여러 장에 그립니다.' ].
 pattern_ko(opened(Before, After)) -->
-    [ '틈에 풀칠 날개가 들어가도록 조각 ~D개를 나누어 ~D개가 되었습니다'
+    [ '틈에 풀칠면이 들어가도록 조각 ~D개를 나누어 ~D개가 되었습니다'
       -[Before, After] ].
 pattern_ko(opened_by_itself(Before, After)) -->
     pattern_ko(opened(Before, After)),
-    [ nl, '  --no-open-slits 를 쓰면 나누지 않지만, 이음매의 많은 부분에 날개가 없습니다.'
+    [ nl, '  --no-open-slits를 쓰면 나누지 않지만, 접합선의 많은 부분에 풀칠면이 없습니다.'
     ].
 pattern_ko(without_tab(D, N, Share, Help, Es)) -->
-    [ '전개도 ~d: 이음매 ~D개(모든 길이의 ~3g %)에는 양쪽 어디에도 자리가 없어 \c
-       풀칠 날개가 없습니다'-[D, N, Share] ],
+    [ '전개도 ~d: 접합선 ~D개(모든 길이의 ~3g %)에는 양쪽 어디에도 자리가 없어 \c
+       풀칠면이 없습니다'-[D, N, Share] ],
     without_tab_ko(Es),
     without_tab_help_ko(Help).
 pattern_ko(too_large(N)) -->
-    [ '조각 ~D개는 날개까지 치면 종이보다 커서, 따로 한 장씩 놓았지만 밖으로 나갑니다'
+    [ '조각 ~D개는 풀칠면까지 치면 용지보다 커서, 따로 한 장씩 놓았지만 밖으로 나갑니다'
       -[N], nl,
-      '  더 큰 --page 나 더 좁은 --tabs 를 쓰십시오.' ].
+      '  더 큰 --page나 더 좁은 --tabs를 쓰십시오.' ].
 pattern_ko(scale(Scale)) -->
     { scale_text(Scale, Text) },
-    [ '척도는 ~w 입니다'-[Text] ].
+    [ '척도는 ~w입니다'-[Text] ].
 pattern_ko(no_room(Role, N)) -->
     { role_ko(Role, Words) },
     [ '읽을 수 있는 크기로 쓸 자리가 없어 ~w ~D개를 뺐습니다'-[Words, N] ].
@@ -50,13 +50,13 @@ without_tab_ko(Es) -->
 without_tab_help_ko(none) -->
     [].
 without_tab_help_ko(open_slits) -->
-    [ nl, '  --open-slits 를 쓰면 틈에 자리가 생길 때까지 조각을 나눕니다.' ].
+    [ nl, '  --open-slits를 쓰면 틈에 자리가 생길 때까지 조각을 나눕니다.' ].
 
 role_ko(number, '짝 번호').
 role_ko(face_name, '이름').
 role_ko(angle, '꺾는 각').
 role_ko(generator_number, '면소 번호').
-role_ko(table, '실장표').
+role_ko(table, '실장(실제 길이)표').
 
 %!  pattern_fault_ko(+What)// is det.
 %
@@ -64,31 +64,31 @@ role_ko(table, '실장표').
 
 pattern_fault_ko(paper(Page, Names)) -->
     { atomic_list_concat(Names, ' ', All) },
-    [ '--page ~w: 그런 종이가 없습니다'-[Page], nl,
+    [ '--page ~w: 그런 용지가 없습니다'-[Page], nl,
       '  ~w letter 가운데 하나(-portrait, -landscape를 붙일 수 있음)나 mm 단위의 \c
        WxH(50에서 20000까지)로 쓰십시오.'-[All] ].
 pattern_fault_ko(scale(Text)) -->
-    [ '--scale ~w 은(는) 척도가 아닙니다'-[Text], nl,
-      '  절반은 1:2, 다섯 배는 5:1 로 쓰십시오.' ].
+    [ '--scale ~w: 척도가 아닙니다'-[Text], nl,
+      '  절반은 1:2, 다섯 배는 5:1로 쓰십시오.' ].
 pattern_fault_ko(no_height) -->
     [ '--height: 펼칠 것에 높이가 없습니다'-[], nl,
       '  --scale, --pages, --fit 가운데 하나를 쓰십시오.' ].
 pattern_fault_ko(no_scale) -->
     [ '--pages: 어떤 척도로도 그만큼 적은 쪽에 들어가지 않습니다'-[], nl,
-      '  --pages 를 늘리거나 더 큰 --page, 더 좁은 --tabs 를 쓰십시오.' ].
+      '  --pages를 늘리거나 더 큰 --page, 더 좁은 --tabs를 쓰십시오.' ].
 pattern_fault_ko(margin(Margin, W-H)) -->
     [ '--margin ~w: ~w x ~w mm 쪽에 남는 자리가 없습니다'-[Margin, W, H], nl,
-      '  여백을 줄이거나 더 큰 --page 를 쓰십시오.' ].
+      '  여백을 줄이거나 더 큰 --page를 쓰십시오.' ].
 pattern_fault_ko(pages(Count, Most)) -->
     [ '전개도가 ~D쪽이 됩니다. ~D쪽까지만 됩니다'-[Count, Most], nl,
-      '  더 작은 --scale 이나 더 큰 --page 를 쓰십시오.' ].
+      '  더 작은 --scale이나 더 큰 --page를 쓰십시오.' ].
 pattern_fault_ko(large(Size, Most)) -->
-    [ '전개도의 크기가 ~4g mm 가 됩니다. ~4g mm 까지만 됩니다'-[Size, Most], nl,
-      '  1:1000 처럼 더 작은 --scale 을 쓰십시오. 모형의 단위가 맞습니까?' ].
+    [ '전개도의 크기가 ~4g mm가 됩니다. ~4g mm까지만 됩니다'-[Size, Most], nl,
+      '  1:1000처럼 더 작은 --scale을 쓰십시오. 모델의 단위가 맞습니까?' ].
 pattern_fault_ko(tabs(Width, Most, W-H)) -->
-    [ '--tabs ~w: 조각을 ~1f x ~1f mm 자리에 맞게 나누어야 하는데, 날개가 그렇게 넓으면 \c
+    [ '--tabs ~w: 조각을 ~1f x ~1f mm 자리에 맞게 나누어야 하는데, 풀칠면이 그렇게 넓으면 \c
        남는 자리가 너무 작습니다'-[Width, W, H], nl,
-      '  ~w 이하로 줄이거나 더 큰 --page 를 쓰십시오.'-[Most] ].
+      '  ~w 이하로 줄이거나 더 큰 --page를 쓰십시오.'-[Most] ].
 pattern_fault_ko(overlap(Overlap, Most)) -->
-    [ '--overlap ~w 은(는) 쪽에 쓸 수 있는 자리의 절반보다 큽니다'-[Overlap], nl,
-      '  ~w 이하로 줄이거나 더 큰 --page 를 쓰십시오.'-[Most] ].
+    [ '--overlap ~w: 쪽에 쓸 수 있는 자리의 절반보다 큽니다'-[Overlap], nl,
+      '  ~w 이하로 줄이거나 더 큰 --page를 쓰십시오.'-[Most] ].

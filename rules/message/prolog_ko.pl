@@ -13,47 +13,47 @@ prolog_en.pl has the same heads in English.
 %   The message for error(Formal, Context).
 
 prolog_ko(resource_error(nesting_of_terms), _) -->
-    [ '항이 너무 깊게 겹쳐 있어 월드에 둘 수 없습니다' ].
+    [ '항이 너무 깊게 겹쳐 있어 세계에 둘 수 없습니다' ].
 prolog_ko(resource_error(What), Context) -->
     { What \== nesting_of_terms,
       endless_goal(Context, Goal)
     },
     !,
-    [ '~p: 끝없이 자기를 부릅니다. 프롤로그의 스택이 찼습니다'-[Goal] ].
+    [ '~p: 끝없이 자기 자신을 부릅니다. Prolog의 스택이 찼습니다'-[Goal] ].
 prolog_ko(resource_error(What), _) -->
     { What \== nesting_of_terms },
-    [ '메모리가 모자랍니다. 프롤로그의 스택이 찼습니다', nl,
-      '  한 번에 덜 청하십시오. 더 작은 모델, 답을 모두 모으지 않는 목표.' ].
+    [ '메모리가 모자랍니다. Prolog의 스택이 찼습니다', nl,
+      '  한 번에 더 적게 물으십시오: 더 작은 모델, 답을 모두 모으지 않는 목표.' ].
 prolog_ko(io_error(Action, _), context(_, Why)) -->
     [ '파일이나 스트림에 잘못이 있습니다: ~w (~w)'-[Action, Why], nl,
       '  디스크와, 쓴 것을 읽는 쪽을 확인하십시오.' ].
 prolog_ko(existence_error(procedure, PI), _) -->
     { near_predicates(PI, Near) },
-    [ '프레디킷 ~q 이(가) 없습니다'-[PI] ],
+    [ '~q: 없는 술어입니다'-[PI] ],
     meant_ko(Near),
-    [ nl, '  목표 help. 가 있는 것을 보여 줍니다.' ].
+    [ nl, '  help. 라고 물으면 있는 것을 모두 볼 수 있습니다.' ].
 prolog_ko(existence_error(Kind, What), _) -->
     { Kind \== procedure },
-    [ '~w ~p 이(가) 없습니다'-[Kind, What] ].
+    [ '~w ~p: 없습니다'-[Kind, What] ].
 prolog_ko(instantiation_error, _) -->
-    [ '부르기 전에 변수에 값이 있어야 합니다' ].
+    [ '변수의 값이 아직 없습니다. 부르기 전에 값이 있어야 합니다' ].
 prolog_ko(type_error(evaluable, What), _) -->
-    [ '셈에 ~p 은(는) 없습니다'-[What] ].
+    [ '~p: 계산할 수 있는 식이 아닙니다'-[What] ].
 prolog_ko(type_error(Type, What), _) -->
     { Type \== evaluable },
-    [ '형이 맞지 않습니다: ~w 이어야 하는데 ~p 입니다'-[Type, What] ].
+    [ '~p: 형이 맞지 않습니다. 있어야 할 것: ~w'-[What, Type] ].
 prolog_ko(domain_error(Domain, What), _) -->
-    [ '~w 이(가) 아닙니다: ~p'-[Domain, What] ].
+    [ '~p: 쓸 수 있는 값이 아닙니다 (~w)'-[What, Domain] ].
 prolog_ko(representation_error(What), _) -->
     [ '담을 수 없습니다: ~w'-[What] ].
 prolog_ko(evaluation_error(What), _) -->
-    [ '셈할 수 없습니다: ~w'-[What] ].
+    [ '계산할 수 없습니다: ~w'-[What] ].
 prolog_ko(permission_error(Action, Kind, What), _) -->
     [ '허락되지 않습니다: ~w ~w ~p'-[Action, Kind, What] ].
 prolog_ko(syntax_error(What), _) -->
-    [ '프롤로그 글이 아닙니다: ~w'-[What] ].
+    [ 'Prolog 문법에 맞지 않습니다: ~w'-[What] ].
 prolog_ko(timeout_error(Action, _), _) -->
-    [ '너무 오래 걸렸습니다: ~w'-[Action] ].
+    [ '시간이 너무 오래 걸렸습니다: ~w'-[Action] ].
 prolog_ko(warning(once(Names)), _) -->
     [ '한 번만 나오는 변수: ~w'-[Names], nl,
       '  값이 쓰이지 않으면 _ 로 쓰십시오.' ].
@@ -64,9 +64,9 @@ prolog_ko(warning(branch(Name)), _) -->
 prolog_ko(warning(always_same(Compared)), _) -->
     [ '결과가 늘 같은 검사: ~p'-[Compared] ].
 prolog_ko(warning(apart(PI)), _) -->
-    [ '~p 의 절들이 떨어져 있습니다'-[PI], nl,
+    [ '~p의 절들이 떨어져 있습니다'-[PI], nl,
       '  모으거나 :- discontiguous ~p. 를 쓰십시오.'-[PI] ].
 prolog_ko(warning(redefined(PI)), _) -->
-    [ '이미 있는 ~p 을(를) 다시 정의합니다'-[PI] ].
+    [ '이미 있는 ~p을(를) 다시 정의합니다'-[PI] ].
 prolog_ko(warning(failed(Goal)), _) -->
     [ '이 지시문이 실패했습니다: ~p'-[Goal] ].

@@ -27,7 +27,7 @@ session_ko(frame(not_json)) -->
 session_ko(frame(not_an_object)) -->
     [ '프레임의 머리가 JSON이지만 객체 {...}가 아닙니다' ].
 session_ko(frame(too_deep(Most))) -->
-    [ '프레임의 머리에 객체와 목록이 ~D겹 넘게 겹쳐 있습니다'-[Most] ].
+    [ '프레임의 머리에 객체와 리스트가 ~D겹 넘게 겹쳐 있습니다'-[Most] ].
 session_ko(unknown_do(Do, Near, All)) -->
     { atomic_list_concat(All, ', ', Known) },
     [ '세션은 "~w" 요청을 하지 않습니다'-[Do] ],
@@ -64,14 +64,14 @@ session_ko(nothing_to(undo)) -->
 session_ko(nothing_to(redo)) -->
     [ '다시 할 변경이 없습니다' ].
 session_ko(file_changed(File)) -->
-    [ '~w 이(가) 열었을 때와 다릅니다'-[File], nl,
+    [ '~w이(가) 열었을 때와 다릅니다'-[File], nl,
       '  다시 열어 변경을 버리거나, 다른 이름으로 저장하거나, "force":true로 \c
        저장하십시오.' ].
 session_ko(no_journal(Path)) -->
-    [ '~w 은(는) 이미 있으며 일지가 아닙니다. 덮어쓰지 않습니다'-[Path], nl,
+    [ '~w은(는) 이미 있으며 일지가 아닙니다. 덮어쓰지 않습니다'-[Path], nl,
       '  일지에 다른 이름을 주십시오.' ].
 session_ko(journal_of_another(Path)) -->
-    [ '일지 ~w 의 변경은 파일에 있는 것과 다른 글의 것입니다'-[Path], nl,
+    [ '일지 ~w의 변경은 파일에 있는 것과 다른 글의 것입니다'-[Path], nl,
       '  "replay":false로 열어 버리거나, 일지 없이 여십시오.' ].
 session_ko(edit(no_fact(segment(S, _)))) -->
     [ '글에 segment(~p, ...) 사실이 없습니다'-[S] ].
@@ -204,11 +204,11 @@ wanted_ko(set) -->
 wanted_ko(item) -->
     [ '설명할 것. "line(1)"처럼' ].
 wanted_ko(options) -->
-    [ '명령의 선택 사항 목록' ].
+    [ '명령의 옵션 리스트' ].
 wanted_ko(export) -->
-    [ '모델이 없는 명령과 선택 사항' ].
+    [ '모델이 없는 명령과 옵션' ].
 wanted_ko(offered) -->
-    [ '파일을 읽거나 쓰지 않는 옵션의 목록' ].
+    [ '파일을 읽거나 쓰지 않는 옵션의 리스트' ].
 wanted_ko(download) -->
     [ '파일의 이름, 예를 들어 "tee.pdf"' ].
 wanted_ko(port) -->
@@ -226,12 +226,12 @@ wanted_ko(one_cut) -->
 wanted_ko(size) -->
     [ '[너비, 높이] 밀리미터' ].
 wanted_ko(segments) -->
-    [ '세그먼트 번호의 목록' ].
+    [ '세그먼트 번호의 리스트' ].
 wanted_ko(no_view(Name, Near, All)) -->
     { atomic_list_concat(All, ', ', Known) },
     [ '"~w"(이)라는 시점은 없습니다'-[Name] ],
     meant_ko(Near),
-    [ nl, '  있는 것: ~w. 또는 [theta, phi] 도.'-[Known] ].
+    [ nl, '  있는 것: ~w. 또는 [theta, phi]도.'-[Known] ].
 wanted_ko(no_segment(S, [])) -->
     [ '세그먼트 ~p은(는) 없습니다. 그림에 세그먼트가 없습니다'-[S] ].
 wanted_ko(no_segment(S, [First|More])) -->
@@ -244,14 +244,14 @@ wanted_ko(word) -->
 wanted_ko(text) -->
     [ '낱말의 처음. 200자까지' ].
 wanted_ko(names) -->
-    [ '이름의 목록. ["s1e7", "s2"]처럼, 1,000개까지' ].
+    [ '이름의 리스트. ["s1e7", "s2"]처럼, 1,000개까지' ].
 wanted_ko(edge) -->
     [ '"segment"는 번호, "edge"는 번호 또는 "base-side(3)" 같은 이름, \c
        "keep"은 true, false 또는 null' ].
 wanted_ko(segment) -->
     [ '세그먼트의 번호' ].
 wanted_ko(sheet(Sheets)) -->
-    [ '1부터 ~d까지의 시트 번호'-[Sheets] ].
+    [ '1부터 ~d까지의 용지 번호'-[Sheets] ].
 wanted_ko(boolean) -->
     [ 'true 또는 false' ].
 wanted_ko(one_of(Words)) -->

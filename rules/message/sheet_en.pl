@@ -2,7 +2,8 @@
           [ sheet_en//1,                % +What
             sheet_tiny_en//3            % +N, +M, +How
           ]).
-:- use_module(message_parts, [meant_en//1]).
+:- use_module(message_parts,
+              [meant_en//1, size_that_fits/3]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [append/3]).
 /** <module> What is wrong with what was asked of a sheet, in English.
@@ -37,10 +38,11 @@ sheet_en(too_large(N:M, Paper, Fitting, Papers)) -->
     fitting_en(Fitting, Papers).
 sheet_en(size(W-H, Width-Height)) -->
     { maplist(short, [Width,Height], Needed),
-      append([W,H], Needed, Numbers) },
+      append([W,H], Needed, Numbers),
+      size_that_fits(Width, Height, Size) },
     [ 'a sheet of ~w x ~w mm is too small at this scale: \c
        the picture has ~w x ~w mm'-Numbers, nl,
-      '  Leave --size out, and it is as large as needed.' ].
+      '  --size ~w is enough; without --size it is as large as needed.'-[Size] ].
 sheet_en(no_room(Paper)) -->
     [ 'the views do not fit on ~w at any scale down to 1:10^9'-[Paper], nl,
       '  Take a larger --sheet, fewer --views and --section, or \c

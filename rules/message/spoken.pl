@@ -8,6 +8,7 @@
 :- use_module(message_parts, [loading_warnings/2]).
 :- use_module(library(lists), [append/3]).
 :- use_module('../plain', [plain_lines/3]).
+:- use_module(particle, [lines_joined/2]).
 :- use_module(prolog_en, [prolog_en//2]).
 :- use_module(prolog_ko, [prolog_ko//2]).
 /** <module> Messages as the program says them and as a host gets them.
@@ -36,13 +37,25 @@ spoken_lines(Kind, Term, Lines0, Lines) :-
 
 %   about_lines(Kind, Lines0, Lines): after what it is about (about.pl).
 
+%   A goal of a script may fail, but its errors have a place too.
+
 about_lines(Kind, Lines0, Lines) :-
     (   Lines0 = [_|_],
-        memberchk(Kind, [warning,informational]),
-        about(Name)
-    ->  Lines = ['~w: '-[Name]|Lines0]
+        about(Name),
+        memberchk(Kind, [warning,informational,error]),
+        about_words(Name, Kind, Words)
+    ->  Lines = [Words|Lines0]
     ;   Lines = Lines0
     ).
+
+about_words(line(N), _, Format-[N]) :-
+    !,
+    (   language(ko)
+    ->  Format = '~d행: '
+    ;   Format = 'line ~d: '
+    ).
+about_words(Name, Kind, '~w: '-[Name]) :-
+    Kind \== error.
 
 prologs_own(Term, Formal, Context) :-
     nonvar(Term),
@@ -64,7 +77,8 @@ warning_lines([What|Whats], Lines) :-
 own_words(Formal, Context, Lines) :-
     language(Language),
     (   Language == ko
-    ->  phrase(prolog_ko(Formal, Context), Lines0)
+    ->  phrase(prolog_ko(Formal, Context), Lines1),
+        lines_joined(Lines1, Lines0)
     ;   phrase(prolog_en(Formal, Context), Lines0)
     ),
     called_in(Context, Lines, Lines0).

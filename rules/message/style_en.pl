@@ -36,9 +36,16 @@ style_en(property(Property)) -->
       '  dashes are solid, [Dash, Gap, ...] in mm, or ~w.'-[All] ].
 style_en(properties(_)) -->
     [ 'properties are a list, like [width(0.5), colour(blue)]' ].
-style_en(colour(_)) -->
+style_en(line_style(Style)) -->
+    [ '~p is no style of a line'-[Style], nl,
+      '  line_style/4 gives none, or style(Width, Colour, Dashes, Pen, Layer), \c
+       as a style file has them: width in mm above 0,', nl,
+      '  a colour or colour(Screen, Print), dashes, a pen from 1 to 255, a \c
+       layer.' ].
+style_en(colour(Colour)) -->
     { findall(Name, colour_name(Name, _), Names),
       atomic_list_concat(Names, ', ', All)
     },
-    [ 'a colour is rgb(R, G, B), numbers from 0 to 255, or one of', nl,
+    [ '~p is no colour'-[Colour], nl,
+      '  Colours are rgb(R, G, B), numbers from 0 to 255, or one of', nl,
       '  ~w.'-[All] ].

@@ -17,7 +17,7 @@ unfold_en.pl has the same heads in English.
 %   The message for unfold(S, Wish, What), as of unfold_wish.pl.
 
 wish_ko(S, Wish, What) -->
-    [ '세그먼트 ~d을(를) ~p(으)로 전개할 수 없습니다: '-[S, Wish] ],
+    [ '세그먼트 ~d: ~p 지정대로 전개할 수 없습니다: '-[S, Wish] ],
     wish_fault_ko(What).
 
 wish_fault_ko(no_segment) -->
@@ -39,15 +39,15 @@ wish_fault_ko(needs(Form)) -->
     [ '~w 없이는 아무 뜻이 없습니다'-[Form], nl,
       '  모델이나 옵션에서 함께 지정하십시오.' ].
 wish_fault_ko(no_polygon(Name, Ps, Names)) -->
-    [ '다각형 ~p이(가) 없습니다'-[Name], nl, '  있는 것: ' ],
+    [ '다각형 ~p: 없습니다'-[Name], nl, '  있는 것: ' ],
     known_polygons_listed(Ps, Names).
 wish_fault_ko(several(Name, Faces)) -->
-    [ '~p은(는) 다각형 하나가 아닙니다: '-[Name] ],
+    [ '~p: 다각형 하나가 아닙니다: '-[Name] ],
     faces_ko(Faces).
 wish_fault_ko(no_edge(Name)) -->
-    [ '모서리 ~p이(가) 없습니다'-[Name] ].
+    [ '모서리 ~p: 없습니다'-[Name] ].
 wish_fault_ko(apart(Name1, Name2, Face, Faces)) -->
-    [ '~p와(과) ~p은(는) 함께 가진 모서리가 없습니다'-[Name1, Name2], nl, '  ' ],
+    [ '~p, ~p: 함께 가진 모서리가 없습니다'-[Name1, Name2], nl, '  ' ],
     face_ko(Face),
     [ '의 이웃: ' ],
     faces_ko(Faces).
@@ -56,7 +56,7 @@ wish_fault_ko(border(E, Face)) -->
     [ '의 모서리 ~d은(는) 짝이 없어, 잇거나 자를 것이 없습니다'-[E] ].
 wish_fault_ko(cut_and_keep(E, Face1, Face2)) -->
     two_ko(Face1, Face2),
-    [ ' 사이의 모서리 ~d을(를) 자르면서 이으라고 했습니다'-[E] ].
+    [ ' 사이의 모서리 ~d을(를) 자르라고도(--cut) 이으라고도(--keep) 했습니다'-[E] ].
 wish_fault_ko(two_roots(Face1, Face2)) -->
     [ '기준면은 하나여야 합니다: ' ],
     two_ko(Face1, Face2).
@@ -92,7 +92,7 @@ wish_fault_ko(order_cut(Face, Before)) -->
     faces_ko(Before).
 wish_fault_ko(ring(E, Face1, Face2)) -->
     two_ko(Face1, Face2),
-    [ ' 사이의 모서리 ~d까지 이으면 고리가 되어 평평하게 놓을 수 없습니다'-[E] ].
+    [ ' 사이의 모서리 ~d까지 이으면 루프가 되어 평평하게 놓을 수 없습니다'-[E] ].
 
 two_ko(Face1, Face2) -->
     face_ko(Face1),
@@ -131,30 +131,30 @@ unfold_ko(nothing_to_unfold) -->
     [ '전개할 것이 없습니다: 모델에 입체도 곡면도 없습니다' ].
 unfold_ko(no_segment(Name, Known)) -->
     { known_segments(Known, All) },
-    [ '세그먼트 ~p이(가) 없습니다. 있는 것: ~w'-[Name, All] ].
+    [ '세그먼트 ~p: 없습니다. 있는 것: ~w'-[Name, All] ].
 unfold_ko(kind(S, Kind)) -->
     [ '세그먼트 ~d은(는) ~w(이)라 전개할 면이 없습니다'-[S, Kind] ].
 unfold_ko(which_segment(Option, Known)) -->
     { atomic_list_concat(Known, ', ', All) },
-    [ '~w 은(는) 한 세그먼트에 대한 것인데 여럿을 전개합니다: ~w'-
-      [Option, All], nl, '  --only 로 하나를 고르십시오.' ].
+    [ '~w 옵션은 한 세그먼트에 대한 것인데 여럿을 전개합니다: ~w'-
+      [Option, All], nl, '  --only 옵션으로 하나를 고르십시오.' ].
 unfold_ko(no_term(Option, Text)) -->
-    [ '~w: ~w을(를) 읽을 수 없습니다'-[Option, Text], nl,
+    [ '~w 옵션: 읽을 수 없습니다: ~w'-[Option, Text], nl,
       '  다각형은 번호나 base, side(2) 같은 이름, 모서리는 4-7, base-side(2), \c
-       v(1)-v(2) 이며 쉼표로 나눕니다.' ].
+       v(1)-v(2)이며 쉼표로 나눕니다.' ].
 unfold_ko(no_names(Option, Text)) -->
-    [ '~w: ~w을(를) 읽을 수 없습니다'-[Option, Text], nl,
+    [ '~w 옵션: 읽을 수 없습니다: ~w'-[Option, Text], nl,
       '  세그먼트는 번호나 이름이며 쉼표로 나눕니다. 글자가 아닌 것이 든 이름은 \c
        "\'a b\'" 처럼 따옴표 안에 따옴표로 씁니다.' ].
 unfold_ko(several_sheets(N)) -->
     [ '도면이 ~D장이라 표준 출력에 쓸 수 없습니다'-[N], nl,
       '  여러 장을 담는 .pdf나 파일에 쓰십시오.' ].
 unfold_ko(needs(Option, Needed)) -->
-    [ '~w 은(는) ~w 없이는 쓰이지 않습니다'-[Option, Needed], nl,
-      '  ~w 도 주십시오.'-[Needed] ].
+    [ '~w 옵션은 ~w 옵션 없이는 쓰이지 않습니다'-[Option, Needed], nl,
+      '  ~w 옵션도 주십시오.'-[Needed] ].
 unfold_ko(no_table(File)) -->
-    [ '~w 을(를) 쓰지 않았습니다. 면소가 있는 전개도가 없습니다'-[File], nl,
-      '  --true 로 펼친 원기둥, 원뿔, 변이관에 있습니다.' ].
+    [ '~w 파일을 쓰지 않았습니다. 면소가 있는 전개도가 없습니다'-[File], nl,
+      '  --true로 펼친 원기둥, 원뿔, 변환관에 있습니다.' ].
 unfold_ko(all_trimmed_away) -->
     [ '모든 세그먼트가 다 잘려 나가 남는 것이 없습니다' ].
 unfold_ko(crosses_itself(S, P)) -->
@@ -162,13 +162,13 @@ unfold_ko(crosses_itself(S, P)) -->
       '  모형에서 고치거나, 일부러 빼려면 --remove ~d 를 쓰십시오.'-[P]
     ].
 unfold_ko(outline_crosses(S, N)) -->
-    [ '세그먼트 ~d: 이 판으로 굽히면 전개도에서 면들이 겹칩니다: 절단선이 ~D번 \c
-       엇갈립니다'-[S, N], nl,
+    [ '세그먼트 ~d: 이 판재로 굽히면 전개도에서 면들이 겹칩니다: 절단선이 ~D번 \c
+       교차합니다'-[S, N], nl,
       '  다른 모서리를 자르거나 --thickness나 --bend-radius를 줄이십시오.' ].
 unfold_ko(alone(S)) -->
     [ '세그먼트 ~d은(는) 다른 것과 만나지 않아 잘라 낼 것이 없습니다'-[S] ].
 unfold_ko(attached(S, Welded, Divided)) -->
-    [ '세그먼트 ~d: 전개도를 위해 같은 자리의 꼭지점 ~D개를 합치고, 일부만 \c
+    [ '세그먼트 ~d: 전개도를 위해 같은 자리의 꼭짓점 ~D개를 합치고, 일부만 \c
        맞닿는 모서리 ~D개를 나누었습니다'-[S, Welded, Divided] ].
 unfold_ko(root_gone(S, face(P, Name))) -->
     [ '세그먼트 ~d: 기준면 '-[S] ],
@@ -180,7 +180,7 @@ unfold_ko(not_developable(S, Kind, N)) -->
        있는 그대로 평면에 놓습니다'-[S, Word, N], nl,
       '  모델에서 facets(...)를 늘리면 더 가까워집니다.' ].
 unfold_ko(nothing_unrolled) -->
-    [ '편 것이 없습니다. 모델에 원기둥, 원뿔, 변이관이 없습니다'-[], nl,
+    [ '편 것이 없습니다. 모델에 원기둥, 원뿔, 변환관이 없습니다'-[], nl,
       '  --true 없이도 전개도가 같습니다.' ].
 unfold_ko(kept_apart(S, N)) -->
     [ '세그먼트 ~d: 모서리 ~D개를 이을 수 없습니다. 한쪽은 말린 것을 펴고 다른 \c
@@ -209,5 +209,5 @@ trim_ko(kind(S, Kind)) -->
        없습니다'-[S, Kind] ].
 trim_ko(open(S, V1, V2)) -->
     [ '세그먼트 ~d은(는) 열려 있어 안쪽을 알 수 없습니다'-[S], nl,
-      '  평평한 끝은 막아서 보지만, 꼭지점 ~d에서 ~d(으)로 가는 경계는 평평하지 \c
+      '  평평한 끝은 막아서 보지만, 꼭짓점 ~d에서 ~d(으)로 가는 경계는 평평하지 \c
        않습니다.'-[V1, V2] ].

@@ -8,6 +8,7 @@
 :- use_module('../kernel', [line_chains/1]).
 :- use_module('../store', [v/5, line/9]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(error), [must_be/2]).
 :- use_module(library(lists), [nth1/3]).
 
 /** <module> Chains: the pieces of penetration lines in order.
@@ -86,8 +87,12 @@ step_vertices(Step, S, From, To) :-
 %
 %   Points are the point(X,Y,Z) along the chain, as its first segment has
 %   them.
+%
+%   @error type_error(list(integer), Lines): the number of a chain is none; Lines
+%   are the last argument of chain/5
 
 chain_points(Lines, Points) :-
+    must_be(list(integer), Lines),
     Lines = [Step|_],
     L is abs(Step),
     line(L, S, _, _, _, _, _, _, _),
@@ -100,6 +105,8 @@ vertex_point(S, V, point(X,Y,Z)) :-
 %!  chain_length(+Lines, -Length) is det.
 %
 %   Length is the true length of the chain in model units.
+%
+%   @error as chain_points/2
 
 chain_length(Lines, Length) :-
     chain_points(Lines, [Point|Points]),

@@ -15,11 +15,11 @@ sheet_word(drawn_by,   ko, "제도").
 sheet_word(checked_by, en, "Checked by").
 sheet_word(checked_by, ko, "검도").
 sheet_word(date,       en, "Date").
-sheet_word(date,       ko, "날짜").
+sheet_word(date,       ko, "작성일").
 sheet_word(material,   en, "Material").
 sheet_word(material,   ko, "재질").
 sheet_word(company,    en, "Company").
-sheet_word(company,    ko, "소속").
+sheet_word(company,    ko, "회사(소속)").
 sheet_word(name,       en, "Name").
 sheet_word(name,       ko, "도명").
 sheet_word(number,     en, "Drawing number").
@@ -29,11 +29,11 @@ sheet_word(scale,      ko, "척도").
 sheet_word(angle,      en, "Projection").
 sheet_word(angle,      ko, "투상법").
 sheet_word(paper,      en, "Size").
-sheet_word(paper,      ko, "크기").
+sheet_word(paper,      ko, "용지").
 sheet_word(revision,   en, "Revision").
-sheet_word(revision,   ko, "개정").
+sheet_word(revision,   ko, "개정 기호").
 sheet_word(sheet,      en, "Sheet").
-sheet_word(sheet,      ko, "매수").
+sheet_word(sheet,      ko, "장 번호").
 
 %!  pupil_word(+Field, +Language, -Word) is det.
 %

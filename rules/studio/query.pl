@@ -7,7 +7,8 @@
 :- use_module('../limits', [term_of_text/3, within_depth/1]).
 :- use_module('../part', [whole_program_for/1]).
 :- use_module('../plain', [plain_json/2, plain_text/2, shown_text/2]).
-:- use_module(library(apply), [foldl/4, maplist/3, maplist/4]).
+:- use_module(library(apply),
+              [exclude/3, foldl/4, include/3, maplist/3, maplist/4]).
 :- use_module(library(http/json), [json_write_dict/3]).
 :- use_module(library(lists), [member/2]).
 :- use_module(library(option), [option/3]).
@@ -21,7 +22,9 @@
 %!  read_goal(+Text, -Goal, -Bindings) is det.
 %
 %   Goal is the term that Text holds, Bindings has Name-Variable for each
-%   variable that does not begin with an underscore, in the order of Text.
+%   variable that does not begin with an underscore, in the order of Text, less
+%   those that no answer binds: what findall/3 and its like collect with, and
+%   `V` of `V^Goal`, unless they also stand elsewhere.
 %
 %   @error usage_error(bad_goal(Text, Why))
 
@@ -33,7 +36,74 @@ read_goal(Text, Goal, Bindings) :-
     ;   bad_goal(Text, not_callable)
     ),
     whole_program_for(Goal),
-    findall_named(Names, Bindings).
+    findall_named(Names, Named),
+    answered(Goal, Answered, []),
+    include(is_answered(Answered), Named, Bindings).
+
+is_answered(Answered, _-Variable) :-
+    term_variables(Answered, Variables),
+    one_of(Variables, Variable).
+
+%   answered(Goal)//: the parts of Goal whose variables an answer may bind.
+
+answered(Goal) -->
+    (   { var(Goal) }
+    ->  [ Goal ]
+    ;   { connected(Goal, Goals) }
+    ->  answered_all(Goals)
+    ;   { collecting(Goal, Free) }
+    ->  [ Free ]
+    ;   [ Goal ]
+    ).
+
+answered_all([]) -->
+    [].
+answered_all([Goal|Goals]) -->
+    answered(Goal),
+    answered_all(Goals).
+
+connected((A,B), [A,B]).
+connected((A;B), [A,B]).
+connected((A->B), [A,B]).
+connected((A*->B), [A,B]).
+connected(_^A, [A]).
+connected(_:A, [A]).
+
+%   collecting(Goal, Free): Goal calls a goal by itself, and binds no variables
+%   but those of Free.
+
+collecting(\+ _, []).
+collecting(forall(_, _), []).
+collecting(findall(_, _, All), All).
+collecting(findall(_, _, All, Rest), All-Rest).
+collecting(aggregate_all(_, _, All), All).
+collecting(aggregate_all(_, _, _, All), All).
+collecting(setof(Template, Goal, All), Free) :-
+    free_in(Template, Goal, All, Free).
+collecting(bagof(Template, Goal, All), Free) :-
+    free_in(Template, Goal, All, Free).
+
+%   free_in(Template, Goal, All, Free): All, and what of Goal is neither of
+%   Template nor before a ^.
+
+free_in(Template, Goal0, All, All-Free) :-
+    before_hats(Goal0, Template, Bound, Goal),
+    term_variables(Bound, Bounds),
+    term_variables(Goal, Variables),
+    exclude(one_of(Bounds), Variables, Free).
+
+before_hats(Goal, Bound, Bound, Goal) :-
+    var(Goal),
+    !.
+before_hats(V^Goal0, Bound0, Bound, Goal) :-
+    !,
+    before_hats(Goal0, Bound0-V, Bound, Goal).
+before_hats(Goal, Bound, Bound, Goal).
+
+one_of(Variables, Variable) :-
+    member(Other, Variables),
+    Other == Variable,
+    !.
 
 bad_goal(Text, Why) :-
     throw(error(usage_error(bad_goal(Text, Why)), _)).

@@ -8,7 +8,7 @@
             row_height/2                % +Height, -Row
           ]).
 :- use_module('../csg/placed_surface', [placed_surface/3]).
-:- use_module('../language', [result_language/1]).
+:- use_module('../language', [result_language/1, with_result_language/2]).
 :- use_module('../sheet/lettering', [lettering_width/3]).
 :- use_module('../output', [writing/3]).
 :- use_module('../store', [e/5, origin/3, segment/3, v/5]).
@@ -164,13 +164,14 @@ column_name(Language, Unit, Column-Measure, Name) :-
 %   Writes the table of pattern D to File (`-`: standard output) as CSV: a row
 %   with the names and units of the columns, then a row for each generator;
 %   nothing in a cell that has no value. Options: unit(Unit) (`mm`), decimals(N)
-%   (6), scale(F): all lengths are multiplied by it (1).
+%   (6), scale(F): all lengths are multiplied by it (1). The file is data for
+%   programs: its columns have English names, whoever reads them.
 
 write_true_lengths(D, File) :-
     write_true_lengths(D, File, []).
 
 write_true_lengths(D, File, Options) :-
-    table(D, Options, 6, Lines),
+    with_result_language(en, table(D, Options, 6, Lines)),
     (   File == (-)
     ->  lines_written(Lines, user_output)
     ;   writing(File, text, sg_true_table:lines_written(Lines))

@@ -26,7 +26,7 @@ column_word(apex_from, ko, '꼭짓점에서 아래 끝').
 column_word(apex_to,   en, 'apex to to').
 column_word(apex_to,   ko, '꼭짓점에서 위 끝').
 column_word(length,    en, length).
-column_word(length,    ko, '실장').
+column_word(length,    ko, '실제 길이').
 column_word(step_from, en, 'step from').
 column_word(step_from, ko, '아래 간격').
 column_word(step_to,   en, 'step to').

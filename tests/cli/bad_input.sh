@@ -125,7 +125,7 @@ check 'nothing written' holds "$work/to"
 check 'its own segment numbers' has 'segment 1 has no vertex 9'
 # Errors come in the order of the files, whatever the language.
 LANG=ko_KR.UTF-8 run draw "$work/in/missing.pl" -o "$work/to/a.svg"
-check 'korean' has '꼭지점 9 이(가) 없습니다'
+check 'korean' has '꼭짓점 9가 없습니다'
 
 if [ -d "$data/bad" ]; then
   for file in "$data"/bad/*; do

@@ -33,7 +33,7 @@ check "eval" output '^stairs: 8 polygons, 12 vertices, 18 edges.* volume 6$' \
 check "eval as JSON" eval "sanggwan eval $tree --json |
   python3 -c 'import json,sys; d, = json.load(sys.stdin)
 assert d[\"volume\"] == 6 and d[\"faces\"] == 8 and d[\"name\"] == \"stairs\"'"
-check "Korean" output '다각형 8개, 꼭지점 12개.*부피 6$' \
+check "Korean" output '다각형 8개, 꼭짓점 12개.*부피 6$' \
   sanggwan eval $tree --lang ko
 check "split by a plane" output 'volume 1$' \
   sanggwan split $cube --plane 0,0,1,-0.25

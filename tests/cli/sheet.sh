@@ -84,7 +84,7 @@ echo 'title_block(nmae, "x").' >"$work/v.pl"
 sheet facts/cube.pl --title-block "$work/v.pl" -o "$work/none.svg"
 check "no item" fails 3 'Item of title_block is nmae'
 sheet facts/cube.pl --lang ko --sheet B7 -o "$work/none.svg"
-check "in Korean" fails 2 '그런 종이는 없습니다'
+check "in Korean" fails 2 '그런 용지는 없습니다'
 check "still no file" absent "$work/none.svg"
 
 echo 'title_block(name, "One & <two>").' >"$work/v.pl"

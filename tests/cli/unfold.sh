@@ -76,6 +76,18 @@ check "no such edge" complains 2 'base and top have no edge in common' \
 check "an order that is not connected" complains 2 \
   'polygon 2 .top. has no edge in common with one before it' \
   sanggwan unfold "$box" --order base,top
+cat >"$TMP/two.pl" <<'MODEL'
+segment(1, solid, named(pipe, cylinder(radius(2), height(5)))).
+segment(2, solid, box(size(1, 1, 1))).
+MODEL
+check "removed of each" test 2 = \
+  "$(sanggwan unfold "$TMP/two.pl" --remove base,top | grep -c 'without 2 poly')"
+check "what one has" output 'without 1 polygon' \
+  sanggwan unfold "$TMP/two.pl" --remove 'side(3)'
+check "what none has" complains 2 'there is no polygon lid' \
+  sanggwan unfold "$TMP/two.pl" --remove base,lid
+check "by number, of several" complains 2 'Say which one with --only' \
+  sanggwan unfold "$TMP/two.pl" --remove 1
 check "the root removed" complains 2 'the root, polygon 1 .base., is to be' \
   sanggwan unfold "$box" --root base --remove base
 check "a ring" complains 2 'closes a ring' \

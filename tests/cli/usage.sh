@@ -24,13 +24,13 @@ check short-help status_is 0
 run --lang ko --help
 check korean-help has '사용법' "$work/out"
 run draw --help --lang=ko
-check korean-verb-help has '은선' "$work/out"
+check korean-verb-help has '숨은선' "$work/out"
 LANG=ko_KR.UTF-8 run draw
 check korean-message has '없습니다'
 LANG=ko_KR.UTF-8 run query facts/cube.pl 'foo(1)'
-check korean-unknown-procedure has 'foo/1 이(가) 없습니다'
+check korean-unknown-procedure has 'foo/1: 없는 술어입니다'
 LANG=ko_KR.UTF-8 run check facts/cube.pl
-check korean-report has '꼭지점 8개' "$work/out"
+check korean-report has '꼭짓점 8개' "$work/out"
 
 # Any letters in words and names, whatever the locale.
 mkdir "$work/한글 폴더"
@@ -59,7 +59,7 @@ check unknown-verb-message has 'there is no verb fly'
 run unfld facts/cube.pl
 check meant-verb has 'Did you mean unfold?'
 LC_ALL=ko_KR.UTF-8 run unfld facts/cube.pl
-check meant-verb-ko has '혹시 unfold 입니까?'
+check meant-verb-ko has '비슷한 것: unfold'
 run query facts/cube.pl
 check no-goal status_is 2
 check no-goal-message has 'GOAL is missing'
@@ -86,7 +86,7 @@ check unknown-option-message has 'unknown option --colour'
 run unfold facts/cube.pl --tab 5
 check meant-option has 'Did you mean --tabs?'
 run --lang ko unfold facts/cube.pl --thicknes 5
-check meant-option-ko has '혹시 --thickness 입니까?'
+check meant-option-ko has '비슷한 것: --thickness'
 run draw facts/cube.pl -x
 check unknown-letter has 'unknown option -x'
 run draw facts/cube.pl -o
@@ -207,13 +207,21 @@ check strict status_is 1
 
 printf 'v(1, V, 0.0, 0.0, Z).\nno_such(1).\nv(7, V, _, _, _).\nX = 1.' |
   "$sanggwan" repl facts/cube.pl >"$work/out" 2>"$work/err"
-check repl is $? 0
+check repl is $? 2
 check repl-answers is "$(cat "$work/out")" 'V    Z
 1  0.0
 5  1.0
 X
 1'
-check repl-error has 'no_such/1'
+check repl-error has 'line 2: there is no predicate no_such/1'
+printf '%% two goals\nX = 1, %% one\n  Y = 2.\n\n/* a\n b */ fail.\n  nope.\n' |
+  "$sanggwan" repl --lang ko >"$work/out" 2>"$work/err"
+check repl-lines is $? 2
+check repl-no has 'sanggwan: 5행: '
+check repl-line has 'sanggwan: 7행: '
+run query facts/cube.pl 'X = 1. fail.'
+check one-goal status_is 2
+check one-goal-said has 'more after the first full stop'
 
 # help/1 answers at once, whatever is asked, and starts no pager in a pipe.
 printf 'help(no_such).\nhelp(append/3).\nhelp(penetrat).\nhelp("v/5").' |

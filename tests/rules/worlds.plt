@@ -4,6 +4,10 @@
 :- use_module(library(lists)).
 :- use_module(library(aggregate)).
 :- use_module(library(time), [call_with_time_limit/2]).
+:- use_module(rules(picture/hidden_lines), [picture/0]).
+:- use_module(rules(picture/view), [set_view/1]).
+:- use_module(rules(polygon/triangulation), [complete_segments/0]).
+:- use_module(rules(primitive/primitive_rows), [add_primitive/2]).
 :- use_module(rules(store)).
 :- use_module(tests(rules/polyhedron), [in_new_world/1]).
 
@@ -72,6 +76,21 @@ test(undo_and_redo, States == [[1,2],[1],[],[1],[1,2]]) :-
              facts_redo, vs(D), facts_redo, vs(E),
              \+ facts_redo,
              States = [A,B,C,D,E] )).
+% What was done before a picture is taken back, and can be done again after one.
+test(picture_is_no_step, Ns == [2,1,0,2]-drawn) :-
+    in_new_world(( add_primitive(box(size(1,1,1)), _),
+                   facts_transaction(add_primitive(box(size(2,1,1)), _)),
+                   complete_segments, set_view(front), picture,
+                   once(drawn(_,_,_,_,_,_,_)), N1 = 2,
+                   facts_undo,
+                   aggregate_all(count, segment(_,_,_), N2),
+                   facts_undo,
+                   aggregate_all(count, segment(_,_,_), N3),
+                   facts_redo, facts_redo,
+                   picture, Drawn = drawn,
+                   aggregate_all(count, segment(_,_,_), N4),
+                   Ns0 = [N1,N2,N3,N4] )),
+    Ns = Ns0-Drawn.
 test(change_forgets_redo, fail) :-
     in_new_world(( facts_transaction(add(1)), facts_undo, add(2), facts_redo )).
 test(unchanged_is_no_step, fail) :-

@@ -181,7 +181,7 @@ test(text_of_one) :-
     printed(en, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", Lines),
     memberchk("  3 vertices, 3 edges, 1 polygon, 0 triangles", Lines),
     memberchk("  3 border edges", Lines).
-test(korean, Lines == [ "  꼭지점 8개, 모서리 12개, 다각형 6개, 삼각형 0개",
+test(korean, Lines == [ "  꼭짓점 8개, 모서리 12개, 다각형 6개, 삼각형 0개",
                         "  넓이           24", "  부피           8",
                         "  껍질(다각형 6개): 닫힘, 오일러 지표 2, 종수 0",
                         "잘못이 없습니다" ]) :-

@@ -123,7 +123,7 @@ test(mere_name, [forall(( mere_name(Name), member(Language, [en,ko]),
     sub_string(Text, Between, _, _, "("),
     Between > Before,
     \+ sub_string(Text, _, _, _, "Did you mean"),
-    \+ sub_string(Text, _, _, _, "혹시"),
+    \+ sub_string(Text, _, _, _, "비슷한 것"),
     !.
 
 :- end_tests(csg_faults).

@@ -282,12 +282,23 @@ test(no_scale, [forall(member(Scale, [0,-1])),
 test(dxf_empty, true(Last == 0-"EOF")) :-
     in_picture(picture([],[],[]), dxf_groups([], Groups)),
     last(Groups, Last).
-test(hpgl, true(Lines == [ "IN;", "PU;SP1;", "CO \"s1e1 visible outline\";",
+test(hpgl, true(Lines == [ "IN;", "PS8400,5920;", "PU;SP1;", "CO \"s1e1 visible outline\";",
                            "PU400,2960;PD8000,2960;", "PU;SP0;", "" ])) :-
     one_edge(-1.0-2.5, 7.0-2.5, Edge),
     in_picture(Edge, drawing(hpgl, [margin(10)], Text)),
     split_string(Text, "\n", "", Lines).
 
+% What is shorter than a unit of 0.025 mm is not drawn: the edge from 2 to 3.
+test(hpgl_short, true(Downs == ["PD8000,2960;"])) :-
+    in_picture(picture([1-0.0-0.0, 2-100.0-0.0, 3-100.0-0.005, 4-50.0-0.0],
+                       [1-1-2, 2-2-3],
+                       [ d(1,0.0,1.0,visible,outline),
+                         d(2,0.0,1.0,hidden,crease) ]),
+               drawing(hpgl, [margin(10),hidden(shown)], Text)),
+    split_string(Text, "\n", "", Lines),
+    findall(Down, ( member(Line, Lines), sub_string(Line, At, _, _, "PD"),
+                    sub_string(Line, At, _, 0, Down) ),
+            Downs).
 test(hpgl_pen_stays_down, true(Downs == ["PD6568,5328;"])) :-
     square(Square),
     in_picture(Square, drawing(hpgl, [hidden(shown)], Text)),

@@ -16,7 +16,10 @@
 
 read_hpgl(Text, hpgl(Corner,Pens,Pieces)) :-
     split_string(Text, "\n", "", Lines0),
-    must(append(["IN;"|Lines], ["PU;SP0;",""], Lines0), frame),
+    must(append(["IN;",Size|Lines], ["PU;SP0;",""], Lines0), frame),
+    must(string_concat("PS", SizeNumbers, Size), size),
+    string_concat(SizeWords, ";", SizeNumbers),
+    must(hpgl_points(SizeWords, [_]), size(Size)),
     (   Lines = [First|Lines1],
         string_concat("IP0,0,", Rest, First)
     ->  string_concat(Numbers, ";", Rest),

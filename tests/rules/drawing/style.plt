@@ -165,8 +165,10 @@ test(bad_style_of_rules, [forall(member(Bad,
           style(1, red, [1], 1, a), style(1, red, solid, 0, a),
           style(1, red, wavy, 1, a), style(1, red, solid, 1, 2),
           style(1, red, solid, 1, 'a(b'), 7 ])),
-                          error(type_error(line_style, Bad))]) :-
-    format(string(Text), "line_style(_, _, _, ~q).", [Bad]),
+                          error(model_error(style(_)),
+                                location(_, 3, 0))]) :-
+    format(string(Text), "\nline_style(hidden, crease, 1, none).\n\c
+                          line_style(_, _, _, ~q).", [Bad]),
     new_world(World),
     with_file(Text, File,
         in_world(World, ( use_rules(File),

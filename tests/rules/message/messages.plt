@@ -95,7 +95,7 @@ test(plurals, forall(member(N-Part, [1-"has 1 edge,", 2-"has 2 edges,"]))) :-
     once(sub_string(Text, _, _, _, Part)).
 test(unknown_procedure) :-
     message_text(ko, error(existence_error(procedure, foo/1), foo/1), Text),
-    sub_string(Text, 0, _, _, "프레디킷 foo/1 이(가) 없습니다").
+    sub_string(Text, 0, _, _, "foo/1: 없는 술어입니다").
 test(stack, forall(member(Language, [en, ko]))) :-
     message_text(Language,
                  error(resource_error(private_table_space), stack_overflow),

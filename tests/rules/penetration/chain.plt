@@ -211,6 +211,9 @@ test(point_reads_back, Points-Text1 == [p(5.0,25.0,0.0)]-Text2) :-
     in_world(World2, ( read_model(File, [], _), write_model(File) )),
     read_file_to_string(File, Text2, []),
     delete_file(File).
+test(no_chain, [ forall(member(Lines, [1, chain, [a]])),
+                 error(type_error(_, _)) ]) :-
+    chain_length(Lines, _).
 test(unknown_format, error(domain_error(line_format, doc))) :-
     with_lines([], write_lines('x.doc', [])).
 

@@ -97,6 +97,25 @@ test(corner_through_the_cube, Count == 12) :-
                         [3,4,8,7],[4,1,5,8]]),
                    complete_segments,
                    aggregate_all(count, t(1,_,_,_,_,_), Count) )).
+% A quadrangle whose triangles fold over, so that it crosses itself however it is
+% seen: of a scanned mesh, and of random corners (none may be without triangles).
+test(folded_over, Count-Open == 2-[]) :-
+    in_new_world(( raw([p(0.611284,3.807737,-0.279498),
+                        p(0.612870,3.805971,-0.277361),
+                        p(0.611001,3.808752,-0.279421),
+                        p(0.611179,3.808971,-0.278874)], [[1,2,3,4]]),
+                   complete_segments,
+                   aggregate_all(count, t(1,_,_,_,_,_), Count),
+                   findall(P, open_polygon(P), Open) )).
+test(no_quadrangle_is_left_out, Missing == []) :-
+    findall(Seed-P,
+            ( between(1, 300, Seed),
+              in_new_world(( bent(Seed), complete_segments,
+                             findall(Q, ( p(1, Q, Es), is_bent(Q, Es),
+                                          \+ t(1, Q, _, _, _, _) ),
+                                     Qs) )),
+              member(P, Qs) ),
+            Missing).
 test(any, Open == []) :-
     findall(Seed-P,
             ( between(1, 300, Seed),

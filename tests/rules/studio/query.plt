@@ -59,6 +59,25 @@ test(no_answer, fail) :-
 test(order_of_text, Names == ['B', 'A']) :-
     read_goal("foo(B,A,B,_X,_)", _, Bindings),
     pairs_keys(Bindings, Names).
+% What no answer binds is not shown; what also stands elsewhere is.
+test(answered, [ forall(member(Text-Names,
+        [ "setof(P, L^p(1,P,L), Ps)"-['Ps'], "bagof(P-L, p(S,P,L), Ps)"-['S','Ps'],
+          "findall(X, v(1,X,_,_,_), L), Y = 3"-['L','Y'],
+          "X = 1, findall(X, p(1,X,_), L)"-['X','L'],
+          "\\+ v(S,V,_,_,_)"-[], "forall(p(S,P,_), P > 0), A = 1"-['A'],
+          "( A = 1 ; findall(B, member(B, [1]), C) )"-['A','C'],
+          "aggregate_all(count, v(S,_,_,_,_), N)"-['N'],
+          "setof(P, G, Ps)"-['G','Ps'], "X^foo(X,Y)"-['X','Y'] ])),
+                 Shown == Names ]) :-
+    read_goal(Text, _, Bindings),
+    pairs_keys(Bindings, Shown).
+test(one_goal, [ forall(member(Text, ["X = 1. fail.", "X = 1. fail",
+                                      "a. foo(", "a.\n\nb."])),
+                 error(usage_error(bad_goal(Text, after_full_stop))) ]) :-
+    read_goal(Text, _, _).
+test(one_goal_with_remark, forall(member(Text, ["a. % b.", "a. /* b. */ ", "a",
+                                                "a % b", "X = 'a. b.'"]))) :-
+    read_goal(Text, _, _).
 test(syntax, error(usage_error(bad_goal(_, _)))) :-
     read_goal("foo(", _, _).
 test(no_goal, error(usage_error(bad_goal(_, not_callable)))) :-
