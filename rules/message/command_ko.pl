@@ -3,7 +3,8 @@
           [ command_ko//1               % +What
           ]).
 :- use_module(batch_ko, [batch_usage_ko//1]).
-:- use_module(message_parts, [meant_ko//1, syntax_words//1]).
+:- use_module(message_parts, [meant_ko//1]).
+:- use_module(prolog_ko, [korean_syntax//1]).
 :- use_module(model_ko, [limit_ko//1]).
 :- use_module(parameter_ko, [parameter_ko//1]).
 :- use_module(pattern_ko, [pattern_fault_ko//1]).
@@ -159,7 +160,7 @@ command_ko(bad_goal(Text, Why)) -->
       Why \== after_full_stop
     },
     [ '목표가 아닙니다: ~w ('-[Text] ],
-    syntax_words(Why),
+    korean_syntax(Why),
     [ ')' ].
 
 %   each_ko(What)//

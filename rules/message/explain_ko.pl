@@ -301,10 +301,10 @@ statement_ko(same_line(S1, E1, S2, E2)) -->
     [ '세그먼트 ~d의 모서리 ~d은(는) 세그먼트 ~d의 모서리 ~d(으)로 그려진다'-
       [S1, E1, S2, E2] ].
 statement_ko(line_role(Role)) -->
-    { role_ko(Role, Word) },
+    { role_called(Role, Word) },
     [ '역할: ~w'-[Word] ].
 statement_ko(not_drawn(Role, Which)) -->
-    { role_ko(Role, Word) },
+    { role_called(Role, Word) },
     [ '그리지 않는다: --lines ~w 그림에는 ~w 선이 없다'-[Which, Word] ].
 statement_ko(end_on) -->
     [ '선의 방향으로 본다: 그림에서 점이므로 그리지 않는다' ].
@@ -481,17 +481,17 @@ sense(1) -->
 sense(-1) -->
     [ ' (뒤집힘)' ].
 
-%   role_ko(Role, Word): with the name that styles and data have.
+%   role_called(Role, Word): with the name that styles and data have.
 
-role_ko(penetration, '상관선(penetration)') :- !.
-role_ko(outline, '외형선(outline)') :- !.
-role_ko(crease, '꺾인선(crease)') :- !.
-role_ko(border, '경계 모서리(border)') :- !.
-role_ko(curve, '곡선(curve)') :- !.
-role_ko(section, '단면선(section)') :- !.
-role_ko(smooth, '매끄러운 모서리(smooth)') :- !.
-role_ko(mesh, '평평한 모서리(mesh)') :- !.
-role_ko(Role, Role).
+role_called(penetration, '상관선(penetration)') :- !.
+role_called(outline, '외형선(outline)') :- !.
+role_called(crease, '꺾인선(crease)') :- !.
+role_called(border, '경계 모서리(border)') :- !.
+role_called(curve, '곡선(curve)') :- !.
+role_called(section, '단면선(section)') :- !.
+role_called(smooth, '매끄러운 모서리(smooth)') :- !.
+role_called(mesh, '평평한 모서리(mesh)') :- !.
+role_called(Role, Role).
 
 verdict_ko(kept(_), '남은').
 verdict_ko(dropped, '버린').

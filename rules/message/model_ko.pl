@@ -7,7 +7,8 @@
 :- use_module(look_ko,
               [look_ko//1, expected_look_ko//1, expected_light_ko//1]).
 :- use_module(message_parts,
-              [meant_ko//1, shown_count/2, shown_value/2, syntax_words//1]).
+              [meant_ko//1, shown_count/2, shown_value/2]).
+:- use_module(prolog_ko, [korean_syntax//1]).
 :- use_module('../primitive/primitive', [primitive_name/2]).
 :- use_module(primitive_en, [primitive_names//0]).
 :- use_module(parameter_ko, [parameter_ko//1]).
@@ -53,7 +54,7 @@ model_ko(syntax(Message)) -->
     { \+ memberchk(Message, [end_of_file, end_of_file_in_quoted(_),
                              too_deep]) },
     [ 'Prolog 문법에 맞지 않습니다: ' ],
-    syntax_words(Message),
+    korean_syntax(Message),
     [ nl,
       '  v(1, 1, 0.0, 0.0, 0.0). 처럼 마침표로 끝나는 사실을 쓰십시오.' ].
 model_ko(limit(Name, Most)) -->

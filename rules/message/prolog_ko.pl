@@ -1,8 +1,11 @@
 :- encoding(utf8).
 :- module(sg_prolog_ko,
-          [ prolog_ko//2                % +Formal, +Context
+          [ prolog_ko//2,               % +Formal, +Context
+            korean_syntax//1                % +What
           ]).
-:- use_module(message_parts, [endless_goal/2, near_predicates/2, meant_ko//1]).
+:- use_module(message_parts,
+              [ endless_goal/2, near_predicates/2, meant_ko//1,
+                syntax_words//1 ]).
 /** <module> Errors of Prolog that people meet, in Korean.
 
 prolog_en.pl has the same heads in English.
@@ -51,7 +54,8 @@ prolog_ko(evaluation_error(What), _) -->
 prolog_ko(permission_error(Action, Kind, What), _) -->
     [ '허락되지 않습니다: ~w ~w ~p'-[Action, Kind, What] ].
 prolog_ko(syntax_error(What), _) -->
-    [ 'Prolog 문법에 맞지 않습니다: ~w'-[What] ].
+    [ 'Prolog 문법에 맞지 않습니다: ' ],
+    korean_syntax(What).
 prolog_ko(timeout_error(Action, _), _) -->
     [ '시간이 너무 오래 걸렸습니다: ~w'-[Action] ].
 prolog_ko(warning(once(Names)), _) -->
@@ -70,3 +74,31 @@ prolog_ko(warning(redefined(PI)), _) -->
     [ '이미 있는 ~p을(를) 다시 정의합니다'-[PI] ].
 prolog_ko(warning(failed(Goal)), _) -->
     [ '이 지시문이 실패했습니다: ~p'-[Goal] ].
+
+%!  korean_syntax(+What)// is det.
+%
+%   What is wrong with a text that Prolog cannot read, as syntax_words//1.
+
+korean_syntax(What) -->
+    { korean_syntax_word(What, Words) },
+    !,
+    [ '~w'-[Words] ].
+korean_syntax(What) -->
+    syntax_words(What).
+
+korean_syntax_word(float_overflow, '수가 너무 큽니다').
+korean_syntax_word(end_of_clause, '마침표가 너무 일찍 나옵니다').
+korean_syntax_word(end_of_clause_expected, '마침표가 올 자리입니다').
+korean_syntax_word(end_of_file, '글이 도중에 끝납니다').
+korean_syntax_word(end_of_file_in_block_comment, '주석 /* ... */ 도중에 글이 끝납니다').
+korean_syntax_word(end_of_file_in_quoted(_), '따옴표가 닫히지 않고 글이 끝납니다').
+korean_syntax_word(illegal_number, '수를 잘못 썼습니다').
+korean_syntax_word(operator_clash, '연산자의 우선순위가 맞지 않습니다').
+korean_syntax_word(operator_expected, '연산자가 올 자리입니다').
+korean_syntax_word(operator_balance, '연산자의 짝이 맞지 않습니다').
+korean_syntax_word(quoted_punctuation, '쉼표나 막대 대신 항이 올 자리입니다').
+korean_syntax_word(list_rest, '리스트의 나머지에 쉼표나 막대가 또 있습니다').
+korean_syntax_word(cannot_start_term, '항이 이렇게 시작할 수 없습니다').
+korean_syntax_word(punct(_, _), '구두점이나 괄호가 잘못되었습니다').
+korean_syntax_word(undefined_char_escape(_), '따옴표 안에 모르는 \\ 문자가 있습니다').
+korean_syntax_word(void_not_allowed, '빈 인수 "()"은 쓸 수 없습니다').
