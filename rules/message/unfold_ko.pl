@@ -158,8 +158,8 @@ unfold_ko(no_table(File)) -->
 unfold_ko(all_trimmed_away) -->
     [ '모든 세그먼트가 다 잘려 나가 남는 것이 없습니다' ].
 unfold_ko(crosses_itself(S, P)) -->
-    [ '세그먼트 ~d: 다각형 ~d의 변이 서로 엇갈려 전개도에서 빠지게 됩니다'-[S, P], nl,
-      '  모형에서 고치거나, 일부러 빼려면 --remove ~d 를 쓰십시오.'-[P]
+    [ '세그먼트 ~d: 다각형 ~d의 변이 서로 교차하여 전개도에서 빠지게 됩니다'-[S, P], nl,
+      '  모델에서 고치거나, 일부러 빼려면 --remove ~d을(를) 쓰십시오.'-[P]
     ].
 unfold_ko(outline_crosses(S, N)) -->
     [ '세그먼트 ~d: 이 판재로 굽히면 전개도에서 면들이 겹칩니다: 절단선이 ~D번 \c
