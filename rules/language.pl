@@ -25,8 +25,8 @@ language(Language) :-
 
 %!  interrupted_word(+Language, -Word) is det.
 %
-%   Word is what is said of an interrupt. engine/signals.c has it from the start,
-%   so it needs no other message.
+%   Word is what is said of an interrupt. engine/signals.c has it from the
+%   start, so it needs no other message.
 
 interrupted_word(en, interrupted).
 interrupted_word(ko, '중단되었습니다').

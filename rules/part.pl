@@ -12,7 +12,7 @@ A verb uses a fifth of the rules, and to load them all would take longer than
 most verbs do. So tools/parts.pl makes a part of each module, which the program
 carries, compiled. It starts as plain Prolog and loads the core, in which this
 file is. A call of a predicate that is not there loads the part of its module.
-What is loaded is linked to all it imports, so no rule file has to know of parts.
+What is loaded is linked to all it imports, so no rule file knows of parts.
 
 What looks at rules rather than calls them, and what lets several threads run
 them, calls whole_program/0 before; it is also called before Prolog loads a
@@ -159,7 +159,7 @@ imported([PI|PIs], Home, Module) :-
     Module:import(Home:PI),
     imported(PIs, Home, Module).
 
-%   predicates_declared(Declarations): what the caller of a predicate has to know
+%   predicates_declared(Declarations): what who calls a predicate has to know
 %   before it is loaded, such as meta_predicate(Head).
 
 predicates_declared([]).

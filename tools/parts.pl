@@ -8,8 +8,9 @@
 */
 :- module(sg_parts, [parts/3]).
 
-% plain_predicate(Module, Head), plain_flag(Name, Value): of Prolog without rules.
-% A library does not count, if it is loaded already: the next start may not load it.
+% plain_predicate(Module, Head), plain_flag(Name, Value): of Prolog without
+% rules. A library that is loaded already does not count: the next start may not
+% load it.
 % of_program(Module): it was there before what only this file needs.
 :- dynamic plain_predicate/2, plain_flag/2, of_program/1.
 
@@ -149,7 +150,7 @@ installed(Module, Head) :-
     sub_atom(Module, 0, _, _, sg_),
     predicate_property(Module:Head, foreign).
 
-%   predicate_written(Module, Head): of one that plain Prolog has, what rules and
+%   predicate_written(Module, Head): of what plain Prolog has, what rules and
 %   their libraries add. Those with $ are what it has noted while it compiled.
 
 predicate_written(Module, Head) :-
