@@ -29,7 +29,7 @@ be raised, for the process: set_limit/2, on the command line `--limits`.
 %     - digits   characters of a number
 %     - name     characters of a name or a text
 %     - fact     characters of a fact
-%     - file     octets of a .csg file, which is read as a whole
+%     - file     octets of a .csg or CityJSON file, read as a whole
 %     - text     octets of another text: of facts, 5 MB are read in a second
 %     - facets   corners of a primitive, for every facet has some
 %     - nodes    leaves of a tree, each as often as it is used

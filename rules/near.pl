@@ -41,7 +41,7 @@ expressions.
 %     - place: of points of a pattern, over its size: sums along all its pieces.
 %     - surface: of points where surfaces meet, over the size of the model: they
 %       are found by steps, which end at less.
-%     - gap: of faces that were not glued, over the size of the model: a gap up to
+%     - gap: of faces that were not glued, over the size of the model: one up to
 %       this may not be meant. Nothing is moved, it is only told.
 %     - paper: of millimetres, of directions, and of places over their size: far
 %       below what a knife can do, far above rounding.

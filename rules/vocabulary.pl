@@ -5,6 +5,7 @@
             half_edge_facet/2,          % ?HalfEdge, ?Facet
             facet/1,                    % ?Facet
             facet_loops/2,              % ?Facet, -Loops
+            edge_loops/2,               % +Edges, -Loops
             facet_plane/2,              % ?Facet, ?Plane
             facet_triangle/2,           % ?Facet, ?Triangle
             facet_neighbour/2,          % ?Facet, ?Neighbour
@@ -79,15 +80,20 @@ facet(S-P) :-
 facet_loops(S-P, Loops) :-
     p(S, P, Es),
     maplist(edge_ends(S), Es, Edges),
-    loops(Edges, Loops).
+    edge_loops(Edges, Loops).
 
 edge_ends(S, E, V1-V2) :-
     once(e(S, E, V1, V2, _)).
 
-loops([], []).
-loops([V1-V2|Edges], [[V1|Loop]|Loops]) :-
+%!  edge_loops(+Edges:list, -Loops:list) is semidet.
+%
+%   Loops are the cycles of vertices that Edges, V1-V2, make, as of
+%   facet_loops/2. Fails if they do not close.
+
+edge_loops([], []).
+edge_loops([V1-V2|Edges], [[V1|Loop]|Loops]) :-
     loop(V2, V1, Edges, Rest, Loop),
-    loops(Rest, Loops).
+    edge_loops(Rest, Loops).
 
 loop(V, V, Rest, Rest, []) :-
     !.

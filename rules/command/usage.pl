@@ -108,8 +108,11 @@ verb_option(cells, option(neighbours, '', flag, '',
 verb_option(cells, option(json, '', flag, '', 'the report as JSON')).
 verb_option(cells, option(output, o, each, 'FILE',
     'the model with its regions (.pl), a table (.csv; with --neighbours of \c
-     pairs), or a graph of neighbours (.dot); may be repeated')).
-verb_option(cells, option(format, '', one_of([pl,csv,dot]), 'FORMAT',
+     pairs), a graph of neighbours (.dot), what meshes are made from (.poly \c
+     .geo), faces once (.obj .off), CityJSON (.json), cells apart (.stl); \c
+     may be repeated')).
+verb_option(cells, option(format, '',
+    one_of([pl,csv,dot,poly,geo,obj,off,stl,json]), 'FORMAT',
     'the format for -o -')).
 
 verb_option(glue, option(output, o, each, 'FILE',
@@ -360,7 +363,10 @@ solid_verb(eval).
 %
 %   The options of every verb, in the order of the usage text.
 
-common_option(option(from, '', one_of([pl, csg, stl, off, obj, ply]), 'FORMAT',
+common_option(option(lod, '', value, 'LOD',
+    'of CityJSON: the level of detail, else the highest of each object')).
+common_option(option(from, '',
+    one_of([pl, csg, stl, off, obj, ply, json]), 'FORMAT',
     'what - (standard input) is; default pl')).
 common_option(option(rules, '', each, 'FILE',
     'rules that replace decisions; may be repeated')).
@@ -395,6 +401,7 @@ option_ko(host, '받는 주소. 기본값 127.0.0.1, 이 컴퓨터에서만').
 option_ko(open, '이 데스크톱의 브라우저에서 페이지를 연다 (기본)').
 option_ko(output, '결과 파일. 확장자가 형식을 정하며 여러 번 쓸 수 있다').
 option_ko(format, '-o - 의 형식').
+option_ko(lod, 'CityJSON의 상세 수준. 없으면 객체마다 가장 높은 것').
 option_ko(view,
     'front(정면도), back(배면도), left(좌측면도), right(우측면도), top(평면도), \c
 bottom(저면도), isometric(등각), dimetric(이축), trimetric(삼축) 또는 \c

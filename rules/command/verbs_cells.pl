@@ -7,14 +7,16 @@
           ]).
 :- use_module('../csg/csg', [node/4, root_segment/1]).
 :- use_module('../csg/csg_roots', [roots_alone/0]).
+:- use_module('../gluing/exploded', [cells_exploded/1]).
 :- use_module('../gluing/regions', [regions_made/2, law_fault/3]).
 :- use_module('../kernel', [self_meetings/2]).
 :- use_module('../language', [language/1]).
-:- use_module('../model/model', [load_model/2, save_model/1]).
+:- use_module('../model/cells_file', [cells_format/1, write_cells/2]).
+:- use_module('../model/model', [load_model/2, save_model/1, save_model/2]).
 :- use_module('../plain', [plain_json/2, plain_text/2]).
 :- use_module('../solid/glue', [glue_report/2]).
 :- use_module('../stage', [stage/2]).
-:- use_module('../store', [segment/3, facts_transaction/1]).
+:- use_module('../store', [segment/3, facts_snapshot/1, facts_transaction/1]).
 :- use_module(cells_table, [write_cells_table/3]).
 :- use_module(solid_verbs, [empty_roots_warned/0]).
 :- use_module(verb_output,
@@ -38,7 +40,7 @@ regions_report/2 has them, and faults, a dict of counts.
 
 cells_run(Files, Options, Status) :-
     some_files(Files, 'MODEL'),
-    outputs(Options, [pl,csv,dot], Outputs),
+    outputs(Options, [pl,csv,dot,poly,geo,obj,off,stl,json], Outputs),
     no_model_replaced(Files, Outputs),
     load_model(Files, Options),
     empty_roots_warned,
@@ -65,6 +67,11 @@ cells_run(Files, Options, Status) :-
 written(output(_, Format), Reports, Options, File) :-
     (   Format == pl
     ->  save_model(File)
+    ;   cells_format(Format)
+    ->  stage(write, write_cells(File, Format))
+    ;   Format == stl
+    ->  facts_snapshot(( cells_exploded(0),
+                         save_model(File, [format(stl)]) ))
     ;   write_cells_table(File, Reports, [format(Format)|Options])
     ).
 

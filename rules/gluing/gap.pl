@@ -13,8 +13,8 @@
 :- use_module(library(lists), [member/2]).
 /** <module> How far apart faces are that were not glued.
 
-What is farther apart than the tolerance is not made to touch. Here is how far it
-is, and where, so that a person can say whether that was meant.
+What is farther apart than the tolerance is not made to touch. Here is how far
+it is, and where, so that a person can say whether that was meant.
 
     piece(P, A, B, C)    a triangle of polygon P, its corners p(X,Y,Z)
     piece(E, A, B)       an edge of a curve

@@ -4,8 +4,8 @@
             glue_nothing_ko//1          % +Item
           ]).
 :- use_module(explain_words, [segment_word/2, point_text/2]).
-/** <module> Explanations of what is glued in Korean; explain_glue_en.pl has them
-in English.
+/** <module> Explanations of what is glued in Korean; explain_glue_en.pl has
+them in English.
 */
 
 %!  glue_statement_ko(+Statement)// is semidet.

@@ -426,6 +426,10 @@ notice_ko(glue_gaps(S, N)) -->
     [ '세그먼트 ~d: 그만큼 가깝지만 붙지 않은 피연산자 쌍이 ~D개 더 있습니다'-
       [S, N], nl,
       '  틈보다 큰 --tolerance를 주면 닿게 됩니다.' ].
+notice_ko(cityjson_open(File, N)) -->
+    [ '~w: 열린 입체 ~D개는 곡면으로 읽습니다'-[File, N] ].
+notice_ko(cityjson_left_out(File, N)) -->
+    [ '~w: 템플릿은 읽지 않습니다. ~D개를 뺐습니다'-[File, N] ].
 notice_ko(nothing_glued) -->
     [ '이 모델에는 붙인 것이 없습니다' ].
 notice_ko(opened(contacts)) -->

@@ -40,6 +40,10 @@ model_en(cannot_read(links)) -->
 model_en(cannot_read(Why)) -->
     { \+ memberchk(Why, [missing, directory, permission, io, links]) },
     [ 'the file cannot be read: ~p'-[Why] ].
+model_en(cityjson(Path, Why)) -->
+    [ 'CityJSON, at ~w: '-[Path] ],
+    cityjson_en(Why),
+    [ nl, '  Nothing of the file was read; a validator says more.' ].
 model_en(syntax(end_of_file)) -->
     [ 'the file ends in the middle of a fact', nl,
       '  It may be cut off; a fact ends with a full stop.' ].
@@ -249,7 +253,7 @@ limit_en(name) -->
 limit_en(fact) -->
     [ 'characters of a fact' ].
 limit_en(file) -->
-    [ 'octets of a .csg file' ].
+    [ 'octets of a .csg or CityJSON file' ].
 limit_en(text) -->
     [ 'octets of a text' ].
 limit_en(facets) -->
@@ -260,3 +264,26 @@ limit_en(nodes) -->
 limit_way_en(Name) -->
     [ '  To allow more: --limits ~w=N, in a program set_limit(~w, N).'-
       [Name, Name] ].
+
+cityjson_en(syntax) -->
+    [ 'this is no JSON' ].
+cityjson_en(no_cityjson) -->
+    [ 'the type is not "CityJSON"' ].
+cityjson_en(version(Version)) -->
+    [ 'version ~w is not known: it can be 1.0, 1.1 or 2.0'-[Version] ].
+cityjson_en(missing(Key)) -->
+    [ '"~w" is missing'-[Key] ].
+cityjson_en(nesting) -->
+    [ 'lists or objects are not nested as the type wants it' ].
+cityjson_en(triple) -->
+    [ 'three numbers are wanted' ].
+cityjson_en(index(Index)) -->
+    [ 'an index of a vertex is wanted, not ~p'-[Index] ].
+cityjson_en(index(Index, Count)) -->
+    [ 'there is no vertex ~d, of ~D from 0 on'-[Index, Count] ].
+cityjson_en(ring) -->
+    [ 'a ring has fewer than three vertices' ].
+cityjson_en(geometry(Type)) -->
+    [ 'the geometry ~p is not known'-[Type] ].
+cityjson_en(no_lod(Lod)) -->
+    [ 'no geometry has the level of detail ~w'-[Lod] ].

@@ -41,6 +41,10 @@ model_ko(cannot_read(links)) -->
 model_ko(cannot_read(Why)) -->
     { \+ memberchk(Why, [missing, directory, permission, io, links]) },
     [ '파일을 읽을 수 없습니다: ~p'-[Why] ].
+model_ko(cityjson(Path, Why)) -->
+    [ 'CityJSON의 ~w: '-[Path] ],
+    cityjson_ko(Why),
+    [ nl, '  파일에서 아무것도 읽지 않았습니다. 검사 프로그램으로 더 볼 수 있습니다.' ].
 model_ko(syntax(end_of_file)) -->
     [ '사실의 중간에서 파일이 끝납니다', nl,
       '  파일이 잘렸을 수 있습니다. 사실은 마침표로 끝납니다.' ].
@@ -241,7 +245,7 @@ limit_ko(name) -->
 limit_ko(fact) -->
     [ '사실 하나의 글자 수' ].
 limit_ko(file) -->
-    [ '.csg 파일의 바이트' ].
+    [ '.csg나 CityJSON 파일의 바이트' ].
 limit_ko(text) -->
     [ '텍스트의 바이트' ].
 limit_ko(facets) -->
@@ -252,3 +256,26 @@ limit_ko(nodes) -->
 limit_way_ko(Name) -->
     [ '  더 허용하려면 --limits ~w=N, 프로그램에서는 set_limit(~w, N).'-
       [Name, Name] ].
+
+cityjson_ko(syntax) -->
+    [ 'JSON이 아닙니다' ].
+cityjson_ko(no_cityjson) -->
+    [ 'type이 "CityJSON"이 아닙니다' ].
+cityjson_ko(version(Version)) -->
+    [ '모르는 버전입니다: ~w. 1.0, 1.1, 2.0 이어야 합니다'-[Version] ].
+cityjson_ko(missing(Key)) -->
+    [ '"~w"이(가) 없습니다'-[Key] ].
+cityjson_ko(nesting) -->
+    [ '목록이나 객체의 중첩이 그 종류에 맞지 않습니다' ].
+cityjson_ko(triple) -->
+    [ '수 세 개가 있어야 합니다' ].
+cityjson_ko(index(Index)) -->
+    [ '꼭짓점 번호가 있어야 하는데 ~p입니다'-[Index] ].
+cityjson_ko(index(Index, Count)) -->
+    [ '꼭짓점 ~d번이 없습니다. 0번부터 ~D개입니다'-[Index, Count] ].
+cityjson_ko(ring) -->
+    [ '고리의 꼭짓점이 셋보다 적습니다' ].
+cityjson_ko(geometry(Type)) -->
+    [ '모르는 형상입니다: ~p'-[Type] ].
+cityjson_ko(no_lod(Lod)) -->
+    [ '상세 수준 ~w인 형상이 없습니다'-[Lod] ].

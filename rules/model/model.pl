@@ -7,6 +7,7 @@
 :- use_module('../csg/csg', [complete_tree/1]).
 :- use_module('../csg/csg_term', [is_node_term/1]).
 :- use_module('../solid/csg_evaluate', [evaluate/2]).
+:- use_module(cityjson, [read_cityjson/2]).
 :- use_module(mesh, [read_mesh/3, write_mesh/3, mesh_ending/2]).
 :- use_module(model_file, [read_model/3]).
 :- use_module(model_writer, [write_model/1]).
@@ -36,8 +37,8 @@ What rules call the things of a model is in vocabulary.pl.
 %   world: their segments side by side, each polygon with its plane and
 %   triangles, the roots of CSG trees with their boundaries. The ending says
 %   what a file is: `.pl` facts, `.csg` a tree of OpenSCAD (openscad.pl), or a
-%   mesh (`.stl`, `.off`, `.obj`, `.ply`). `-` is standard input. All of them,
-%   or none.
+%   mesh (`.stl`, `.off`, `.obj`, `.ply`), or CityJSON (`.json`, cityjson.pl).
+%   `-` is standard input. All of them, or none.
 %   Options:
 %
 %     - from(Format): what standard input is (default `pl`)
@@ -48,6 +49,7 @@ What rules call the things of a model is in vocabulary.pl.
 %       is to be false too
 %     - parameters(List): values for parameters of the models, Name=Value
 %     - set(Texts): the same, as after `--set`: NAME=VALUE
+%     - lod(Text): of CityJSON, which level of detail
 %     - others_set(true): some of these may be of other models, not in Files
 %
 %   @error error(model_error(What), location(File, Line, Column));
@@ -105,12 +107,15 @@ file_loaded(Settings, Options, File, Names) :-
     (   Format == pl
     ->  read_model(File, Settings, Names)
     ;   Names = [],
-        file_added(Format, File)
+        file_added(Format, File, Options)
     ).
 
-file_added(Format, File) :-
+file_added(Format, File, Options) :-
     (   Format == csg
     ->  csg_added(File)
+    ;   Format == json
+    ->  file_there(File),
+        read_cityjson(File, Options)
     ;   mesh_ending(Format, Mesh)
     ->  read_mesh(File, _, [format(Mesh)])
     ;   no_model(File, Format, Why),
@@ -147,6 +152,14 @@ segments(Ss) :-
     findall(S, segment(S, _, _), Ss0),
     sort(Ss0, Ss).
 
+file_there(File) :-
+    (   File \== (-),
+        member(Why, [cannot_read(directory),cannot_read(missing)]),
+        no_model(File, json, Why)
+    ->  throw(error(model_error(Why), location(File, 0, 0)))
+    ;   true
+    ).
+
 %   no_model(File, Format, Why): Why a file with the ending Format is none.
 
 no_model(File, _, cannot_read(directory)) :-
@@ -160,6 +173,7 @@ no_model(_, Format, unknown_format(Format, Formats)) :-
 
 known_format(pl).
 known_format(csg).
+known_format(json).
 known_format(Format) :-
     mesh_ending(Format, _).
 

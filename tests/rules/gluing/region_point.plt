@@ -1,5 +1,5 @@
-/* A point inside each region: told by exact rays that know nothing of how it was
-   found. */
+/* A point inside each region: told by exact rays that know nothing of how it
+   was found. */
 :- module(test_region_point, []).
 :- use_module(library(aggregate)).
 :- use_module(library(lists)).

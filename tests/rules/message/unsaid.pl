@@ -13,6 +13,7 @@ unsaid(messages, notice_en(greeting)).
 unsaid(messages, notice_en(no_end)).
 unsaid(messages, fault_en(result_open)).
 unsaid(messages, fault_en(glue_law(_,_))).
+unsaid(explain_glue_en, role_en(slit)).
 unsaid(messages, notice_en(opened(contacts))).
 unsaid(messages, notice_en(opened(faces))).
 unsaid(messages, notice_en(contacts(_))).

@@ -1,0 +1,104 @@
+# cells_files.sh -- regions in files of other programs: meshed by TetGen and Gmsh,
+# and read again, each region has its volume.
+# covers: cells_file, cells_face, cells_city
+. "$(dirname "$0")/../check.sh"
+
+here=$(cd "$(dirname "$0")" && pwd)
+has() { command -v "$1" >/dev/null; }
+
+if ! has python3; then
+  skip "cells in files" "python3 is wanted"
+  check_report
+  exit
+fi
+
+cells() { "$SANGGWAN" cells -q "$@"; }
+volumes() { python3 "$here/cells_files.py" "$@"; }
+
+report() { # MODEL REPORT
+  cells "$1" --json -o "$2.poly" -o "$2.geo" -o "$2.off" -o "$2.obj" \
+    -o "$2.stl" >"$2.json"
+}
+
+again() { # FILE.off REPORT
+  cells "$1" --json >"$2.again" && volumes "$2.json" report "$2.again"
+}
+
+tetgen_meshes() { # NAME
+  (cd "$TMP" && tetgen -pAQ "$1.poly" >"$1.log" 2>&1 &&
+    volumes "$1.json" tetgen "$1.1.node" "$1.1.ele")
+}
+
+gmsh_meshes() { # NAME
+  (cd "$TMP" && gmsh -3 -format msh2 -o "$1.msh" "$1.geo" >"$1.log" 2>&1 &&
+    volumes "$1.json" gmsh "$1.msh")
+}
+
+# A closed room, whose inside is no cell; a wall of six boxes round it.
+cat >"$TMP/room.pl" <<'EOF'
+segment(1, solid, at([translate(0,0,-1)], box(size(5,5,1)))).
+segment(2, solid, at([translate(0,0,3)], box(size(5,5,1)))).
+segment(3, solid, at([translate(-2,0,0)], box(size(1,5,3)))).
+segment(4, solid, at([translate(2,0,0)], box(size(1,5,3)))).
+segment(5, solid, at([translate(0,-2,0)], box(size(3,1,3)))).
+segment(6, solid, at([translate(0,2,0)], box(size(3,1,3)))).
+segment(7, cells, glue([1,2,3,4,5,6])).
+EOF
+
+# A box with a box, a sheet and a wire in it, one on it; a hole and its plug.
+cat >"$TMP/inner.pl" <<'EOF'
+segment(1, solid, box(size(4,4,4))).
+segment(2, solid, at([translate(0,0,1)], box(size(1,1,1)))).
+segment(3, solid, at([translate(0,0,4)], box(size(1,1,1)))).
+segment(4, curve, line(from(-1.5,0.2,0.7), to(-1.5,0.3,3.1))).
+segment(5, solid, difference([at([translate(9,0,0)], box(size(3,3,1))),
+                              at([translate(9,0,-1)], box(size(1,1,3)))])).
+segment(6, solid, at([translate(9,0,0)], box(size(1,1,1)))).
+segment(7, surface, at([translate(1.2,1.2,2)], rectangle(size(1,1)))).
+segment(8, cells, glue([1,2,3,4,5,6,7])).
+EOF
+
+for name in materials vertex crossing face mixed; do
+  cp "facts/figures/glue_$name.pl" "$TMP/$name.pl"
+done
+
+for name in materials vertex crossing face mixed room inner; do
+  check "$name: written" report "$TMP/$name.pl" "$TMP/$name"
+  check "$name: OFF read again" again "$TMP/$name.off" "$TMP/$name"
+  if has tetgen; then
+    check "$name: TetGen" tetgen_meshes "$name"
+  else
+    skip "$name: TetGen" "tetgen is not installed"
+  fi
+  if has gmsh; then
+    check "$name: Gmsh" gmsh_meshes "$name"
+  else
+    skip "$name: Gmsh" "gmsh is not installed"
+  fi
+done
+
+# CityJSON: the parts are glued again. (Of what a wire runs in, twelve digits are
+# too few: see docs/limits.md.)
+city_again() { # NAME
+  cells "$TMP/$1.pl" -o "$TMP/$1.city.json" >"$TMP/$1.report" &&
+    "$SANGGWAN" glue -q --json "$TMP/$1.city.json" >"$TMP/$1.again" &&
+    volumes "$TMP/$1.json" report "$TMP/$1.again"
+}
+for name in vertex crossing face mixed room inner; do
+  check "$name: CityJSON glued again" city_again "$name"
+done
+
+# Cells as STL: solids of their own, as many as there are cells; the hole
+# in OBJ has the outside on both ends.
+parts() { # NAME COUNT
+  "$SANGGWAN" check -q --json "$TMP/$1.stl" | python3 -c '
+import json, sys
+kinds = [s["kind"] for s in json.load(sys.stdin)["segments"]]
+sys.exit(kinds.count("solid") != int(sys.argv[1]))' "$2"
+}
+check "STL: five cells" parts crossing 5
+check "STL: four cells" parts materials 4
+check "OBJ: groups by sides" grep -qx "g sides_1_2" "$TMP/face.obj"
+check "OBJ: wires" grep -qx "g wires" "$TMP/materials.obj"
+
+check_report
