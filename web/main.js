@@ -143,6 +143,12 @@ class Studio {
       h("label", {}, w("central"), central)];
   }
 
+  // The picture that questions are about: that of the first port which has one.
+  seen() {
+    const port = this.ports.ports.find(({ kind, slow }) => !slow && !["section", "shaded", "apart"].includes(kind));
+    return { ...this.looks, view: port ? (port.turns ? port.angles : port.kind) : "isometric" };
+  }
+
   looked() {
     localStorage.setItem("looks", JSON.stringify(this.looks));
     this.ports.refresh();

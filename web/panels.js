@@ -61,7 +61,7 @@ export class Asking {
     this.goal = goal;
     this.count.textContent = w("working");
     try {
-      const asked = this.studio.wire.ask("ask", { goal });
+      const asked = this.studio.wire.ask("ask", { goal, ...this.studio.seen() });
       this.number = this.studio.wire.number;
       const { head, body } = await asked;
       this.shows = [];

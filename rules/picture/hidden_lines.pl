@@ -8,6 +8,7 @@
             lies_on/4,                  % ?S, ?E, ?S2, -P
             line_facing/7,              % +S, +E, -S2, -T, -From, -To, -Ts
             hidden_interval/5,          % +Scene, +S, +E, -From, -To
+            hidden_interval/6,          % +Scene, +S, +E, -S2, -From, -To
             line_parts/5,               % +Scene, +S, +E, -Visible, -Hidden
             hidden_by/6,                % ?S, ?E, -S2, -T, -From, -To
             hidden_by_polygon/6,        % ?S, ?E, -S2, -P, -From, -To
@@ -264,28 +265,32 @@ side_ends(2, _, B, C, B, C).
 side_ends(3, A, _, C, C, A).
 
 %!  hidden_interval(+Scene, +S, +E, -From, -To) is nondet.
+%!  hidden_interval(+Scene, +S, +E, -S2, -From, -To) is nondet.
 %
-%   True when the part of edge E from From to To is hidden: all of it, if its
-%   faces are backs of a solid (step 2), or the part that a triangle hides
+%   True when segment S2 hides the part of edge E from From to To: all of it, if
+%   its faces are backs of a solid (step 2), or the part that a triangle hides
 %   (step 4); or the part that a smooth surface hides that it lies on: of an
 %   outline in triangles what lies behind the fold, of others what is turned
 %   away.
 
-hidden_interval(Scene, S, E, 0.0, 1.0) :-
+hidden_interval(Scene, S, E, From, To) :-
+    hidden_interval(Scene, S, E, _, From, To).
+
+hidden_interval(Scene, S, E, S, 0.0, 1.0) :-
     scene_edge(Scene, S, E, _, Look),
     backs_seen(Look, _),
     hides(S, S).
-hidden_interval(_, S, E, 0.0, 1.0) :-
+hidden_interval(_, S, E, S, 0.0, 1.0) :-
     E < 0,
     K is -E,
     contour(S, K, _, _, _, _, _, hidden, _, _, _, _, _),
     hides(S, S).
-hidden_interval(_, S, E, From, To) :-
+hidden_interval(_, S, E, S2, From, To) :-
     E > 0,
     line_facing(S, E, S2, _, From, To, _),
     From < To,
     hides(S, S2).
-hidden_interval(Scene, S, E, From, To) :-
+hidden_interval(Scene, S, E, S2, From, To) :-
     occluder(Scene, S, E, S2, T, From, To),
     hides(S, E, S2, T).
 

@@ -2,6 +2,8 @@
           [ shown_names/2               % +Goal, -Names
           ]).
 :- use_module('../store', [relation/3, relation_column/5]).
+:- use_module(ask_hidden, [hidden_edge/3]).
+:- use_module(library(lists), [member/2]).
 /** <module> What an answer is about, by the names of lines and parts
 (select.pl), so that pictures can light it.
 */
@@ -36,6 +38,10 @@ control((A*->B), both(A,B)).
 control(once(A), one(A)).
 
 row_name(Goal, Name) :-
+    about(Goal, Parts),
+    member(Part, Parts),
+    part_name(Part, Name).
+row_name(Goal, Name) :-
     callable(Goal),
     functor(Goal, Relation, Arity),
     relation(Relation, Arity, _),
@@ -47,6 +53,40 @@ row_name(Goal, Name) :-
         ;   format(string(Name), "s~d", [S])
         )
     ).
+
+%   about(Goal, Parts) is semidet: what Goal, a predicate that is no relation,
+%   says something of.
+
+about(Goal, Edges) :-
+    nonvar(Goal),
+    Goal = hides(S1, S2),
+    integer(S1),
+    integer(S2),
+    !,
+    findall(edge(S2,E), hidden_edge(S1, S2, E), Edges0),
+    sort(Edges0, Edges).
+about(Goal, Parts) :-
+    nonvar(Goal),
+    about_these(Goal, Parts).
+
+about_these(hidden_by(S, E, _, _, _, _), [edge(S,E)]).
+about_these(hidden_by_polygon(S, E, S2, P, _, _), [edge(S,E),polygon(S2,P)]).
+about_these(touches(S, S2), [segment(S),segment(S2)]).
+about_these(volume(S, _), [segment(S)]).
+about_these(area(S, _), [segment(S)]).
+about_these(bounding_box(S, _, _), [segment(S)]).
+
+part_name(segment(S), Name) :-
+    integer(S),
+    format(string(Name), "s~d", [S]).
+part_name(edge(S, E), Name) :-
+    integer(S),
+    integer(E),
+    format(string(Name), "s~de~d", [S,E]).
+part_name(polygon(S, P), Name) :-
+    integer(S),
+    integer(P),
+    format(string(Name), "s~dp~d", [S,P]).
 
 %   column(Relation, Name, Row, Id): Row has the Id in the column Name.
 

@@ -1,9 +1,11 @@
 :- module(sg_ask,
-          [ asked/3,                    % +Head, +Id, -Reply
+          [ question_state/2,           % +Head, -State
+            asked/3,                    % +Head, +Id, -Reply
             next_answers/2,             % +Head, -Reply
             asks_forgotten/0
           ]).
 :- use_module('../store', [facts_snapshot/1]).
+:- use_module(ask_hidden, [asks_of_picture/1, hides/2]).
 :- use_module(query, [answer_json/2, read_goal/3]).
 :- use_module(answer_name, [shown_names/2]).
 :- use_module(library(apply), [maplist/3]).
@@ -27,6 +29,28 @@ many as there may be, and handed out in parts.
 
 ask_limits(5, 100 000 000, 256 000 000, 10 000, 50).
 
+%!  question_state(+Head:dict, -State) is det.
+%
+%   State is `picture` if the goal Head.goal asks for what only a picture has,
+%   else `cut`: what the world has to be for it.
+%
+%   @error request_error(What), usage_error(bad_goal(Text, Why))
+
+question_state(Head, State) :-
+    question_goal(Head, Goal, _),
+    (   asks_of_picture(Goal)
+    ->  State = picture
+    ;   State = cut
+    ).
+
+question_goal(Head, Goal, Bindings) :-
+    (   get_dict(goal, Head, Text),
+        string(Text)
+    ->  true
+    ;   request_error(bad_key(goal, goal))
+    ),
+    read_goal(Text, Goal, Bindings).
+
 %!  asked(+Head:dict, +Id, -Reply:dict) is det.
 %
 %   Reply has the first answers of the goal Head.goal: names, answers, left,
@@ -36,16 +60,11 @@ ask_limits(5, 100 000 000, 256 000 000, 10 000, 50).
 %   raises
 
 asked(Head, Id, Reply) :-
-    (   get_dict(goal, Head, Text),
-        string(Text)
-    ->  true
-    ;   request_error(bad_key(goal, goal))
-    ),
     (   get_dict(owner, Head, true)
     ->  Owner = true
     ;   Owner = false
     ),
-    read_goal(Text, Goal, Bindings),
+    question_goal(Head, Goal, Bindings),
     in_module(Owner, Module, answers(Owner, Module:Goal, Bindings, Names, Rows,
                                      Cut)),
     parted(Id, Names, Rows, Cut, Reply0),
@@ -63,9 +82,13 @@ in_module(false, Module, Goal) :-
     flag(sg_asks, N, N+1),
     atom_concat('sg_ask ', N, Module),
     setup_call_cleanup(
-        set_module(Module:class(temporary)),
+        question_module(Module),
         once(Goal),
         '$destroy_module'(Module)).
+
+question_module(Module) :-
+    set_module(Module:class(temporary)),
+    Module:import(sg_ask_hidden:hides/2).
 
 answers(Owner, Goal, Bindings, Names, Rows, Cut) :-
     (   Owner == true

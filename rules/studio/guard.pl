@@ -183,7 +183,8 @@ keys("view",     [port,section,explode|Keys]) :-
     view_keys(Keys).
 keys("sheet",    [options,pens]).
 keys("shaded",   [options]).
-keys("ask",      [goal]).
+keys("ask",      [goal|Keys]) :-
+    view_keys(Keys).
 keys("next",     [of]).
 keys("explain",  [item,options,lang]).
 keys("export",   [argv,lang]).

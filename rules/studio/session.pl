@@ -11,7 +11,7 @@
 :- use_module('../spelling', [near_words/3]).
 :- use_module('../store', [in_world/2, segment/3]).
 :- use_module('../version', [version/1]).
-:- use_module(ask, [asked/3, asks_forgotten/0, next_answers/2]).
+:- use_module(ask, [asked/3, asks_forgotten/0, next_answers/2, question_state/2]).
 :- use_module(line_change, [changed_lines/4]).
 :- use_module(complete, [completed/4]).
 :- use_module(document,
@@ -22,7 +22,7 @@
               ]).
 :- use_module(job, [captured/2, verb_job/5, worlds_collected/0]).
 :- use_module(model_tree, [text_tree/2]).
-:- use_module(port, [strokes_body/4, view_port/2, viewed/4]).
+:- use_module(port, [strokes_body/4, view_port/2, viewed/4, with_picture/3]).
 :- use_module(protocol, [frame_read/4, frame_write/3, octets_text/2,
                          text_octets/2]).
 :- use_module(select, [selected/3, selection_forgotten/0]).
@@ -451,10 +451,19 @@ seen(request(Sequence, Head, _), _, Reply, Octets) :-
 answers(request(_, Head, _), _, Reply, Octets) :-
     request_id(Head, Id),
     document_world(World),
-    captured(objects_heard(in_state(World, cut, asked(Head, Id, Reply0)),
+    question_state(Head, State),
+    captured(objects_heard(in_question(State, World, Head,
+                                       asked(Head, Id, Reply0)),
                            Objects),
              Octets),
     Reply = Reply0.put(messages, Objects).
+
+:- meta_predicate in_question(+, +, +, 0).
+
+in_question(cut, World, _, Goal) :-
+    in_state(World, cut, Goal).
+in_question(picture, World, Head, Goal) :-
+    with_picture(World, Head, Goal).
 
 more_answers(request(_, Head, _), _, Reply, "") :-
     next_answers(Head, Reply).

@@ -135,6 +135,36 @@ refused("no such segment", "request_error.bad_key", "no segment 77", "view",
         segments=[77])
 refused("scale", "request_error.bad_key", "above 0", "view", scale=0)
 
+# ---- what hides what ----
+
+s.ask("open", file="facts/figures/fig13.pl")
+GOAL = "hides(S1, S2), S1 \\== S2"
+head, _ = s.ask("ask", goal=GOAL, view=[20, 60])
+check("what hides what", head.get("names") == ["S1", "S2"] and
+      head["answers"] == [[1, 2], [2, 1]], head)
+drawn, octets = s.ask("view", view=[20, 60], format="strokes")
+hidden = {"s%de%d" % (segment, edge) for look, segment, _, _, edges, _ in
+          strokes(drawn, octets) if look[0] == "hidden" for edge in edges}
+lit = [set(names) for names in head["shows"]]
+check("lit are its hidden lines", lit[0] and lit[1] and
+      lit[0] | lit[1] <= hidden and
+      all(name.startswith("s2e") for name in lit[0]) and
+      all(name.startswith("s1e") for name in lit[1]), (lit, hidden))
+both, _ = s.ask("ask", goal="hides(S1, S2)", view=[20, 60])
+check("all that is hidden is hidden by something",
+      {n for names in both["shows"] for n in names} == hidden, both)
+head, _ = s.ask("ask", goal="aggregate_all(count, drawn(_,_,_,_,_,_,_), N)",
+                view="front")
+check("of the picture that is asked of", head["answers"][0][0] > 5, head)
+head, _ = s.ask("ask", goal="hidden_by(2, E, 1, T, F, To)", view=[20, 60])
+check("names of predicates", head["shows"] and
+      head["shows"][0][0].startswith("s2e"), head)
+check("nothing is left of it", s.ask(
+    "ask", goal="drawn(_,_,_,_,_,_,_)", view=[20, 60])[0]["answers"] and
+    s.ask("ask", goal="v(S, V, X, Y, Z), V < 3")[0]["answers"])
+refused("no picture of that view", "request_error.bad_key", "isometric", "ask",
+        goal=GOAL, view="nowhere")
+
 # ---- cut open, taken apart, on a sheet, shaded ----
 
 s.ask("open", file="facts/figures/fig13.pl")

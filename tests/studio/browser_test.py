@@ -1,5 +1,6 @@
 """browser_test.py PROGRAM FOLDER: the page of the studio in a real Chromium, in
 English and in Korean: what people do, and what they see then."""
+import json
 import os
 import re
 import subprocess
@@ -230,6 +231,20 @@ def flows(language):
     lit = browser.script("return [...studio.ports.ports[0].picture.lit.lit]")
     check(language + ": these and no others", sorted(lit) == ["s1e1", "s1e2"],
           lit)
+    browser.script("document.getElementById('goal').value = arguments[0]",
+                   "hides(S1, S2), S1 \\== S2")
+    browser.keys(ENTER, "#goal")
+    view = browser.script("return studio.ports.ports[0].angles")
+    head, _ = front_page.ask("ask", goal="hides(S1, S2), S1 \\== S2",
+                             view=view)
+    check(language + ": what hides what", head["answers"] and browser.wait(
+        "JSON.stringify([...studio.ports.ports[0].picture.lit.lit].sort()) "
+        "=== arguments[0]", json.dumps(sorted(
+            {name for shown in head["shows"] for name in shown}),
+            separators=(",", ":"))), head)
+    check(language + ": lit in every port", browser.script('''
+      return studio.ports.ports.every(({picture, kind}) => kind === "unfold" ||
+        picture.layers.lit.getAttribute("d"))'''))
     browser.script("document.getElementById('goal').value = 'shell(ls)'")
     browser.keys(ENTER, "#goal")
     check(language + ": a refused question is said", browser.wait(
