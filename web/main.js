@@ -2,7 +2,8 @@
 
 import { $, h, arrows, calm, say } from "./dom.js";
 import { w, wordsLoaded, otherTongue, reworded, said, tongue } from "./words.js";
-import { Wire, Lost, textOf } from "./wire.js";
+import { Wire, Lost } from "./wire.js";
+import { Kept, recordOf } from "./kept.js";
 import { Ports } from "./ports.js";
 import { KINDS, eyeWords } from "./kinds.js";
 import { Tree } from "./tree.js";
@@ -13,6 +14,7 @@ const FORMATS = {
   shaded: ["png"],
   pattern: ["pdf", "svg", "dxf", "fold"],
   model: ["stl", "obj", "off", "ply", "pl"],
+  page: ["html"],
 };
 const VERBS = { drawing: "draw", shaded: "render", pattern: "unfold", model: "convert" };
 
@@ -35,7 +37,8 @@ class Studio {
     document.addEventListener("keydown", (event) => this.keyed(event));
     const token = location.hash.slice(1) || sessionStorage.getItem("secret") || "";
     if (token) sessionStorage.setItem("secret", token);
-    this.wire = new Wire(token);
+    this.record = recordOf();
+    this.wire = this.record ? new Kept(this.record) : new Wire(token);
     this.wire.addEventListener("hello", (event) => this.greeted(event.detail));
     this.wire.addEventListener("away", this.away);
     this.wire.addEventListener("refused", () => this.banner("no_secret"));
@@ -168,7 +171,7 @@ class Studio {
   // --- the document ---
 
   get isText() {
-    return (this.file || "").endsWith(".pl");
+    return !this.record && (this.file || "").endsWith(".pl");
   }
 
   greeted(head) {
@@ -274,7 +277,29 @@ class Studio {
     else take();
   }
 
+  // The page as one file, which needs no program.
+  async page() {
+    const { keptPage } = await import("./keep.js");
+    return keptPage(this, (part) => this.banner("keeping", [], 0, Math.round(part * 100)));
+  }
+
+  async exportPage() {
+    try {
+      const text = await this.page();
+      $("banner").hidden = true;
+      const address = URL.createObjectURL(new Blob([text], { type: "text/html" }));
+      h("a", { href: address, download: this.file.replace(/\.[^.]*$/, "") + ".html" }).click();
+      calm(60000, () => URL.revokeObjectURL(address))();
+    } catch (error) {
+      this.failed(error);
+    }
+  }
+
   async export(what, format) {
+    if (what === "page") {
+      await this.exportPage();
+      return;
+    }
     const port = this.ports.focused();
     const options = what === "shaded" ? [...eyeWords(port), "--shade", port.settings.shade || "lambert",
       ...(port.kind === "section" ? ["--section", `${port.settings.axis}=${port.at}`] : [])]
@@ -375,5 +400,5 @@ class Studio {
   }
 }
 
-await wordsLoaded();
+await wordsLoaded(recordOf());
 window.studio = new Studio();

@@ -64,6 +64,7 @@ export class Asking {
       const asked = this.studio.wire.ask("ask", { goal, ...this.studio.seen() });
       this.number = this.studio.wire.number;
       const { head, body } = await asked;
+      this.answered = { goal, head };
       this.shows = [];
       this.printed = textOf(body);
       this.rows = h("tbody");
@@ -214,10 +215,11 @@ export class Text extends Editor {
   }
 
   async refresh() {
-    if (this.dirty || !this.studio.isText) return;
+    if (this.dirty || !(this.studio.isText || this.studio.record)) return;
     const { body } = await this.studio.wire.ask("text");
     if (this.dirty) return;
     const text = textOf(body);
+    this.field.readOnly = Boolean(this.studio.record);
     if (text === this.field.value) return;
     const { selectionStart, scrollTop } = this.field;
     this.field.value = text;

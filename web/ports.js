@@ -97,7 +97,8 @@ class Port {
   // asks for something meanwhile stops them.
   whenQuiet = calm(400, () => {
     if (!this.slow) return;
-    if (this.studio.ports.ports.some((port) => port !== this && port.busy)) this.whenQuiet();
+    const { ports, recording } = this.studio;
+    if (recording || ports.ports.some((port) => port !== this && port.busy)) this.whenQuiet();
     else this.draw();
   });
 

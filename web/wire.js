@@ -3,6 +3,16 @@
 const HELLO = 0;
 const decoder = new TextDecoder();
 
+// Who this page is in a class: known to it and the program alone.
+function pupil() {
+  let secret = localStorage.getItem("pupil");
+  if (!secret) {
+    secret = [...crypto.getRandomValues(new Uint8Array(16))].map((octet) => octet.toString(16).padStart(2, "0")).join("");
+    localStorage.setItem("pupil", secret);
+  }
+  return secret;
+}
+
 export class Lost extends Error {}
 
 export class Wire extends EventTarget {
@@ -24,7 +34,7 @@ export class Wire extends EventTarget {
     const socket = new WebSocket(`ws://${location.host}/ws`);
     socket.binaryType = "arraybuffer";
     this.socket = socket;
-    socket.onopen = () => this.send({ id: HELLO, do: "hello", token: this.token });
+    socket.onopen = () => this.send({ id: HELLO, do: "hello", token: this.token, pupil: pupil() });
     socket.onmessage = (event) => this.heard(event.data);
     socket.onclose = (event) => this.closed(event.code);
   }

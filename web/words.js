@@ -3,10 +3,10 @@
 let words = { en: {}, ko: {} };
 let language = "en";
 
-export async function wordsLoaded() {
+export async function wordsLoaded(record) {
   const kept = localStorage.getItem("language");
   language = kept || ((navigator.language || "").startsWith("ko") ? "ko" : "en");
-  words = await (await fetch("words.json")).json();
+  words = record ? record.words : await (await fetch("words.json")).json();
   document.documentElement.lang = language;
 }
 

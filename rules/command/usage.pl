@@ -318,7 +318,11 @@ verb_option(problems, Option) :-
 verb_option(serve, option(port, '', whole(1, 65535), 'N',
     'where browsers find it; default 1989, or one that is free')).
 verb_option(serve, option(host, '', value, 'ADDRESS',
-    'the address to listen at; default 127.0.0.1, this machine alone')).
+    'the address to listen at; default 127.0.0.1, this machine alone; another \c
+     one needs --class')).
+verb_option(serve, option(class, '', flag, '',
+    'pupils join with a code, which is printed too; each has the model, and \c
+     a session, for himself')).
 verb_option(serve, option(open, '', flag, '',
     'open the page in the browser of this desktop (as is usual)')).
 verb_option(serve, option(stdio, '', flag, '',

@@ -70,6 +70,11 @@ command_en(port_taken(Port)) -->
 command_en(port_refused(Port)) -->
     [ 'this user may not listen at port ~w'-[Port], nl,
       '  Give a --port from 1024 on.' ].
+command_en(host_needs_class(Host)) -->
+    [ '--host ~w lets others in, and they would all change one \c
+       model'-[Host], nl,
+      '  Add --class: each who joins has the model for himself. Or leave \c
+       --host out, and reach this machine by a tunnel (ssh -L).' ].
 command_en(no_address(Host)) -->
     [ 'this machine has no address ~p to listen at'-[Host], nl,
       '  Leave --host out: only this machine can reach it then.' ].

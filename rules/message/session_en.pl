@@ -109,6 +109,8 @@ session_en(no_name(Name)) -->
 session_en(owner_alone(rules)) -->
     [ 'rules run code, so only the owner may try or keep them', nl,
       '  The owner says "owner":true.' ].
+session_en(owner_alone(save)) -->
+    [ 'only the owner may save: what pupils change is kept for them alone' ].
 session_en(owner_alone(journal)) -->
     [ 'the journal has rules, which run code, so only the owner may replay \c
        it', nl,
@@ -129,6 +131,9 @@ session_en(open_to_others(Host, Port)) -->
        this model; nothing is encrypted'-[Host, Port], nl,
       '  Rules, which run code, are not changed there. Without --host only \c
        this machine is let in.' ].
+session_en(too_many_sessions(Most)) -->
+    [ 'the studio has ~D sessions already, as many as it may'-[Most], nl,
+      '  Try again when others have left.' ].
 session_en(nothing_tried) -->
     [ 'no rules are tried', nl,
       '  Try some first: "do":"rules", with their text as the body.' ].

@@ -105,6 +105,8 @@ session_ko(no_name(Name)) -->
 session_ko(owner_alone(rules)) -->
     [ '규칙은 코드를 실행하므로 주인만 시험하거나 남길 수 있습니다', nl,
       '  주인은 "owner":true라고 합니다.' ].
+session_ko(owner_alone(save)) -->
+    [ '저장은 주인만 합니다. 학생이 바꾼 것은 그 학생에게만 남습니다' ].
 session_ko(owner_alone(journal)) -->
     [ '일지에 코드를 실행하는 규칙이 있어 주인만 다시 할 수 있습니다', nl,
       '  주인은 "owner":true라고 합니다. "replay":false는 변경을 뺍니다.' ].
@@ -124,6 +126,9 @@ session_ko(open_to_others(Host, Port)) -->
        암호화는 없습니다'-[Host, Port], nl,
       '  코드를 실행하는 규칙은 거기서 바꾸지 못합니다. --host를 빼면 이 \c
        컴퓨터에서만 열 수 있습니다.' ].
+session_ko(too_many_sessions(Most)) -->
+    [ '스튜디오에 이미 세션이 ~D개 있어 더 열 수 없습니다'-[Most], nl,
+      '  다른 사람이 나간 뒤 다시 시도하십시오.' ].
 session_ko(nothing_tried) -->
     [ '시험하는 규칙이 없습니다', nl,
       '  먼저 시험하십시오: 규칙의 글을 본문으로 하여 "do":"rules".' ].

@@ -84,7 +84,9 @@ studio_word(pen_sum,
     '펜 {0}: 획 {1}개, 그리기 {2} m, 들기 {3} m, {4}분').
 studio_word(shaded_picture, 'shaded picture of {0}', '{0}의 음영 그림').
 studio_word(shaded_of, 'shaded', '음영').
-studio_word(folded_of, 'pattern of {0} faces, being folded', '면 {0}개의 전개도, 접는 중').
+studio_word(folded_of,
+    'pattern of {0} faces, being folded',
+    '면 {0}개의 전개도, 접는 중').
 studio_word(larger, 'This port alone', '이 뷰포트만').
 studio_word(ports, 'Ports', '뷰포트').
 studio_word(hidden, 'Hidden lines', '숨은선').
@@ -137,6 +139,13 @@ studio_word(keys,
 studio_word(done, 'done', '되었습니다').
 studio_word(working, 'working …', '계산 중 …').
 studio_word(stop, 'Stop', '중단').
+studio_word(page_of, 'this page', '이 페이지').
+studio_word(keeping,
+    'making a file of the page: {0} %',
+    '페이지를 파일로 만드는 중: {0} %').
+studio_word(kept_only,
+    'This page is a file: it has what was recorded. The program can do more.',
+    '이 페이지는 파일이므로 기록된 것만 있습니다. 프로그램에서는 더 할 수 있습니다.').
 studio_word(drawing_of, 'drawing', '도면').
 studio_word(pattern_of, 'flat pattern', '전개도').
 studio_word(model_of, 'model', '모델').

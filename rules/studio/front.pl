@@ -4,7 +4,7 @@
 :- use_module('../version', [version/1]).
 :- use_module(guard,
               [ host_allowed/2, is_loopback/1, new_secret/1, origin_allowed/2,
-                same_secret/2, security_header/2 ]).
+                pupil_secret/1, same_secret/2, security_header/2 ]).
 :- use_module(page_file, [page_file/3, page_words/1]).
 :- use_module(visitor,
               [ download_taken/3, visitor_answered/3, visitor_asks/4,
@@ -25,8 +25,8 @@ library(http) is loaded when the front starts: no other verb pays for it.
 */
 
 % front_(Front, Token, Model): Front is front(Bound, Port, Folder, Owner).
-% open_socket(WebSocket): of a page.
-:- dynamic front_/3, open_socket/1.
+% class_code(Code): pupils may join with it. open_socket(WebSocket): of a page.
+:- dynamic front_/3, class_code/1, open_socket/1.
 
 %   longest(N): octets of a message of a page. most_sockets(N). hello_within(S):
 %   the first message of a socket.
@@ -40,13 +40,19 @@ usual_port(1989).
 %
 %   Serve the studio until it is interrupted, which is raised. Model is the
 %   file that pages show first, or `none`. Options are those of the verb serve:
-%   port(N), host(Address), open(Boolean).
+%   port(N), host(Address), class(Boolean), open(Boolean).
 %
-%   @error usage_error(port_taken(Port)), usage_error(no_address(Host))
+%   @error usage_error(port_taken(Port)), usage_error(no_address(Host)),
+%   usage_error(host_needs_class(Host))
 
 front(Model, Options, 130) :-
     model_folder(Model, Folder),
     option(host(Host), Options, '127.0.0.1'),
+    option(class(Class), Options, false),
+    (   ( is_loopback(Host) ; Class == true )
+    ->  true
+    ;   throw(error(usage_error(host_needs_class(Host)), _))
+    ),
     libraries_loaded,
     bound_socket(Host, Options, Socket, Port),
     (   is_loopback(Host)
@@ -65,10 +71,21 @@ front(Model, Options, 130) :-
     shown_at(Host, Name),
     format(string(Address), "http://~w:~d/#~w", [Name, Port, Token]),
     format("~w~n", [Address]),
+    class_opened(Class, Name, Port),
     flush_output,
     opened_in_browser(Options, Address),
     model_file_watched,
     setup_call_cleanup(true, watching, ( pages_closed, visitors_ended )).
+
+%   class_opened(Class, Name, Port): the address for pupils is printed too.
+
+class_opened(true, Name, Port) :-
+    new_secret(Secret),
+    sub_string(Secret, 0, 10, _, Code),
+    retractall(class_code(_)),
+    assertz(class_code(Code)),
+    format("http://~w:~d/#~w~n", [Name, Port, Code]).
+class_opened(false, _, _).
 
 model_folder(none, Folder) :-
     !,
@@ -294,16 +311,33 @@ greeted_socket(WebSocket) :-
         json_dict(Text, Head),
         get_dict(do, Head, "hello"),
         get_dict(token, Head, Given),
-        same_secret(Given, Token)
+        joins(Given, Token, Head, Front, Visitor, Own)
     ->  set_stream(In, timeout(90)),
         setup_call_cleanup(
-            visitor_joined(owner, sg_front:message_sent(WebSocket), Socket,
+            visitor_joined(Visitor, sg_front:message_sent(WebSocket), Socket,
                            Revision),
-            ( welcomed(Socket, Front, Model, Revision, Head),
-              requests(WebSocket, Front, Socket) ),
+            ( welcomed(Socket, Own, Model, Revision, Head),
+              requests(WebSocket, Own, Socket) ),
             visitor_left(Socket))
-    ;   ended(WebSocket, 1008, "not the secret of this program")
+    ;   sleep(1),                       % who guesses is slow
+        ended(WebSocket, 1008, "not the secret of this program")
     ).
+
+%   joins(Given, Token, Head, Front, Visitor, Own): who knows the secret Token
+%   is the owner; who knows the code of the class is a pupil, who has a session
+%   of his own, and a Front that lets him write no file. He is known by a secret
+%   that his page made.
+
+joins(Given, Token, _, Front, owner, Front) :-
+    same_secret(Given, Token),
+    !.
+joins(Given, _, Head, front(Host,Port,Folder,_), Visitor,
+      front(Host,Port,Folder,pupil(Pupil))) :-
+    class_code(Code),
+    same_secret(Given, Code),
+    get_dict(pupil, Head, Pupil),
+    pupil_secret(Pupil),
+    atom_concat('pupil ', Pupil, Visitor).
 
 :- public message_sent/2.
 
@@ -314,7 +348,8 @@ ended(WebSocket, Code, Why) :-
     catch(called(websocket, ws_send(WebSocket, close(Code, Why))),
           error(_, _), true).
 
-welcomed(Socket, front(_,_,Folder,Owner), Model, Revision, Head) :-
+welcomed(Socket, front(_,_,Folder,Owner0), Model, Revision, Head) :-
+    ( Owner0 == true -> Owner = true ; Owner = false ),
     ( get_dict(id, Head, Id), integer(Id) -> true ; Id = null ),
     version(Version),
     (   Model == none

@@ -4,12 +4,14 @@
             is_loopback/1,              % +Address
             same_secret/2,              % +Given, +Token
             new_secret/1,               % -Token
+            pupil_secret/1,             % +Secret
             request_allowed/3,          % +Front, +Head, -Allowed
             file_allowed/3,             % +Folder, +Name, -Path
             security_header/2           % ?Name, ?Value
           ]).
 :- use_module(library(apply), [maplist/2]).
 :- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(sha), [sha_hash/3, hash_atom/2]).
 /** <module> What a visitor of the studio may do.
 
 A page of another site can send requests to a server on the same machine. So the
@@ -131,6 +133,17 @@ differences([A|As], [B|Bs], Difference0, Difference) :-
     Difference1 is Difference0 \/ (A xor B),
     differences(As, Bs, Difference1, Difference).
 
+%!  pupil_secret(+Secret) is semidet.
+%
+%   Secret is a string as the page of a pupil makes one: 128 bits, in 32 digits.
+
+pupil_secret(Secret) :-
+    string(Secret),
+    string_length(Secret, 32),
+    string_codes(Secret, Codes),
+    forall(member(Code, Codes),
+           ( code_type(Code, xdigit(_)), Code < 128 )).
+
 %!  security_header(?Name, ?Value) is nondet.
 %
 %   Every reply has these: the page runs nothing but its own files, speaks with
@@ -211,7 +224,11 @@ looked_through("open", front(_,_,Folder,Owner), Head0, Head) :-
     !,
     name_of(Head0, Name),
     file_allowed(Folder, Name, Path),
-    Head = Head0.put(_{file:Path, journal:true, owner:Owner}).
+    journal_of(Owner, Path, Journal, Code),
+    Head = Head0.put(_{file:Path, journal:Journal, owner:Code}).
+looked_through("save", front(_,_,_,pupil(_)), _, _) :-
+    !,
+    request_error(owner_alone(save)).
 looked_through("save", front(_,_,Folder,_), Head0, Head) :-
     get_dict(file, Head0, _),
     !,
@@ -241,6 +258,27 @@ looked_through(_, _, Head, Head) :-
     ->  options_allowed(Options)
     ;   true
     ).
+
+%   journal_of(Owner, Path, Journal, Code): the journal of a document; Code is
+%   true if it may hold rules. That of a pupil is his own, in a name that is not
+%   his secret.
+
+journal_of(pupil(Secret), Path, Journal, false) :-
+    !,
+    (   getenv('XDG_STATE_HOME', State),
+        State \== ''
+    ->  true
+    ;   getenv('HOME', Home),
+        atom_concat(Home, '/.local/state', State)
+    ),
+    file_base_name(Path, Base),
+    format(string(Of), "~w ~w", [Secret,Path]),
+    sha_hash(Of, Hash, [algorithm(sha256), encoding(utf8)]),
+    hash_atom(Hash, Digest),
+    sub_atom(Digest, 0, 16, _, Short),
+    format(string(Journal), "~w/sanggwan/class/~w-~w.journal",
+           [State, Base, Short]).
+journal_of(Owner, _, true, Owner).
 
 name_of(Head, Name) :-
     (   get_dict(file, Head, Name),

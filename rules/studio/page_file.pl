@@ -33,6 +33,7 @@ beside(Folder) :-
     atom_concat(Studio, '/../../web', Folder).
 
 served(/, 'index.html', 'text/html').
+served('/index.html', 'index.html', 'text/html').
 served('/studio.css', 'studio.css', 'text/css').
 served('/icon.svg', 'icon.svg', 'image/svg+xml').
 served(Path, Name, 'text/javascript') :-
@@ -51,6 +52,8 @@ script(panels).
 script(kinds).
 script(fold).
 script(pens).
+script(keep).
+script(kept).
 
 %!  page_words(-Text:string) is det.
 %

@@ -11,7 +11,8 @@
 :- use_module('../spelling', [near_words/3]).
 :- use_module('../store', [in_world/2, segment/3]).
 :- use_module('../version', [version/1]).
-:- use_module(ask, [asked/3, asks_forgotten/0, next_answers/2, question_state/2]).
+:- use_module(ask,
+              [asked/3, asks_forgotten/0, next_answers/2, question_state/2]).
 :- use_module(line_change, [changed_lines/4]).
 :- use_module(complete, [completed/4]).
 :- use_module(document,
@@ -49,7 +50,8 @@ revision.
 % The sequence number of the request that is being done, and of the last `stop`
 % that came: what came before that is not done any more. newest(Port, Sequence):
 % of the last `view` that came for Port.
-:- dynamic under_way/1, stopped_before/1, newest/2.
+% cpu_each(Seconds): of the processor, that a request may take.
+:- dynamic under_way/1, stopped_before/1, newest/2, cpu_each/1.
 
 %!  session(:Run, +Makers, +Help, -Status) is det.
 %
@@ -69,6 +71,7 @@ session(Run, _:Makers, _:Help, Status) :-
     retractall(under_way(_)),
     retractall(stopped_before(_)),
     retractall(newest(_, _)),
+    retractall(cpu_each(_)),
     stdio_apart(In, Out),
     message_queue_create(Queue, [max_size(256)]),
     thread_self(Worker),
@@ -194,7 +197,8 @@ worked(Session, request(Sequence, Head, Body), Reply, Octets) :-
         asserta(under_way(Sequence)),
         ( (   is_stopped(Sequence)
           ->  throw(sanggwan_interrupt(int))
-          ;   with_progress_wanted(Session, Sequence, Head,
+          ;   cpu_limited,
+              with_progress_wanted(Session, Sequence, Head,
                   done(Session, Sequence, Head, Body, Reply, Octets))
           ),
           not_stopped_now
@@ -361,6 +365,7 @@ request(save,     document, saved).
 
 greeted(request(_, Head, _), _, Reply, "") :-
     memory_limited(Head),
+    cpu_wanted(Head),
     findall(Request, request(Request, _, _), Offered),
     current_prolog_flag(pid, Pid),
     version(Version),
@@ -377,6 +382,29 @@ memory_limited(Head) :-
             rlimit(data, _, Octets)
         ;   request_error(bad_key(memory_mb, least(100)))
         )
+    ;   true
+    ).
+
+%   cpu_wanted(Head): each request from now on has so many seconds.
+
+cpu_wanted(Head) :-
+    (   get_dict(cpu_s, Head, Seconds)
+    ->  (   integer(Seconds),
+            Seconds >= 1
+        ->  retractall(cpu_each(_)),
+            assertz(cpu_each(Seconds))
+        ;   request_error(bad_key(cpu_s, positive))
+        )
+    ;   true
+    ).
+
+%   cpu_limited: the system ends the process when the request takes more.
+
+cpu_limited :-
+    (   cpu_each(Seconds)
+    ->  statistics(process_cputime, Used),
+        Most is ceiling(Used)+Seconds,
+        rlimit(cpu, _, Most)
     ;   true
     ).
 
@@ -488,8 +516,16 @@ explained(request(_, Head, _), Session, Reply, Octets) :-
 
 :- public explained_there/4.
 
+%   A line of the picture is explained where pictures are made: its segments
+%   have cut each other already.
+
 explained_there(World, Explain, Arguments, Status) :-
-    in_state(World, loaded, call(Explain, Arguments, Status)).
+    Arguments = [Item|_],
+    (   string_concat("hidden(", _, Item)
+    ->  State = shown
+    ;   State = loaded
+    ),
+    in_state(World, State, call(Explain, Arguments, Status)).
 
 %   of_looking(Word): a word of an option that says how the model is seen, or
 %   how the answer is written.

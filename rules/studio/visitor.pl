@@ -37,12 +37,15 @@ one, and the journal of the document has all that was answered.
            download_/4, folder_/1.
 
 %   What a visitor may have: waiting requests, seconds for one until it is
-%   stopped and until its session is killed, seconds without any, megabytes of
-%   a session, seconds until a download is fetched.
+%   stopped and until its session is killed, seconds of the processor for one,
+%   seconds without any, megabytes of a session, seconds until a download is
+%   fetched. And how many sessions there may be.
 
 most(waiting,  64).
 most(stopped,  60).
 most(killed,   75).
+most(cpu,      90).
+most(sessions, 40).
 most(idle,     1800).
 most(memory,   1000).
 most(download, 60).
@@ -199,6 +202,12 @@ session_ready(_, Visitor, In) :-
     session_(Visitor, _, _, In0),
     !,
     In = In0.
+session_ready(_, _, _) :-
+    most(sessions, Most),
+    predicate_property(session_(_, _, _, _), number_of_clauses(N)),
+    N >= Most,
+    !,
+    request_error(too_many_sessions(Most)).
 session_ready(front(_,_,Folder,_), Visitor, In) :-
     process_create('/proc/self/exe', [serve, '--stdio'],
                    [ stdin(pipe(In, [type(binary)])),
@@ -210,7 +219,9 @@ session_ready(front(_,_,Folder,_), Visitor, In) :-
     assertz(session_(Visitor, N, Pid, In)),
     thread_create(sg_visitor:reading(Visitor, N, Out), _, [detached(true)]),
     most(memory, Megabytes),
-    frame_write(In, _{id:0, do:"hello", memory_mb:Megabytes}, "").
+    most(cpu, Seconds),
+    frame_write(In, _{id:0, do:"hello", memory_mb:Megabytes, cpu_s:Seconds},
+                "").
 
 :- public reading/3.
 

@@ -529,4 +529,18 @@ for i in range(8):
 replies = [s.reply()[0] for i in range(17)]
 check("after stops", s.ask("view", format="json")[1] == first, replies)
 check("end", s.end() == (0, b""))
+
+# ---- seconds of the processor ----
+
+s = session()
+head, _ = s.ask("hello", cpu_s=1)
+check("a limit", code(head) == "", head)
+refused("no limit", "request_error.bad_key", "cpu_s", "hello", cpu_s=0)
+s.ask("open", file="facts/cube.pl")
+for _ in range(3):
+    head, _ = s.ask("ask", goal="between(1, 800000, X), X < 0")
+    check("each request has it anew", head and "answers" in head, head)
+head, _ = s.ask("ask", goal="between(1, inf, X), X < 0", owner=True)
+check("more of it ends the session", code(head) == "interrupted" and
+      s.reply() == (None, None) and s.process.wait() == 152, head)
 checks.finish()

@@ -3,6 +3,7 @@ English and in Korean: what people do, and what they see then."""
 import json
 import os
 import re
+import struct
 import subprocess
 import sys
 import time
@@ -159,6 +160,62 @@ def kinds(language):
     turned_to("iso")
 
 
+def as_a_file(language, words):
+    """The page as a file works from the disk, and asks nobody."""
+    browser.script("document.getElementById('goal').value = 'segment(S, K, _)'")
+    browser.keys(ENTER, "#goal")
+    browser.wait("studio.asking.goal === 'segment(S, K, _)' && studio.asking"
+                 ".answered.goal === studio.asking.goal")
+    browser.script("""
+      window.kept = ""; studio.ports.ports[0].turnTo("iso");
+      studio.page().then((text) => { window.kept = text; },
+                         (error) => { window.kept = "error: " + error; })""")
+    page = browser.wait("window.kept", seconds=120)
+    path = os.path.join(models, "tee.html")
+    with open(path, "w", encoding="utf-8") as out:
+        out.write(page or "")
+    pattern = front_page.ask("unfold")[0]["strokes"]
+    iso = front_page.ask("view", format="strokes", view=[
+        315, 54.735610317245346], size=[160, 120], margin=8)[1]
+    browser.log()
+    browser.open("file://" + path)
+    check(language + ": a page from a file", browser.wait(
+        "studio.ready && studio.ports.ports.every(p => p.picture.shown)"),
+        (page or "")[:99])
+    check(language + ": the exact view", browser.script("""
+      const { points } = studio.ports.ports[0].picture.shown.strokes[0];
+      return [...points]""") == list(struct.unpack_from(
+          "<%di" % (2 * struct.unpack_from("<i", iso, 16)[0]), iso,
+          20 + 4 * struct.unpack_from("<i", iso, 12)[0])))
+    check(language + ": the pattern", browser.script(
+        "return studio.ports.ports[1].picture.shown.strokes.length")
+        == pattern)
+    browser.script("studio.chosen(['s1e50'], studio.ports.ports[0])")
+    why = browser.wait("document.querySelector('.why pre') && "
+                       "document.querySelector('.why pre').textContent")
+    text = cli("explain", "tee.pl", "hidden(1,50)", "--view", "iso", "--lang",
+               language).decode()
+    check(language + ": why, from a file", (why or "").split() ==
+          text.split(), (why, text))
+    browser.script("document.getElementById('goal').value = 'segment(S, K, _)'")
+    browser.keys(ENTER, "#goal")
+    check(language + ": what was answered", browser.wait(
+        "document.querySelector('.ask .remark').textContent === arguments[0]",
+        words["answers"]))
+    browser.script("studio.ports.ports[0].turnTo('folded')")
+    check(language + ": folded from a file", browser.wait(
+        "studio.ports.ports[0].folding && studio.ports.ports[0].folding.faces"))
+    check(language + ": nothing is changed there", browser.script(
+        "return [...document.querySelectorAll('#menus [data-word=save], "
+        ".wishes')].every(e => getComputedStyle(e).display === 'none')"))
+    check(language + ": nobody is asked", browser.log() == [] and
+          browser.script("return performance.getEntriesByType('resource')"
+                         ".filter(e => !e.name.startsWith('blob:')).length")
+          == 0, browser.log())
+    browser.open(front.address)
+    browser.wait("studio.ready && studio.ports.ports[0].picture.shown")
+
+
 def flows(language):
     words = {"en": {"why": "Why", "answers": "2 answers",
                     "visible": "visible from"},
@@ -244,7 +301,9 @@ def flows(language):
             separators=(",", ":"))), head)
     check(language + ": lit in every port", browser.script('''
       return studio.ports.ports.every(({picture, kind}) => kind === "unfold" ||
-        picture.layers.lit.getAttribute("d"))'''))
+        picture.shown.strokes.some(s => [...s.edges].some(e => picture.lit.lit.has(
+          `s${s.segment}e${e}`))) === Boolean(picture.layers.lit.getAttribute("d")))
+        && studio.ports.ports[0].picture.layers.lit.getAttribute("d")'''))
     browser.script("document.getElementById('goal').value = 'shell(ls)'")
     browser.keys(ENTER, "#goal")
     check(language + ": a refused question is said", browser.wait(
@@ -321,6 +380,9 @@ def flows(language):
     browser.wait("document.getElementById('banner').hidden")
 
     kinds(language)
+
+    if language == "ko":
+        as_a_file(language, words)
 
     # The session is killed; nothing that was done is lost.
     front_page.ask("edit", set={"segment": 1, "path": [2, 2, 1], "value": 3})

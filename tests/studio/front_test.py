@@ -368,7 +368,13 @@ check("interrupted", (status, error) == (130, b"sanggwan: interrupted\n"),
       (status, error))
 
 # Another address than loopback.
-front = started("--host", "0.0.0.0", "--port", str(again.port))
+done = subprocess.run([program, "serve", "tee.pl", "--no-open", "--host",
+                       "0.0.0.0"], cwd=models, stdout=subprocess.PIPE,
+                      stderr=subprocess.PIPE, check=False, timeout=20)
+check("not without --class", done.returncode == 2 and done.stdout == b"" and
+      b"Add --class" in done.stderr, done)
+front = started("--host", "0.0.0.0", "--class", "--port", str(again.port))
+joined = front.process.stdout.readline().decode().strip()
 check("what is opened is said", front.address.startswith("http://localhost:"),
       front.address)
 front.host = "127.0.0.1"
@@ -383,11 +389,63 @@ check("a name of others", front.get(
 check("an address", front.get(
     "/", headers={"Host": "10.1.2.3:%d" % front.port})[0] == 200)
 page.close()
+
+# A class: each pupil has a world; nobody but the owner writes a file.
+class_code = joined.split("/#")[1]
+check("a code for pupils", joined.startswith("http://localhost:") and
+      len(class_code) == 10 and class_code not in front.token, joined)
+
+
+def pupil(secret, code=class_code):
+    page = front.socket()
+    page.say({"id": 0, "do": "hello", "token": code, "pupil": secret})
+    page.hello = page.hear()[0]
+    return page
+
+
+for secret in (None, "", "0" * 31, "g" * 32, "owner", 7, "\u0660" * 32):
+    check("no pupil: %s" % secret, pupil(secret).hello == 1008)
+check("a code that is none", pupil("0" * 32, class_code[:-1] + "g").hello
+      == 1008)
+before = open(os.path.join(models, "tee.pl")).read()
+ann, ben = pupil("a" * 32), pupil("b" * 32)
+check("pupils are no owners", ann.hello["owner"] is False, ann.hello)
+for one in (ann, ben):
+    check("a pupil opens", "error" not in one.ask("open", file="tee.pl")[0])
+check("a session each", len(front.sessions()) == 3, front.sessions())
+ann.ask("edit", set={"segment": 2, "path": [2, 2, 1, 1], "value": 0.33})
+ann_text, ben_text = ann.ask("text")[1], ben.ask("text")[1]
+check("a world each", b"radius(0.33)" in ann_text and
+      ben_text.decode() == before, ben_text)
+for request, keys in (("save", {}), ("save", {"file": "x.pl"}),
+                      ("save", {"force": True})):
+    check("pupils save nothing", code(ann.ask(request, **keys))
+          == "request_error.owner_alone")
+check("no rules of pupils", code(ann.ask(
+    "rules", **{"try": True, "body": "x.", "owner": True}))
+    == "request_error.owner_alone")
+check("no file elsewhere", code(ann.ask("open", file="../secret.pl"))
+      == "request_error.outside")
+check("the file is as it was",
+      open(os.path.join(models, "tee.pl")).read() == before)
+ann.close()
+for one in front.sessions():
+    os.kill(one, signal.SIGKILL)
+time.sleep(0.3)
+ann = pupil("a" * 32)
+head, _ = ann.ask("open", file="tee.pl")
+check("what a pupil did is kept", ann.ask("text")[1] == ann_text, head)
+many = [pupil("%032x" % (i + 1)) for i in range(30)]
+good = [one.ask("open", file="tee.pl")[0] for one in many]
+check("a class of 30", len(front.sessions()) >= 31 and
+      all("error" not in head for head in good), len(front.sessions()))
+for one in many + [ann, ben]:
+    one.close()
 time.sleep(0.05)
 _, _, error = front.end()
 check("it is a warning", b"nothing is encrypted" in error, error)
 for arguments, said in ((["--port", str(again.port)], b"listens at port"),
-                        (["--host", "192.0.2.7"], b"no address"),
+                        (["--host", "192.0.2.7", "--class"], b"no address"),
                         (["tee.pl"], b"one more")):
     holder = socket.socket()
     holder.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)

@@ -35,8 +35,14 @@ unsaid(session_en, session_en(not_offered(_))).
 unsaid(session_en, session_en(outside(_))).
 unsaid(session_en, session_en(session_ended)).
 unsaid(session_en, session_en(open_to_others(_,_))).
+unsaid(session_en, session_en(owner_alone(save))).
+unsaid(session_en, session_en(too_many_sessions(_))).
 unsaid(session_en, wanted_en(offered)).
 unsaid(session_en, wanted_en(download)).
+
+% Of a view: tests/cli/serve_studio.py.
+unsaid(session_en, wanted_en(section)).
+unsaid(session_en, wanted_en(one_cut)).
 
 % It has a number of the machine: tests/cli/serve.sh.
 unsaid(session_en, wanted_en(least(_))).

@@ -1,0 +1,125 @@
+// Makes one file of the page: what it shows, all it may be asked, and itself.
+
+import { w, tongue } from "./words.js";
+import { strokesOf, nameOf } from "./picture.js";
+import { eyeWords } from "./kinds.js";
+
+const SIDES = ["front", "top", "right", "left", "back", "bottom"];
+const MOST_NAMES = 1500;
+
+function base64(body) {
+  let text = "";
+  for (const octet of new Uint8Array(body)) text += String.fromCharCode(octet);
+  return btoa(text);
+}
+
+const kept = ({ head, body }, more = {}) => ({ ...more, head, body: base64(body) });
+
+// `told` hears how far it is, 0 to 1.
+export async function recorded(studio, told) {
+  // What another pane stopped is asked again.
+  const wire = { ask: async (request, keys) => {
+    for (let again = 0; ; again++) {
+      try {
+        return await studio.wire.ask(request, keys);
+      } catch (error) {
+        if (error.message !== "interrupted" || again > 9) throw error;
+      }
+    }
+  } };
+  const names = {}, reasons = {}, replies = {}, views = [], seen = new Set();
+  const eyes = [...SIDES, [315, 54.735610317245346]];
+  for (const phi of [35, 60, 85]) for (let theta = 0; theta < 360; theta += 20) eyes.push([theta, phi]);
+  for (const [i, view] of eyes.entries()) {
+    const reply = await wire.ask("view", { format: "strokes", ...studio.looks, view, size: [160, 120], margin: 8 });
+    views.push(kept(reply, { view }));
+    for (const { segment, edges } of strokesOf(reply).strokes) for (const edge of edges) seen.add(nameOf(segment, edge));
+    told(i / eyes.length * 0.3);
+  }
+  for (const request of ["tree", "text", "rules", "unfold", "fold"]) {
+    try {
+      replies[request] = kept(await wire.ask(request));
+    } catch (error) {
+      if (!error.head || error.message === "interrupted") throw error;
+    }
+  }
+  const lang = tongue();
+  const options = ["--sheet", "A3", "--language", lang];
+  replies.sheet = kept(await wire.ask("sheet", { options }));
+  replies.pens = kept(await wire.ask("sheet", { options, pens: true }));
+  replies.shaded = kept(await wire.ask("shaded", { options: [...eyeWords(studio.ports.ports[0]), "--size", "800x600",
+    "--background", "none"] }));
+  replies.open = { head: { segments: studio.segments, replayed: 0, rev: 1 } };
+  if (studio.asking.answered) replies.ask = studio.asking.answered;
+  const all = [...seen].slice(0, MOST_NAMES);
+  for (let i = 0; i < all.length; i += 50) {
+    const { head } = await wire.ask("select", { names: all.slice(i, i + 50) });
+    for (const one of head.selected) names[one.name] = one;
+  }
+  const items = [...new Set(Object.values(names).flatMap(({ explain }) => explain))];
+  for (const [i, item] of items.entries()) {
+    const { head, body } = await wire.ask("explain", { item, lang, options: ["--view", "iso"] });
+    reasons[item] = kept({ head: { stdout: head.stdout }, body: body.slice(0, head.stdout) });
+    told(0.3 + i / items.length * 0.7);
+  }
+  const words = await (await fetch("words.json")).json();
+  return { words, views, names, reasons, replies,
+    hello: { file: studio.file, models: [studio.file], owner: false, rev: 0 },
+    refused: { words: { en: words.en.kept_only, ko: words.ko.kept_only } } };
+}
+
+// One script of the modules of the page: each a function that gives its exports.
+async function bundled() {
+  const done = new Set();
+  let out = "const M = {};\n";
+  const add = async (name) => {
+    if (done.has(name)) return;
+    done.add(name);
+    const text = await (await fetch(name + ".js")).text();
+    const imports = /^import \{([^}]*)\} from "\.\/(\w+)\.js";$/gm;
+    for (const [, , from] of text.matchAll(imports)) await add(from);
+    const names = [...text.matchAll(/^export (?:async )?(?:const|class|function) ([\w$]+)/gm)].map(([, one]) => one);
+    const body = text.replace(imports, "const {$1} = M.$2;").replace(/^export /gm, "");
+    out += `M.${name} = await (async () => {\n${body}\nreturn { ${names.join(", ")} };\n})();\n`;
+  };
+  await add("main");
+  return `(async () => {\n"use strict";\n${out}})();`;
+}
+
+const digest = async (text) => {
+  const octets = new TextEncoder().encode(text);
+  return `'sha256-${base64(await crypto.subtle.digest("SHA-256", octets))}'`;
+};
+
+const plain = (text) => text.replace(/[<>&]/g, (letter) => `&#${letter.charCodeAt(0)};`);
+
+// The text of the file.
+export async function keptPage(studio, told = () => {}) {
+  studio.recording = true;
+  let record;
+  try {
+    record = JSON.stringify(await recorded(studio, told)).replace(/</g, "\\u003c");
+  } finally {
+    studio.recording = false;
+  }
+  const script = await bundled();
+  const style = await (await fetch("studio.css")).text();
+  const page = await (await fetch("index.html")).text();
+  const policy = `default-src 'none'; script-src ${await digest(script)}; style-src ${await digest(style)}; img-src blob:`;
+  const body = /<body[^]*<\/body>/.exec(page)[0].replace("<body", '<body class="kept"');
+  return `<!doctype html>
+<html lang="${document.documentElement.lang}">
+<head>
+<meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="${policy}">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark">
+<title>${plain(studio.file)} · ${plain(w("title"))}</title>
+<style>${style}</style>
+</head>
+${body.replace("</body>", "")}<script type="application/json" id="record">${record}</script>
+<script>${script}</script>
+</body>
+</html>
+`;
+}
