@@ -429,9 +429,9 @@ sg_world_depth(sg_world *world)
 static bool
 only_drew(const sg_version *before, const sg_version *after)
 {
-  static const sg_relation made[] = {SG_VIEW,    SG_PROJECTION,     SG_SCREEN,
-                                     SG_CONTOUR, SG_SURFACE_FACING, SG_DRAWN,
-                                     SG_PLANE,   SG_T};
+  static const sg_relation made[] = {
+      SG_VIEW,           SG_PROJECTION, SG_SCREEN, SG_CONTOUR,
+      SG_SURFACE_FACING, SG_DRAWN,      SG_PLANE,  SG_T};
   bool is_made[SG_RELATIONS] = {false};
 
   for (size_t i = 0; i < sizeof made / sizeof *made; i++) {

@@ -266,9 +266,9 @@ void sg_world_release(sg_world *world);
 
 /* Transactions nest. They belong to the thread that began them: others see
  * the world as it was before, and wait with their changes. The outermost commit
- * that changed anything is an undo step and clears the redo steps; one that only
- * made a picture (drawn/7 and what it comes from, with its view), or planes and
- * triangles, is none and leaves them. */
+ * that changed anything is an undo step and clears the redo steps; one that
+ * only made a picture (drawn/7 and what it comes from, with its view), or
+ * planes and triangles, is none and leaves them. */
 sg_status sg_world_begin(sg_world *world);
 sg_status sg_world_commit(sg_world *world);
 sg_status sg_world_rollback(sg_world *world);

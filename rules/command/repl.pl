@@ -14,7 +14,8 @@
 
 On a terminal it is Prolog's own, with line editing and completion. Otherwise
 goals are read from standard input, one after the other, and all their answers
-printed as tables; what is said of a goal begins with its line. Ctrl-C stops the goal, not the session; the transaction it
+printed as tables; what is said of a goal begins with its line.
+Ctrl-C stops the goal, not the session; the transaction it
 was in is taken back.
 */
 

@@ -282,7 +282,8 @@ test(no_scale, [forall(member(Scale, [0,-1])),
 test(dxf_empty, true(Last == 0-"EOF")) :-
     in_picture(picture([],[],[]), dxf_groups([], Groups)),
     last(Groups, Last).
-test(hpgl, true(Lines == [ "IN;", "PS8400,5920;", "PU;SP1;", "CO \"s1e1 visible outline\";",
+test(hpgl, true(Lines == [ "IN;", "PS8400,5920;", "PU;SP1;",
+                           "CO \"s1e1 visible outline\";",
                            "PU400,2960;PD8000,2960;", "PU;SP0;", "" ])) :-
     one_edge(-1.0-2.5, 7.0-2.5, Edge),
     in_picture(Edge, drawing(hpgl, [margin(10)], Text)),
