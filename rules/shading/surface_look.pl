@@ -140,8 +140,8 @@ look_places(Looks, Own, Places) :-
 look_place(Looks, Look, Place) :-
     once(nth0(Place, Looks, Look)).
 
-%   root_ways(Roots, Ways): assoc from R-S to what seen_way/3 says of the segment
-%   S below the root R, all in one walk.
+%   root_ways(Roots, Ways): assoc from R/S to what seen_way/3 says of segment S
+%   below the root R, all in one walk.
 
 root_ways(Roots, Ways) :-
     findall(R/S-Way, ( member(R, Roots), below(R, [], S, Way), S \== R ),
