@@ -25,7 +25,8 @@ problem_en(item(Item)) -->
       '  hide(penetration), show(penetration), \c
        ask(draw(penetration)), ask(draw(penetration, Views)),', nl,
       '  ask(count(loops)), ask(develop(S)), \c
-       ask(measure(What, Unit, Tolerance)), part(S, Language, Text), text(Language, Text);', nl,
+       ask(measure(What, Unit, Tolerance)), \c
+       part(S, Language, Text), text(Language, Text);', nl,
       '  a sheet angle(first), angle(third), title_block(Item, Text), \c
        title_block([class, name, number, date]).' ].
 problem_en(model(Model)) -->

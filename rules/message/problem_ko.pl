@@ -24,7 +24,8 @@ problem_ko(item(Item)) -->
       '  hide(penetration), show(penetration), \c
        ask(draw(penetration)), ask(draw(penetration, Views)),', nl,
       '  ask(count(loops)), ask(develop(S)), \c
-       ask(measure(What, Unit, Tolerance)), part(S, Language, Text), text(Language, Text),', nl,
+       ask(measure(What, Unit, Tolerance)), \c
+       part(S, Language, Text), text(Language, Text),', nl,
       '  용지에는 angle(first), angle(third), title_block(Item, Text), \c
        title_block([class, name, number, date])를 쓸 수 있습니다.' ].
 problem_ko(model(Model)) -->
