@@ -415,11 +415,11 @@ notice_en(glue_gaps(S, N)) -->
     [ 'segment ~d: ~D more pairs of operands come as near and were not glued'-
       [S, N], nl,
       '  A --tolerance above the gap makes them touch.' ].
-notice_en(cityjson_open(File, 1)) -->
-    [ '~w: a solid is open: it is read as a surface'-[File] ].
 notice_en(cityjson_open(File, N)) -->
-    { N =\= 1 },
-    [ '~w: ~D solids are open: they are read as surfaces'-[File, N] ].
+    (   { N =:= 1 }
+    ->  [ '~w: a solid is open: it is read as a surface'-[File] ]
+    ;   [ '~w: ~D solids are open: they are read as surfaces'-[File, N] ]
+    ).
 notice_en(cityjson_left_out(File, N)) -->
     [ '~w: templates are not read: left out ~D'-[File, N] ].
 notice_en(nothing_glued) -->

@@ -31,6 +31,14 @@ file('near.pl', Text) :-
                       box(size(1,1,1)))).~n", [S,X]) ),
             Lines),
     atomics_to_string(Lines, Text).
+file('open.json',
+     "{\"type\":\"CityJSON\",\"version\":\"2.0\",\c
+       \"vertices\":[[0,0,0],[1,0,0],[0,1,0]],\c
+       \"CityObjects\":{\"o\":{\"geometry\":[\c
+         {\"type\":\"Solid\",\"lod\":\"1\",\c
+          \"boundaries\":[[[[0,1,2]]]]},\c
+         {\"type\":\"GeometryInstance\",\"lod\":\"1\",\c
+          \"boundaries\":[0]}]}}}").
 file('latin1.txt', "no model\n").
 file('cross.pl', "segment(1, solid, box(size(2,2,2))).
 segment(2, solid, at([translate(1,1,1)], box(size(2,2,2)))).\n").
@@ -122,6 +130,8 @@ command(do_not_meet, [penetrate, @('far.pl')]).
 command(cells_apart(_,_,_,_), [cells, @('crossing.pl')]).
 command(glue_overlap(_,_,_,_,_), [glue, @('cross.pl')]).
 command(glue_apart(_), [glue, @('far.pl')]).
+command(cityjson_open(_,_), [check, @('open.json')]).
+command(cityjson_left_out(_,_), [check, @('open.json')]).
 command(glue_gap(_,_,_,_,_), [glue, @('near.pl')]).
 command(glue_gaps(_,_), [glue, @('near.pl')]).
 command(nothing_glued, [unglue, @('cube.pl'), '-o', @('a.pl')]).
