@@ -12,8 +12,8 @@
 /** <module> CityJSON: buildings and terrain as solids, surfaces and lines.
 
 Versions 1.0, 1.1 and 2.0. Each geometry of each object is a segment, named by
-the object: a Solid is a solid, a MultiSolid as many, a CompositeSolid the glue of
-as many; surfaces, lines and points are surfaces and curves. Of an object
+the object: a Solid is a solid, a MultiSolid as many, a CompositeSolid the glue
+of as many; surfaces, lines and points are surfaces and curves. Of an object
 with several levels of detail the highest is read, or the one that was asked
 for. A Solid that is open, as one without a floor, is a surface.
 

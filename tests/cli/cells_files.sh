@@ -1,5 +1,5 @@
-# cells_files.sh -- regions in files of other programs: meshed by TetGen and Gmsh,
-# and read again, each region has its volume.
+# cells_files.sh -- regions in files of other programs: meshed by TetGen and
+# Gmsh, and read again, each region has its volume.
 # covers: cells_file, cells_face, cells_city
 . "$(dirname "$0")/../check.sh"
 
@@ -77,8 +77,8 @@ for name in materials vertex crossing face mixed room inner; do
   fi
 done
 
-# CityJSON: the parts are glued again. (Of what a wire runs in, twelve digits are
-# too few: see docs/limits.md.)
+# CityJSON: the parts are glued again. (Of what a wire runs in, twelve digits
+# are too few: see docs/limits.md.)
 city_again() { # NAME
   cells "$TMP/$1.pl" -o "$TMP/$1.city.json" >"$TMP/$1.report" &&
     "$SANGGWAN" glue -q --json "$TMP/$1.city.json" >"$TMP/$1.again" &&
