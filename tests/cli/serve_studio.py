@@ -243,14 +243,21 @@ for options in ([], ["--sheet", "A4", "--views", "front,iso", "--section",
             path += [down] + list(zip(numbers[::2], numbers[1::2]))
         if numbers:
             down = tuple(numbers[-2:])
-    ours = []
+    # HPGL leaves out what is shorter than its unit, and points that are one.
+    ours, lines = [], 0
     for _, _, _, _, _, points in got:
         at = [((2 * x + 25) // 50, (2 * (high - y) + 25) // 50)
               for x, y in points]
-        ours += at
+        moved = at[:1] + [b for a, b in zip(at, at[1:]) if a != b]
+        if len(moved) > 1:
+            ours += moved
+            lines += 1
+        elif len(set(points)) == 1:
+            ours += moved + moved
+            lines += 1
     check("the way of the pens %s" % options, ours == path and
-          sum(pen["strokes"] for pen in pens["pens"]) == len(got) ==
-          plotted.count("PD"), (ours[:9], path[:9]))
+          sum(pen["strokes"] for pen in pens["pens"]) == len(got) and
+          0 < lines == plotted.count("PD"), (ours[:9], path[:9]))
 refused("no paper", "usage_error.sheet", "B9", "sheet",
         options=["--sheet", "B9"])
 refused("no file", "usage_error.no_files_taken", "x.pl", "sheet",
