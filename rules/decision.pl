@@ -208,9 +208,9 @@ default(_:Goal) :-
 
 %!  decided_at(:Goal, -Location) is det.
 %
-%   Location, location(File, Line, 0), is where the clause stands by which a rule
-%   file of the current world gives Goal, an answer of a decision: for errors in
-%   it. Unbound if Goal is not of a rule file.
+%   Location, location(File, Line, 0), is where the clause stands by which a
+%   rule file of the current world gives Goal, an answer of a decision: for
+%   errors in it. Unbound if Goal is not of a rule file.
 
 decided_at(_:Goal, Location) :-
     functor(Goal, Name, Arity),

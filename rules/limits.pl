@@ -177,8 +177,8 @@ term_of_text(Text0, Term, Options) :-
         nothing_after(Text, Options)
     ).
 
-%   nothing_after(Text, Options): the text of one term has no other one behind it.
-%   Without a full stop, there is none.
+%   nothing_after(Text, Options): the text of one term has no other one behind
+%   it. Without a full stop, there is none.
 
 nothing_after(Text, Options) :-
     include(is_syntax, Options, Syntax),

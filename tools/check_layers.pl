@@ -185,8 +185,8 @@ goes_up(Path, Other) :-
                 *******************************/
 
 %   The doors import no rule, but kernel.pl its topics, and nobody else does
-%   that. The facade imports from all floors, and nobody imports it; cli.pl loads
-%   it into user, for the goals of users.
+%   that. The facade imports from all floors, and nobody imports it; cli.pl
+%   loads it into user, for the goals of users.
 
 rule_fault(Name, Path, What) :-
     imported_file(Path, Other),

@@ -286,5 +286,5 @@ relation_text(Name, Arity, Doc, Text) :-
 
 quicker(p/3, "\n\nWhich polygon has edge E: edge_polygon(S, E, P), at once.\n\c
 Walking through p/3 with memberchk/2 looks at every list.").
-quicker(e/5, "\n\nWhich edge runs from V1 to V2: e(S, E, V1, V2, _), with both \c
-bound, at once.\nWhich polygon has it: edge_polygon(S, E, P).").
+quicker(e/5, "\n\nWhich edge runs from V1 to V2: e(S, E, V1, V2, _), with \c
+both bound, at once.\nWhich polygon has it: edge_polygon(S, E, P).").

@@ -402,6 +402,8 @@ option_ko(stdio,
     '페이지 없이 표준 입력과 표준 출력의 프레임 (docs/protocol.md)').
 option_ko(port, '브라우저가 찾는 번호. 기본값 1989, 쓰고 있으면 빈 번호').
 option_ko(host, '받는 주소. 기본값 127.0.0.1, 이 컴퓨터에서만').
+option_ko(class, '학생들이 코드로 들어온다 (코드를 출력한다). 저마다 모델과 \c
+                  세션을 하나씩 가진다').
 option_ko(open, '이 데스크톱의 브라우저에서 페이지를 연다 (기본)').
 option_ko(output, '결과 파일. 확장자가 형식을 정하며 여러 번 쓸 수 있다').
 option_ko(format, '-o - 의 형식').

@@ -191,7 +191,9 @@ pattern_wanted(Item, Options, [wanted(Pairs)|How]) :-
     ->  Ss = [S]
     ;   chosen(Options, Flags, Ss)
     ),
-    findall(S-Wanted, ( member(S, Ss), all_wanted(Ss, Flags, S, Wanted) ), Pairs),
+    findall(S-Wanted,
+            ( member(S, Ss), all_wanted(Ss, Flags, S, Wanted) ),
+            Pairs),
     develop_options(Options, How0),
     trimming(Options, All),
     How = [by(All)|How0].
@@ -320,7 +322,8 @@ of_any(removed(Name)) :-
 is_met(S, removed(Name)) :-
     \+ polygons_named(S, Name, []).
 
-%   flags_met(Ss, Flags): of several parts Ss, one at least has what a flag names.
+%   flags_met(Ss, Flags): of several parts Ss, one at least has what a flag
+%   names.
 
 flags_met(Ss, Flags) :-
     (   Ss = [S,_|_],

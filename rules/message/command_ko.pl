@@ -73,7 +73,8 @@ command_ko(port_refused(Port)) -->
     [ '이 사용자는 포트 ~w번을 쓸 수 없습니다'-[Port], nl,
       '  --port에 1024 이상을 쓰십시오.' ].
 command_ko(host_needs_class(Host)) -->
-    [ '--host ~w 은(는) 다른 사람을 들이는데, 모두가 한 모델을 바꾸게 됩니다'-[Host], nl,
+    [ '--host ~w은(는) 다른 사람을 들이는데, 모두가 한 모델을 바꾸게 됩니다'-
+          [Host], nl,
       '  --class를 더하면 저마다 모델을 하나씩 가집니다. 아니면 --host를 빼고 \c
        터널(ssh -L)로 들어오십시오.' ].
 command_ko(no_address(Host)) -->

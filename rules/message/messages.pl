@@ -14,8 +14,8 @@
               [ development_en//2, development_notice_en//2 ]).
 :- use_module(mesh_en, [mesh_en//1]).
 :- use_module(message_parts,
-              [ counted//3, dots_that_fit/5, loading_fault//2, located//1, manual_page//1,
-                shown_names/2
+              [ counted//3, dots_that_fit/5, loading_fault//2, located//1,
+                manual_page//1, shown_names/2
               ]).
 :- use_module(session_en, [session_en//1]).
 :- use_module(prolog_en, [prolog_en//2]).
@@ -278,8 +278,9 @@ drawing_en(domain(raster_size, W-H)) -->
     [ 'a picture cannot have ~p x ~p dots'-[W, H], nl,
       '  Each side has 1 to 16384, all together 67 million at most.' ],
     (   { dots_that_fit(W, H, Wide, High, By) }
-    ->  [ nl, '  In these proportions ~d x ~d fit: take --dpi (with --png dots, \c
-               --size) ~w times smaller.'-[Wide, High, By] ]
+    ->  [ nl,
+          '  In these proportions ~d x ~d fit: take --dpi (with --png dots, \c
+           --size) ~w times smaller.'-[Wide, High, By] ]
     ;   []
     ).
 drawing_en(domain(dot_pattern, Pattern)) -->
@@ -318,7 +319,8 @@ notice_en(not_shaded(S, cells)) -->
     !,
     [ 'segment ~p is not in the picture: it is cells without their operands'-
           [S], nl,
-      '  Shade the model whose glue still names them; draw shows cells as well.' ].
+      '  Shade the model whose glue still names them; draw shows cells as \c
+       well.' ].
 notice_en(not_shaded(S, Kind)) -->
     [ 'segment ~p is not in the picture: it is a ~w, and only solids are \c
        shaded'-[S, Kind], nl,

@@ -20,7 +20,8 @@
               [ development_ko//2, development_notice_ko//2 ]).
 :- use_module(mesh_ko, [mesh_ko//1]).
 :- use_module(message_parts,
-              [ dots_that_fit/5, loading_fault//2, located//1, manual_page//1, shown_names/2
+              [ dots_that_fit/5, loading_fault//2, located//1, manual_page//1,
+                shown_names/2
               ]).
 :- use_module(session_ko, [session_ko//1]).
 :- use_module(prolog_ko, [prolog_ko//2]).

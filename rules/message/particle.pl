@@ -9,10 +9,10 @@
 /** <module> Korean particles that fit the word before them.
 
 A particle has two forms, for a word that ends in a vowel and for one that ends
-in a consonant, and joins the word. What stands before it in a message is often a
-number, a name or a file, so sentences are written with both forms, `은(는)`, and
-the one that is read is chosen when the sentence is complete. Of a word whose
-ending nobody can know, such as a name in Latin letters, both forms stay.
+in a consonant, and joins the word. What stands before it in a message is often
+a number, a name or a file, so sentences are written with both forms, `은(는)`,
+and the one that is read is chosen when the sentence is complete. Of a word
+whose ending nobody can know, such as a name in Latin letters, both forms stay.
 */
 
 % pair(Both, Consonant, L, Vowel): after a consonant, after ㄹ, after a vowel.

@@ -42,7 +42,8 @@ sheet_en(size(W-H, Width-Height)) -->
       size_that_fits(Width, Height, Size) },
     [ 'a sheet of ~w x ~w mm is too small at this scale: \c
        the picture has ~w x ~w mm'-Numbers, nl,
-      '  --size ~w is enough; without --size it is as large as needed.'-[Size] ].
+      '  --size ~w is enough; without --size it is as large as needed.'-
+          [Size] ].
 sheet_en(no_room(Paper)) -->
     [ 'the views do not fit on ~w at any scale down to 1:10^9'-[Paper], nl,
       '  Take a larger --sheet, fewer --views and --section, or \c

@@ -1,3 +1,4 @@
+:- encoding(utf8).
 :- module(sg_spoken,
           [ spoken_lines/4              % +Kind, +Term, +Lines, -Spoken
           ]).

@@ -38,8 +38,8 @@ style_en(properties(_)) -->
     [ 'properties are a list, like [width(0.5), colour(blue)]' ].
 style_en(line_style(Style)) -->
     [ '~p is no style of a line'-[Style], nl,
-      '  line_style/4 gives none, or style(Width, Colour, Dashes, Pen, Layer), \c
-       as a style file has them: width in mm above 0,', nl,
+      '  line_style/4 gives none, or style(Width, Colour, Dashes, Pen, \c
+       Layer), as a style file has them: width in mm above 0,', nl,
       '  a colour or colour(Screen, Print), dashes, a pen from 1 to 255, a \c
        layer.' ].
 style_en(colour(Colour)) -->

@@ -88,8 +88,8 @@ step_vertices(Step, S, From, To) :-
 %   Points are the point(X,Y,Z) along the chain, as its first segment has
 %   them.
 %
-%   @error type_error(list(integer), Lines): the number of a chain is none; Lines
-%   are the last argument of chain/5
+%   @error type_error(list(integer), Lines): the number of a chain is none;
+%   Lines are the last argument of chain/5
 
 chain_points(Lines, Points) :-
     must_be(list(integer), Lines),

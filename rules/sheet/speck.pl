@@ -7,9 +7,9 @@
                                  rb_update/4]).
 /** <module> Specks: short lines that hang on no other one.
 
-A scanned surface is rough, and where it bends for a moment there is a crease that
-leads nowhere. Such lines are left out if somebody asks for that; a short line that
-goes on as another one stays.
+A scanned surface is rough, and where it bends for a moment there is a crease
+that leads nowhere. Such lines are left out if somebody asks for that; a short
+line that goes on as another one stays.
 */
 
 %!  without_specks(+Least, +Views0, -Views) is det.

@@ -97,8 +97,9 @@ test(corner_through_the_cube, Count == 12) :-
                         [3,4,8,7],[4,1,5,8]]),
                    complete_segments,
                    aggregate_all(count, t(1,_,_,_,_,_), Count) )).
-% A quadrangle whose triangles fold over, so that it crosses itself however it is
-% seen: of a scanned mesh, and of random corners (none may be without triangles).
+% A quadrangle whose triangles fold over, so that it crosses itself however it
+% is seen: of a scanned mesh, and of random corners (none may be without
+% triangles).
 test(folded_over, Count-Open == 2-[]) :-
     in_new_world(( raw([p(0.611284,3.807737,-0.279498),
                         p(0.612870,3.805971,-0.277361),

@@ -8,7 +8,8 @@ stroke(Points, stroke(visible,crease,1,[1],Points,joint,joint)).
 %   What is left of strokes, as points, without those shorter than Least.
 left(Least, Lines, Left) :-
     maplist(stroke, Lines, Strokes0),
-    without_specks(Least, [view('',Strokes0,[text])], [view('',Strokes,[text])]),
+    without_specks(Least, [view('',Strokes0,[text])],
+                   [view('',Strokes,[text])]),
     maplist(stroke, Left, Strokes).
 
 :- begin_tests(speck).

@@ -61,7 +61,8 @@ test(order_of_text, Names == ['B', 'A']) :-
     pairs_keys(Bindings, Names).
 % What no answer binds is not shown; what also stands elsewhere is.
 test(answered, [ forall(member(Text-Names,
-        [ "setof(P, L^p(1,P,L), Ps)"-['Ps'], "bagof(P-L, p(S,P,L), Ps)"-['S','Ps'],
+        [ "setof(P, L^p(1,P,L), Ps)"-['Ps'],
+          "bagof(P-L, p(S,P,L), Ps)"-['S','Ps'],
           "findall(X, v(1,X,_,_,_), L), Y = 3"-['L','Y'],
           "X = 1, findall(X, p(1,X,_), L)"-['X','L'],
           "\\+ v(S,V,_,_,_)"-[], "forall(p(S,P,_), P > 0), A = 1"-['A'],
