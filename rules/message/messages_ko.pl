@@ -31,7 +31,6 @@
 :- use_module(unfold_ko, [wish_ko//3, unfold_ko//1, trim_ko//1]).
 :- use_module(particle, [lines_joined/2]).
 :- use_module(primitive_ko, [comma_ko//1, primitive_ko//2]).
-:- use_module(library(lists), [append/3]).
 /** <module> Messages in Korean; messages.pl has them in English.
 
 The heads are the same as in messages.pl, clause by clause
@@ -40,10 +39,12 @@ The heads are the same as in messages.pl, clause by clause
 
 :- multifile prolog:message//2.
 
+%   By phrase/3: a rule file may have defined append/3 of library(lists) anew.
+
 prolog:message(ko, Term, Lines, Rest) :-
     phrase(korean(Term), Lines0),
     lines_joined(Lines0, Lines1),
-    append(Lines1, Rest, Lines).
+    phrase(Lines1, Lines, Rest).
 
 %!  korean(+Term)// is semidet.
 %

@@ -2,6 +2,7 @@
           [ with_process_kept/3,        % +Arguments, :Goal, -Kept
             runs_users_code/1           % +Arguments
           ]).
+:- use_module('../part', [whole_program/0]).
 :- use_module(library(gensym), [reset_gensym/0]).
 :- use_module(library(lists), [member/2]).
 /** <module> What goals and rule files of users leave in a process, put back.
@@ -21,7 +22,8 @@ replaced by a new one.
 
 with_process_kept(Arguments, Goal, Kept) :-
     (   runs_users_code(Arguments)
-    ->  process_state(State),
+    ->  whole_program,
+        process_state(State),
         call_cleanup(once(Goal), put_back(State)),
         process_state(After),
         (   State == After
@@ -70,9 +72,11 @@ process_state(state(Flags, Keys, Operators, Predicates, Globals, Threads,
             Environment),
     findall(PI, counted_predicate(PI), Clauses).
 
+%   Prolog makes the flag xref when it first loads a file.
+
 kept_flag(Flag, Value) :-
     current_prolog_flag(Flag, Value),
-    \+ memberchk(Flag, [message_language,heartbeat]).
+    \+ memberchk(Flag, [message_language,heartbeat,xref]).
 
 %   A key that was never used and one whose value is 0 are the same.
 
