@@ -75,6 +75,12 @@ next_line(State) :-
     ->  skip(user_input, '\n'),
         lines_passed(State, 1),
         next_line(State)
+    ;   Char == (/),
+        peek_string(user_input, 2, "/*")
+    ->  get_char(user_input, _),
+        get_char(user_input, _),
+        comment_passed(State, ' '),
+        next_line(State)
     ;   Char \== end_of_file,
         char_type(Char, space)
     ->  get_char(user_input, _),
@@ -84,6 +90,22 @@ next_line(State) :-
         ),
         next_line(State)
     ;   true
+    ).
+
+%   comment_passed(State, Last): to the end of a comment; Last is what was read
+%   of it last.
+
+comment_passed(State, Last) :-
+    get_char(user_input, Char),
+    (   Char == end_of_file
+    ->  true
+    ;   Last == (*),
+        Char == (/)
+    ->  true
+    ;   Char == '\n'
+    ->  lines_passed(State, 1),
+        comment_passed(State, Char)
+    ;   comment_passed(State, Char)
     ).
 
 %   unless_unread(Error, State): print Error and go on, unless nobody reads on.

@@ -10,7 +10,7 @@
 :- use_module('../store',
               [ v/5, e/5, p/3, segment/3, region/3, sides/4, lies_in/3,
                 edge_polygon/3 ]).
-:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(apply), [foldl/4, maplist/3, maplist/4]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- use_module(library(lists), [append/3, member/2, nth1/3]).
 :- use_module(library(yall), [(>>)/4]).

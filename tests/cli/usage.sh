@@ -26,7 +26,7 @@ check korean-help has '사용법' "$work/out"
 run draw --help --lang=ko
 check korean-verb-help has '숨은선' "$work/out"
 LANG=ko_KR.UTF-8 run draw
-check korean-message has '없습니다'
+check korean-message has '주어지지 않았습니다'
 LANG=ko_KR.UTF-8 run query facts/cube.pl 'foo(1)'
 check korean-unknown-procedure has 'foo/1: 없는 술어입니다'
 LANG=ko_KR.UTF-8 run check facts/cube.pl
@@ -217,7 +217,7 @@ check repl-error has 'line 2: there is no predicate no_such/1'
 printf '%% two goals\nX = 1, %% one\n  Y = 2.\n\n/* a\n b */ fail.\n  nope.\n' |
   "$sanggwan" repl --lang ko >"$work/out" 2>"$work/err"
 check repl-lines is $? 2
-check repl-no has 'sanggwan: 5행: '
+check repl-no has 'sanggwan: 6행: '
 check repl-line has 'sanggwan: 7행: '
 run query facts/cube.pl 'X = 1. fail.'
 check one-goal status_is 2
