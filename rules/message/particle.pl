@@ -4,7 +4,7 @@
             lines_joined/2,             % +Lines, -Joined
             particle/3                  % +Text, +Pair, -Particle
           ]).
-:- use_module(library(apply), [foldl/4]).
+:- use_module(library(apply), [foldl/4, maplist/2]).
 :- use_module(library(lists), [member/2, reverse/2]).
 /** <module> Korean particles that fit the word before them.
 
@@ -75,6 +75,7 @@ stripped_end(Text, Stripped) :-
 %
 %   As particles_joined/2 of the lines of a message, what print_message_lines/3
 %   prints: a word and its particle may stand in two elements of a line.
+%   Variables are written as `_`.
 
 lines_joined(Lines0, Lines) :-
     foldl(line_joined, Lines0, none-[], Last-Reversed0),
@@ -101,8 +102,11 @@ kept(none, Out, Out) :-
 kept(Text, Out, ['~w'-[Joined]|Out]) :-
     particles_joined(Text, Joined).
 
-element_text(Format-Arguments, Text) :-
+element_text(Format-Arguments0, Text) :-
     !,
+    copy_term(Arguments0, Arguments),
+    term_variables(Arguments, Variables),
+    maplist(=('$VAR'('_')), Variables),
     format(string(Text), Format, Arguments).
 element_text(Element, Text) :-
     atomic(Element),

@@ -84,6 +84,9 @@ test(none, T == "f(은) 그대로") :-
 test(lines, Lines == ['~w'-["모서리 3을 자르고"], nl, '~w'-["  2로 갑니다"]]) :-
     lines_joined(['모서리 ~d'-[3], ' 을(를) ', '자르고', nl, '  ~w'-[2],
                   '(으)로 갑니다'], Lines).
+test(variables, Lines-V == ['~w'-["line(_)은(는) 없습니다"]]-unbound) :-
+    lines_joined(['~p은(는) 없습니다'-[line(X)]], Lines),
+    ( var(X) -> V = unbound ; V = bound ).
 test(lines_kept, Lines == [nl, ansi(bold, "~w", [a]), '~w'-["x"]]) :-
     lines_joined([nl, ansi(bold, "~w", [a]), 'x'], Lines).
 
