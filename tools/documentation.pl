@@ -24,7 +24,8 @@ main :-
     sort(Facts0, Facts),
     setup_call_cleanup(
         open(File, write, Out, [encoding(utf8)]),
-        ( format(Out, ":- encoding(utf8).~n% Made by tools/documentation.pl.~n", []),
+        ( format(Out, ":- encoding(utf8).~n", []),
+          format(Out, "% Made by tools/documentation.pl.~n", []),
           forall(member(Fact, Facts), format(Out, "~q.~n", [Fact]))
         ),
         close(Out)).
