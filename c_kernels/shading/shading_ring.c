@@ -172,7 +172,7 @@ sg_shading_add_ring(sg_shading *s, const sg_shading_ring *ring)
   nearest = fmax(nearest, middle / MOST_LARGER);
   double u = dots(s, f[1], nearest), v = dots(s, f[2], nearest);
   quarter q[QUARTERS];
-  const quarter *round, *side;
+  const quarter *round = NULL, *side = NULL;
 
   fill_quarters(q);
   t.n = parts_for((1.0 + ring->k) * fmax(u, v), q, &round);
