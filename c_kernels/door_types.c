@@ -217,6 +217,32 @@ get_input(sg_call *call, term_t t, sg_input *out)
   return TRUE;
 }
 
+/* Writes past the buffer of a binary stream, which Sfwrite() fills byte by
+ * byte. Gives what was written; Sfwrite() then writes the rest, or says why
+ * not. */
+static size_t
+write_at_once(IOSTREAM *out, const char *bytes, size_t n)
+{
+  size_t done = 0;
+
+  if (out->encoding != ENC_OCTET || out->tee || Sflush(out) != 0) {
+    return 0;
+  }
+  while (done < n) {
+    ssize_t got =
+        out->functions->write(out->handle, (char *)bytes + done, n - done);
+    if (got <= 0) {
+      break;
+    }
+    done += (size_t)got;
+  }
+  if (out->position) {
+    out->position->byteno += (int64_t)done;
+    out->position->charno += (int64_t)done;
+  }
+  return done;
+}
+
 /* PL_release_stream() raises what went wrong. */
 static bool
 write_stream(void *data, const char *bytes, size_t n)
@@ -226,7 +252,8 @@ write_stream(void *data, const char *bytes, size_t n)
   if (!get_stream((term_t)data, SIO_OUTPUT, &out)) {
     return false;
   }
-  bool good = Sfwrite(bytes, 1, n, out) == n;
+  size_t done = write_at_once(out, bytes, n);
+  bool good = Sfwrite(bytes + done, 1, n - done, out) == n - done;
 
   return PL_release_stream(out) && good;
 }

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FIRST_BITS = 6 };
+enum { FIRST_BITS = 6, SEARCHED_ROWS = 1 << 16 };
 
 static uint32_t *
 head_of(const sg_index *index, uint64_t hash)
@@ -301,6 +301,18 @@ remove_row(sg_index *index, const sg_table *table, sg_row row)
   }
 }
 
+bool
+sg_index_row_has(const sg_index *index, const sg_table *table, sg_row row,
+                 int32_t s, int32_t member)
+{
+  for (members m = members_of(index, table, row); members_next(&m);) {
+    if (m.s == s && m.id == member) {
+      return true;
+    }
+  }
+  return false;
+}
+
 /* ---- rows that come and go --------------------------------------------- */
 
 static bool
@@ -438,6 +450,13 @@ waiting(const sg_index *index, const sg_table *table)
     rows += index->late[k].end - index->late[k].begin;
   }
   return rows;
+}
+
+bool
+sg_index_pays(const sg_index *index, const sg_table *table)
+{
+  return index->searches >= SG_FEW_SEARCHES ||
+         waiting(index, table) < SEARCHED_ROWS;
 }
 
 /* The first run that is not before `row`; SG_NO_ROW: none that matters. */

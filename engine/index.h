@@ -30,7 +30,10 @@ typedef struct sg_rows {
   sg_row begin, end;
 } sg_rows;
 
-enum { SG_MOST_LATE = 64 };
+enum {
+  SG_MOST_LATE = 64,
+  SG_FEW_SEARCHES = 8 /* looks at all rows that cost what an index costs */
+};
 
 typedef struct sg_index {
   const char *name; /* these three never change: read without a lock */
@@ -46,12 +49,19 @@ typedef struct sg_index {
   size_t pages, page_room;
   sg_link *link; /* member index: [link_room] */
   size_t link_room;
-  size_t link_used; /* links below were used once */
-  uint32_t free;    /* first link to use again, SG_NO_ROW: none */
+  size_t link_used;  /* links below were used once */
+  uint32_t free;     /* first link to use again, SG_NO_ROW: none */
+  unsigned searches; /* looks at all rows instead */
 } sg_index;
 
 /* True if every taken row is linked: it may be asked. */
 bool sg_index_is_whole(const sg_index *index, const struct sg_table *table);
+/* False: so many rows wait that a look at all rows costs less, as long as it is
+ * asked seldom. Who then looks at all rows counts it in `searches`. */
+bool sg_index_pays(const sg_index *index, const struct sg_table *table);
+/* True if a row that was written has this member. */
+bool sg_index_row_has(const sg_index *index, const struct sg_table *table,
+                      sg_row row, int32_t s, int32_t member);
 /* Links the rows that wait, `rows` slots more. False: no memory, nothing is
  * linked any more. */
 bool sg_index_build_some(sg_index *index, const struct sg_table *table,

@@ -88,7 +88,6 @@ typedef struct sg_table {
   unsigned indexes;
   atomic_uint_least64_t scans;
   uint64_t lookups;
-  unsigned searches; /* looks at all rows for want of an index (whole.c) */
 } sg_table;
 
 /* What a version shows. `map` may be null: nothing. */

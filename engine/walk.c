@@ -250,6 +250,38 @@ gather_run(sg_walk *walk, const sg_table *table, const sg_index *index)
   return true;
 }
 
+/* False: no row of the segment that is asked for is on the page. */
+static bool
+may_match(const sg_walk *walk, const sg_page *page)
+{
+  return !(walk->mask & 1) || walk->info->column[0].type != SG_INT ||
+         sg_page_may_have(page, walk->row[0].i);
+}
+
+/* Gathers the rows with the member that is asked for: a look at all. */
+static bool
+gather_members(sg_walk *walk, const sg_table *table, const sg_index *index)
+{
+  const sg_map *map = walk->version->map[walk->relation];
+  size_t pages = map ? map->chunks * SG_CHUNK_PAGES : 0;
+
+  for (size_t page = 0; page < pages; page++) {
+    const sg_live *live = sg_map_live(map, page);
+    if (!live || !may_match(walk, live->page)) {
+      continue;
+    }
+    for (unsigned place = sg_live_next(live->word, 0); place < SG_PAGE_ROWS;
+         place = sg_live_next(live->word, place + 1)) {
+      sg_row row = (sg_row)(page * SG_PAGE_ROWS) + place;
+      if (sg_index_row_has(index, table, row, walk->row[0].i, walk->row[1].i) &&
+          !gather_row(walk, row)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 static void
 walk_init(sg_walk *walk, const sg_version *version, sg_relation relation,
           uint16_t mask)
@@ -292,6 +324,7 @@ sg_index_ready(const sg_version *version, sg_relation relation, uint16_t mask,
     sg_index *index = mask ? best_index(table, mask) : member_index(table);
 
     done = !index || sg_index_is_whole(index, table) ||
+           !sg_index_pays(index, table) ||
            !sg_index_build_some(index, table, SOME_ROWS) ||
            sg_index_is_whole(index, table);
     pthread_mutex_unlock(&world->lock);
@@ -324,12 +357,14 @@ sg_walk_open(sg_walk *walk, const sg_version *version, sg_relation relation,
   pthread_mutex_lock(&world->lock);
   if (gather_run(walk, table, index)) {
     table->lookups++;
-  } else if (sg_index_build(index, table)) {
+  } else if (sg_index_pays(index, table) && sg_index_build(index, table)) {
     table->lookups++;
     walk->gathered = true;
     done = gather(walk, index, sg_index_hash(walk->info, index->mask, row));
   } else {
-    walk->live = sg_map_live(version->map[relation], 0); /* scan instead */
+    index->searches++;
+    atomic_fetch_add_explicit(&table->scans, 1, memory_order_relaxed);
+    walk->live = sg_map_live(version->map[relation], 0);
   }
   pthread_mutex_unlock(&world->lock);
   if (!done) {
@@ -355,9 +390,15 @@ sg_walk_open_member(sg_walk *walk, const sg_version *version,
   walk->row[1].i = member;
   walk->gathered = true;
   pthread_mutex_lock(&world->lock);
-  table->lookups++;
-  done = sg_index_build(index, table) &&
-         gather(walk, index, sg_index_hash_member(s, member));
+  if (sg_index_pays(index, table)) {
+    table->lookups++;
+    done = sg_index_build(index, table) &&
+           gather(walk, index, sg_index_hash_member(s, member));
+  } else {
+    index->searches++;
+    atomic_fetch_add_explicit(&table->scans, 1, memory_order_relaxed);
+    done = gather_members(walk, table, index);
+  }
   pthread_mutex_unlock(&world->lock);
   if (!done) {
     sg_walk_close(walk);
@@ -378,14 +419,6 @@ sg_version_has_member(const sg_version *version, sg_relation relation,
   has = walk.count > 0;
   sg_walk_close(&walk);
   return has;
-}
-
-/* False: no row of the segment that is asked for is on the page. */
-static bool
-may_match(const sg_walk *walk, const sg_page *page)
-{
-  return !(walk->mask & 1) || walk->info->column[0].type != SG_INT ||
-         sg_page_may_have(page, walk->row[0].i);
 }
 
 static sg_row

@@ -17,10 +17,7 @@
 
 #include <stdlib.h>
 
-enum {
-  FEW_SEARCHES = 8, /* looks at all rows before an index is built */
-  ROWS_A_LOOK = 64  /* rows looked at in the time of one look-up */
-};
+enum { ROWS_A_LOOK = 64 }; /* rows looked at in the time of one look-up */
 
 typedef struct dropped {
   sg_relation relation;
@@ -273,10 +270,10 @@ mask_of(sg_table *table, unsigned column)
 }
 
 /* The index that serves such a walk. */
-static const sg_index *
+static sg_index *
 index_of(sg_table *table, uint16_t mask)
 {
-  const sg_index *index = NULL;
+  sg_index *index = NULL;
 
   if (mask != 0) {
     return sg_table_index(table, mask, false);
@@ -303,12 +300,11 @@ by_index(check *c, sg_relation relation, sg_relation to)
   for (unsigned k = 0; k < table->info->arity && whole; k++) {
     if (column_refers(table->info, k, to)) {
       uint16_t mask = mask_of(table, k);
-      whole =
-          mask != NO_MASK && (table->searches >= FEW_SEARCHES ||
-                              sg_index_is_whole(index_of(table, mask), table));
+      sg_index *index = mask == NO_MASK ? NULL : index_of(table, mask);
+      whole = index && (sg_index_is_whole(index, table) ||
+                        index->searches++ >= SG_FEW_SEARCHES);
     }
   }
-  table->searches += whole ? 0 : 1;
   pthread_mutex_unlock(&c->world->lock);
   return whole;
 }

@@ -334,6 +334,103 @@ test_fresh(void)
   sg_world_drop(world);
 }
 
+/* ---- questions before an index pays -------------------------------------- */
+
+enum { MANY_EDGES = 70000, FAN = 7 };
+
+/* Edges 1 .. MANY_EDGES of segment 1, edge k from vertex k / FAN + 1. */
+static bool
+fill_edges(sg_world *world)
+{
+  int32_t(*column)[MANY_EDGES] = calloc(5, sizeof *column);
+  const void *columns[5];
+  bool good = column != NULL;
+
+  for (int c = 0; c < 5 && good; c++) {
+    columns[c] = column[c];
+    for (int32_t k = 0; k < MANY_EDGES; k++) {
+      column[c][k] = (int32_t[]){1, k + 1, k / FAN + 1, k % FAN + 1, 0}[c];
+    }
+  }
+  good = good && fill_vertices(world, 1, 1, MANY_EDGES / FAN + 1) &&
+         sg_world_add_many(world, SG_E, MANY_EDGES, columns, NULL) == SG_OK;
+  free(column);
+  return good;
+}
+
+/* Polygon k has the edges k and -- half of them -- 1. */
+static bool
+fill_polygons(sg_world *world)
+{
+  int32_t(*id)[MANY_EDGES] = calloc(5, sizeof *id);
+  const int32_t **list = calloc(MANY_EDGES, sizeof *list);
+  const void *columns[3] = {id, id + 1, list};
+  bool good = id && list;
+
+  for (int32_t k = 0; k < MANY_EDGES && good; k++) {
+    int32_t *edges = id[2] + 3 * (size_t)k;
+    id[0][k] = 1;
+    id[1][k] = k + 1;
+    edges[0] = 1 + k % 2;
+    edges[1] = k + 1;
+    edges[2] = 1;
+    list[k] = edges;
+  }
+  good = good &&
+         sg_world_add_many(world, SG_P, MANY_EDGES, columns, NULL) == SG_OK;
+  free(id);
+  free(list);
+  return good;
+}
+
+/* What edges leave vertex v, as a sum that depends on their order. */
+static uint64_t
+edges_from(sg_world *world, int32_t v)
+{
+  const sg_version *version = sg_world_version(world);
+  sg_value row[SG_MAX_COLUMNS] = {{.i = 1}, [2] = {.i = v}};
+  uint64_t sum = 0;
+  sg_walk walk;
+
+  if (sg_walk_open(&walk, version, SG_E, 0x05, row)) {
+    for (sg_row r; (r = sg_walk_next(&walk)) != SG_NO_ROW;) {
+      sum = sum * 31 + (uint64_t)sg_version_value(version, SG_E, r, 1).i;
+    }
+    sg_walk_close(&walk);
+  }
+  sg_version_drop(version);
+  return sum;
+}
+
+/* The first questions look at all rows, the others use an index. */
+static void
+test_questions(void)
+{
+  sg_world *world = sg_world_open();
+  sg_statistics before, after;
+
+  CHECK("many edges", fill_edges(world));
+  sg_world_statistics(world, SG_E, &before);
+  for (int32_t v = 1; v <= 40; v++) {
+    uint64_t sum = 0;
+    for (int32_t k = 1; k <= FAN; k++) {
+      sum = sum * 31 + (uint64_t)((v - 1) * FAN + k);
+    }
+    CHECK("the edges of a vertex", edges_from(world, v) == sum);
+  }
+  sg_world_statistics(world, SG_E, &after);
+  CHECK("few looks at all rows", after.scans - before.scans == 8);
+  CHECK("then an index", after.lookups - before.lookups == 32);
+  CHECK("many polygons", fill_polygons(world));
+  for (int32_t e = 2; e <= 20; e++) {
+    CHECK("the polygon of an edge", polygons_of_edge(world, e) == 1);
+    CHECK("half of all, and the first",
+          e % 6 || polygons_of_edge(world, 1) == MANY_EDGES / 2 + 1);
+  }
+  CHECK("valid", sg_world_is_valid(world));
+  sg_world_drop(world);
+}
+
 int
 main(void)
 {
@@ -345,5 +442,6 @@ main(void)
   test_members();
   test_terms();
   test_fresh();
+  test_questions();
   return check_report();
 }
