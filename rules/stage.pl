@@ -1,6 +1,7 @@
 :- module(sg_stage,
           [ stage/2,                    % +Name, :Goal
             stages_reset/0,
+            stage_name/1,               % ?Name
             stage_seconds/2,            % ?Name, -Seconds
             current_stage/1             % -Name
           ]).
@@ -8,11 +9,8 @@
 
 Goals are wrapped as `stage(join, Goal)`. Stages nest, and the time of an
 inner stage does not count for the outer one: with the calls of kernels
-wrapped, `stage(rules, Goal)` measures the rules alone. The names are `load`,
-`tree` (search structures), `join` (kernels that walk relations), `rules`,
-`write`; of a penetration also `resolve` (contacts), `chain` (lines in order)
-and `enter` (lines into polygons). --timings prints the sums. Everything is per
-thread.
+wrapped, `stage(rules, Goal)` measures the rules alone. stage_name/1 has the
+names. --timings prints the sums. Everything is per thread.
 */
 
 :- meta_predicate stage(+, 0).
@@ -72,6 +70,25 @@ stages_reset :-
     forall(( nb_current(Key, _), atom_concat('sg_stage ', _, Key) ),
            nb_setval(Key, 0.0)),
     nb_setval(sg_stage_inner, 0.0).
+
+%!  stage_name(?Name) is nondet.
+%
+%   The names of stages, in the order in which --timings prints them.
+
+stage_name(load).
+stage_name(tree).                       % search structures
+stage_name(self).                       % operands that go through themselves
+stage_name(resolve).                    % contacts
+stage_name(join).                       % kernels that walk relations
+stage_name(chain).                      % lines in order
+stage_name(rules).
+stage_name(enter).                      % lines into polygons
+stage_name(pieces).                     % which parts of faces stay
+stage_name(faces).                      % merged
+stage_name(regions).                    % of space
+stage_name(develop).
+stage_name(shade).
+stage_name(write).
 
 %!  stage_seconds(?Name, -Seconds) is nondet.
 %

@@ -24,7 +24,7 @@
 :- use_module('../model/solid_file', [output_statistics/1]).
 :- use_module('../penetration/resolve', [refusing_tight_moves/1]).
 :- use_module('../spelling', [near_words/3]).
-:- use_module('../stage', [stages_reset/0, stage_seconds/2]).
+:- use_module('../stage', [stages_reset/0, stage_name/1, stage_seconds/2]).
 :- use_module('../status', [error_status/2]).
 :- use_module('../store', [new_world/1, in_world/2, facts_statistics/2]).
 :- use_module(usage, [verb/4, verb_options/2, print_usage/1, print_usage/2]).
@@ -36,8 +36,9 @@
 :- use_module('../version', [version/1]).
 :- use_module(library(apply), [maplist/2]).
 :- use_module(library(http/json), [json_write_dict/3]).
-:- use_module(library(lists), [append/3, clumped/2, member/2]).
+:- use_module(library(lists), [append/3, clumped/2, member/2, sum_list/2]).
 :- use_module(library(option), [option/2, option/3]).
+:- use_module(library(pairs), [pairs_values/2]).
 /** <module> The command line: verbs, exit status, messages, timings.
 
 Data goes to standard output, everything else to standard error. The exit
@@ -391,7 +392,10 @@ measured(Options, Start) :-
     ->  get_time(End),
         Total is End-Start,
         findall(Name-Seconds, timing(Name, Seconds), Pairs0),
-        append(Pairs0, [total-Total], Pairs),
+        pairs_values(Pairs0, Parts),
+        sum_list(Parts, Sum),
+        Other is Total-Sum,
+        append(Pairs0, [other-Other, total-Total], Pairs),
         json_line(Pairs)
     ;   true
     ),
@@ -417,10 +421,7 @@ rules_statistics(Rules) :-
     dict_pairs(Rules, _, Counts).
 
 timing(Name, Seconds) :-
-    member(Name,
-           [ load, tree, resolve, join, chain, rules, enter, pieces, faces,
-             develop, write
-           ]),
+    stage_name(Name),
     (   stage_seconds(Name, Seconds0)
     ->  Seconds = Seconds0
     ;   Seconds = 0.0

@@ -1,5 +1,7 @@
 :- module(test_stage, []).
 :- use_module(library(plunit)).
+:- use_module(library(lists), [member/2]).
+:- use_module(library(readutil), [read_file_to_string/3]).
 :- use_module(rules(stage)).
 
 near(Name, Seconds) :-
@@ -35,4 +37,19 @@ test(none_open_after_error, fail) :-
     catch(stage(a, throw(ball)), ball, true),
     current_stage(_).
 
+test(all_are_printed, Unknown == []) :-
+    expand_file_name('rules/*/*.pl', Files),
+    findall(Name,
+            ( member(File, Files),
+              read_file_to_string(File, Text, [encoding(utf8)]),
+              sub_string(Text, Before, _, _, "stage("),
+              Start is Before+6,
+              sub_string(Text, Start, 20, _, Rest),
+              split_string(Rest, ",", "", [Word,_|_]),
+              atom_string(Name, Word),
+              \+ stage_name(Name)
+            ),
+            Unknown).
+
 :- end_tests(stage).
+
