@@ -77,6 +77,8 @@ stages_reset :-
 
 stage_name(load).
 stage_name(tree).                       % search structures
+stage_name(complete).                   % planes, triangles of new polygons
+stage_name(operands).                   % whether they bound volumes
 stage_name(self).                       % operands that go through themselves
 stage_name(resolve).                    % contacts
 stage_name(join).                       % kernels that walk relations

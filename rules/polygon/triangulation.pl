@@ -10,6 +10,7 @@
               [ fill_triangles/2, untriangulated_segments/1, work_oldest/4,
                 work_triangulate/2
               ]).
+:- use_module('../stage', [stage/2]).
 :- use_module('../store', [p/3, t/6, facts_transaction/1]).
 :- use_module(library(apply), [exclude/3]).
 :- use_module(library(lists), [last/2, member/2]).
@@ -84,9 +85,9 @@ filled(Which) :-
     warn(Faults).
 
 filled(Which, Faults) :-
-    facts_transaction(( fill_triangles(Which, Faults),
-                        refuse_open(Faults)
-                      )).
+    stage(complete, facts_transaction(( fill_triangles(Which, Faults),
+                                        refuse_open(Faults)
+                                      ))).
 
 %!  pattern_completed(+D) is det.
 %

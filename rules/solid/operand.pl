@@ -7,6 +7,7 @@
               ]).
 :- use_module('../polygon/triangulation',
               [new_segments_complete/0, untriangulated/1]).
+:- use_module('../stage', [stage/2]).
 :- use_module('../store', [v/5, segment/3, facts_snapshot/1]).
 :- use_module(library(error), [existence_error/2]).
 :- use_module(library(lists), [member/2]).
@@ -50,10 +51,11 @@ operand_faults(S, Faults) :-
     ->  true
     ;   existence_error(segment, S)
     ),
-    (   untriangulated(S)
-    ->  facts_snapshot(( new_segments_complete, faults_of(S, Faults) ))
-    ;   faults_of(S, Faults)
-    ).
+    stage(operands,
+          (   untriangulated(S)
+          ->  facts_snapshot(( new_segments_complete, faults_of(S, Faults) ))
+          ;   faults_of(S, Faults)
+          )).
 
 faults_of(S, Faults) :-
     segment_operand(S, Operand),
