@@ -1,6 +1,6 @@
 /* self_join.h -- which triangles of one segment may meet.
  *
- * Layer: kernel, private to self_cut.c and self_leaf.c. The join of their boxes
+ * Layer: kernel, for what looks for meetings. The join of their boxes
  * with themselves. Where they run askew their boxes are taken along them. A
  * polygon of many triangles that is exactly flat is one thing with one box:
  * what has nothing in common with it but a corner or an edge is not asked about

@@ -67,22 +67,50 @@ plain_side(const double m[3], const double o[3], const double x[3])
   return !(fabs(sum) > 1e-14 * size + 1e-290) ? 0 : sum > 0 ? 1 : -1;
 }
 
-/* The same of x and the plane of a triangle. */
-static int
-plain_turn(corners of, const double x[3])
+/* The normal of a triangle, and how large what it is the difference of is. */
+typedef struct sized_normal {
+  double n[3], size[3];
+} sized_normal;
+
+static sized_normal
+normal_of(corners of)
 {
-  double u[3], v[3], d[3], sum = 0, size = 0;
+  sized_normal out;
+  double u[3], v[3];
 
   sg_minus(of[1], of[0], u);
   sg_minus(of[2], of[0], v);
-  sg_minus(x, of[0], d);
   for (int k = 0; k < 3; k++) {
     int g = (k + 1) % 3, h = (k + 2) % 3;
+    double one = u[g] * v[h], other = u[h] * v[g];
 
-    sum += (u[g] * v[h] - u[h] * v[g]) * d[k];
-    size += (fabs(u[g] * v[h]) + fabs(u[h] * v[g])) * fabs(d[k]);
+    out.n[k] = one - other;
+    out.size[k] = fabs(one) + fabs(other);
+  }
+  return out;
+}
+
+/* The same of x and the plane of a triangle with this normal, through o. */
+static int
+turn_of(const sized_normal *m, const double o[3], const double x[3])
+{
+  double sum = 0, size = 0;
+
+  for (int k = 0; k < 3; k++) {
+    double d = x[k] - o[k];
+
+    sum += m->n[k] * d;
+    size += m->size[k] * fabs(d);
   }
   return !(fabs(sum) > 1e-14 * size + 1e-290) ? 0 : sum > 0 ? 1 : -1;
+}
+
+static int
+plain_turn(corners of, const double x[3])
+{
+  sized_normal m = normal_of(of);
+
+  return turn_of(&m, of[0], x);
 }
 
 static bool
@@ -181,15 +209,20 @@ apart_in_plane(const pair *p, corners of)
 static bool
 beside(const pair *p, corners of, corners x, const int *shared)
 {
-  int sides = 0, n = 0;
+  sized_normal m = normal_of(of);
+  int side = 0;
 
   for (int i = 0; i < 3; i++) {
     if (!is_shared(shared, p->n, i)) {
-      sides += plain_turn(of, x[i]);
-      n++;
+      int turn = turn_of(&m, of[0], x[i]);
+
+      if (turn == 0 || turn == -side) {
+        return false;
+      }
+      side = turn;
     }
   }
-  return sides == n || sides == -n;
+  return true;
 }
 
 /* First by their planes, then across the way between their middles. */

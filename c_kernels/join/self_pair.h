@@ -1,6 +1,6 @@
 /* self_pair.h -- two triangles of one segment: do they meet, and how.
  *
- * Layer: kernel, private to self_cut.c and self_leaf.c.
+ * Layer: kernel, for what looks for meetings.
  */
 #ifndef SG_SELF_PAIR_H
 #define SG_SELF_PAIR_H

@@ -3,6 +3,7 @@
 #include "doors/boolean.h"
 #include "solid_move.h"
 #include "solid_take.h"
+#include "whole_contacts.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -159,4 +160,18 @@ sg_door_solid_coincident_faces(sg_call *call, sg_solid *solid, double tolerance,
 {
   return sg_coincident_faces(solid, tolerance, &call->cancel, doubles) ||
          sg_call_ended(call);
+}
+
+bool
+sg_door_solid_is_whole(sg_call *call, sg_solid *solid,
+                       const sg_int_list *solids, double reach)
+{
+  sg_pool *pool = sg_call_pool(call);
+  bool whole = false;
+
+  return pool &&
+         (sg_whole_contacts(solid, solids->at, solids->n, reach, pool,
+                            &call->cancel, &whole) ||
+          sg_call_ended(call)) &&
+         whole;
 }

@@ -144,6 +144,14 @@ Foreign predicates; see kernel.pl.
 %
 %   @see c_kernels/solid/coincident_faces.h
 
+%!  solid_is_whole(+Solid:solid, +Solids:set(id), +Reach:number) is semidet.
+%
+%   True when all that meets in Solid, after solid_coincident_faces/3, are equal
+%   features: so nothing of it is to be cut. Solids, ascending: those segments
+%   of it that are to bound something.
+%
+%   @see c_kernels/solid/whole_contacts.h
+
 /* - - - solid_write_rows.c - - - */
 
 %!  solid_write(+Solid:solid, +S:id) is det.

@@ -30,6 +30,7 @@
 :- use_module(parameter_en, [parameter_en//1]).
 :- use_module(pattern_en, [pattern_en//1]).
 :- use_module(written_en, [written_en//1, unwritten_en//1]).
+:- use_module(library(pairs), [pairs_keys/2]).
 /** <module> Messages in English; messages_ko.pl has them in Korean.
 
 Every term that Sanggwan prints or raises has a clause of english//1 or, when
@@ -391,8 +392,9 @@ fault_en(result_open) -->
     [ 'the result would not be closed', nl,
       '  Give a larger or smaller --tolerance, or --repair the operands.' ].
 
-fault_en(glue_law(S, Faults)) -->
-    { atomic_list_concat(Faults, ', ', Text) },
+fault_en(glue_law(S, Faults0)) -->
+    { pairs_keys(Faults0, Faults),
+      atomic_list_concat(Faults, ', ', Text) },
     [ 'segment ~d: what was glued breaks a law (~w), so nothing was glued'-
       [S, Text], nl,
       '  Give a larger or smaller --tolerance, or --repair the operands.' ].

@@ -31,6 +31,7 @@
 :- use_module(unfold_ko, [wish_ko//3, unfold_ko//1, trim_ko//1]).
 :- use_module(particle, [lines_joined/2]).
 :- use_module(primitive_ko, [comma_ko//1, primitive_ko//2]).
+:- use_module(library(pairs), [pairs_keys/2]).
 /** <module> Messages in Korean; messages.pl has them in English.
 
 The heads are the same as in messages.pl, clause by clause
@@ -402,8 +403,9 @@ fault_ko(result_open) -->
     [ '결과가 닫히지 않습니다', nl,
       '  --tolerance를 바꾸거나 --repair로 피연산자를 고치십시오.' ].
 
-fault_ko(glue_law(S, Faults)) -->
-    { atomic_list_concat(Faults, ', ', Text) },
+fault_ko(glue_law(S, Faults0)) -->
+    { pairs_keys(Faults0, Faults),
+      atomic_list_concat(Faults, ', ', Text) },
     [ '세그먼트 ~d: 붙인 것이 법칙에 어긋나(~w) 아무것도 붙이지 않았습니다'-
       [S, Text], nl,
       '  --tolerance를 바꾸거나 --repair로 피연산자를 고치십시오.' ].

@@ -16,6 +16,7 @@
 :- use_module('../csg/csg_rows', [drop_boundary/1]).
 :- use_module('../csg/source', [source_kept/3]).
 :- use_module(faces, [faces_merged/2]).
+:- use_module(glue_whole, [whole_pieces/4]).
 :- use_module(glue_wire, [wires_written/3]).
 :- use_module('../gluing/gap', [gap_reach/2, near_misses/3]).
 :- use_module('../gluing/regions',
@@ -90,15 +91,12 @@ faces_glued([], _, _, 0) :-
     !.
 faces_glued(Operands, S, Options0, Reach) :-
     solids_among(Operands, Solids),
-    maplist(closed_operand, Solids),
     boolean_tolerance(Operands, Options0, Options),
     option(tolerance(Tolerance), Options),
     tolerance_reach(Tolerance, Reach),
-    with_arrangement(Operands, Options,
-                     sg_glue:everything(Solids, Solid, Contacts)),
+    pieces(Operands, Solids, Reach, Options, Solid, Contacts, How),
     call_cleanup(
-        ( solid_coincident_faces(Solid, Reach, _),
-          stage(faces, faces_merged(Solid,
+        ( stage(faces, faces_merged(Solid,
                                     [ origins(separate),cells(true)
                                     | Options
                                     ])),
@@ -107,7 +105,26 @@ faces_glued(Operands, S, Options0, Reach) :-
         solid_close(Solid)),
     contact_origins(S, Contacts),
     forall(member(V-P, Loops), assert_fact(lies_in(S, v(V), p(P)))),
-    stage(join, points_in_faces(S)).
+    (   How == whole
+    ->  true
+    ;   stage(join, points_in_faces(S))
+    ).
+
+%   pieces(Operands, Solids, Reach, Options, Solid, Contacts, How): How is `cut`
+%   or, if there was nothing to cut, `whole`.
+
+pieces(Operands0, Solids, Reach, _, Solid, [], whole) :-
+    sort(Operands0, Operands),
+    whole_pieces(Operands, Solids, Reach, Solid),
+    !.
+pieces(Operands, Solids, Reach, Options, Solid, Contacts, cut) :-
+    maplist(closed_operand, Solids),
+    with_arrangement(Operands, Options,
+                     sg_glue:everything(Solids, Solid0, Contacts)),
+    (   catch(solid_coincident_faces(Solid0, Reach, _), Error,
+              ( solid_close(Solid0), throw(Error) ))
+    ->  Solid = Solid0
+    ).
 
 solids_among(Operands, Solids) :-
     include(is_solid, Operands, Solids0),

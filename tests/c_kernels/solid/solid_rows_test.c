@@ -131,6 +131,14 @@ glues(void)
   CHECK("the others are parts",
         doubles == 6 && solid->faces == 6 && solid->parts == 6 &&
             solid->part[5].s == WRITTEN && !solid->part[5].reversed);
+  CHECK("solids in one place are whole",
+        sg_door_solid_is_whole(&call, solid, &(sg_int_list){s, 2, 2}, 1e-9));
+  CHECK("no solid without faces",
+        !sg_door_solid_is_whole(
+            &call, solid, &(sg_int_list){(int32_t[]){CUBE, WRITTEN, 99}, 3, 3},
+            1e-9));
+  CHECK("too coarse",
+        !sg_door_solid_is_whole(&call, solid, &(sg_int_list){s, 2, 2}, 1));
   CHECK("as cells",
         sg_door_solid_write_cells(&call, solid, GLUED, &loops) && loops.n == 0);
   CHECK("rows",
