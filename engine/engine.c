@@ -70,21 +70,13 @@ sanggwan_warnings(const sanggwan_world *world)
  * the end of a thread may close a world: the lock is recursive. */
 static pthread_mutex_t ends = PTHREAD_RECURSIVE_MUTEX_INITIALIZER_NP;
 
-/* Messages in the language of the environment, not that of the machine where
- * the state was made. */
-static void
+/* Messages and reports in the language of the environment. */
+static bool
 choose_language(void)
 {
-  fid_t frame = PL_open_foreign_frame();
-
-  if (frame) {
-    term_t none = PL_new_term_ref();
-    if (none && PL_put_nil(none)) {
-      (void)PL_call_predicate(NULL, PL_Q_CATCH_EXCEPTION,
-                              PL_predicate("language", 1, "sg_cli"), none);
-    }
-    PL_discard_foreign_frame(frame);
-  }
+  return PL_call_predicate(
+      NULL, PL_Q_CATCH_EXCEPTION,
+      PL_predicate("language_of_environment", 0, "sg_language"), 0);
 }
 
 /* Threads of the host run the rules, so none is loaded later. */
@@ -130,10 +122,9 @@ start_prolog(void)
 
   if (!start_keeping_locale(sizeof(arguments) / sizeof(*arguments) - 1,
                             arguments) ||
-      !load_rules()) {
+      !load_rules() || !choose_language()) {
     return sg_host_refuse(SANGGWAN_IMPOSSIBLE, "SWI-Prolog cannot be started");
   }
-  choose_language();
   return SANGGWAN_DONE;
 }
 

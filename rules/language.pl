@@ -2,9 +2,11 @@
 :- module(sg_language,
           [ interrupted_word/2,         % +Language, -Word
             language/1,                 % ?Language
+            language_of_environment/0,
             result_language/1,          % -Language
             with_result_language/2      % +Language, :Goal
           ]).
+:- use_module(library(lists), [member/2]).
 /** <module> The language that people are spoken to in.
 
 Messages go through prolog:message//2, which has its own ways. This is for the
@@ -22,6 +24,23 @@ language(Language) :-
     ;   Language0 = en
     ),
     Language = Language0.
+
+%!  language_of_environment is det.
+%
+%   Messages and reports are in the language that the environment says: of
+%   LC_ALL, LC_MESSAGES and LANG the first that says something.
+
+language_of_environment :-
+    (   member(Variable, ['LC_ALL', 'LC_MESSAGES', 'LANG']),
+        getenv(Variable, Value),
+        Value \== ''
+    ->  atomic_list_concat([Language|_], '.', Value)
+    ;   Language = en
+    ),
+    (   memberchk(Language, ['C', 'POSIX'])
+    ->  set_prolog_flag(message_language, en)
+    ;   set_prolog_flag(message_language, Language)
+    ).
 
 %!  interrupted_word(+Language, -Word) is det.
 %

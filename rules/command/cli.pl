@@ -12,7 +12,8 @@
 :- use_module('../kernel',
               [exact_fallbacks/1, exact_statistics/1, tree_statistics/1]).
 :- use_module('../decimal', [decimal_number/2]).
-:- use_module('../language', [interrupted_word/2, language/1]).
+:- use_module('../language',
+              [interrupted_word/2, language/1, language_of_environment/0]).
 :- use_module('../limits', [limit_value/2, set_limit/2]).
 :- use_module('../message/message_object', [message_said/2]).
 :- use_module('../message/messages', []).
@@ -176,24 +177,15 @@ work_ended(Work, Status) :-
         Status = 4
     ).
 
-%   set_language(Arguments): --lang, or what the environment says. The saved
-%   state would otherwise remember where it was made.
+%   set_language(Arguments): --lang, or what the environment says.
 
 set_language(Arguments) :-
     (   append(_, ['--lang', Language|_], Arguments)
-    ->  true
+    ->  set_prolog_flag(message_language, Language)
     ;   member(Argument, Arguments),
         atom_concat('--lang=', Language, Argument)
-    ->  true
-    ;   member(Variable, ['LC_ALL', 'LC_MESSAGES', 'LANG']),
-        getenv(Variable, Value),
-        Value \== ''
-    ->  atomic_list_concat([Language|_], '.', Value)
-    ;   Language = en
-    ),
-    (   memberchk(Language, ['C', 'POSIX'])
-    ->  set_prolog_flag(message_language, en)
-    ;   set_prolog_flag(message_language, Language)
+    ->  set_prolog_flag(message_language, Language)
+    ;   language_of_environment
     ).
 
 command([], _) :-

@@ -16,6 +16,8 @@ answers() { "$EXAMPLE" "$1" >"$TMP/answers" && diff "$TMP/expected" "$TMP/answer
 check "the example answers"          answers facts/figures/fig13.pl
 check "a missing model is input"     complains 3 'no_such.pl' \
                                      "$EXAMPLE" "$TMP/no_such.pl"
+check "in the language of LC_MESSAGES" complains 3 '그런 파일이 없습니다' \
+  env LC_ALL= LC_MESSAGES=ko_KR.UTF-8 LANG=C "$EXAMPLE" "$TMP/no_such.pl"
 echo 'v(1, 1, 0, 0).' >"$TMP/bad.pl"
 check "a bad model names its line"   complains 3 'bad.pl:1:' \
                                      "$EXAMPLE" "$TMP/bad.pl"
