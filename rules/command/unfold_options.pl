@@ -25,6 +25,9 @@ options_together(Options) :-
     ->  written(Name, Option),
         written(Needed, NeededOption),
         usage_error(unfold(needs(Option, NeededOption)))
+    ;   given(faces, Options),
+        given(true, Options)
+    ->  usage_error(both_options('--faces', '--true'))
     ;   given(lines, Options),
         given(trim, Options)
     ->  usage_error(both_options('--lines', '--trim'))

@@ -134,6 +134,9 @@ verb_option(convert, option(output, o, each, 'FILE',
     'where to; the ending decides the format; may be repeated')).
 verb_option(convert, option(format, '', one_of([pl, stl, off, obj, ply]),
     'FORMAT', 'the format for -o -')).
+verb_option(convert, Option) :-
+    Option = option(faces, _, _, _, _),
+    unfold_option(Option).
 
 verb_option(penetrate, option(output, o, each, 'FILE',
     'where to (.pl .obj .dxf .svg; tables .csv .tsv .txt); may be repeated; \c

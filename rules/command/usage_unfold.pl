@@ -30,6 +30,9 @@ unfold_option(option(by, '', value, 'S,...',
 unfold_option(option(lines, '', flag, '',
     'without trimming: the penetration lines with the other segments, as is \c
      usual; --no-lines: without them')).
+unfold_option(option(faces, '', whole(4,100000000), 'N',
+    'first simplify the model to at most N triangles: closed parts stay \c
+     closed, and flat faces flat')).
 unfold_option(option(root, '', value, 'P',
     'the polygon that the laying out begins with, by number or name, such as \c
      top or side(2)')).
@@ -150,7 +153,7 @@ unfold_option(option(json, '', flag, '', 'the report as JSON')).
 wish_option(Option) :-
     Option = option(Name, _, _, _, _),
     unfold_option(Option),
-    memberchk(Name, [ only,root,cut,keep,order,remove,minimize,effort,trim,
+    memberchk(Name, [ only,faces,root,cut,keep,order,remove,minimize,effort,trim,
                       by,true,seam,half ]).
 
 %!  unfold_option_ko(?Name, -Help) is nondet.
@@ -164,6 +167,9 @@ inside는 그 반대').
 unfold_option_ko(by, '--trim과 함께: 이 세그먼트만 다른 것을 잘라 낸다').
 unfold_option_ko(lines,
     '잘라 내지 않을 때 다른 세그먼트와의 상관선을 그린다(기본값). --no-lines: 없이').
+unfold_option_ko(faces,
+    '먼저 모델을 삼각형 N개 이하로 단순화한다. 닫힌 것은 닫힌 채로, 평평한 면은 \c
+평평한 채로').
 unfold_option_ko(root, '펼치기 시작하는 다각형. 번호나 top, side(2) 같은 이름').
 unfold_option_ko(cut,
     '잇지 않을 모서리. 번호, 4-7이나 base-side(2) 같은 두 다각형, 또는 \c
@@ -242,8 +248,8 @@ unfold_example('sanggwan unfold facts/gallery/saddle.pl --trim outside \c
 --page A4 -o saddle.pdf').
 unfold_example('sanggwan unfold facts/patterns/house.pl --tabs 6 \c
 --page A4-landscape -o house.pdf').
-unfold_example('sanggwan unfold cow.obj --height 200 --tabs 6 --page A4 \c
--o cow.pdf').
+unfold_example('sanggwan unfold cow.obj --faces 300 --height 200 --tabs 6 \c
+--page A4 -o cow.pdf').
 unfold_example('sanggwan unfold pipes.pl --trim outside --only branch \c
 --remove base,top -o branch.dxf').
 unfold_example('sanggwan unfold facts/patterns/saddle.pl --trim outside \c

@@ -9,6 +9,7 @@
 :- use_module(check, [check_report/1, report_faults/2]).
 :- use_module('../csg/csg', [root_segment/1]).
 :- use_module('../solid/csg_evaluate', [evaluate/0]).
+:- use_module('../solid/simplify', [simplified_roots/1]).
 :- use_module('../csg/csg_roots', 
               [ aside_segments/1, roots_alone/0, operand_lines/1,
                 with_operand_lines/2
@@ -121,6 +122,7 @@ verb_run(convert, Files, Options, 0) :-
     ;   Triangles = false
     ),
     load_model(Files, [triangles(Triangles),evaluate(false)|Options]),
+    convert_simplified(Options),
     partition([output(_, pl)]>>true, Outputs, Trees, Meshes),
     maplist(output_written(model_output), Trees),
     (   Meshes == []
@@ -372,6 +374,16 @@ view_goal(view(Name), set_view(Name)).
 view_goal(view(Theta, Phi), set_view(Theta, Phi, 0)).
 view_goal(view(Theta, Phi, Rho), set_view(Theta, Phi, Rho)).
 view_goal(projection(Kind), set_projection(Kind)).
+
+%   convert_simplified(Options): with --faces what the trees make is simplified,
+%   and written instead of them.
+
+convert_simplified(Options) :-
+    (   option(faces(Faces), Options)
+    ->  evaluate,
+        simplified_roots(Faces)
+    ;   true
+    ).
 
 %!  convert(+Files, +File) is det.
 %

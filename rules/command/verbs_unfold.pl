@@ -25,6 +25,7 @@
               [polygons_named/3, segment_title/2, segments_named/2]).
 :- use_module(sheet_options, [scale_option/2]).
 :- use_module(solid_verbs, [empty_roots_warned/0]).
+:- use_module('../solid/simplify', [simplified_roots/1]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
               [ segment/3, unfolding/2, retractall_facts/1,
@@ -104,11 +105,13 @@ world_patterns(Options, Ds, DrawingOptions) :-
 
 %!  roots_apart(+Options:list) is det.
 %
-%   Only roots are unfolded. With --true what they are made of stays, as it
+%   Only roots are unfolded, with faces(N) made simple. With --true what they are made of stays, as it
 %   tells which smooth surfaces their facets stand for.
 
 roots_apart(Options) :-
-    (   option(true(true), Options)
+    (   option(faces(Faces), Options)
+    ->  simplified_roots(Faces)
+    ;   option(true(true), Options)
     ->  true
     ;   how_wished_of_any(true_lengths, _)
     ->  true

@@ -56,6 +56,36 @@ Foreign predicates; see kernel.pl.
 %   `ok`, no_triangles(S, P): polygon P must be written as triangles and has
 %   none (nothing was written), or a fault/8 as of mesh_add/6.
 
+/* - - - simplify_rows.c - - - */
+
+%!  simplified_open(+Segments:list(id), -Simplified:simplified) is det.
+%
+%   Simplified is a handle for the triangles of these segments, of which there
+%   are to be fewer (c_kernels/model/simplify.h). What the world has is read now.
+
+%!  simplified_run(+Simplified:simplified, +Faces:count, -Left:count) is det.
+%
+%   Simplify what was read to at most Faces triangles in all; Left are there
+%   then, more than Faces if no more can go.
+
+%!  simplified_hold(+Simplified:simplified, +S:id, +Vertices:set(id)) is det.
+%
+%   In the next run vertices stay where they are of which the last one made these
+%   Vertices of segment S.
+%
+%   @error existence_error(segment, S), existence_error(vertex, Vertices)
+
+%!  simplified_add(+Simplified:simplified, +S:id) is det.
+%
+%   Add the rows v/5, e/5 and p/3 of segment S as the last run left it.
+%
+%   @error existence_error(segment, S): it was not read, or nothing is left
+%   @error permission_error(write, segment, S): it has rows
+
+%!  simplified_close(+Simplified:simplified) is det.
+%
+%   Free it at once.
+
 /* - - - boundary_rows.c - - - */
 
 %!  boundary_open(+Segments:list(id), +Made:list(id_pair), +Single:bool,

@@ -1,10 +1,24 @@
 :- module(sg_mesh_en,
-          [ mesh_en//1                  % +Fault
+          [ mesh_en//1,                 % +Fault
+            simplify_en//1              % +What
           ]).
 /** <module> What is wrong with a mesh file, in English.
 
 mesh_ko.pl has the same heads in Korean.
 */
+
+%!  simplify_en(+What)// is det.
+%
+%   The notice sanggwan(simplify(What)).
+
+simplify_en(made(Left, Before)) -->
+    [ 'simplified: of ~D triangles there are now ~D'-[Before, Left] ].
+simplify_en(not_fewer(Faces, Left)) -->
+    [ '--faces ~D: no fewer than ~D triangles can be had'-[Faces, Left], nl,
+      '  Each closed part needs four at least, and each hole three more.' ].
+simplify_en(meets_itself(S, Name)) -->
+    [ 'segment ~d (~p) goes through itself since it was simplified'-[S, Name],
+      nl, '  Take a larger --faces; check says where it does.' ].
 
 %!  mesh_en(+Fault)// is semidet.
 %

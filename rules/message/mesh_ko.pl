@@ -1,11 +1,25 @@
 :- encoding(utf8).
 :- module(sg_mesh_ko,
-          [ mesh_ko//1                  % +Fault
+          [ mesh_ko//1,                 % +Fault
+            simplify_ko//1              % +What
           ]).
 /** <module> What is wrong with a mesh file, in Korean.
 
 mesh_en.pl has the same heads in English.
 */
+
+%!  simplify_ko(+What)// is det.
+%
+%   The notice sanggwan(simplify(What)).
+
+simplify_ko(made(Left, Before)) -->
+    [ '단순화: 삼각형 ~D개가 ~D개로 되었습니다'-[Before, Left] ].
+simplify_ko(not_fewer(Faces, Left)) -->
+    [ '--faces ~D: 삼각형을 ~D개보다 줄일 수 없습니다'-[Faces, Left], nl,
+      '  닫힌 부분마다 적어도 네 개, 구멍마다 세 개가 더 필요합니다.' ].
+simplify_ko(meets_itself(S, Name)) -->
+    [ '세그먼트 ~d(~p): 단순화한 뒤 자기 자신과 만납니다'-[S, Name], nl,
+      '  --faces를 늘리십시오. 만나는 곳은 check가 알립니다.' ].
 
 %!  mesh_ko(+Fault)// is semidet.
 %

@@ -12,7 +12,7 @@
 :- use_module(openscad_en, [openscad_en//1]).
 :- use_module(development_en,
               [ development_en//2, development_notice_en//2 ]).
-:- use_module(mesh_en, [mesh_en//1]).
+:- use_module(mesh_en, [mesh_en//1, simplify_en//1]).
 :- use_module(message_parts,
               [ counted//3, dots_that_fit/5, loading_fault//2, located//1,
                 manual_page//1, shown_names/2
@@ -253,6 +253,8 @@ notice_en(mesh(File, other_names(N))) -->
     [ '~w: '-[File] ],
     counted(N, name, names),
     [ ' with invisible characters, which are written as \u241B or as blanks' ].
+notice_en(simplify(What)) -->
+    simplify_en(What).
 notice_en(written(File, What)) -->
     [ '~w: '-[File] ],
     written_en(What).

@@ -18,7 +18,7 @@
 :- use_module(written_ko, [written_ko//1, unwritten_ko//1]).
 :- use_module(development_ko,
               [ development_ko//2, development_notice_ko//2 ]).
-:- use_module(mesh_ko, [mesh_ko//1]).
+:- use_module(mesh_ko, [mesh_ko//1, simplify_ko//1]).
 :- use_module(message_parts,
               [ dots_that_fit/5, loading_fault//2, located//1, manual_page//1,
                 shown_names/2
@@ -247,6 +247,8 @@ notice_ko(mesh(File, no_curves(N))) -->
 notice_ko(mesh(File, other_names(N))) -->
     [ '~w: 이름 ~D개에서 보이지 않는 글자를 그림(␛)이나 빈칸으로 바꾸었습니다'-
       [File, N] ].
+notice_ko(simplify(What)) -->
+    simplify_ko(What).
 notice_ko(written(File, What)) -->
     [ '~w: '-[File] ],
     written_ko(What).
