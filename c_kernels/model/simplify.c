@@ -15,9 +15,10 @@
 /* A triangle must not turn by more than this in one step. */
 #define TURN_COSINE 0.2
 
-/* How round triangles have to stay, from 0 to 1, as long as that leaves any
- * edge to contract. */
+/* How round triangles have to stay, from 0 to 1, or as they were. What makes
+ * worse ones waits as if it cost so many times as much, and again. */
 static const double roundness[] = {0.2, 0.06, 0.005};
+#define WORSE 10
 
 enum { LEVELS = sizeof roundness / sizeof *roundness };
 
@@ -119,7 +120,7 @@ add_candidate(sg_simplify_work *w, int32_t x, int32_t y)
     return true;
   }
   return heap_add(w, (sg_simplify_edge){best_place(w, a, b, place), a, b,
-                                        w->stamp[a] + w->stamp[b]});
+                                        w->stamp[a] + w->stamp[b], 0});
 }
 
 /* ---- contractions ---- */
@@ -180,29 +181,31 @@ keeps_fans(sg_simplify_work *w, int32_t a, int32_t b)
          common_neighbours(w, a, b) == triangles;
 }
 
-/* True if vertex v at `to`, the triangles with `other` gone, leaves those of v
- * upright and round enough. */
-static bool
-keeps_shapes(const sg_simplify_work *w, int32_t v, int32_t other,
-             const double to[3])
+/* How round the worst triangles of v are, from 0 to 1: *before; and *after,
+ * with v at `to` and those of `other` gone. -1: one would turn over. */
+static void
+see_shapes(const sg_simplify_work *w, int32_t v, int32_t other,
+           const double to[3], double *before, double *after)
 {
   for (int32_t c = w->first[v]; c >= 0; c = w->next[c]) {
-    double n[3], m[3], before, after;
+    double n[3], m[3], squares;
 
-    if (w->corner[c] != v || has_vertex(w, c / 3, other)) {
+    if (w->corner[c] != v) {
       continue;
     }
-    sg_simplify_area(w, c / 3, -1, NULL, n, &before);
-    sg_simplify_area(w, c / 3, v, to, m, &after);
-    double old = sqrt(sg_dot(n, n)), new = sqrt(sg_dot(m, m));
-    if (sg_dot(n, m) < TURN_COSINE * old * new ||
-        2 * sqrt(3) * new <
-            fmin(w->least_round, 2 * sqrt(3) * old / before) * after ||
-        !(new > 1e-12 * after)) {
-      return false;
+    sg_simplify_area(w, c / 3, -1, NULL, n, &squares);
+    double old = sqrt(sg_dot(n, n));
+    *before = fmin(*before, 2 * sqrt(3) * old / squares);
+    if (has_vertex(w, c / 3, other)) {
+      continue;
     }
+    sg_simplify_area(w, c / 3, v, to, m, &squares);
+    double new = sqrt(sg_dot(m, m));
+    bool turns = sg_dot(n, m) < TURN_COSINE * old * new;
+    *after = turns || !(new > 1e-12 * squares)
+                 ? -1
+                 : fmin(*after, 2 * sqrt(3) * new / squares);
   }
-  return true;
 }
 
 /* b goes into a, which goes to `to`. */
@@ -262,16 +265,26 @@ static bool
 take_candidate(sg_simplify_work *w, const sg_simplify_edge *x)
 {
   int32_t a = x->a, b = x->b;
-  double to[3];
+  double to[3], before = 1, after = 1;
 
   if (w->into[a] != a || w->into[b] != b ||
       x->stamp != w->stamp[a] + w->stamp[b]) {
     return true;
   }
-  best_place(w, a, b, to);
-  if (!keeps_fans(w, a, b) || !keeps_shapes(w, a, b, to) ||
-      !keeps_shapes(w, b, a, to)) {
+  if (!keeps_fans(w, a, b)) {
     return true;
+  }
+  best_place(w, a, b, to);
+  see_shapes(w, a, b, to, &before, &after);
+  see_shapes(w, b, a, to, &before, &after);
+  if (after < 0) {
+    return true;
+  }
+  if (after < fmin(before, roundness[x->level])) {
+    sg_simplify_edge later = *x;
+
+    later.cost *= WORSE;
+    return ++later.level == LEVELS || heap_add(w, later);
   }
   if (stays(w, b, a)) {
     a = x->b;
@@ -305,10 +318,8 @@ contract_all(sg_simplify_work *w, size_t most)
 {
   size_t steps = 0;
 
-  for (int level = 0; level < LEVELS && w->left > most;) {
-    size_t before = w->left;
-
-    w->least_round = roundness[level];
+  for (size_t before = 0; before != w->left && w->left > most;) {
+    before = w->left;
     if (!all_candidates(w)) {
       return false;
     }
@@ -319,7 +330,6 @@ contract_all(sg_simplify_work *w, size_t most)
         return false;
       }
     }
-    level += w->left >= before - before / 50;
   }
   return true;
 }

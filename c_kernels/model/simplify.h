@@ -9,8 +9,8 @@
  *
  *  - What is closed stays closed, and every border a border: an edge is
  *    contracted only if that leaves each neighbour its fan.
- *  - Where it costs nothing, a vertex stays exactly in its place, so flat faces
- *    stay flat to the last digit, and their corners where they were.
+ *  - Where it costs nothing, a vertex stays exactly in its place. So flat faces
+ *    stay flat, but for rounding, and corners of flat faces where they were.
  *  - No triangle is turned over or loses its area. Whether the mesh goes
  *    through itself is not looked at here: see self_cut.h.
  *  - Vertices of edges with more or other than two opposite half-edges, and
@@ -38,9 +38,9 @@ typedef struct sg_simplified {
 
 typedef struct sg_simplify_mesh {
   size_t vertices, triangles; /* fewer than 2^31 / 3 */
-  double (*at)[3]; /* these are only read */
+  double (*at)[3];            /* these are only read */
   int32_t (*corner)[3];
-  const unsigned char *held; /* [vertices] not to be moved, or null: none */
+  const double *weight; /* [vertices] how much it matters there, or null: 1 */
 } sg_simplify_mesh;
 
 /* At most `most` triangles, if so few can be had. False: no memory, or

@@ -58,6 +58,12 @@ sg_simplify_corners(const sg_simplify_work *w, int32_t v)
 
 /* ---- the mesh ---- */
 
+static double
+weight_of(const sg_simplify_work *w, int32_t v)
+{
+  return w->weight ? w->weight[v] : 1;
+}
+
 static void
 add_face_plane(sg_simplify_work *w, int32_t t)
 {
@@ -75,8 +81,9 @@ add_face_plane(sg_simplify_work *w, int32_t t)
     sg_quadric *q = &w->quadric[w->corner[3 * t + k]];
 
     sg_simplify_local(w, w->at[w->corner[3 * t + k]], p);
-    sg_quadric_add_plane(q, n, p, twice / 2);
-    q->area += twice / 2;
+    double weight = twice / 2 * weight_of(w, w->corner[3 * t + k]);
+    sg_quadric_add_plane(q, n, p, weight);
+    q->area += weight;
   }
 }
 
@@ -100,8 +107,9 @@ add_edge_plane(sg_simplify_work *w, uint32_t c, double share)
   for (int k = 0; k < 3; k++) {
     across[k] /= length;
   }
-  sg_quadric_add_plane(&w->quadric[a], across, p, share * sg_dot(u, u));
-  sg_quadric_add_plane(&w->quadric[b], across, p, share * sg_dot(u, u));
+  share *= sg_dot(u, u);
+  sg_quadric_add_plane(&w->quadric[a], across, p, share * weight_of(w, a));
+  sg_quadric_add_plane(&w->quadric[b], across, p, share * weight_of(w, b));
 }
 
 static bool
@@ -240,6 +248,7 @@ make_room(sg_simplify_work *w, const sg_simplify_mesh *mesh)
   size_t v = w->vertices = mesh->vertices, n = 3 * mesh->triangles;
 
   w->triangles = w->left = mesh->triangles;
+  w->weight = mesh->weight;
   w->at = malloc((v + 1) * sizeof *w->at);
   w->into = malloc((v + 1) * sizeof *w->into);
   w->first = malloc((v + 1) * sizeof *w->first);
@@ -262,7 +271,6 @@ fill_work(sg_simplify_work *w, const sg_simplify_mesh *mesh)
     memcpy(w->at[v], mesh->at[v], sizeof w->at[v]);
     w->into[v] = (int32_t)v;
     w->first[v] = w->last[v] = -1;
-    w->flag[v] = mesh->held && mesh->held[v] ? SG_HELD : 0;
   }
   measure(w);
   for (size_t c = 0; c < 3 * w->triangles; c++) {

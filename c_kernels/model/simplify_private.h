@@ -13,6 +13,7 @@ typedef struct sg_simplify_edge {
   double cost;
   int32_t a, b; /* a < b */
   uint32_t stamp;
+  int level; /* how often it has waited */
 } sg_simplify_edge;
 
 enum { SG_ON_BORDER = 1, SG_HELD = 2 };
@@ -29,11 +30,11 @@ typedef struct sg_simplify_work {
                       that begins there, -1: none */
   int32_t *into;
   sg_quadric *quadric;
+  const double *weight;
   uint32_t *stamp, *seen, round;
   unsigned char *flag;
   SG_LIST_OF(sg_simplify_edge) heap;
   const sg_cancel *cancel;
-  double least_round;
 } sg_simplify_work;
 
 /* The mesh as it comes, its quadrics, and which vertices are held. False: no

@@ -12,7 +12,7 @@
 
 struct sg_simplifying {
   sg_dense dense;
-  unsigned char *held;
+  double *weight; /* [dense.vertices] */
   sg_simplified result;
   sg_mesh mesh;         /* of the result */
   int32_t *vertex_of;   /* [mesh.vertices] places in dense */
@@ -29,7 +29,7 @@ sg_simplifying_free(sg_simplifying *x)
   sg_dense_clear(&x->dense);
   free(x->vertex_of);
   free(x->segment_of);
-  free(x->held);
+  free(x->weight);
   free(x);
 }
 
@@ -46,10 +46,13 @@ sg_door_simplified_open(sg_call *call, const sg_int_list *segments,
     sg_simplifying_free(x);
     return false;
   }
-  x->held = calloc(x->dense.vertices + 1, 1);
-  if (!x->held || x->dense.triangles >= INT32_MAX / 3) {
+  x->weight = malloc((x->dense.vertices + 1) * sizeof *x->weight);
+  if (!x->weight || x->dense.triangles >= INT32_MAX / 3) {
     sg_simplifying_free(x);
     return sg_call_no_memory(call);
+  }
+  for (size_t v = 0; v < x->dense.vertices; v++) {
+    x->weight[v] = 1;
   }
   *simplified = x;
   return true;
@@ -140,7 +143,7 @@ sg_door_simplified_run(sg_call *call, sg_simplifying *x, size_t faces,
                        size_t *left)
 {
   const sg_simplify_mesh mesh = {x->dense.vertices, x->dense.triangles,
-                                 x->dense.at, x->dense.corner, x->held};
+                                 x->dense.at, x->dense.corner, x->weight};
   bool stopped;
 
   forget(x);
@@ -187,30 +190,32 @@ sg_door_simplified_add(sg_call *call, sg_simplifying *x, int32_t s)
 }
 
 bool
-sg_door_simplified_hold(sg_call *call, sg_simplifying *x, int32_t s,
-                        const sg_int_list *vertices)
+sg_door_simplified_weigh(sg_call *call, sg_simplifying *x, int32_t s,
+                         const sg_int_list *vertices, double factor)
 {
   sg_mesh_part part;
 
   if (!part_of(call, x, s, &part)) {
     return false;
   }
-  unsigned char *hold = sg_call_alloc(call, x->dense.vertices + 1);
+  unsigned char *here = sg_call_alloc(call, x->dense.vertices + 1);
 
-  if (!hold) {
+  if (!here) {
     return false;
   }
-  memset(hold, 0, x->dense.vertices + 1);
+  memset(here, 0, x->dense.vertices + 1);
   for (size_t i = 0; i < vertices->n; i++) {
     size_t v = (size_t)vertices->at[i] - 1;
 
     if (v >= part.vertices) {
       return sg_call_missing(call, "vertex", 3);
     }
-    hold[x->vertex_of[part.vertex[v]]] = 1;
+    here[x->vertex_of[part.vertex[v]]] = 1;
   }
   for (size_t v = 0; v < x->dense.vertices; v++) {
-    x->held[v] |= hold[x->result.into[v]];
+    if (here[x->result.into[v]]) {
+      x->weight[v] *= factor;
+    }
   }
   return true;
 }

@@ -209,6 +209,9 @@ picture(pattern_elbow, 'The gores of a bend',
 picture(pattern_house, 'A house of cardboard',
         'Laid out from the floor, with tabs to glue.',
         [unfold,'facts/patterns/house.pl','--tabs','7']).
+picture(pattern_bird, 'A bird of paper',
+        'Two balls and two cones, in 160 triangles instead of 4,234.',
+        [unfold,'facts/patterns/bird.pl','--faces','160','--tabs','6']).
 
 % The figures of H.-C. Chae and I.-S. Chung, Constructing the Development of
 % Solids by Personal Computer, KSME Journal, 1989: docs/unfolding.md.

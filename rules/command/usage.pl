@@ -670,7 +670,8 @@ help_ko(Verb, Name, Help) :-
     verb_option_ko(Verb, Name, Help),
     !.
 help_ko(Verb, Name, Help) :-
-    ( Verb == unfold ; Verb == explain, wish_option(option(Name, _, _, _, _)) ),
+    ( memberchk(Verb, [unfold,convert])
+    ; Verb == explain, wish_option(option(Name, _, _, _, _)) ),
     unfold_option_ko(Name, Help),
     !.
 help_ko(Verb, Name, Help) :-

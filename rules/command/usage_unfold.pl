@@ -153,8 +153,8 @@ unfold_option(option(json, '', flag, '', 'the report as JSON')).
 wish_option(Option) :-
     Option = option(Name, _, _, _, _),
     unfold_option(Option),
-    memberchk(Name, [ only,faces,root,cut,keep,order,remove,minimize,effort,trim,
-                      by,true,seam,half ]).
+    memberchk(Name, [ only,faces,root,cut,keep,order,remove,minimize,effort,
+                      trim,by,true,seam,half ]).
 
 %!  unfold_option_ko(?Name, -Help) is nondet.
 %

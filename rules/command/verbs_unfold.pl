@@ -105,8 +105,8 @@ world_patterns(Options, Ds, DrawingOptions) :-
 
 %!  roots_apart(+Options:list) is det.
 %
-%   Only roots are unfolded, with faces(N) made simple. With --true what they are made of stays, as it
-%   tells which smooth surfaces their facets stand for.
+%   Only roots are unfolded, with faces(N) made simple. With --true what they
+%   are made of stays, as it tells which smooth surfaces their facets stand for.
 
 roots_apart(Options) :-
     (   option(faces(Faces), Options)

@@ -61,17 +61,18 @@ Foreign predicates; see kernel.pl.
 %!  simplified_open(+Segments:list(id), -Simplified:simplified) is det.
 %
 %   Simplified is a handle for the triangles of these segments, of which there
-%   are to be fewer (c_kernels/model/simplify.h). What the world has is read now.
+%   are to be fewer (c_kernels/model/simplify.h). The world is read now.
 
 %!  simplified_run(+Simplified:simplified, +Faces:count, -Left:count) is det.
 %
 %   Simplify what was read to at most Faces triangles in all; Left are there
 %   then, more than Faces if no more can go.
 
-%!  simplified_hold(+Simplified:simplified, +S:id, +Vertices:set(id)) is det.
+%!  simplified_weigh(+Simplified:simplified, +S:id, +Vertices:set(id),
+%!                   +Factor:number) is det.
 %
-%   In the next run vertices stay where they are of which the last one made these
-%   Vertices of segment S.
+%   In the next run what the last one made these Vertices of segment S from
+%   matters Factor times as much as before.
 %
 %   @error existence_error(segment, S), existence_error(vertex, Vertices)
 

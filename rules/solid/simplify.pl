@@ -9,7 +9,7 @@
 :- use_module('../kernel',
               [ segment_grain/2, segments_meeting_themselves/2,
                 self_meeting/4, simplified_add/2, simplified_close/1,
-                simplified_hold/3, simplified_open/2, simplified_run/3 ]).
+                simplified_open/2, simplified_run/3, simplified_weigh/4 ]).
 :- use_module('../polygon/triangulation', [complete_segments/0]).
 :- use_module('../store',
               [ e/5, p/3, segment/3, t/6, assert_fact/1,
@@ -23,19 +23,21 @@
 
 Solids and surfaces become meshes of fewer triangles, near what they were
 (c_kernels/model/simplify.h); where detail costs least it goes first, whichever
-part it is of. What is closed stays closed. A part that would go through itself
-is made again, with the vertices where it does held in their places.
+part it is of. What is closed stays closed. Where a part would go through itself
+its shape matters more, and all is made again.
 */
 
-% How often what goes through itself is made again.
-most_runs(4).
+% How often what goes through itself is made, and how much more its shape
+% matters there each time.
+most_runs(6).
+matters_more(16.0).
 
 %!  simplified_roots(+Faces) is det.
 %
-%   The roots of the world become plain segments (roots_alone/0), and those with
-%   polygons meshes of at most Faces triangles together. If they have no more
-%   than that they stay as they are. What a face was of a primitive is not known
-%   afterwards. One transaction. A message says how many there are; warnings
+%   The roots of the world become plain segments (roots_alone/0), and those
+%   with polygons meshes of at most Faces triangles together. If they have no
+%   more than that they stay as they are. What a face was of a primitive is
+%   not known afterwards. One transaction. A message says how many there are; warnings
 %   that it could not be so few, and that a part goes through itself that did
 %   not before.
 
@@ -86,13 +88,13 @@ made_again(Runs0, Ss, Met, Faces, Simplified, Left, Meeting) :-
     Runs is Runs0-1,
     (   Meeting1 \== [],
         Runs > 0
-    ->  maplist(meeting_held(Simplified), Meeting1),
+    ->  maplist(meeting_weighed(Simplified), Meeting1),
         made_again(Runs, Ss, Met, Faces, Simplified, Left, Meeting)
     ;   Left = Left0,
         Meeting = Meeting1
     ).
 
-meeting_held(Simplified, S) :-
+meeting_weighed(Simplified, S) :-
     findall(V,
             ( self_meeting(_, S, P1, P2),
               member(P, [P1,P2]),
@@ -101,7 +103,8 @@ meeting_held(Simplified, S) :-
               e(S, E, V, _, _) ),
             Vs0),
     sort(Vs0, Vs),
-    simplified_hold(Simplified, S, Vs).
+    matters_more(Factor),
+    simplified_weigh(Simplified, S, Vs, Factor).
 
 %   known_as(S, Known): what stays of S, known(Grain, Kind, Name).
 

@@ -120,6 +120,10 @@ file('pipes.pl', "segment(1, solid,
         cylinder(radius(2), height(8), facets(24))).
 segment(2, solid, at([translate(0,0,4),rotate(y,90)],
                      cylinder(radius(1), height(6), facets(24)))).\n").
+file('round.pl', "segment(1, solid, sphere(radius(2), facets(24))).\n").
+file('hollow.pl', "segment(1, solid, difference([2,3])).
+segment(2, solid, sphere(radius(10), facets(24))).
+segment(3, solid, sphere(radius(9.9), facets(24))).\n").
 file('dot.pl', "pixel_colour(_, _, _, red).\n").
 file('tone.pl', "tone(_, _, 0.5).\n").
 file('ball.pl', "segment(1, solid, sphere(radius(2), facets(24))).\n").
@@ -208,6 +212,12 @@ command(pattern(opened(_,_)), [unfold, @('saw.pl'), '--tabs', '5',
                                '--open-slits', '-o', @('a.svg')]).
 command(pattern(no_room(number,_)), [unfold, @('cube.pl'), '-o',
                                      @('a.svg')]).
+command(simplify(made(_,_)), [convert, @('round.pl'), '--faces', '100',
+                              '-o', @('a.off')]).
+command(simplify(not_fewer(_,_)), [convert, @('ring.pl'), '--faces', '4',
+                                   '-o', @('a.off')]).
+command(simplify(meets_itself(_,_)),
+        [convert, @('hollow.pl'), '--faces', '40', '-o', @('a.off')]).
 command(pattern(scale(_)), [unfold, @('cube.pl'), '--height', '100',
         '-o', @('x.svg')]).
 command(pattern(without_tab(_,_,_,_,_)),
