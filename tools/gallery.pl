@@ -55,6 +55,8 @@ file(Picture, File) :-
     file_name(Picture, Name),
     atom_concat('docs/gallery/', Name, File).
 
+file_name(scan_line(Name,_,_,_,_), File) :-
+    file_name_extension(Name, svg, File).
 file_name(picture(Name,_,_,Words), File) :-
     (   Words = [render|_]
     ->  Ending = png
@@ -67,6 +69,12 @@ words(Picture, Words) :-
     !,
     file(Picture, File),
     append([problems|Words0], ['-o',File], Words).
+words(Picture, [render|Words]) :-
+    Picture = scan_line(_, _, _, Words0, Y),
+    !,
+    file(Picture, File),
+    format(atom(Text), '~w=~w', [Y,File]),
+    append(Words0, ['--scan-line',Text], Words).
 words(Picture, Words) :-
     Picture = picture(_, _, _, Words0),
     (   ( Words0 = [unfold|_] ; Words0 = [render|_] )
@@ -142,7 +150,9 @@ figures([Picture|Pictures]) -->
                 ])),
     figures(Pictures).
 figures([Picture|Pictures]) -->
-    { Picture = picture(Name, Title, Caption, _),
+    { arg(1, Picture, Name),
+      arg(2, Picture, Title),
+      arg(3, Picture, Caption),
       file_name(Picture, File),
       atomic_list_concat([Title,Caption], ': ', Alt),
       words(Picture, Words),

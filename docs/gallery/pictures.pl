@@ -8,7 +8,11 @@
 %
 %   sheets(Name, Title, Caption, Words, Numbers)
 %
-% it is `sanggwan problems` with Words and `-o Name`.
+% it is `sanggwan problems` with Words and `-o Name`, of
+%
+%   scan_line(Name, Title, Caption, Words, Y)
+%
+% `sanggwan render` with Words and `--scan-line Y=Name.svg`.
 %
 % The figures are those of H.-C. Chae, Drawing of Penetrating Lines Using
 % Personal Computer, KSME Journal 12(1), 1988; sizes are chosen, for the paper
@@ -48,15 +52,71 @@ picture(fig14b, 'Figure 14 (b)',
         'The penetration lines on one of the cylinders.',
         ['facts/figures/fig14.pl', '--segment', '1']).
 
-% Figures 7 and 8 of K.-H. Park and C.-M. Kyung, Design and Display of Solids
-% Using CSG and Boundary Representation, 1989: a solid like theirs.
+% The figures of K.-H. Park and C.-M. Kyung, Design and Display of Solids Using
+% CSG and Boundary Representation, 1989, each shaded straight from its trees and
+% beside it in outline, in the same frame. Sizes are chosen; the solids of
+% figures 6 to 8 are like theirs.
 
+picture(csg01_shaded, '1989, figure 1',
+        'How two polygons may meet: from border to border of the blue one, \c
+         inside it, from its border to its inside.',
+        [render, 'facts/figures/csg01.pl', '--size', '1120x440']).
+picture(csg01, '1989, figure 1, in outline',
+        'The segments of intersection are red.',
+        ['facts/figures/csg01.pl', '--hidden', removed,
+         '--size', '280x110']).
+picture(csg02_shaded, '1989, figure 2',
+        'How a polygon is divided: two segments that end inside it wait; a \c
+         third one links them; there are two polygons.',
+        [render, 'facts/figures/csg02.pl', '--size', '1120x440']).
+picture(csg02, '1989, figure 2, in outline',
+        'The same.',
+        ['facts/figures/csg02.pl', '--hidden', removed,
+         '--size', '280x110']).
+picture(csg03_shaded, '1989, figure 3',
+        'Two boxes, and the L that they make.',
+        [render, 'facts/figures/csg03.pl', '--size', '840x592']).
+picture(csg03, '1989, figure 3 (a) and (c)',
+        'In outline: faces in one plane are made one.',
+        ['facts/figures/csg03.pl', '--hidden', removed]).
+picture(csg03_apart, '1989, figure 3 (a) and (b)',
+        'By a rule that keeps faces of different boxes apart: docs/rules.md.',
+        ['facts/figures/csg03.pl', '--hidden', removed,
+         '--rules', 'docs/faces_rules.pl']).
+picture(csg04_shaded, '1989, figure 4',
+        'Two plates, their union, what they have in common, and the first \c
+         without the second.',
+        [render, 'facts/figures/csg04.pl', '--size', '1120x320']).
+picture(csg04, '1989, figure 4, in outline',
+        'The same.',
+        ['facts/figures/csg04.pl', '--hidden', removed, '--size', '280x80']).
+picture(csg05_shaded, '1989, figure 5',
+        'A box without another one: the orange walls are what was its back.',
+        [render, 'facts/figures/csg05.pl', '--size', '840x592']).
+picture(csg05, '1989, figure 5, in outline',
+        'The same.',
+        ['facts/figures/csg05.pl']).
+scan_line(csg05_line, '1989, figure 5, one scan line from above',
+          'The eye is below. Of all slices the light ones are never seen; the \c
+           wider ones may be, fronts of the box and backs of what is taken \c
+           away; red is what is seen.',
+          ['facts/figures/csg05.pl', '--size', '840x592'], 330).
+picture(csg06_shaded, '1989, figure 6',
+        'A free-form surface, a cylinder, a sphere and a box.',
+        [render, 'facts/figures/csg06.pl', '--size', '840x592']).
+picture(csg06, '1989, figure 6, in outline',
+        'The same.',
+        ['facts/figures/csg06.pl', '--hidden', removed]).
 picture(solid_outline, '1989, figure 7',
         'A solid of boxes, cylinders, a cone and spheres, in outline.',
         ['facts/shaded_block.pl', '--hidden', removed]).
 picture(solid_shaded, '1989, figure 8',
         'The same scan line by scan line, straight from its tree.',
         [render, 'facts/shaded_block.pl', '--size', '840x592']).
+picture(solid_256, '1989, figure 8, as on the screen of 1989',
+        'In 256 colours, one scan line to a dot.',
+        [render, 'facts/shaded_block.pl', '--size', '840x592',
+         '--palette', '256', '--smooth', '1']).
 picture(machined, 'A tee, what tools made in orange',
         'Rules say which faces those are, how light a side is, and in how \c
          many steps: see docs/rules.md.',

@@ -58,6 +58,10 @@ render_option(option(buffer, '', each, 'KIND=FILE',
      tone=FILE.pgm, id=FILE.csv (docs/render.md); may be repeated')).
 render_option(option(spans, '', value, 'FILE.csv',
     'what is seen on each line, as rows')).
+render_option(option('scan-line', '', each, 'Y=FILE',
+    'the scan line Y dots below the upper edge as a drawing, seen from above: \c
+     slices of the faces, those that may be seen wider, what is seen red; may \c
+     be repeated')).
 render_option(option(dpi, '', number(1), 'N',
     'dots to the inch, written into a .png')).
 
@@ -108,6 +112,9 @@ render_option_ko(buffer,
     '점마다 아는 것: depth=FILE.pfm(깊이), normal=FILE.pfm(법선), \c
 tone=FILE.pgm(밝기), id=FILE.csv \c
 (docs/render.md). 여러 번 쓸 수 있다').
+render_option_ko('scan-line',
+    '위에서 Y점 아래의 주사선을 위에서 본 도면: 면의 절편, 보일 수 있는 것은 굵게, \c
+보이는 것은 빨갛게. 여러 번 쓸 수 있다').
 render_option_ko(dpi, '.png에 적는 인치당 점의 수').
 
 %!  render_example(-Command) is nondet.

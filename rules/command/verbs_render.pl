@@ -4,7 +4,7 @@
           ]).
 :- use_module('../colour', [colour_name/2, colour_rgb/2]).
 :- use_module('../csg/csg', [root_segment/1]).
-:- use_module('../csg/csg_term', [plain_name/2]).
+:- use_module('../csg/csg_term', [is_node_term/1, plain_name/2]).
 :- use_module('../kernel', [image_png/3, image_ppm/2]).
 :- use_module('../model/look_file', [look_file_added/2]).
 :- use_module('../model/model', [load_model/2]).
@@ -22,25 +22,29 @@
 :- use_module('../shading/shading_scan',
               [scan/1, write_shading_facts/1, write_spans/1]).
 :- use_module('../shading/shading_scene',
-              [ is_shaded/1, scene_model/2, scene_scale/2, shaded_eye/3,
-                shaded_model/3 ]).
+              [ is_shaded/1, scene_leaf/2, scene_model/2, scene_scale/2,
+                shaded_eye/3, shaded_model/3 ]).
 :- use_module('../shading/shading_section', [sectioned_model/3]).
 :- use_module('../picture/section', [section_plane/4]).
 :- use_module('../sheet/sheet_view', [view_towards/3]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
-              [ segment/3, light/2, view/3, assert_fact/1, retractall_facts/1
+              [ segment/3, light/2, look/2, view/3, assert_fact/1,
+                retractall_facts/1
               ]).
 :- use_module(shading_words, [shade_named/3, up_matrix/2]).
+:- use_module(scan_line_file, [scan_line_files/2, scan_line_written/2]).
 :- use_module(sheet_options, [looking/2]).
 :- use_module(verb_output,
               [ some_files/2, outputs/3, may_be_written/1, some_outputs/1,
                 no_model_replaced/2, output_written/2, usage_error/1
               ]).
 :- use_module(library(apply),
-              [foldl/4, include/3, maplist/2, maplist/3, maplist/4]).
+              [ foldl/4, include/3, maplist/2, maplist/3, maplist/4,
+                partition/4 ]).
 :- use_module(library(lists), [member/2]).
 :- use_module(library(option), [option/2, option/3]).
+:- use_module(library(solution_sequences), [distinct/2]).
 /** <module> The verb render: a shaded picture of solids.
 
 No boundary is evaluated. What is seen follows from the trees of the roots,
@@ -56,7 +60,8 @@ render_run(Files, Options) :-
     outputs(Options, [png,ppm,pl], Outputs),
     buffers(Options, Buffers),
     spans_file(Options, Spans),
-    (   Buffers-Spans == []-[]
+    scan_line_files(Options, ScanLines),
+    (   Buffers-Spans-ScanLines == []-[]-[]
     ->  some_outputs(Outputs)
     ;   true
     ),
@@ -70,6 +75,7 @@ render_run(Files, Options) :-
     looks_read(Options),
     stage(shade, sg_verbs_render:shaded_scene_of(Options, Wanted, Scene)),
     maplist(buffer_written(Scene), Buffers),
+    maplist(scan_line_written(Scene), ScanLines),
     spans_scanned(Outputs, Spans, Wanted, Scene),
     (   \+ ( member(output(_,Format), Outputs), Format \== pl )
     ->  true
@@ -104,7 +110,8 @@ shaded_scene_of(Options, Wanted, Scene) :-
     placed(Options, Roots, Turned, Model0, Model1, Away, Eye),
     sections_cut(Options, Model0, Away, Eye, Model1, Model),
     (   shaded_picture(Model, Eye, Wanted, Scene)
-    ->  facets_told(Wanted, Scene)
+    ->  facets_told(Wanted, Scene),
+        see_through_told(Wanted, Scene)
     ;   print_message(warning, sanggwan(nothing_seen)),
         empty_picture(Eye, Wanted, Scene)
     ).
@@ -146,17 +153,38 @@ bent_leaf(model(Leaves,_,_), S, Count, P, Off) :-
     ;   S = Own
     ).
 
-%   shown_roots(Options, Roots): the solids among what is asked for.
+%   shown_roots(Options, Roots): the solids and surfaces among what is asked
+%   for; a section has no surfaces, which have no inside.
 
 shown_roots(Options, Roots) :-
     (   option(segment(Texts), Options)
     ->  maplist(segment_asked, Texts, All)
     ;   findall(S, root_segment(S), All)
     ),
-    include(is_shaded, All, Roots),
-    forall(( member(S, All), \+ memberchk(S, Roots) ),
+    include(is_shaded, All, Shaded),
+    partition(not_cut(Options), Shaded, Uncut, Roots),
+    forall(member(S, Uncut),
+           print_message(warning, sanggwan(surface_uncut(S)))),
+    forall(( member(S, All), \+ memberchk(S, Shaded) ),
            ( segment(S, Kind, _),
              print_message(warning, sanggwan(not_shaded(S, Kind))) )).
+
+not_cut(Options, S) :-
+    option(section([_|_]), Options),
+    segment(S, surface, _).
+
+%   see_through_told(Wanted, Scene): behind the faces of a root with an open
+%   surface nothing else of that root is seen.
+
+see_through_told(Wanted, Scene) :-
+    forall(( distinct(R, scene_leaf(Scene, leaf(_,R,_,_,_))),
+             segment(R, surface, Term),
+             is_node_term(Term),
+             once(( option(shade(xray), Wanted)
+                  ; ( Of = R ; scene_leaf(Scene, leaf(_,R,Of,_,_)) ),
+                    look(Of, opacity(A)),
+                    A < 1 )) ),
+           print_message(warning, sanggwan(surface_see_through(R)))).
 
 segment_asked(Text, S) :-
     (   atom_number(Text, S),

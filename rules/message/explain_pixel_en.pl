@@ -98,7 +98,8 @@ pixel_statement_en(not_in_picture(S, Kind)) -->
     { segment_word(S, Word) },
     (   { Kind == solid }
     ->  [ 'segment ~d~w belongs to nothing that the picture shows'-[S, Word] ]
-    ;   [ 'segment ~d~w is a ~w, and only solids are shaded'-[S, Word, Kind] ]
+    ;   [ 'segment ~d~w is a ~w, and only solids and surfaces are \c
+          shaded'-[S, Word, Kind] ]
     ).
 pixel_statement_en(seen_after_all(S, Dots, X, Y)) -->
     { segment_word(S, Word) },

@@ -98,7 +98,7 @@ pixel_statement_ko(not_in_picture(S, Kind)) -->
     (   { Kind == solid }
     ->  [ '세그먼트 ~d~w: 그림에 나오는 어느 것에도 들어 있지 않다'-[S, Word] ]
     ;   { memberchk(Kind-KindKo, [surface-'곡면', curve-'곡선']) },
-        [ '세그먼트 ~d~w: ~w이다. 음영은 입체에만 준다'-[S, Word, KindKo] ]
+        [ '세그먼트 ~d~w: ~w이다. 음영은 입체와 곡면에만 준다'-[S, Word, KindKo] ]
     ).
 pixel_statement_ko(seen_after_all(S, Dots, X, Y)) -->
     { segment_word(S, Word) },

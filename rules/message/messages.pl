@@ -324,10 +324,23 @@ notice_en(not_shaded(S, cells)) -->
           [S], nl,
       '  Shade the model whose glue still names them; draw shows cells as \c
        well.' ].
+notice_en(not_shaded(S, glued(Kind))) -->
+    !,
+    [ 'segment ~p is not in the picture: it is a ~w, and of a glue only \c
+       solids are shaded'-[S, Kind], nl,
+      '  draw shows it.' ].
 notice_en(not_shaded(S, Kind)) -->
-    [ 'segment ~p is not in the picture: it is a ~w, and only solids are \c
-       shaded'-[S, Kind], nl,
-      '  draw shows surfaces and curves.' ].
+    [ 'segment ~p is not in the picture: it is a ~w, and only solids and \c
+       surfaces are shaded'-[S, Kind], nl,
+      '  draw shows it.' ].
+notice_en(surface_uncut(S)) -->
+    [ 'segment ~p is not in the picture: it is a surface, and a section cuts \c
+       solids alone'-[S], nl,
+      '  draw --section cuts surfaces too.' ].
+notice_en(surface_see_through(S)) -->
+    [ 'segment ~p has an open surface: behind what is see-through of it \c
+       nothing else of it is seen'-[S], nl,
+      '  Make the surface a segment of its own, not united with the others.' ].
 notice_en(style_in_vain(Segment)) -->
     [ 'the style has lines of segment ~p, but the model has no such segment'-
           [Segment] ].

@@ -310,10 +310,22 @@ notice_ko(not_shaded(S, cells)) -->
     !,
     [ '세그먼트 ~p은(는) 그림에 없습니다. 피연산자가 없는 셀입니다'-[S], nl,
       '  피연산자를 아직 지닌 glue 모델을 음영하십시오. draw는 셀도 그립니다.' ].
+notice_ko(not_shaded(S, glued(Kind))) -->
+    !,
+    [ '세그먼트 ~p은(는) 그림에 없습니다. 종류가 ~w인데, glue에서는 입체만 음영을 \c
+       줍니다'-[S, Kind], nl,
+      '  draw는 그것도 그립니다.' ].
 notice_ko(not_shaded(S, Kind)) -->
-    [ '세그먼트 ~p은(는) 그림에 없습니다. 종류가 ~w인데, 음영은 입체만 \c
+    [ '세그먼트 ~p은(는) 그림에 없습니다. 종류가 ~w인데, 음영은 입체와 곡면만 \c
        그립니다'-[S, Kind], nl,
-      '  draw는 곡면과 곡선도 그립니다.' ].
+      '  draw는 그것도 그립니다.' ].
+notice_ko(surface_uncut(S)) -->
+    [ '세그먼트 ~p은(는) 그림에 없습니다. 곡면인데, 단면은 입체만 자릅니다'-[S], nl,
+      '  draw --section은 곡면도 자릅니다.' ].
+notice_ko(surface_see_through(S)) -->
+    [ '세그먼트 ~p에는 열린 곡면이 있습니다. 비치는 부분 뒤에 있는 그 세그먼트의 다른 것은 보이지 \c
+않습니다'-[S], nl,
+      '  곡면을 합집합에 넣지 말고 따로 세그먼트로 만드십시오.' ].
 notice_ko(style_in_vain(Segment)) -->
     [ '모양 파일이 세그먼트 ~p의 선을 정하지만, 모델에 그런 세그먼트가 \c
        없습니다'-[Segment] ].

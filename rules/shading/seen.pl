@@ -1,5 +1,7 @@
 :- module(sg_seen,
           [ slice/3,                    % +Scene, +Y, -Slice
+            slice_candidate/4,          % +Scene, +Y, -Slice, -Candidate
+            depth_at/3,                 % +Depth, +X, -Z
             met/4,                      % +Scene, +X, +Y, -Groups
             seen_at/4,                  % +Scene, +X, +Y, -Seen
             seen_layers/4,              % +Scene, +X, +Y, -Layers
@@ -38,7 +40,26 @@ as the paper does: on and on would need to know on which side.
 %
 %   @error domain_error(scan_line, Y)
 
-slice(Scene, Y, slice(R,S,F,Sense,X1,X2,Depth)) :-
+slice(Scene, Y, Slice) :-
+    placed_slice(Scene, Y, _, Slice).
+
+%!  slice_candidate(+Scene, +Y, -Slice, -Candidate) is nondet.
+%
+%   As slice/3; Candidate is `true` if Slice may be seen: where the line of
+%   sight enters a leaf that adds, or leaves one that takes away; else `false`.
+%
+%   @error domain_error(scan_line, Y)
+
+slice_candidate(Scene, Y, Slice, Candidate) :-
+    placed_slice(Scene, Y, Place, Slice),
+    arg(4, Slice, Sense),
+    sign_of(Scene, Place, Sign),
+    (   Sense*Sign > 0
+    ->  Candidate = true
+    ;   Candidate = false
+    ).
+
+placed_slice(Scene, Y, Place, slice(R,S,F,Sense,X1,X2,Depth)) :-
     placed_slices(Scene, Y, Slices),
     member(slice(Place,F,Sense,N1,N2,Depth), Slices),
     scene_place(Scene, place(Place,R,S)),
@@ -68,6 +89,10 @@ met(Scene, X, Y, Groups) :-
     msort(All0, All),
     scene_tolerance(Scene, Tolerance),
     grouped(All, Tolerance, Groups).
+
+%!  depth_at(+Depth, +X, -Z) is det.
+%
+%   Z is how deep a slice of this Depth is at X, both in dots.
 
 depth_at(line(X0,A,B), X, Z) :-
     Z is A + B*(X-X0).

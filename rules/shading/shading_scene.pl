@@ -228,7 +228,7 @@ glued_solid(Operand) :-
     operand_kind(Operand, S, Kind),
     (   Kind == solid
     ->  true
-    ;   print_message(warning, sanggwan(not_shaded(S, Kind))),
+    ;   print_message(warning, sanggwan(not_shaded(S, glued(Kind)))),
         fail
     ).
 
@@ -408,12 +408,14 @@ shaded_scene(Model, Eye, Place, Width-Height,
 
 %!  is_shaded(+S) is semidet.
 %
-%   Segment S is one that a shaded picture shows: a solid, or a glue with its
-%   operands. The rows of a glue alone do not say which of its faces are sheets.
+%   Segment S is one that a shaded picture shows: a solid, a surface, or a glue
+%   with its operands. The rows of a glue alone do not say which of its faces
+%   are sheets. An open surface counts as a leaf that the line of sight enters,
+%   from either side, and never leaves: right for what is seen first.
 
 is_shaded(S) :-
     segment(S, Kind, Term),
-    (   Kind == solid
+    (   memberchk(Kind, [solid,surface])
     ->  true
     ;   Kind == cells,
         is_node_term(Term)

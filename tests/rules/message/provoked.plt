@@ -49,6 +49,11 @@ segment(2, solid, at([translate(0,0,4),rotate(x,180)],
                      cone(radius(1), height(2), facets(8)))).\n").
 file('unseen.obj', "o a\u202Eb\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n\c
                     f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n").
+file('sheet.pl', "segment(1, surface, rectangle(size(1,1))).
+segment(2, solid, at([translate(0,0,-2)], box(size(1,1,2)))).\n").
+file('united.pl', "segment(1, surface, rectangle(size(4,4))).
+segment(2, solid, box(size(1,1,1))).
+segment(3, surface, union([1,2])).\n").
 file('curve.pl', "v(1,1,0,0,0). v(1,2,1,0,0). v(1,3,1,1,0).
 e(1,1,1,2,1). e(1,2,2,3,1). segment(1, curve, wire).
 segment(2, solid, box(size(1,1,1))).\n").
@@ -158,6 +163,10 @@ command(nothing_seen, [render, @('empty.pl'), '--size', '9x9',
                        '-o', @('a.png')]).
 command(not_shaded(_,_), [render, @('curve.pl'), '--size', '9x9',
                           '-o', @('a.png')]).
+command(surface_uncut(_), [render, @('sheet.pl'), '--size', '9x9',
+                           '--section', 'z=-1', '-o', @('a.png')]).
+command(surface_see_through(_), [render, @('united.pl'), '--size', '9x9',
+                                 '--see-through', '2', '-o', @('a.png')]).
 command(pixel_colour_asked(_), [render, @('cube.pl'), '--rules', @('dot.pl'),
                                 '--size', '9x9', '-o', @('a.png')]).
 command(pixel_colour_in_vain, [render, @('cube.pl'), '--rules', @('dot.pl'),
