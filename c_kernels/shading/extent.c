@@ -7,38 +7,88 @@
 
 enum { BAND = 16, HALVINGS = 8 };
 
+/* Of some lines, in 1/256 dot: how far they reach, and which reach farthest. */
+typedef struct reached {
+  int32_t x1, x2; /* x1 > x2: nothing is seen */
+  double left, right;
+  double first, last; /* lines on which something is seen */
+} reached;
+
 typedef struct extents {
   const sg_shading *scene;
-  sg_shading_extent *band; /* y1, y2: the first and the last line */
+  reached *band;
   atomic_bool no_memory;
 } extents;
 
-static const sg_shading_extent nothing = {INFINITY, INFINITY, -INFINITY,
-                                          -INFINITY};
+static const reached nothing = {INT32_MAX, INT32_MIN, 0,
+                                0,         INFINITY,  -INFINITY};
+
+static void
+reach(reached *all, const reached *more)
+{
+  if (more->x1 < all->x1) {
+    all->x1 = more->x1;
+    all->left = more->left;
+  }
+  if (more->x2 > all->x2) {
+    all->x2 = more->x2;
+    all->right = more->right;
+  }
+  all->first = fmin(all->first, more->first);
+  all->last = fmax(all->last, more->last);
+}
+
+/* Looks at a line; `within`: only beyond what has been reached, and the line is
+ * not noted as one where something is seen. */
+static bool
+look_at(const sg_shading *scene, sg_shading_work *work, double y, bool within,
+        sg_spans *spans, reached *all)
+{
+  bool good = sg_shading_line_beyond(scene, work, y, within ? all->x1 : 1,
+                                     within ? all->x2 : 0, spans);
+
+  if (good && spans->n > 0) {
+    reached line = {spans->span[0].x1,     spans->span[spans->n - 1].x2, y, y,
+                    within ? INFINITY : y, within ? -INFINITY : y};
+    reach(all, &line);
+  }
+  return good;
+}
+
+/* The lines from y up to, not with, end: the first and the last one that show
+ * something as they are, those between as far as they reach farther. */
+static bool
+look_at_lines(const sg_shading *scene, sg_shading_work *work, int32_t y,
+              int32_t end, sg_spans *spans, reached *all)
+{
+  bool good = true;
+
+  for (; good && y < end && all->x1 > all->x2; y++) {
+    good = look_at(scene, work, y + 0.5, false, spans, all);
+  }
+  double last = all->last;
+  for (; good && y < end && all->last == last; end--) {
+    good = look_at(scene, work, end - 0.5, false, spans, all);
+  }
+  for (; good && y < end && !sg_pool_stopping(); y++) {
+    good = look_at(scene, work, y + 0.5, true, spans, all);
+  }
+  return good;
+}
 
 static void
 do_band(void *data, size_t band)
 {
   extents *all = data;
-  sg_shading_extent *out = &all->band[band];
   int32_t height = sg_shading_frame_of(all->scene)->height;
   int32_t y = (int32_t)band * BAND, end = y + BAND;
   sg_spans spans = {0};
   sg_shading_work *work = sg_shading_work_open(all->scene, NULL);
-  bool good = work != NULL;
 
-  *out = nothing;
+  all->band[band] = nothing;
   end = end < height ? end : height;
-  for (; good && y < end && !sg_pool_stopping(); y++) {
-    good = sg_shading_line(all->scene, work, y + 0.5, &spans);
-    if (good && spans.n > 0) {
-      out->x1 = fmin(out->x1, spans.span[0].x1 / 256.0);
-      out->x2 = fmax(out->x2, spans.span[spans.n - 1].x2 / 256.0);
-      out->y1 = fmin(out->y1, y + 0.5);
-      out->y2 = y + 0.5;
-    }
-  }
-  if (!good) {
+  if (!work ||
+      !look_at_lines(all->scene, work, y, end, &spans, &all->band[band])) {
     atomic_store(&all->no_memory, true);
   }
   free(spans.span);
@@ -70,16 +120,38 @@ border(const sg_shading *scene, sg_shading_work *work, double in, double out,
   return good;
 }
 
+/* A tip may be between the line that reaches farthest and its neighbours. */
 static bool
-borders(const sg_shading *scene, sg_shading_extent *out)
+find_tip(const sg_shading *scene, sg_shading_work *work, const double *tip,
+         reached *all)
+{
+  double height = sg_shading_frame_of(scene)->height - 0.01, step = 0.5;
+  sg_spans spans = {0};
+  bool good = true;
+
+  for (int i = 0; good && i < HALVINGS; i++, step /= 2) {
+    double above = fmax(*tip - step, 0), below = fmin(*tip + step, height);
+    good = look_at(scene, work, above, true, &spans, all) &&
+           look_at(scene, work, below, true, &spans, all);
+  }
+  free(spans.span);
+  return good;
+}
+
+static bool
+borders(const sg_shading *scene, reached *all, sg_shading_extent *out)
 {
   int32_t height = sg_shading_frame_of(scene)->height;
   sg_shading_work *work = sg_shading_work_open(scene, NULL);
-  bool good = work != NULL;
+  bool good =
+      work && find_tip(scene, work, &all->left, all) &&
+      find_tip(scene, work, &all->right, all) &&
+      border(scene, work, all->first, fmax(all->first - 1, 0), &out->y1) &&
+      border(scene, work, all->last, fmin(all->last + 1, height - 0.01),
+             &out->y2);
 
-  good = good && border(scene, work, out->y1, fmax(out->y1 - 1, 0), &out->y1);
-  good = good && border(scene, work, out->y2, fmin(out->y2 + 1, height - 0.01),
-                        &out->y2);
+  out->x1 = all->x1 / 256.0;
+  out->x2 = all->x2 / 256.0;
   if (work) {
     sg_shading_work_close(work);
   }
@@ -93,16 +165,14 @@ sg_shading_extent_of(const sg_shading *scene, sg_pool *pool,
   size_t bands = ((size_t)sg_shading_frame_of(scene)->height + BAND - 1) / BAND;
   extents all = {scene, malloc(bands * sizeof *all.band), false};
   bool ran = all.band && sg_pool_run(pool, bands, do_band, &all, cancel);
+  reached most = nothing;
 
-  *out = nothing;
   for (size_t i = 0; ran && i < bands; i++) {
-    out->x1 = fmin(out->x1, all.band[i].x1);
-    out->y1 = fmin(out->y1, all.band[i].y1);
-    out->x2 = fmax(out->x2, all.band[i].x2);
-    out->y2 = fmax(out->y2, all.band[i].y2);
+    reach(&most, &all.band[i]);
   }
+  *out = (sg_shading_extent){INFINITY, INFINITY, -INFINITY, -INFINITY};
   bool memory = all.band && !atomic_load(&all.no_memory) &&
-                (!ran || out->x1 > out->x2 || borders(scene, out));
+                (!ran || most.x1 > most.x2 || borders(scene, &most, out));
 
   free(all.band);
   return !memory ? SG_SHADING_NO_MEMORY

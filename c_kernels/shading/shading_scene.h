@@ -131,6 +131,12 @@ bool sg_shading_work_failed(const sg_shading_work *work);
 bool sg_shading_line(const sg_shading *scene, sg_shading_work *work, double y,
                      sg_spans *spans);
 
+/* The same, but what is between `from` and `to`, in 1/256 dot, is not looked
+ * at. */
+bool sg_shading_line_beyond(const sg_shading *scene, sg_shading_work *work,
+                            double y, int32_t from, int32_t to,
+                            sg_spans *spans);
+
 /* What is seen at (x, y) of a span, x in dots: how deep, and which way the
  * seen side looks, a unit vector of the model's axes. */
 void sg_shading_point(const sg_shading *scene, const sg_span *span, double x,

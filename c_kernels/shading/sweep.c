@@ -261,8 +261,8 @@ change_active(sg_shading_work *w, int32_t x, size_t *next, int32_t *to)
 }
 
 bool
-sg_shading_line(const sg_shading *scene, sg_shading_work *w, double y,
-                sg_spans *out)
+sg_shading_line_beyond(const sg_shading *scene, sg_shading_work *w, double y,
+                       int32_t from, int32_t to, sg_spans *out)
 {
   size_t next = 0;
 
@@ -274,10 +274,20 @@ sg_shading_line(const sg_shading *scene, sg_shading_work *w, double y,
     return false;
   }
   for (int32_t x1 = start_at(w, 0), x2; x1 < INT32_MAX; x1 = x2) {
-    if (!change_active(w, x1, &next, &x2) ||
-        (w->active.n > 0 && !sweep_between(w, x1, x2, out))) {
+    if (!change_active(w, x1, &next, &x2)) {
+      return false;
+    }
+    bool between = from <= x1 && x2 <= to;
+    if (w->active.n > 0 && !between && !sweep_between(w, x1, x2, out)) {
       return false;
     }
   }
   return true;
+}
+
+bool
+sg_shading_line(const sg_shading *scene, sg_shading_work *w, double y,
+                sg_spans *out)
+{
+  return sg_shading_line_beyond(scene, w, y, 1, 0, out);
 }
