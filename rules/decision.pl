@@ -79,6 +79,7 @@ has a fixed slot in each world's table (decision4pl.c).
 decision(Decision, _) :-
     throw(error(permission_error(call, directive, decision(Decision)), _)).
 
+:- thread_local watching/0, first_error/1.
 :- public decision_clauses/4, default_clause/3.
 
 system:term_expansion((:- decision(Decision, Doc)), Clauses) :-
@@ -398,13 +399,38 @@ load_rules(Text, File, Module, Id) :-
     ;   throw_rules_error(Error, File)
     ).
 
+%   A file defines predicates of its own. Those of others it may add clauses to
+%   if they are dynamic or multifile; the program needs the rest as they are.
+
+system:term_expansion(Clause, _) :-
+    watching,
+    clause_of(Clause, Module:Head),
+    \+ prolog_load_context(module, Module),
+    predicate_property(Module:Head, defined),
+    \+ predicate_property(Module:Head, dynamic),
+    \+ predicate_property(Module:Head, multifile),
+    functor(Head, Name, Arity),
+    throw(error(defined_elsewhere(Module:Name/Arity), _)).
+
+%   clause_of(+Clause, -Head) is semidet: Head is Module:Plain.
+
+clause_of(Clause, _) :-
+    var(Clause),
+    !,
+    fail.
+clause_of((Head :- _), Qualified) :-
+    !,
+    clause_of(Head, Qualified).
+clause_of(Module:Head, Module:Head) :-
+    atom(Module),
+    callable(Head).
+
 not_a_module(File, Id) :-
     (   module_property(_, file(Id))
     ->  throw(error(model_error(rules(module_file)), location(File, 1, 0)))
     ;   true
     ).
 
-:- thread_local watching/0, first_error/1.
 :- multifile user:message_hook/3.
 
 %   Errors while loading are messages: keep the first, print none. One that does

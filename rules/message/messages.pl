@@ -516,8 +516,13 @@ fault_en(rules(no_decisions)) -->
 fault_en(rules(module_file)) -->
     [ 'a rule file has no module header', nl,
       '  Remove the directive :- module(...).' ].
+fault_en(rules(defined_elsewhere(M:PI))) -->
+    [ '~q is defined elsewhere, and the program needs it as it is'-[M:PI], nl,
+      '  Define a predicate of your own, without ~w:'-[M] ].
 fault_en(rules(Formal)) -->
-    { \+ memberchk(Formal, [no_decision(_), no_decisions, module_file]) },
+    { \+ memberchk(Formal, [ no_decision(_), no_decisions, module_file,
+                             defined_elsewhere(_)
+                           ]) },
     [ 'this rule file cannot be loaded: ' ],
     loading_fault(prolog_en, Formal),
     [ nl, '  Correct it; the rules are as they were before.' ].

@@ -357,8 +357,13 @@ fault_ko(rules(no_decisions)) -->
 fault_ko(rules(module_file)) -->
     [ '규칙 파일에는 모듈 머리말이 없어야 합니다', nl,
       '  지시문 :- module(...)을 지우십시오.' ].
+fault_ko(rules(defined_elsewhere(M:PI))) -->
+    [ '~q: 다른 곳에서 정의되었고, 프로그램에 그대로 필요합니다'-[M:PI], nl,
+      '  ~w:을 빼고 자신의 술어를 정의하십시오.'-[M] ].
 fault_ko(rules(Formal)) -->
-    { \+ memberchk(Formal, [no_decision(_), no_decisions, module_file]) },
+    { \+ memberchk(Formal, [ no_decision(_), no_decisions, module_file,
+                             defined_elsewhere(_)
+                           ]) },
     [ '이 규칙 파일을 읽을 수 없습니다: ' ],
     loading_fault(prolog_ko, Formal),
     [ nl, '  고치십시오. 규칙은 전과 같습니다.' ].

@@ -197,6 +197,14 @@ test(module_file, error(model_error(rules(module_file)), _)) :-
     rule_file_of('module.pl', ":- module(m, [pick/3]).\npick(_, B, B).\n",
                  File),
     in_new_world(use_rules(File)).
+test(defined_elsewhere,
+     error(model_error(rules(defined_elsewhere(lists:append/3))),
+           location(_, 2, _))) :-
+    rule_file_of('append.pl',
+                 "pick(_, B, B).\nlists:append(_, _, none).\n", File),
+    in_new_world(use_rules(File)).
+test(what_is_elsewhere_stays, Xs == [a,b]) :-
+    append([a], [b], Xs).
 test(no_file, error(model_error(cannot_read(missing)), _)) :-
     in_new_world(use_rules('no_such_file.pl')).
 test(no_world,
