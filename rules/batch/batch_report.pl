@@ -30,12 +30,21 @@ line_text(job(Number, Name, _, Verb, _, _, _, _),
           Text) :-
     json_text(Name, NameText),
     files_text(Files, FilesText),
-    format(string(Text),
-           '{"job":~w,"number":~d,"verb":"~w","status":~w,"outcome":"~w",\c
-            "key":"~w","seconds":~3f,"cpu":~3f,"rss_kb":~d,"files":~w,\c
-            "said":~w,"error":~w}',
-           [ NameText, Number, Verb, Status, Outcome, Key, Seconds, Cpu,
-             Kilobytes, FilesText, Said, Error ]).
+    thousandths(Seconds, SecondsText),
+    thousandths(Cpu, CpuText),
+    atomic_list_concat(
+        [ '{"job":', NameText, ',"number":', Number, ',"verb":"', Verb,
+          '","status":', Status, ',"outcome":"', Outcome, '","key":"', Key,
+          '","seconds":', SecondsText, ',"cpu":', CpuText, ',"rss_kb":',
+          Kilobytes, ',"files":', FilesText, ',"said":', Said, ',"error":',
+          Error, '}' ],
+        Text).
+
+thousandths(Seconds, Text) :-
+    (   Seconds == 0
+    ->  Text = '0.000'
+    ;   format(atom(Text), '~3f', [Seconds])
+    ).
 
 files_text([], '[]') :-
     !.

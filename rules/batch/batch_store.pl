@@ -4,7 +4,7 @@
             folder_files/2,             % +Folder, -Files
             sizes_text/3,               % +Folder, +Files, -Text
             published/4,                % +Store, +Folder, +Key, -Place
-            stored/3,                   % +Store, +Key, -Place
+            result_place/3,             % +Store, +Key, -Place
             spoiled/1,                  % +Place
             failure_written/3,          % +Store, +Key, +Text
             failure_stored/3,           % +Store, +Key, -Text
@@ -199,13 +199,13 @@ key_place(store(Out, _), Key, Parent, Name) :-
 %   @error permission_error, io_error
 
 published(Store, Folder, Key, Place) :-
-    key_place(Store, Key, Parent, Name),
-    atomic_list_concat([Parent, /, Name], Place),
+    result_place(Store, Key, Place),
     (   renamed(Folder, Place)
     ->  true
     ;   exists_directory(Place)         % another batch was faster
     ->  folder_removed(Folder)
-    ;   made_folder(Parent),
+    ;   file_directory_name(Place, Parent),
+        made_folder(Parent),
         (   renamed(Folder, Place)
         ->  true
         ;   exists_directory(Place)
@@ -217,14 +217,13 @@ published(Store, Folder, Key, Place) :-
 renamed(From, To) :-
     catch(rename_file(From, To), error(_, _), fail).
 
-%!  stored(+Store, +Key, -Place) is semidet.
+%!  result_place(+Store, +Key, -Place) is det.
 %
-%   Place is the folder of the result of Key.
+%   Place is the folder of the result of Key, if there is one.
 
-stored(Store, Key, Place) :-
+result_place(Store, Key, Place) :-
     key_place(Store, Key, Parent, Name),
-    atomic_list_concat([Parent, /, Name], Place),
-    exists_directory(Place).
+    atomic_list_concat([Parent, /, Name], Place).
 
 %!  failure_written(+Store, +Key, +Text) is det.
 %!  failure_stored(+Store, +Key, -Text) is semidet.

@@ -47,7 +47,9 @@ input(Folder, File, input(File, Digest)) :-
     ->  Path = File
     ;   atomic_list_concat([Folder, /, File], Path)
     ),
-    (   exists_file(Path)
+    (   known_as_it_is(Path, Digest0)
+    ->  Digest = Digest0
+    ;   exists_file(Path)
     ->  known_digest(Path, Digest)
     ;   Digest = none                   % the goal of a query
     ).
@@ -57,14 +59,20 @@ input(Folder, File, input(File, Digest)) :-
 :- dynamic known/4.                     % Path, Time, Size, Digest
 
 known_digest(Path, Digest) :-
-    time_file(Path, Time),
-    size_file(Path, Size),
-    (   known(Path, Time, Size, Digest0)
+    (   known_as_it_is(Path, Digest0)
     ->  Digest = Digest0
-    ;   file_digest(Path, Digest),
+    ;   time_file(Path, Time),
+        size_file(Path, Size),
+        file_digest(Path, Digest),
         retractall(known(Path, _, _, _)),
         assertz(known(Path, Time, Size, Digest))
     ).
+
+known_as_it_is(Path, Digest) :-
+    known(Path, Time, Size, Digest),
+    catch(( time_file(Path, Time),
+            size_file(Path, Size) ),
+          error(_, _), fail).
 
 file_digest(Path, Digest) :-
     sha_new_ctx(Context, [algorithm(sha256), encoding(octet)]),
@@ -126,18 +134,20 @@ read_as_before(Read) :-
 %   program and the language.
 
 job_key(job(_, _, _, Verb, _, Options, _, _), Inputs, Made, Key) :-
-    format(string(Text), '~q', [job(Made, Verb, Options, Inputs)]),
+    term_to_atom(job(Made, Verb, Options, Inputs), Text),
     sha_hash(Text, Bytes, [algorithm(sha256), encoding(utf8)]),
     hexadecimal(Bytes, Key).
 
 hexadecimal(Bytes, Text) :-
     octet_names(Names),
-    maplist(octet_name(Names), Bytes, Parts),
+    named_octets(Bytes, Names, Parts),
     atomic_list_concat(Parts, Text).
 
-octet_name(Names, Byte, Name) :-
+named_octets([], _, []).
+named_octets([Byte|Bytes], Names, [Name|Parts]) :-
     Place is Byte+1,
-    arg(Place, Names, Name).
+    arg(Place, Names, Name),
+    named_octets(Bytes, Names, Parts).
 
 %   octet_names(Names): `00` to `ff`, made once.
 

@@ -82,7 +82,7 @@ folders_noted(Path) :-
 
 count_shown(true, State) :-
     State = counts(Count, _, told(Start, Seconds)),
-    Count mod 5000 =:= 0,
+    Count mod 1000 =:= 0,
     !,
     Notice = sanggwan(batch(looked_at(Count))),
     (   stream_property(user_error, tty(true))

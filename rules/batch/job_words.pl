@@ -78,6 +78,8 @@ text_of(Value, Text) :-
     (   atom(Value),
         Value \== []
     ->  Text = Value
+    ;   number(Value)
+    ->  atomic_list_concat([Value], Text)
     ;   is_list(Value)
     ->  maplist(text_of, Value, Texts),
         atomic_list_concat(Texts, ',', Text)

@@ -4,7 +4,7 @@
 :- use_module(batch_report, [line_text/3, json_text/2, outcome/1]).
 :- use_module(batch_store,
               [ with_store/3, job_folder/3, folder_files/2, published/4,
-                stored/3, spoiled/1, sizes_text/3, failure_written/3,
+                result_place/3, spoiled/1, sizes_text/3, failure_written/3,
                 failure_stored/3, failure_removed/2, linked/5
               ]).
 :- use_module(job_key,
@@ -207,7 +207,8 @@ report_closed(Options, Out) :-
     ).
 
 said_line(Out, Text) :-
-    format(Out, '~w~n', [Text]),
+    write(Out, Text),
+    nl(Out),
     flush_output(Out).
 
 reported_run(Run, Manifest, Options, Count, Out, Status) :-
@@ -313,14 +314,16 @@ job_taken(Job, Run, Out) :-
 
 cached_job(Job, Key, Run, Out) :-
     Run = run(Store, _, _, _),
-    stored(Store, Key, Place),
+    result_place(Store, Key, Place),
     (   named_files(Job, Files),
         cached_files(Place, Files, Status, Said)
     ->  true
-    ;   folder_files(Place, Files),
+    ;   exists_directory(Place),
+        folder_files(Place, Files),
         cached_files(Place, Files, Status, Said)
     ->  true
-    ;   spoiled(Place),
+    ;   exists_directory(Place)
+    ->  spoiled(Place),
         fail
     ),
     files_linked(Job, Files, Place, Run, Paths),
@@ -376,8 +379,10 @@ cached_result(Place, Sizes, Status, Said) :-
 %   result_head(Sizes, Status, Said, Read, Head): how job.json begins.
 
 result_head(Sizes, Status, Said, Read, Head) :-
-    format(string(Head), '{"files":~w,"status":~w,"said":~w,"read":~w,',
-           [Sizes, Status, Said, Read]).
+    atomic_list_concat(
+        [ '{"files":', Sizes, ',"status":', Status, ',"said":', Said,
+          ',"read":', Read, ',' ],
+        Head).
 
 %   failure_holds(Text): what it read is as it was.
 

@@ -119,10 +119,9 @@ near_options(Text, Specs, Near) :-
     maplist(atom_concat('--'), Names, Near).
 
 spec_named(Text, Specs, Spec) :-
-    Spec = option(Name, _, _, _, _),
-    member(Spec, Specs),
     atom_concat('--', Name, Text),
-    !.
+    Spec = option(Name, _, _, _, _),
+    memberchk(Spec, Specs).
 
 find_short(Letter, Specs, Spec, Text) :-
     atom_concat(-, Letter, Text),
