@@ -7,6 +7,7 @@
 import { h } from "./dom.js";
 import { w } from "./words.js";
 import { Folding } from "./fold.js";
+import { posed } from "./problems.js";
 import { penTools, penShown } from "./pens.js";
 
 const MM = 25.4 / 96;
@@ -140,7 +141,8 @@ const folded = {
 };
 
 const KIND = { iso: { ...view, turns: true }, front: view, top: view, right: view, left: view, back: view,
-  bottom: view, unfold, folded, section, shaded, sheet, apart };
+  bottom: view, unfold, folded, section, shaded, sheet, apart, problem: { fits: "frame", alone: true, ask: posed } };
 
-export const KINDS = Object.keys(KIND);
+// `problem` is chosen with a problem, not in the port.
+export const KINDS = Object.keys(KIND).filter((name) => !KIND[name].alone);
 export const kindOf = (name) => KIND[name] || KIND.iso;

@@ -7,6 +7,7 @@ import { Kept, recordOf } from "./kept.js";
 import { Ports } from "./ports.js";
 import { KINDS, eyeWords } from "./kinds.js";
 import { Tree } from "./tree.js";
+import { Problems } from "./problems.js";
 import { Asking, Why, Text, Rules } from "./panels.js";
 
 const FORMATS = {
@@ -26,6 +27,7 @@ class Studio {
     this.tree = new Tree(this);
     this.text = new Text(this);
     this.rules = new Rules(this);
+    this.problems = new Problems(this);
     this.asking = new Asking(this);
     this.why = new Why(this);
     this.ports = new Ports(this, $("ports"));
@@ -45,20 +47,21 @@ class Studio {
     this.wire.addEventListener("restarted", () => this.opened(this.file, "restarted"));
     this.wire.addEventListener("revision", (event) => this.revised(event.detail));
     this.wire.addEventListener("file", () => this.fileChanged());
+    this.wire.addEventListener("class", () => this.problems.changed());
     this.wire.addEventListener("rev", (event) => { this.rev = event.detail; });
   }
 
   // --- what stands where ---
 
   left() {
-    const panes = { tree: this.tree, text: this.text, rules: this.rules };
+    const panes = { tree: this.tree, text: this.text, rules: this.rules, problems: this.problems };
     const tabs = h("div", { role: "tablist", class: "tabs", onkeydown: (event) => arrows(tabs, event) });
     this.leftTo = (name) => {
       for (const [key, pane] of Object.entries(panes)) {
         pane.element.hidden = key !== name;
         tabs.querySelector(`[data-word=${key}]`).setAttribute("aria-selected", String(key === name));
       }
-      if (this.ready && name !== "tree") panes[name].refresh().catch((error) => this.failed(error));
+      if ((this.ready || name === "problems") && name !== "tree" && this.wire.open) panes[name].refresh().catch((error) => this.failed(error));
       this.pane = name;
     };
     for (const key of Object.keys(panes)) {
@@ -66,6 +69,7 @@ class Studio {
       panes[key].element.setAttribute("role", "tabpanel");
     }
     $("left").append(tabs, ...Object.values(panes).map((pane) => pane.element));
+    tabs.lastChild.hidden = true;
     this.leftTo("tree");
     for (const [pane, word] of [["ports", "ports"], ["left", "tree"], ["asking", "ask"]]) {
       $("panes").append(h("button", { role: "tab", "data-word": word, onclick: () => this.paneTo(pane) }));
@@ -164,6 +168,7 @@ class Studio {
   reworded() {
     this.tree.draw();
     this.ports.refresh();
+    this.problems.reworded();
     this.state();
     this.why.show(this.names || [], this.from);
   }
@@ -180,9 +185,21 @@ class Studio {
     $("banner").hidden = true;
     clearTimeout(this.awayTimer);
     const file = this.file || head.file;
+    if (head.class) this.inClass(head.class);
     if (head.rev && this.file === file && this.ready) this.revised(head);
     else if (file) this.opened(file);
-    else this.banner("open", this.openMenu());
+    else if (!head.class) this.banner("open", this.openMenu());
+  }
+
+  inClass(told) {
+    $("left").querySelector("[data-word=problems]").hidden = false;
+    document.body.classList.toggle("bare", !this.file);
+    document.body.classList.toggle("teacher", told.teacher);
+    $("panes").querySelector("[data-to=left]").dataset.word = "problems";
+    reworded($("panes"));
+    this.leftTo("problems");
+    if (!told.teacher) this.paneTo("left");
+    this.problems.greeted(told);
   }
 
   away = () => {
@@ -193,6 +210,7 @@ class Studio {
   async opened(file, remark, keys = {}) {
     if (!file) return;
     this.file = file;
+    document.body.classList.remove("bare");
     $("file").textContent = file;
     document.title = `${file} · ${w("title")}`;
     try {

@@ -88,7 +88,7 @@ export class Picture {
       s("path", { class: `${visibility} ${role}`, d: paths[i] })));
     this.letters.replaceChildren(...picture.texts.map(([x, y, high, anchor, text]) => {
       const element = s("text", { x, y, "font-size": high * 1.4,
-        "text-anchor": { left: "start", right: "end" }[anchor] || "middle" });
+        "text-anchor": anchor });
       element.textContent = text;
       return element;
     }));

@@ -78,6 +78,7 @@ class Port {
     this.tools.replaceChildren(...(tools ? tools(this) : []));
     reworded(this.tools);
     this.element.dataset.kind = this.kind;
+    this.choice.hidden = this.kind === "problem";
     this.canvas.classList.add("empty");
   }
 
@@ -104,7 +105,7 @@ class Port {
 
   async draw() {
     const { clientWidth, clientHeight } = this.canvas;
-    if (!this.studio.ready || clientWidth < 24 || clientHeight < 24) return;
+    if (!(this.studio.ready || this.kind === "problem") || clientWidth < 24 || clientHeight < 24) return;
     if (this.busy) {
       this.again = true;
       return;
@@ -132,7 +133,7 @@ class Port {
     const { head } = reply;
     this.before = this.picture.shown;
     this.canvas.classList.remove("empty");
-    this.element.classList.toggle("flat", this.kind === "unfold" || this.kind === "sheet");
+    this.element.classList.toggle("flat", ["unfold", "sheet", "problem"].includes(this.kind));
     this.element.dataset.rev = head.rev;
     this.under = null;
     this.image.hidden = head.kind !== "png";
@@ -151,7 +152,7 @@ class Port {
     this.describe(w("drawing", w(this.kind), lines, hidden));
     this.remark.textContent = this.kind === "unfold" && head.sheets > 1
       ? w("sheets", this.sheet, head.sheets)
-      : this.said || (head.ms === undefined ? "" : w("ms", head.ms < 10 ? head.ms.toFixed(1) : Math.round(head.ms)));
+      : this.said || head.called || (head.ms === undefined ? "" : w("ms", head.ms < 10 ? head.ms.toFixed(1) : Math.round(head.ms)));
     if (this.after) this.after();
   }
 

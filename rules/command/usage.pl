@@ -326,6 +326,9 @@ verb_option(serve, option(host, '', value, 'ADDRESS',
 verb_option(serve, option(class, '', flag, '',
     'pupils join with a code, which is printed too; each has the model, and \c
      a session, for himself')).
+verb_option(serve, option(problems, '', value, 'FILE',
+    'the problems of a class (docs/problems.md), which pupils answer in the \c
+     page; as --class')).
 verb_option(serve, option(open, '', flag, '',
     'open the page in the browser of this desktop (as is usual)')).
 verb_option(serve, option(stdio, '', flag, '',
@@ -407,6 +410,8 @@ option_ko(port, '브라우저가 찾는 번호. 기본값 1989, 쓰고 있으면
 option_ko(host, '받는 주소. 기본값 127.0.0.1, 이 컴퓨터에서만').
 option_ko(class, '학생들이 코드로 들어온다 (코드를 출력한다). 저마다 모델과 \c
                   세션을 하나씩 가진다').
+option_ko(problems, '학생들이 페이지에서 푸는 수업의 문제 (docs/problems.md). \c
+                     --class와 같이 들어온다').
 option_ko(open, '이 데스크톱의 브라우저에서 페이지를 연다 (기본)').
 option_ko(output, '결과 파일. 확장자가 형식을 정하며 여러 번 쓸 수 있다').
 option_ko(format, '-o - 의 형식').
@@ -563,6 +568,7 @@ example(problems, 'sanggwan problems facts/problems/collection.pl -o sheets').
 example(problems, 'sanggwan problems facts/problems/collection.pl \c
 --language ko --angle first --format pdf -o sheets').
 example(serve, 'sanggwan serve facts/pipe_tee.pl').
+example(serve, 'sanggwan serve --problems facts/problems/collection.pl').
 example(serve, 'sanggwan serve --stdio < requests > replies').
 example(repl, 'sanggwan repl facts/figures/fig13.pl').
 

@@ -111,6 +111,13 @@ session_en(owner_alone(rules)) -->
       '  The owner says "owner":true.' ].
 session_en(owner_alone(save)) -->
     [ 'only the owner may save: what pupils change is kept for them alone' ].
+session_en(owner_alone(class)) -->
+    [ 'only the owner sees what all pupils answered' ].
+session_en(no_class) -->
+    [ 'there is no class with problems here', nl,
+      '  Start one: sanggwan serve --problems FILE' ].
+session_en(not_in_class) -->
+    [ 'answers are of someone: say your name first' ].
 session_en(owner_alone(journal)) -->
     [ 'the journal has rules, which run code, so only the owner may replay \c
        it', nl,
@@ -170,6 +177,10 @@ session_en(does(unfold)) -->
     [ 'lays the document flat, as strokes' ].
 session_en(does(fold)) -->
     [ 'lays the document flat, as a FOLD file' ].
+session_en(does(problems)) -->
+    [ 'lists the problems of a file' ].
+session_en(does(problem)) -->
+    [ 'asks a problem, and says whether answers are right' ].
 session_en(does(edit)) -->
     [ 'replaces a number of the model' ].
 session_en(does(cut)) -->
@@ -263,6 +274,12 @@ wanted_en(segment) -->
     [ 'the number of a segment' ].
 wanted_en(sheet(Sheets)) -->
     [ 'the number of a sheet, from 1 to ~d'-[Sheets] ].
+wanted_en(pupil) -->
+    [ 'a name, of 60 characters at most' ].
+wanted_en(variant(Count)) -->
+    [ 'the number of a variant, from 1 to ~d'-[Count] ].
+wanted_en(answers(Count)) -->
+    [ 'a list of texts, ~d of them'-[Count] ].
 wanted_en(boolean) -->
     [ 'true or false' ].
 wanted_en(one_of(Words)) -->

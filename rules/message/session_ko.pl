@@ -107,6 +107,13 @@ session_ko(owner_alone(rules)) -->
       '  주인은 "owner":true라고 합니다.' ].
 session_ko(owner_alone(save)) -->
     [ '저장은 주인만 합니다. 학생이 바꾼 것은 그 학생에게만 남습니다' ].
+session_ko(owner_alone(class)) -->
+    [ '모두의 답은 주인만 봅니다' ].
+session_ko(no_class) -->
+    [ '여기에는 문제를 푸는 수업이 없습니다', nl,
+      '  시작하십시오: sanggwan serve --problems FILE' ].
+session_ko(not_in_class) -->
+    [ '누구의 답인지 알아야 합니다. 먼저 이름을 쓰십시오' ].
 session_ko(owner_alone(journal)) -->
     [ '일지에 코드를 실행하는 규칙이 있어 주인만 다시 할 수 있습니다', nl,
       '  주인은 "owner":true라고 합니다. "replay":false는 변경을 뺍니다.' ].
@@ -165,6 +172,10 @@ session_ko(does(unfold)) -->
     [ '문서를 전개하여 획으로 줍니다' ].
 session_ko(does(fold)) -->
     [ '문서를 전개하여 FOLD 파일로 줍니다' ].
+session_ko(does(problems)) -->
+    [ '파일에 있는 문제들을 보입니다' ].
+session_ko(does(problem)) -->
+    [ '문제를 내고 답이 맞는지 말합니다' ].
 session_ko(does(edit)) -->
     [ '모델의 수 하나를 바꿉니다' ].
 session_ko(does(cut)) -->
@@ -257,6 +268,12 @@ wanted_ko(segment) -->
     [ '세그먼트의 번호' ].
 wanted_ko(sheet(Sheets)) -->
     [ '1부터 ~d까지의 용지 번호'-[Sheets] ].
+wanted_ko(pupil) -->
+    [ '60자까지의 이름' ].
+wanted_ko(variant(Count)) -->
+    [ '1부터 ~d까지의 변형 번호'-[Count] ].
+wanted_ko(answers(Count)) -->
+    [ '글 ~d개의 리스트'-[Count] ].
 wanted_ko(boolean) -->
     [ 'true 또는 false' ].
 wanted_ko(one_of(Words)) -->

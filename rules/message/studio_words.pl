@@ -136,6 +136,32 @@ studio_word(keys,
      text · F6 next port · 1 to 6 views · Esc clears what is lit',
     'Ctrl Z 실행 취소 · Ctrl Y 다시 실행 · Ctrl S 저장 · / 질문 · T 트리 · X 텍스트 · F6 \c
      다음 뷰포트 · 1~6 투상도 · Esc 강조 해제').
+studio_word(problems, 'Problems', '문제').
+studio_word(problem, 'problem', '문제').
+studio_word(pupils, 'Pupils', '학생').
+studio_word(pupil_name, 'Name', '이름').
+studio_word(begin, 'Begin', '시작').
+studio_word(variant, 'Variant', '변형').
+studio_word(check, 'Check', '확인').
+studio_word(show_answer, 'Show the answer', '정답 보기').
+studio_word(show_noted,
+    'Show it: your teacher sees that',
+    '그래도 보기 (선생님께 표시됩니다)').
+studio_word(draw_rest,
+    'What is to be drawn, draw on paper; the answer sheet shows it.',
+    '그릴 것은 종이에 그리십시오. 정답지에서 볼 수 있습니다.').
+studio_word(compare,
+    'The sheet shows the answer: compare your drawing with it.',
+    '정답지가 나와 있습니다. 그린 것과 비교하십시오.').
+studio_word(said_right, 'Right.', '맞습니다.').
+studio_word(said_more, 'Too great.', '너무 큽니다.').
+studio_word(said_less, 'Too small.', '너무 작습니다.').
+studio_word(said_no_number, 'Not a number.', '수가 아닙니다.').
+studio_word(said_none, 'Nothing is written here yet.', '아직 답이 없습니다.').
+studio_word(it_is, 'It is {0}.', '정답: {0}.').
+studio_word(was_shown, 'was shown', '정답을 보았음').
+studio_word(not_yet, 'not right yet', '아직 틀림').
+studio_word(tries, '{0} tries', '{0}번').
 studio_word(done, 'done', '되었습니다').
 studio_word(working, 'working …', '계산 중 …').
 studio_word(stop, 'Stop', '중단').

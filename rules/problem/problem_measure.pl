@@ -3,6 +3,7 @@
             measured/5,                 % +Measure, +Tolerance, +N, +Points,
                                         % -Value
             measure_marks/5,            % +Measure, +N, +Points, +Names, -Marks
+            measure_working/4,          % +Measure, +N, +Points, -Working
             measure_rank/4,             % +Measure, +Points, -Rank, -Count
             measure_shown/4             % +Value, +Unit, +Tolerance, -Text
           ]).
@@ -143,6 +144,61 @@ value(volume(S), _, _, _, Value) :-
         volume(S, Value)
     ).
 value(sector(S), _, _, _, Value) :-
+    right_cone(S, R, Length),
+    Value is 360.0*R/Length.
+value(coordinate(I, Axis), _, _, Points, Value) :-
+    point_along(I, Axis, Points, At, Lowest),
+    Value is At-Lowest.
+
+%!  measure_working(+Measure, +N, +Points, -Working) is semidet.
+%
+%   Working says how the value of Measure comes about, in units of the model;
+%   arguments as of measured/5. It is one of
+%
+%     - legs(p(DX,DY,DZ))      from one end to the other
+%     - arms(P, Q)             from the vertex along both sides
+%     - lengths(Pieces)        of each piece I-Length of its generators
+%     - cone(Radius, Length)   of a right circular cone, of its generators
+%     - pieces(Areas)          of the pieces of a pattern
+%     - from(Lowest, At)       where the model begins, where the point is
+
+measure_working(edge(S, V, W), _, _, legs(PQ)) :-
+    corner(S, V, P),
+    corner(S, W, Q),
+    difference(P, Q, PQ).
+measure_working(angle(S, U, V, W), _, _, arms(BA, BC)) :-
+    corner(S, U, A),
+    corner(S, V, B),
+    corner(S, W, C),
+    difference(A, B, BA),
+    difference(C, B, BC).
+measure_working(Measure, N, _, lengths(Pieces)) :-
+    ( Measure = shortest_generator(S) ; Measure = longest_generator(S) ),
+    with_patterns(S, [generators(N)], Ds,
+                  findall(Piece,
+                          ( member(D, Ds), piece_lengths(D, N, Piece) ),
+                          Pieces)).
+measure_working(sector(S), _, _, cone(Radius, Length)) :-
+    right_cone(S, Radius, Length).
+measure_working(area(S), _, _, pieces(Areas)) :-
+    with_patterns(S, [], Ds,
+                  findall(Area, ( member(D, Ds), pattern_area(D, Area) ),
+                          Areas)).
+measure_working(coordinate(I, Axis), _, Points, from(Lowest, At)) :-
+    point_along(I, Axis, Points, At, Lowest).
+
+%   piece_lengths(D, N, Piece): the first generator closes the piece, too.
+
+piece_lengths(D, N, Piece) :-
+    segment(D, _, true_development(_, _)),
+    true_length_rows(D, Rows),
+    findall(I-Length,
+            ( member(row(I,_,_,_,_,Length,_,_,_), Rows), I =< N ),
+            Piece).
+
+%   right_cone(S, Radius, Length): of its base, and of its generators.
+
+right_cone(S, R, Length) :-
     placed_surface(S, side, cone(_, U0, V0, W0, K)),
     as_vector(U0, U),
     as_vector(V0, V),
@@ -151,15 +207,15 @@ value(sector(S), _, _, _, Value) :-
     is_rounding(R-R1, R),
     right_angles([U-V,U-W,V-W]),
     Apex is H/(1.0-K),
-    Value is 360.0*R/sqrt(R*R + Apex*Apex).
-value(coordinate(I, Axis), _, _, Points, Value) :-
+    Length is sqrt(R*R + Apex*Apex).
+
+point_along(I, Axis, Points, At, Lowest) :-
     memberchk(point(I, _, _, Place), Points),
     axis_coordinate(Axis, Place, At),
     findall(Low, ( bounding_box(_, point(X,Y,Z), _),
                    axis_coordinate(Axis, p(X,Y,Z), Low) ),
             Lows),
-    min_list(Lows, Lowest),
-    Value is At-Lowest.
+    min_list(Lows, Lowest).
 
 axis_coordinate(x, p(X,_,_), X).
 axis_coordinate(y, p(_,Y,_), Y).

@@ -2,6 +2,7 @@
 :- module(sg_problem_text,
           [ task_lines/5,               % +Tasks, +Items, +Language, +Width,
                                         % -Lines
+            task_sentence/4,            % +Task, +Items, +Language, -Sentence
             sheet_called/3              % +Kind, +Language, -Text
           ]).
 :- use_module('../csg/placed_surface', [placed_surface/3]).
@@ -104,6 +105,13 @@ broken_words([Word-Shown|Words], Line0-Out0, Width, Lines) :-
 atomics_joined(Texts, String) :-
     atomic_list_concat(Texts, ' ', Atom),
     atom_string(Atom, String).
+
+%!  task_sentence(+Task, +Items, +Language, -Sentence:string) is det.
+%
+%   Sentence asks what Task is about, without room for the answer.
+
+task_sentence(task(Ask,Letters,Rank,_), Items, Language, Sentence) :-
+    said(Ask, Language, Items, Letters, Rank, Sentence).
 
 task_line(Language, Items, task(Ask, Letters, Rank, Answer),
           Sentence-(Room-Shown)) :-

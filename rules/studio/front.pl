@@ -1,7 +1,9 @@
 :- module(sg_front,
           [ front/3                     % +Model, +Options, -Status
           ]).
+:- use_module('../problem/problem_file', [problems_read/3]).
 :- use_module('../version', [version/1]).
+:- use_module(visitor_answer, [class_begun/1, class_file/1, class_pupil/2]).
 :- use_module(guard,
               [ host_allowed/2, is_loopback/1, new_secret/1, origin_allowed/2,
                 pupil_secret/1, same_secret/2, security_header/2 ]).
@@ -40,15 +42,24 @@ usual_port(1989).
 %
 %   Serve the studio until it is interrupted, which is raised. Model is the
 %   file that pages show first, or `none`. Options are those of the verb serve:
-%   port(N), host(Address), class(Boolean), open(Boolean).
+%   port(N), host(Address), class(Boolean), problems(File), open(Boolean).
 %
 %   @error usage_error(port_taken(Port)), usage_error(no_address(Host)),
 %   usage_error(host_needs_class(Host))
 
 front(Model, Options, 130) :-
-    model_folder(Model, Folder),
+    option(problems(Problems0), Options, none),
+    problems_file(Problems0, Problems),
+    (   Model == none,
+        Problems \== none
+    ->  file_directory_name(Problems, Folder)
+    ;   model_folder(Model, Folder)
+    ),
     option(host(Host), Options, '127.0.0.1'),
-    option(class(Class), Options, false),
+    (   Problems == none
+    ->  option(class(Class), Options, false)
+    ;   Class = true
+    ),
     (   ( is_loopback(Host) ; Class == true )
     ->  true
     ;   throw(error(usage_error(host_needs_class(Host)), _))
@@ -72,6 +83,7 @@ front(Model, Options, 130) :-
     format(string(Address), "http://~w:~d/#~w", [Name, Port, Token]),
     format("~w~n", [Address]),
     class_opened(Class, Name, Port),
+    class_begun(Problems),
     flush_output,
     opened_in_browser(Options, Address),
     model_file_watched,
@@ -86,6 +98,15 @@ class_opened(true, Name, Port) :-
     assertz(class_code(Code)),
     format("http://~w:~d/#~w~n", [Name, Port, Code]).
 class_opened(false, _, _).
+
+%   problems_file(Problems0, Problems): those of a class; what is wrong with the
+%   file is said before anything is opened.
+
+problems_file(none, none) :-
+    !.
+problems_file(File, Path) :-
+    problems_read(File, _, _),
+    absolute_file_name(File, Path).
 
 model_folder(none, Folder) :-
     !,
@@ -316,7 +337,7 @@ greeted_socket(WebSocket) :-
         setup_call_cleanup(
             visitor_joined(Visitor, sg_front:message_sent(WebSocket), Socket,
                            Revision),
-            ( welcomed(Socket, Own, Model, Revision, Head),
+            ( welcomed(Socket, Visitor, Own, Model, Revision, Head),
               requests(WebSocket, Own, Socket) ),
             visitor_left(Socket))
     ;   sleep(1),                       % who guesses is slow
@@ -348,7 +369,7 @@ ended(WebSocket, Code, Why) :-
     catch(called(websocket, ws_send(WebSocket, close(Code, Why))),
           error(_, _), true).
 
-welcomed(Socket, front(_,_,Folder,Owner0), Model, Revision, Head) :-
+welcomed(Socket, Visitor, front(_,_,Folder,Owner0), Model, Revision, Head) :-
     ( Owner0 == true -> Owner = true ; Owner = false ),
     ( get_dict(id, Head, Id), integer(Id) -> true ; Id = null ),
     version(Version),
@@ -357,9 +378,23 @@ welcomed(Socket, front(_,_,Folder,Owner0), Model, Revision, Head) :-
     ;   file_base_name(Model, File)
     ),
     models(Folder, Models),
+    class_told(Visitor, Class),
     visitor_answered(Socket, Id,
                      _{ do:"hello", version:Version, file:File, rev:Revision,
-                        owner:Owner, models:Models }).
+                        owner:Owner, models:Models, class:Class }).
+
+%   class_told(Visitor, Class): null without problems; else whether Visitor is
+%   the teacher, and by which name a pupil is in the class.
+
+class_told(Visitor, Class) :-
+    (   \+ class_file(_)
+    ->  Class = null
+    ;   Visitor == owner
+    ->  Class = _{teacher:true, name:null}
+    ;   class_pupil(Visitor, Pupil)
+    ->  Class = _{teacher:false, name:Pupil.name, done:Pupil.done}
+    ;   Class = _{teacher:false, name:null}
+    ).
 
 %   models(Folder, Models): what may be opened, by name.
 

@@ -54,6 +54,7 @@ script(fold).
 script(pens).
 script(keep).
 script(kept).
+script(problems).
 
 %!  page_words(-Text:string) is det.
 %

@@ -2,6 +2,7 @@
           [ view_port/2,                % +Head, -Port
             viewed/4,                   % +World, +Head, -Reply, -Octets
             with_picture/3,             % +World, +Head, :Goal
+            drawing_body/3,             % +Drawing, -Reply, -Octets
             strokes_body/4              % +Strokes, -Looks, -Count, -Octets
           ]).
 :- use_module('../drawing/drawing',
@@ -179,6 +180,22 @@ strokes_body(Strokes, Looks, Count, Octets) :-
     list_to_set(Looks0, Ranked),
     stroke_octets(Ranked, Strokes, Octets),
     maplist(look_json, Ranked, Looks).
+
+%!  drawing_body(+Drawing, -Reply:dict, -Octets) is det.
+%
+%   Octets are the strokes of Drawing (sheet.pl), Reply has the rest of it.
+
+drawing_body(drawing(sheet(Width,Height,_), Views), Reply, Octets) :-
+    findall(Stroke, ( member(view(_, Strokes, _), Views),
+                      member(Stroke, Strokes) ),
+            All),
+    findall([X,Y,High,Anchor,Said],
+            ( member(view(_, _, Texts), Views),
+              member(text(X,Y,High,Anchor,Said), Texts) ),
+            Written),
+    strokes_body(All, Looks, Count, Octets),
+    Reply = _{ kind:"strokes", sheet:[Width,Height], looks:Looks,
+               strokes:Count, texts:Written }.
 
 stroke_look(stroke(Visibility,Role,_,_,_,_,_), look(Visibility,Role,0)).
 

@@ -13,6 +13,7 @@
 :- use_module('../version', [version/1]).
 :- use_module(ask,
               [asked/3, asks_forgotten/0, next_answers/2, question_state/2]).
+:- use_module(ask_problem, [problems_listed/2, problem_posed/3]).
 :- use_module(line_change, [changed_lines/4]).
 :- use_module(complete, [completed/4]).
 :- use_module(document,
@@ -23,7 +24,9 @@
               ]).
 :- use_module(job, [captured/2, verb_job/5, worlds_collected/0]).
 :- use_module(model_tree, [text_tree/2]).
-:- use_module(port, [strokes_body/4, view_port/2, viewed/4, with_picture/3]).
+:- use_module(port,
+              [ drawing_body/3, strokes_body/4, view_port/2, viewed/4,
+                with_picture/3 ]).
 :- use_module(protocol, [frame_read/4, frame_write/3, octets_text/2,
                          text_octets/2]).
 :- use_module(select, [selected/3, selection_forgotten/0]).
@@ -349,6 +352,8 @@ request(ask,      document, answers).
 request(next,     nothing,  more_answers).
 request(explain,  document, explained).
 request(export,   document, exported).
+request(problems, nothing,  problems_told).
+request(problem,  nothing,  problem_told).
 request(select,   document, pointed_at).
 request(sheet,    document, sheet_laid).
 request(shaded,   document, shaded).
@@ -548,6 +553,13 @@ exported(request(_, Head, _), Session, Reply, Octets) :-
     ),
     of_the_document(Session, [Verb], Options, Head, Reply, Octets).
 
+problems_told(request(_, Head, _), _, Reply, "") :-
+    problems_listed(Head, Reply).
+
+problem_told(request(_, Head, _), _, Reply, Octets) :-
+    problem_posed(Head, Reply, Octets),
+    worlds_collected.
+
 pointed_at(request(_, Head, _), _, Reply, "") :-
     document_world(World),
     selected(World, Head, Reply).
@@ -579,20 +591,6 @@ sheet_laid(request(_, Head, _), Session, Reply, Octets) :-
     ;   drawing_body(Drawing, Reply0, Octets)
     ),
     Reply = Reply0.put(messages, Objects).
-
-%   drawing_body(Drawing, Reply, Octets): a drawing (sheet.pl) as strokes.
-
-drawing_body(drawing(sheet(Width,Height,_), Views), Reply, Octets) :-
-    findall(Stroke, ( member(view(_, Strokes, _), Views),
-                      member(Stroke, Strokes) ),
-            All),
-    findall([X,Y,High,Anchor,Said],
-            ( member(view(_, _, Texts), Views),
-              member(text(X,Y,High,Anchor,Said), Texts) ),
-            Written),
-    strokes_body(All, Looks, Count, Octets),
-    Reply = _{ kind:"strokes", sheet:[Width,Height], looks:Looks,
-               strokes:Count, texts:Written }.
 
 pens_body(drawing(sheet(Width,Height,_), _), Pens, Reply, Octets) :-
     findall(Stroke, ( member(pen(_,_,Strokes), Pens),

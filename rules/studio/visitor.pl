@@ -11,6 +11,7 @@
           ]).
 :- use_module('../message/message_object', [message_object/3]).
 :- use_module('../plain', [plain_json/2]).
+:- use_module(visitor_answer, [answers_recorded/2, class_request/4]).
 :- use_module(guard, [new_secret/1, request_allowed/3]).
 :- use_module(protocol, [frame_read/4, frame_write/3, text_octets/2]).
 :- use_module(library(filesex), [delete_directory_and_contents/1]).
@@ -145,8 +146,22 @@ sent(Socket, Head, Body) :-
 visitor_asks(Front, Socket, Head, Body) :-
     socket_(Socket, Visitor, _),
     page_id(Head, Id),
-    catch(asked(Front, Visitor, Socket, Id, Head, Body), Error,
+    catch(front_or_session(Front, Visitor, Socket, Id, Head, Body), Error,
           visitor_refused(Socket, Id, Error)).
+
+%   front_or_session(Front, Visitor, Socket, Id, Head, Body): what is about the
+%   class as a whole, the front answers.
+
+front_or_session(Front, Visitor, Socket, Id, Head, Body) :-
+    (   get_dict(do, Head, Do),
+        class_request(Visitor, Do, Head, Reply)
+    ->  visitor_answered(Socket, Id, Reply),
+        (   Do == "join"
+        ->  told(owner, none, _{event:"class"})
+        ;   true
+        )
+    ;   asked(Front, Visitor, Socket, Id, Head, Body)
+    ).
 
 page_id(Head, Id) :-
     (   get_dict(id, Head, Id0),
@@ -251,11 +266,28 @@ routed(Visitor, Head, Body) :-
         ;   true
         ),
         download_ready(File, Head, Head1),
-        sent(Socket, Head1.put(id, Id), Body),
+        book_kept(Do, Visitor, Head1, Head2),
+        sent(Socket, Head2.put(id, Id), Body),
         revision_heard(Visitor, Socket, Head)
     ),
     !.
 routed(_, _, _).
+
+%   book_kept(Do, Visitor, Head0, Head): what a pupil answered stands in the
+%   book of the class before he hears whether it is right.
+
+book_kept(Do, Visitor, Head0, Head) :-
+    (   Do \== "problem"
+    ->  Head = Head0
+    ;   catch(answers_recorded(Visitor, Head0), Error, true)
+    ->  (   var(Error)
+        ->  told(owner, none, _{event:"class"}),
+            Head = Head0
+        ;   message_object(error, Error, Object),
+            Head = _{rev:Head0.rev, error:Object}
+        )
+    ;   Head = Head0
+    ).
 
 revision_heard(Visitor, Socket, Head) :-
     Revision = Head.rev,

@@ -2,7 +2,8 @@
 # studio.sh -- the studio: tests/studio/front_test.py asks its front as pages do,
 # and attacks its guard; tests/studio/browser_test.py uses the page in a real
 # browser, if there is one.
-# covers: front, guard, visitor, page_file, model_tree, answer_name, studio_words
+# covers: front, guard, visitor, page_file, model_tree, answer_name, studio_words,
+# visitor_answer, ask_problem
 . "$(dirname "$0")/harness.bash"
 cd "$here" || exit 2
 
@@ -18,6 +19,7 @@ asked() {
 }
 
 asked front_test.py
+asked class_test.py
 if command -v chromedriver >/dev/null && command -v chromium >/dev/null; then
   asked browser_test.py
 else

@@ -402,6 +402,50 @@ def flows(language):
           complaints)
 
 
+def a_class(language):
+    """A pupil answers a problem; the teacher sees it."""
+    room = Front(program, os.path.join(here, "facts/problems"), None,
+                 ("--problems", "collection.pl"), env)
+    joined = room.process.stdout.readline().decode().strip()
+    said = {"en": ("Too small.", "Right."), "ko": ("너무 작습니다.", "맞습니다.")}
+    try:
+        browser.open("about:blank")
+        browser.open(joined)
+        browser.wait("document.querySelector('#left input[list=pupils]')")
+        browser.keys("Kim" + ENTER, "#left input[list=pupils]")
+        check(language + ": a problem", browser.wait(
+            "studio.problems.reply && studio.ports.ports[0].picture.shown"),
+            browser.log())
+        browser.script("studio.problems.pose('fig10')")
+        browser.wait("studio.problems.at === 'fig10' && !studio.ports"
+                     ".ports[0].busy")
+        answer = "document.querySelectorAll('.task input')[%d].value = %s"
+        for loops, length, i in (("'0'", "'1'", 0), ("'2'", "'114,9'", 1)):
+            browser.script("; ".join((answer % (0, loops),
+                                      answer % (1, length))))
+            browser.click(".task button.main")
+            check(language + ": " + said[language][i], browser.wait(
+                "[...document.querySelectorAll('.task .field p')].every(p => "
+                "p.textContent.startsWith(arguments[0]))",
+                said[language][i]), browser.log())
+        check(language + ": the answer, explained", browser.wait(
+            "studio.ports.ports[0].picture.shown.looks.some(([, role]) => "
+            "role === 'construction')") and "√" in browser.script(
+                "return document.querySelectorAll('.task .field p')[1]"
+                ".textContent"))
+        browser.script("sessionStorage.clear()")
+        browser.open("about:blank")
+        browser.open(room.address)
+        check(language + ": the teacher's table", browser.wait(
+            "document.querySelector('.book tbody td[title]') && document"
+            ".querySelector('.book tbody td[title]').textContent === '✓ 2'"))
+        check(language + ": no complaints of a class", browser.log() == [])
+    finally:
+        room.process.kill()
+        room.process.communicate()
+
+
+here = os.getcwd()
 for language in ("en", "ko"):
     models = os.path.join(folder, language)
     os.makedirs(models)
@@ -425,6 +469,10 @@ for language in ("en", "ko"):
                 "getComputedStyle(e).display !== 'none').length === 1"))
             check("nothing is wider than it", browser.script(
                 "return document.documentElement.scrollWidth <= innerWidth"))
+        browser.size(1440, 900)
+        a_class(language)
+        browser.open(front.address)
+        browser.wait("studio.ready")
         front.process.kill()
         check(language + ": the front is gone: said", browser.wait(
             "!document.getElementById('banner').hidden"))

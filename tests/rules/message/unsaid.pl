@@ -36,9 +36,13 @@ unsaid(session_en, session_en(outside(_))).
 unsaid(session_en, session_en(session_ended)).
 unsaid(session_en, session_en(open_to_others(_,_))).
 unsaid(session_en, session_en(owner_alone(save))).
+unsaid(session_en, session_en(owner_alone(class))).
+unsaid(session_en, session_en(no_class)).
+unsaid(session_en, session_en(not_in_class)).
 unsaid(session_en, session_en(too_many_sessions(_))).
 unsaid(session_en, wanted_en(offered)).
 unsaid(session_en, wanted_en(download)).
+unsaid(session_en, wanted_en(pupil)).
 
 % Of a view: tests/cli/serve_studio.py.
 unsaid(session_en, wanted_en(section)).

@@ -1,0 +1,222 @@
+:- module(sg_visitor_answer,
+          [ class_begun/1,              % +File
+            class_file/1,               % -File
+            class_request/4,            % +Who, +Do, +Head, -Reply
+            class_pupil/2,              % +Who, -Pupil
+            answers_recorded/2          % +Who, +Reply
+          ]).
+:- use_module('../kernel', [atomic_sync/1]).
+:- use_module(library(filesex), [make_directory_path/1]).
+:- use_module(library(http/json), [json_read_dict/2, json_write_dict/3]).
+:- use_module(library(lists), [member/2]).
+:- use_module(library(sha), [sha_hash/3, hash_atom/2]).
+/** <module> The book of a class: who is in it, and what each answered.
+
+Each line of its file is on the disk before a pupil hears that an answer was
+right: nothing is lost when the program is killed, and the next start has it.
+The secret of a pupil is not in it, only a digest.
+*/
+
+% book_(File, Stream): of the problems in File. pupil_(Digest, Name, Turn): Turn
+% others came before. done_(Digest, Problem, Number, Tries, Answers, Right,
+% Shown): Right is a list of true and false, of the last try; Shown is true if
+% the answer was shown before all was right.
+:- dynamic book_/2, pupil_/3, done_/7.
+
+request_error(What) :-
+    throw(error(request_error(What), _)).
+
+%!  class_begun(+File) is det.
+%
+%   The class has the problems of File, an absolute path, or none, if File is
+%   `none`. What was answered before, to these, is there again.
+
+class_begun(File) :-
+    retractall(book_(_, _)),
+    retractall(pupil_(_, _, _)),
+    retractall(done_(_, _, _, _, _, _, _)),
+    (   File == none
+    ->  true
+    ;   book_path(File, Path),
+        (   exists_file(Path)
+        ->  setup_call_cleanup(
+                open(Path, read, In, [encoding(utf8)]),
+                lines_taken(In),
+                close(In)),
+            open(Path, append, Stream, [encoding(utf8), newline(posix)]),
+            nl(Stream)                  % after a line that is not complete
+        ;   file_directory_name(Path, Folder),
+            make_directory_path(Folder),
+            open(Path, write, Stream, [encoding(utf8), newline(posix)])
+        ),
+        assertz(book_(File, Stream))
+    ).
+
+%   book_path(File, Path): one for each file of problems.
+
+book_path(File, Path) :-
+    (   getenv('XDG_STATE_HOME', State),
+        State \== ''
+    ->  true
+    ;   getenv('HOME', Home),
+        atom_concat(Home, '/.local/state', State)
+    ),
+    digest(File, Digest),
+    sub_atom(Digest, 0, 16, _, Short),
+    file_base_name(File, Base),
+    format(atom(Path), "~w/sanggwan/class/~w-~w.answers", [State, Base, Short]).
+
+digest(Text, Digest) :-
+    sha_hash(Text, Hash, [algorithm(sha256), encoding(utf8)]),
+    hash_atom(Hash, Digest).
+
+%!  class_file(-File) is semidet.
+%
+%   The class has the problems of File.
+
+class_file(File) :-
+    book_(File, _).
+
+%   Lines that are not complete, or of another kind, were told to nobody.
+
+lines_taken(In) :-
+    read_string(In, "\n", "", End, Line),
+    (   catch(setup_call_cleanup(open_string(Line, Text),
+                                 json_read_dict(Text, Row),
+                                 close(Text)),
+              error(_, _), fail),
+        is_dict(Row)
+    ->  ( line_taken(Row) -> true ; true )
+    ;   true
+    ),
+    (   End == -1
+    ->  true
+    ;   lines_taken(In)
+    ).
+
+line_taken(Row) :-
+    get_dict(name, Row, Name),
+    !,
+    atom_string(Digest, Row.pupil),
+    (   retract(pupil_(Digest, _, Turn))
+    ->  true
+    ;   Turn = Row.turn
+    ),
+    assertz(pupil_(Digest, Name, Turn)).
+line_taken(Row) :-
+    atom_string(Digest, Row.pupil),
+    _{problem:Problem, number:Number, answers:Answers, right:Right, shown:Shown}
+        :< Row,
+    (   retract(done_(Digest, Problem, _, Tries0, Before, Right0, Shown0))
+    ->  true
+    ;   Tries0 = 0,
+        Before = Answers,
+        Right0 = [],
+        Shown0 = false
+    ),
+    (   all_true(Right0)
+    ->  assertz(done_(Digest, Problem, Number, Tries0, Before, Right0, Shown0))
+    ;   Tries is Tries0+1,
+        ( Shown0 == true -> Shown1 = true ; Shown1 = Shown ),
+        assertz(done_(Digest, Problem, Number, Tries, Answers, Right, Shown1))
+    ).
+
+all_true([R|Rs]) :-
+    \+ ( member(Other, [R|Rs]), Other \== true ).
+
+%   written(Row): it is on the disk, and then known.
+
+written(Row) :-
+    with_mutex(sg_visitor_answer,
+        ( book_(_, Stream),
+          json_write_dict(Stream, Row, [width(0)]),
+          nl(Stream),
+          atomic_sync(Stream),
+          line_taken(Row) )).
+
+%!  class_request(+Who, +Do:string, +Head:dict, -Reply:dict) is semidet.
+%
+%   Reply is that of the front itself to the request Head of a page of Who, a
+%   visitor: `join`, with a name, or `class`, for the owner alone: who has done
+%   what. Fails if Do is none of them.
+%
+%   @error request_error(no_class), request_error(owner_alone(class)),
+%   request_error(bad_key(name, pupil))
+
+class_request(Who, "join", Head, _{do:"join", name:Name}) :-
+    in_class,
+    (   get_dict(name, Head, Name0),
+        string(Name0),
+        string_length(Name0, Length),
+        Length =< 60,
+        normalize_space(string(Name), Name0),
+        Name \== "",
+        \+ ( string_code(_, Name, Code), code_type(Code, cntrl) )
+    ->  true
+    ;   request_error(bad_key(name, pupil))
+    ),
+    digest(Who, Digest),
+    with_mutex(sg_visitor_answer_turn,
+        ( (   pupil_(Digest, _, Turn)
+          ->  true
+          ;   predicate_property(pupil_(_, _, _), number_of_clauses(Turn))
+          ),
+          atom_string(Digest, Text),
+          written(_{pupil:Text, name:Name, turn:Turn}) )).
+class_request(Who, "class", _, _{do:"class", pupils:Pupils}) :-
+    in_class,
+    (   Who == owner
+    ->  true
+    ;   request_error(owner_alone(class))
+    ),
+    findall(Turn-_{name:Name, done:Done},
+            ( pupil_(Digest, Name, Turn),
+              done_of(Digest, Done) ),
+            Pupils0),
+    keysort(Pupils0, Pupils1),
+    findall(Pupil, member(_-Pupil, Pupils1), Pupils).
+
+in_class :-
+    (   book_(_, _)
+    ->  true
+    ;   request_error(no_class)
+    ).
+
+%!  class_pupil(+Who, -Pupil:dict) is semidet.
+%
+%   The visitor Who is in the class: Pupil has `name`, `turn` and `done`.
+
+class_pupil(Who, _{name:Name, turn:Turn, done:Done}) :-
+    digest(Who, Digest),
+    pupil_(Digest, Name, Turn),
+    done_of(Digest, Done).
+
+%   done_of(Digest, Done): what that pupil did, of each problem.
+
+done_of(Digest, Done) :-
+    findall(_{ problem:Problem, number:Number, tries:Tries, answers:Answers,
+               right:Right, shown:Shown },
+            done_(Digest, Problem, Number, Tries, Answers, Right, Shown),
+            Done).
+
+%!  answers_recorded(+Who, +Reply:dict) is semidet.
+%
+%   Reply is what a session says of a problem, asked by the visitor Who. What
+%   was answered stands in the book; fails if there is nothing to record.
+
+answers_recorded(Who, Reply) :-
+    Who \== owner,
+    get_dict(checked, Reply, Checked),
+    digest(Who, Digest),
+    pupil_(Digest, _, _),
+    findall(Right, ( member(One, Checked), Right = One.right ), Rights),
+    findall(Given, ( member(One, Checked), Given = One.given ), Answers),
+    ( all_true(Rights) -> Shown = false
+    ; Reply.shows == "answer" -> Shown = true
+    ; Shown = false
+    ),
+    get_time(Now),
+    Time is integer(Now),
+    atom_string(Digest, Text),
+    written(_{ pupil:Text, problem:Reply.problem, number:Reply.number,
+               answers:Answers, right:Rights, shown:Shown, time:Time }).
