@@ -31,6 +31,9 @@ options_together(Options) :-
     ;   given(lines, Options),
         given(trim, Options)
     ->  usage_error(both_options('--lines', '--trim'))
+    ;   given(gores, Options),
+        given(zones, Options)
+    ->  usage_error(both_options('--gores', '--zones'))
     ;   scales(Options, [One,Other|_])
     ->  usage_error(both_options(One, Other))
     ;   true
@@ -64,8 +67,8 @@ wished(Name) :-
 
 needs(by, trim).
 needs(Name, true) :-
-    member(Name, [ seam,generators,half,chord,table,lengths,'set-in',
-                   'other-thickness' ]).
+    member(Name, [ seam,generators,half,gores,zones,chord,table,lengths,
+                   'set-in','other-thickness' ]).
 needs(Name, trim) :-
     member(Name, ['set-in','other-thickness']).
 needs(Name, thickness) :-

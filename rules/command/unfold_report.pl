@@ -14,6 +14,7 @@
 :- use_module('../development/seam_measure', [pattern_area/2, seam_drawn/3]).
 :- use_module('../store', [segment/3, v/5, p/3, origin/3, from_p/5, piece/3]).
 :- use_module('../solid/trimmed', [part_named/2, trimmed_from/2]).
+:- use_module('../unrolling/true_sphere', [sphere_part_polygon/3]).
 :- use_module('../unrolling/true_parts', [polygon_drawn/4]).
 :- use_module('../unfolding/unfold', [pattern_of/2]).
 :- use_module('../unfolding/unfold_how', [how_wished/3]).
@@ -128,7 +129,7 @@ objective(D, Objective) :-
 
 removed(D, T, PartPolygons, Polygons, Removed) :-
     (   is_finer(T)
-    ->  findall(P0, ( p(D, P, _), polygon_left(D, T, P, P0) ), Left0),
+    ->  findall(P0, polygon_left(D, T, P0), Left0),
         sort(Left0, Left),
         length(Left, Count),
         kept_answer(drawn_polygons, T, all, All),
@@ -150,9 +151,15 @@ is_finer(T) :-
     origin(S1, p(_), p(_)),
     !.
 
-%   polygon_left(D, T, P, P0): polygon P of pattern D is drawn as P0.
+%   polygon_left(D, T, P0) is nondet: of what is drawn P0 is in pattern D; a
+%   gore or zone stands for many.
 
-polygon_left(D, T, P, P0) :-
+polygon_left(D, T, P0) :-
+    segment(D, _, true_development(_, Part)),
+    sphere_part_polygon(T, Part, P),
+    polygon_drawn(T, P, _, P0).
+polygon_left(D, T, P0) :-
+    p(D, P, _),
     (   from_p(D, P, T, P1, _)
     ->  true
     ;   P1 = P

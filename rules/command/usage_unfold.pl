@@ -55,13 +55,19 @@ unfold_option(option(effort, '', whole(0,1000), 'N',
      --minimize')).
 unfold_option(option(true, '', flag, '',
     'what is round is unrolled to its true lengths, not facet by facet: \c
-     cylinders, cones, transitions')).
+     cylinders, cones, transitions, and spheres in gores or zones')).
 unfold_option(option(seam, '', value, 'DEGREES',
     'with --true: the generator at which it is cut open')).
 unfold_option(option(generators, '', whole(2,3600), 'N',
     'with --true: so many generators, 2 to 3600, in equal steps, numbered')).
 unfold_option(option(half, '', flag, '',
     'with --true: half of what is symmetric')).
+unfold_option(option(gores, '', whole(2,360), 'N',
+    'with --true: a sphere is cut to so many gores between meridians, 12 as \c
+     is usual')).
+unfold_option(option(zones, '', whole(2,360), 'N',
+    'with --true: a sphere is cut to so many zones between parallels, each a \c
+     cone')).
 unfold_option(option(chord, '', above(0), 'T',
     'with --true: how far curves may be from true ones, in model units')).
 unfold_option(option(table, '', value, 'FILE.csv',
@@ -154,7 +160,7 @@ wish_option(Option) :-
     Option = option(Name, _, _, _, _),
     unfold_option(Option),
     memberchk(Name, [ only,faces,root,cut,keep,order,remove,minimize,effort,
-                      trim,by,true,seam,half ]).
+                      trim,by,true,seam,half,gores,zones ]).
 
 %!  unfold_option_ko(?Name, -Help) is nondet.
 %
@@ -185,11 +191,16 @@ unfold_option_ko(effort,
 면 10,000개까지 3, 더 많으면 0, --minimize와 함께는 48').
 
 unfold_option_ko(true,
-    '둥근 것은 면마다가 아니라 실제 길이로 펼친다. 원기둥, 원뿔, 변환관').
+    '둥근 것은 면마다가 아니라 실제 길이로 펼친다. 원기둥, 원뿔, 변환관, 그리고 \c
+고어나 구대로 나눈 구').
 unfold_option_ko(seam, '--true와 함께: 접합선이 될 면소의 각도').
 unfold_option_ko(generators,
     '--true와 함께: 번호를 단 등분 면소의 수. 2에서 3600까지').
 unfold_option_ko(half, '--true와 함께: 대칭인 것의 반쪽').
+unfold_option_ko(gores,
+    '--true와 함께: 구를 자오선을 따라 나눈 고어의 수. 기본값 12').
+unfold_option_ko(zones,
+    '--true와 함께: 구를 위선을 따라 나눈 구대의 수. 구대마다 원뿔이다').
 unfold_option_ko(chord, '--true와 함께: 곡선이 참값에서 벗어나도 되는 거리').
 unfold_option_ko(table,
     '--true와 함께: 실장(실제 길이)표. 전개도가 여럿이면 FILE-1.csv 등').

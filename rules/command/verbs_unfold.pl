@@ -36,6 +36,7 @@
               [ unfoldable/1, pattern_of/2, wishes/3, wanted_of/3,
                 unfolded_part/4
               ]).
+:- use_module('../unrolling/true_sphere', [sphere_part_polygon/3]).
 :- use_module('../unrolling/true_table', [write_true_lengths/3]).
 :- use_module(unfold_options, [options_together/1]).
 :- use_module(unfold_report, [unfold_report/2]).
@@ -278,6 +279,8 @@ develop_flag(tolerance, tolerance).
 develop_flag(true, true).
 develop_flag(generators, generators).
 develop_flag(half, half).
+develop_flag(gores, gores).
+develop_flag(zones, zones).
 develop_flag(chord, chord).
 develop_flag(thickness, thickness).
 develop_flag(size, size).
@@ -483,8 +486,17 @@ laid_flat_told(Options, Ds) :-
         Flat == [],
         \+ ( member(D, Ds), segment(D, _, true_development(_, _)) )
     ->  print_message(warning, sanggwan(unfold(nothing_unrolled)))
+    ;   member(Name-Option, [gores-'--gores',zones-'--zones']),
+        Given =.. [Name,_],
+        option(Given, Options),
+        \+ ( member(D, Ds), is_of_sphere(D) )
+    ->  print_message(warning, sanggwan(unfold(no_sphere(Option))))
     ;   true
     ).
+
+is_of_sphere(D) :-
+    segment(D, _, true_development(T, Part)),
+    once(sphere_part_polygon(T, Part, _)).
 
 %   clumped(Kinds, Kind, N) is nondet: N of the sorted Kinds are Kind.
 

@@ -33,6 +33,10 @@ true_en(flat_part(S, Part, Option)) -->
       nl,
       '  Make it a transition(base(ellipse(A, B)), top(ellipse(C, D)), \c
          height(H)), which does.' ].
+true_en(no_option(S, Option)) -->
+    [ 'segment ~d is a sphere in gores or zones, to which the option ~w says \c
+       nothing'-[S, Option], nl,
+      '  A gore is symmetric, and a zone goes round: leave the option out.' ].
 true_en(no_offset(S)) -->
     [ 'the surfaces of a plate of segment ~d are not known'-[S], nl,
       '  With a thickness, penetrations are found for cylinders and cones, \c

@@ -33,6 +33,9 @@ true_ko(flat_part(S, Part, Option)) -->
        ~w 옵션을 쓸 수 없습니다'-[S, Part, Option], nl,
       '  펴지는 transition(base(ellipse(A, B)), top(ellipse(C, D)), height(H)) \c
          으로 만드십시오.' ].
+true_ko(no_option(S, Option)) -->
+    [ '세그먼트 ~d: 고어나 구대로 나눈 구에는 ~w 옵션이 뜻이 없습니다'-[S, Option], nl,
+      '  이 옵션을 빼십시오.' ].
 true_ko(no_offset(S)) -->
     [ '세그먼트 ~d의 판재 두께 쪽 곡면을 알 수 없습니다'-[S], nl,
       '  두께가 있으면 원기둥과 원뿔(타원·빗원 포함), 구, 원환체, 변환관,', nl,

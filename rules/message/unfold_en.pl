@@ -230,9 +230,15 @@ unfold_en(not_developable(S, Kind, N)) -->
        facets of it are laid flat as they are'-[S, Kind, N], nl,
       '  More of them, facets(...) in the model, are closer to it.' ].
 unfold_en(nothing_unrolled) -->
-    [ 'nothing was unrolled: the model has no cylinder, cone or transition'-[],
-      nl,
+    [ 'nothing was unrolled: the model has no cylinder, cone, transition or \c
+       sphere; what has flat faces is flat already'-[], nl,
       '  Without --true the patterns are the same.' ].
+unfold_en(mitre_not_set_in(S)) -->
+    [ 'segment ~d is not set in: parts of one radius meet in a mitre, by the \c
+       middles of their plates'-[S], nl,
+      '  --set-in is for a branch that is narrower than its header.' ].
+unfold_en(no_sphere(Option)) -->
+    [ '~w says nothing: no sphere was unrolled'-[Option] ].
 unfold_en(kept_apart(S, N)) -->
     [ 'segment ~d: ~D edge(s) could not be kept: on one side is what is \c
        unrolled, on the other what is flat, in a pattern of its own'-[S, N] ].

@@ -180,8 +180,15 @@ unfold_ko(not_developable(S, Kind, N)) -->
        있는 그대로 평면에 놓습니다'-[S, Word, N], nl,
       '  모델에서 facets(...)를 늘리면 더 가까워집니다.' ].
 unfold_ko(nothing_unrolled) -->
-    [ '편 것이 없습니다. 모델에 원기둥, 원뿔, 변환관이 없습니다'-[], nl,
+    [ '편 것이 없습니다. 모델에 원기둥, 원뿔, 변환관, 구가 없고 평면은 이미 \c
+       펴져 있습니다'-[], nl,
       '  --true 없이도 전개도가 같습니다.' ].
+unfold_ko(mitre_not_set_in(S)) -->
+    [ '세그먼트 ~d: 꽂기(--set-in)로 하지 않습니다. 반지름이 같은 관은 판재의 가운데끼리 \c
+       마이터 이음으로 만납니다'-[S], nl,
+      '  --set-in은 주관보다 가는 지관에 쓰십시오.' ].
+unfold_ko(no_sphere(Option)) -->
+    [ '~w 옵션은 뜻이 없습니다. 편 구가 없습니다'-[Option] ].
 unfold_ko(kept_apart(S, N)) -->
     [ '세그먼트 ~d: 모서리 ~D개를 이을 수 없습니다. 한쪽은 말린 것을 펴고 다른 \c
        쪽은 평평하여 따로 전개합니다'-[S, N] ].

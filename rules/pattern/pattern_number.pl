@@ -4,6 +4,7 @@
             seam_strands/2,             % +Pieces, -Strands
             reads_turned/1              % +Number
           ]).
+:- use_module('../store', [segment/3]).
 :- use_module(pattern_outline, [cut_loops/2]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(assoc), [gen_assoc/3, get_assoc/3, list_to_assoc/2]).
@@ -26,9 +27,11 @@ the next. The partners of a strand are a strand too, the other way round.
 
 :- set_prolog_flag(optimise, true).
 
-% Sides that are shorter, in millimetres, and bend less, in degrees, are facets.
+% Sides that are shorter, in millimetres, and bend less, in degrees, are facets;
+% those of a true pattern, however long.
 facet_length(12.0).
 facet_bend(35.0).
+curve_bend(10.0).
 
 %!  seam_numbers(+Pieces, -Numbers) is det.
 %
@@ -159,11 +162,15 @@ follower(Pieces, Places, k(Name,J1,W1), k(Name,J2,W2)) :-
            [Last|Loop]),
     get_assoc(k(Name,J1,W1), Places, Place1),
     get_assoc(k(Name,J2,W2), Places, Place2),
-    goes_on(Place1, Place2).
+    goes_on(Name, Place1, Place2).
 
-goes_on((XA-YA)-(XB-YB), (XB-YB)-(XC-YC)) :-
-    facet_length(Most),
-    facet_bend(Bend),
+goes_on(name(D,_,_), (XA-YA)-(XB-YB), (XB-YB)-(XC-YC)) :-
+    (   segment(D, _, true_development(_, _))
+    ->  Most = inf,
+        curve_bend(Bend)
+    ;   facet_length(Most),
+        facet_bend(Bend)
+    ),
     X1 is XB-XA, Y1 is YB-YA,
     X2 is XC-XB, Y2 is YC-YB,
     Length1 is sqrt(X1*X1+Y1*Y1),

@@ -39,7 +39,7 @@ part_title(Leaf/_, Title) :-
     segment_title(Leaf, Title),
     \+ primitive(Title).
 part_title(Part, Part) :-
-    Part \== side.
+    \+ memberchk(Part, [side,sphere]).
 
 %!  pattern_titles(+Ds:list, -Titles:list) is det.
 %

@@ -16,7 +16,7 @@ Wish is one of
     true_lengths             what is round is unrolled (option true(true))
     trim(Side), set_in(Bool), other_thickness(T)
     thickness(T), size(Which), k_factor(K), bend_radius(R), relief(Which)
-    seam(Degrees), generators(N), half(Bool)
+    seam(Degrees), generators(N), half(Bool), gores(N), zones(N)
 
 with the meaning of the options of true_patterns/4 and unfold/3. An option that
 is given itself counts before the fact.
@@ -37,6 +37,8 @@ how_row(set_in, oneof([true,false]), trim, 'set_in(true)').
 how_row(other_thickness, size, trim, 'other_thickness(T), T from 0').
 how_row(seam, number, true_lengths, 'seam(Degrees)').
 how_row(generators, count, true_lengths, 'generators(N), N from 2 to 3600').
+how_row(gores, pieces, true_lengths, 'gores(N), N from 2 to 360').
+how_row(zones, pieces, true_lengths, 'zones(N), N from 2 to 360').
 how_row(half, oneof([true,false]), true_lengths, 'half(true)').
 
 %!  how_form(?Name, -Form) is nondet.
@@ -72,6 +74,9 @@ of_type(part, Value) :-
 of_type(count, Value) :-
     integer(Value),
     between(2, 3600, Value).
+of_type(pieces, Value) :-
+    integer(Value),
+    between(2, 360, Value).
 
 %!  how_wished(+S, +Options0:list, -Options:list) is det.
 %

@@ -9,6 +9,7 @@
 :- use_module('../store',
               [e/5, p/3, origin/3, edge_polygon/3, facts_transaction/1]).
 :- use_module('../polygon/triangulation', [complete_segments/0]).
+:- use_module('../unrolling/sphere_facet', [has_sphere/1]).
 :- use_module('../unrolling/transition_facet', [takes_turns/1]).
 :- use_module('../unrolling/true_development',
               [true_development/4, developable_part/3]).
@@ -19,6 +20,9 @@
               [plate_alone/4, plate_fits/2, plate_parts/5]).
 :- use_module('../unrolling/true_rim', [pattern_measured/1, rims_rounded/3]).
 :- use_module('../unrolling/true_shape', [part_facet/5]).
+:- use_module('../unrolling/true_sphere',
+              [ sphere_development/4, sphere_part/2, sphere_part_polygon/3
+              ]).
 :- use_module(unfold, [trimmed_part/3, other_parts/3, part_developed/4]).
 :- use_module(unfold_wish, [wanted_in/4]).
 :- use_module(library(apply), [include/3, maplist/3]).
@@ -54,8 +58,7 @@ patterns(S, Wanted, Options0, Ds) :-
     option(removed(Removed0), Manual, []),
     sort(Removed0, Removed),
     findall(Part,
-            ( developable_part(T, Part, _),
-              \+ part_removed(T, Part, Removed) ),
+            ( true_part(T, Part), \+ part_removed(T, Part, Removed) ),
             Parts),
     option(cut(Cut), Manual, []),
     maplist(unrolled(T, Cut, Options), Parts, Unrolled),
@@ -86,15 +89,25 @@ flat_developed(T, Manual, Options, D) :-
     ;   true
     ).
 
+true_part(T, Part) :-
+    developable_part(T, Part, _).
+true_part(T, Part) :-
+    sphere_part(T, Part).
+
+part_polygon(T, Part, P) :-
+    part_facet(T, Part, P, _, _).
+part_polygon(T, Part, P) :-
+    sphere_part_polygon(T, Part, P).
+
 part_removed(T, Part, Removed) :-
     Removed \== [],
-    forall(part_facet(T, Part, P, _, _), ord_memberchk(P, Removed)).
+    forall(part_polygon(T, Part, P), ord_memberchk(P, Removed)).
 
 %   unrolled_polygons(T, Parts, Ps): Ps are those of Parts, which need no other
 %   pattern.
 
 unrolled_polygons(T, Parts, Ps) :-
-    findall(P, ( member(Part, Parts), part_facet(T, Part, P, _, _) ), Ps0),
+    findall(P, ( member(Part, Parts), part_polygon(T, Part, P) ), Ps0),
     sort(Ps0, Ps).
 
 %   flat_wishes(T, Rest, Manual, Wishes): what of Manual is of Rest alone.
@@ -154,6 +167,7 @@ trimmed_as_cut(S, Options0, Options, S1, T) :-
           throw(error(geometry_error(trim(nothing_left(S, Side))), Context))),
     (   T2 == S2,
         \+ takes_turns(S),
+        \+ has_sphere(S),
         \+ composed_of_plate(S, Options0)
     ->  S1 = S,
         T = S,
@@ -166,8 +180,9 @@ trimmed_as_cut(S, Options0, Options, S1, T) :-
 %   parts_cut(S, Options0, Options, S1): S1 is S, or what is cut instead: what
 %   of its plate touches the others, which are then among Options, in fine
 %   facets. What stands for a smooth surface only as its facets are fine has
-%   such ones also where nothing is cut; and the leaves of a CSG tree cut each
-%   other by the middle of their plate.
+%   such ones also where nothing is cut, a sphere those of its gores or
+%   zones; and the leaves of a CSG tree cut each other by the middle of their
+%   plate.
 
 parts_cut(S, Options0, [by(Others)|Options], S1) :-
     option(trim(_), Options0),
@@ -181,7 +196,7 @@ parts_cut(S, Options0, Options, S1) :-
     plate_alone(S, Options0, Options, S1),
     complete_segments.
 parts_cut(S, Options, Options, S1) :-
-    takes_turns(S),
+    ( takes_turns(S) ; has_sphere(S) ),
     !,
     parts_made([S-0.0], Options, [S1]),
     complete_segments.
@@ -203,7 +218,9 @@ composed_of_plate(S, Options) :-
 %   cut, if nothing else is said.
 
 unrolled(T, Cut, Options, Part, D) :-
-    (   \+ option(seam(_), Options),
+    (   sphere_part_polygon(T, Part, _)
+    ->  sphere_development(T, Part, Options, D)
+    ;   \+ option(seam(_), Options),
         member(E, Cut),
         generator_at(T, Part, E, Degrees)
     ->  true_development(T, Part, [seam(Degrees)|Options], D)

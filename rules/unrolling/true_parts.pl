@@ -18,9 +18,16 @@
 :- use_module('../solid/csg_flat',
               [flat_expression/2, flat_leaves/2, is_half/1]).
 :- use_module('../store', [origin/3, from_p/5, assert_fact/1, fresh_id/3]).
+:- use_module(sphere_facet,
+              [ grid_term/3, round_sphere/3, sphere_faces_known/3, sphere_grid/3
+              ]).
 :- use_module(transition_facet,
               [facet_borders/2, facet_in_direction/3, transition_facets/2]).
 :- use_module(true_flat, [flat_resized/3]).
+:- use_module(true_join,
+              [ facets_between/3, facets_connected/2, facets_joined/2,
+                outer_halves/2
+              ]).
 :- use_module(true_leaf,
               [ composed_known/4, composed_tolerance/2, large_enough/3,
                 leaves_replaced/3, plate_leaves/2
@@ -89,6 +96,7 @@ changes_nothing(Bys, Finers) :-
 
 changes(times(_)).
 changes(within(_)).
+changes(grid(_, _, _)).
 changes(composed(Finers)) :-
     once(( member(_-Finer, Finers), changes(Finer) )).
 
@@ -176,6 +184,11 @@ polygons_known(S, S1) :-
                 Ends),
         forall(( member(What-P, Ends), placed_face(S1, P1, What) ),
                assert_fact(origin(S1, p(P1), p(P))))
+    ;   once(round_sphere(S, _, _))
+    ->  sphere_faces_known(S, S1, Pairs),
+        forall(member(P1-P, Pairs), assert_fact(origin(S1, p(P1), p(P)))),
+        forall(( placed_face(S, P, base), placed_face(S1, P1, base) ),
+               assert_fact(origin(S1, p(P1), p(P))))
     ;   placed_surface(S, _, _)
     ->  drawn_faces(S, Drawn),
         forall(( placed_face(S1, P1, What1),
@@ -229,6 +242,7 @@ drawn_face(Drawn, What1, P) :-
 %   fineness(Ss, Options, Finers): what is done with the facets of each: `kept`,
 %   the segment stays as it is; `copied`, the same facets; times(N), N for each;
 %   within(Chord), others, no farther than that from the true surface;
+%   grid(Facets, Bands, Turn), those of sphere_grid/3;
 %   composed(Finers), the result of a CSG tree, of leaves Leaf-Finer. All are
 %   kept if one cannot be made again, or if the first has facets that are laid
 %   flat.
@@ -244,10 +258,16 @@ fineness([S|Others], Options, Finers) :-
 %   that does not unroll.
 
 first_finer(Options, S, Finer) :-
-    finer_or_composed(Options, S, Finer),
+    finer_or_composed([first(true)|Options], S, Finer),
     (   Finer = composed(Finers)
-    ->  forall(member(Leaf-_, Finers), unrolls_or_flat(Leaf))
-    ;   unrolls_or_flat(S)
+    ->  forall(member(Leaf-_, Finers), can_be_cut(Leaf))
+    ;   can_be_cut(S)
+    ).
+
+can_be_cut(S) :-
+    (   unrolls_or_flat(S)
+    ->  true
+    ;   once(round_sphere(S, _, _))
     ).
 
 finer_or_composed(Options, S, Finer) :-
@@ -257,7 +277,7 @@ finer_or_composed(Options, S, Finer) :-
         flat_expression(S, Expression),
         flat_leaves(Expression, Leaves),
         Leaves = [_|_],
-        maplist(finer_leaf(Options), Leaves, Finers0),
+        maplist(finer_leaf([cut(true)|Options]), Leaves, Finers0),
         pairs_keys_values(Finers, Leaves, Finers0),
         Finer = composed(Finers)
     ).
@@ -282,6 +302,11 @@ unrolls_or_flat(S) :-
            ( functor(Surface, Kind, _),
              memberchk(Kind, [cylinder,cone,fan,transition]) )).
 
+finer(Options, S, Finer) :-
+    option(first(true), Options),
+    once(round_sphere(S, _, _)),
+    !,
+    sphere_grid(S, Options, Finer).
 finer(Options, S, Finer) :-
     findall(Surface, placed_surface(S, _, Surface), Surfaces),
     findall(Radius,
@@ -331,6 +356,10 @@ widest_facet(Term, Width) :-
 
 term_finer(copied, Term, Term).
 term_finer(kept, Term, Term).
+term_finer(Grid, Term0, Term) :-
+    Grid = grid(_, _, _),
+    innermost(Term0, Inner0, Inner, Term),
+    grid_term(Grid, Inner0, Inner).
 term_finer(times(N), Term0, Term) :-
     innermost(Term0, Inner0, Inner, Term),
     is_transition(Inner0),
@@ -451,7 +480,7 @@ put_together(Shape, Transitions, drawn(D, PD)-Group, Facets) :-
     ->  true
     ;   Group = [facet(_, T1, T2, _)|_]         % of a flat part
     ),
-    connected(Group, Parts),
+    facets_connected(Group, Parts),
     maplist(one_facet(Shape, T1, T2), Parts, Facets).
 
 %   Facets of a transition may stand for one that is a part of another cone.
@@ -461,25 +490,12 @@ stands_for_transition(S) :-
     innermost(Term, Inner, _, _),
     is_transition(Inner).
 
-%   facets_between(Facets, T1, T2): they are between T1 and T2.
-
-facets_between(Facets, T1, T2) :-
-    findall(T, member(facet(_, T, _, _), Facets), Froms),
-    findall(T, member(facet(_, _, T, _), Facets), Tos),
-    min_list(Froms, T1),
-    max_list(Tos, T2).
-
 one_facet(Shape, T1, T2, Part, facet(P, T1, T2, Halves)) :-
     findall(P0, member(facet(P0, _, _, _), Part), Ps),
     min_list(Ps, P),
     outer_halves(Part, Halves1),
     rim_settled(0.0, Shape, Halves1, Halves2),
     rim_settled(1.0, Shape, Halves2, Halves).
-
-outer_halves(Facets, Halves) :-
-    findall(Half, ( member(facet(_, _, _, Hs), Facets), member(Half, Hs) ),
-            Halves0),
-    uncancelled(Halves0, Halves).
 
 %   rim_settled(Level, Shape, Halves0, Halves): a facet that is no plane is two
 %   triangles, one of which has a corner alone on the rim; so what goes along
@@ -491,50 +507,6 @@ rim_settled(Level, Shape, Halves0, Halves) :-
     ->  settled(Halves0, level(Level), Shape, Halves0, Halves)
     ;   Halves = Halves0
     ).
-
-%   connected(Facets, Parts): those with a half-edge in common, once each
-%   way, are of one part.
-
-connected([], []).
-connected([Facet|Facets], [Part|Parts]) :-
-    grown([Facet], Facets, Part, Rest),
-    connected(Rest, Parts).
-
-grown([], Rest, [], Rest).
-grown([Facet|Queue], Others, [Facet|Part], Rest) :-
-    Facet = facet(_, _, _, Halves),
-    findall(B-A, member(half(A, B, _), Halves), Backs0),
-    sort(Backs0, Backs),
-    partition(beside(Backs), Others, Beside, Others1),
-    append(Beside, Queue, Queue1),
-    grown(Queue1, Others1, Part, Rest).
-
-beside(Backs, facet(_, _, _, Halves)) :-
-    member(half(A, B, _), Halves),
-    ord_memberchk(A-B, Backs),
-    !.
-
-%   uncancelled(Halves0, Halves): without pairs that run both ways; where tips
-%   were given, one may run there twice and back once.
-
-uncancelled(Halves0, Halves) :-
-    findall(B-A, member(half(A, B, _), Halves0), Backs0),
-    sort(Backs0, Backs),
-    partition(runs_back(Backs), Halves0, Both, Once),
-    pairs_cancelled(Both, Left),
-    append(Once, Left, Halves).
-
-runs_back(Backs, half(A, B, _)) :-
-    ord_memberchk(A-B, Backs).
-
-pairs_cancelled([], []).
-pairs_cancelled([half(A, B, Label)|Halves0], Halves) :-
-    (   selectchk(half(B, A, _), Halves0, Halves1)
-    ->  pairs_cancelled(Halves1, Halves)
-    ;   Halves = [half(A, B, Label)|Halves2],
-        pairs_cancelled(Halves0, Halves2)
-    ).
-
 
                 /*******************************
                 *      PIECES OF ONE FACET     *
@@ -575,15 +547,5 @@ whole(P0/_, P) :-
     whole(P0, P).
 whole(P, P).
 
-pieces_together(_-[Facet], [Facet]) :-
-    !.
 pieces_together(_-Group, Facets) :-
-    connected(Group, Parts),
-    maplist(one_of_pieces, Parts, Facets).
-
-one_of_pieces([Facet], Facet) :-
-    !.
-one_of_pieces(Part, facet(P, G1, G2, Halves)) :-
-    sort(1, @=<, Part, [facet(P, _, _, _)|_]),      % a number before P/I
-    facets_between(Part, G1, G2),
-    outer_halves(Part, Halves).
+    facets_joined(Group, Facets).

@@ -7,6 +7,7 @@
           ]).
 :- use_module('../near', [longer/2]).
 :- use_module('../csg/placed_surface', [placed_surface/3, placed_term/2]).
+:- use_module('../solid/trimmed', [part_named/2]).
 :- use_module(true_leaf, [composed_leaves/2]).
 :- use_module(true_parts, [parts_made/3]).
 :- use_module(true_resized, [outline_area/2]).
@@ -166,6 +167,7 @@ plate_parts(S, Others, Options0, Options, S1-Others1) :-
     part_role(Options0, S, Others, Role),
     option(set_in(In), Options0, false),
     must_be(boolean, In),
+    mitre_told(Role, In, S),
     touches(Role, In, Side),
     touching_sides(Side, Inner-Outer, OtherInner-OtherOuter, By, OtherBy),
     plate_layer(Options0, Layer0),
@@ -189,6 +191,15 @@ plate_alone(S, Options0, Options, S1) :-
     Layer is Layer0 - By,
     Options = [layer(Layer),size(middle)|Options0],
     parts_made([S-By], [layer(Layer0)|Options0], [S1]).
+
+%   mitre_told(Role, SetIn, S): a mitre has no side that is set in.
+
+mitre_told(Role, In, S) :-
+    (   Role-In == mitre-true
+    ->  part_named(S, Named),
+        print_message(warning, sanggwan(unfold(mitre_not_set_in(Named))))
+    ;   true
+    ).
 
 %   touches(Role, SetIn, Side): with which side its plate touches the others.
 

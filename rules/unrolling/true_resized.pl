@@ -58,7 +58,8 @@ arguments_resized(cylinder, F, _, Arguments0, Arguments) :-
 arguments_resized(Name, F, _, Arguments0, Arguments) :-
     memberchk(Name, [elbow,mitred_pipe,wye]),
     enlarged(diameter, F, _, Arguments0, Arguments).
-arguments_resized(sphere, F, _, Arguments0, Arguments) :-
+arguments_resized(Name, F, _, Arguments0, Arguments) :-
+    memberchk(Name, [sphere,hemisphere]),
     enlarged(radius, F, _, Arguments0, Arguments).
 arguments_resized(torus, _, torus(_, _, _, _, K), Arguments0,
                   [tube(Tube)|Arguments]) :-

@@ -144,6 +144,7 @@ pattern_kind(D, Kind) :-
     ).
 
 place_columns(cylinder, [arc-unit,from-unit,to-unit]).
+place_columns(sphere, [arc-unit,from-unit,to-unit]).
 place_columns(cone, [angle-degrees,apex_from-unit,apex_to-unit]).
 place_columns(ruled, []).
 place_columns(transition, []).
@@ -202,6 +203,8 @@ line(Decimals, F, Kind, Row, [Number,Degrees|Texts]) :-
 
 place_texts(cylinder, Decimals, F, Position, Ends, Texts) :-
     maplist(number_text(Decimals, F), [Position|Ends], Texts).
+place_texts(sphere, Decimals, F, Position, Ends, Texts) :-
+    place_texts(cylinder, Decimals, F, Position, Ends, Texts).
 place_texts(cone, Decimals, F, Position, Ends, [Angle|Texts]) :-
     number_text(Decimals, 1, Position, Angle),
     maplist(number_text(Decimals, F), Ends, Texts).

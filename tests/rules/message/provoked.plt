@@ -16,6 +16,10 @@
 
 % --- models ------------------------------------------------------------------
 
+file('tee.pl', "segment(1, solid, at([rotate(y,90), translate(-30,0,0)],
+                     cylinder(radius(10), height(60)))).
+segment(2, solid, cylinder(radius(10), height(40))).
+unfolding(1, removed([base, top])). unfolding(2, removed([base, top])).\n").
 file('cube.pl', "segment(1, solid, box(size(1,1,1))).\n").
 file('crossing.pl', "v(1,1,-1,-1,0). v(1,2,1,-1,0). v(1,3,1,1,0).
 v(1,4,-1,1,0). v(1,5,-1,0,-1). v(1,6,1,0,-1). v(1,7,1,0,1). v(1,8,-1,0,1).
@@ -242,7 +246,12 @@ command(unfold(nothing_to_unfold), [unfold, @('wire.pl')]).
 command(unfold(several_sheets(_)), [unfold, @('house.pl'), '--page', 'A4',
                                     '-o', -, '--format', svg]).
 command(unfold(attached(_,_,_)), [unfold, @('two_welds.pl')]).
-command(unfold(not_developable(_,_,_)), [unfold, @('ball.pl'), '--true']).
+command(unfold(not_developable(_,_,_)), [unfold, @('ring.pl'), '--true']).
+command(unfold(no_sphere(_)), [unfold, @('pipes.pl'), '--true', '--gores', '8',
+                               '--no-lines']).
+command(unfold(mitre_not_set_in(_)),
+        [unfold, @('tee.pl'), '--true', '--trim', outside, '--thickness', '2',
+         '--set-in', '--only', '2']).
 command(unfold(nothing_unrolled), [unfold, @('cube.pl'), '--true']).
 command(unfold(kept_apart(_,_)), [unfold, @('pipes.pl'), '--true', '--only', 1,
                                   '--no-lines', '--keep', 'side-top']).

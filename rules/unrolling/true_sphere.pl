@@ -1,0 +1,499 @@
+:- module(sg_true_sphere,
+          [ sphere_part/2,              % +T, -Part
+            sphere_part_polygon/3,      % +T, +Part, ?P
+            sphere_development/4        % +T, +Part, +Options, -D
+          ]).
+:- use_module('../csg/placed_surface',
+              [kept_answer/4, placed_face/3, placed_polygon/4]).
+:- use_module('../kernel', [surface_place/4, surfaces_meet/4]).
+:- use_module('../near', [is_rounding/2, same_angle/2, whole_turns/2]).
+:- use_module('../store',
+              [e/5, from_p/5, origin/3, p/3, v/5, facts_transaction/1]).
+:- use_module(sphere_facet, [round_sphere/3, sphere_cut/2]).
+:- use_module(true_join, [facets_joined/2]).
+:- use_module(true_pattern, [pattern_written/3]).
+:- use_module(true_plate, [plate_layer/2]).
+:- use_module(true_surface,
+              [generator_plane/3, level_plane/3, meeting_surfaces/4]).
+:- use_module(library(apply), [foldl/4, foldl/6, maplist/3, maplist/4]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
+:- use_module(library(lists),
+              [append/2, max_list/2, member/2, min_list/2, sum_list/2]).
+:- use_module(library(option), [option/3]).
+:- use_module(library(pairs), [group_pairs_by_key/2]).
+/** <module> Spheres in gores and zones.
+
+A sphere does not unroll. What is cut for it, to be bent or pressed into shape,
+keeps some of its lengths:
+
+  - a *gore*, between two meridians, those of its middle meridian and of all
+    parallels: the point at the longitude T from the middle one and the latitude
+    S lies at x = R*(S+90), y = R*T*cos(S), angles in radians. So it has the
+    area that it has on the sphere.
+  - a *zone*, between two parallels, is the cone, or cylinder, through both of
+    them, and unrolls.
+
+R is that of the neutral layer of the plate; zones meet in mitres, so of a layer
+L farther out it is R + L/cos(half the latitude of a zone).
+
+A place is place(T, S), degrees, of the sphere that was made for it
+(sphere_facet.pl): T from the seam. A *patch* is one gore or zone: gore(I) or
+zone(S1, S2).
+
+Source: ours; the gore is the sinusoidal projection of geographers.
+*/
+
+%!  sphere_part(+T, -Part) is nondet.
+%
+%   Part of segment T, or Leaf/Name in what was made of leaves, is of a sphere
+%   that was made in the facets of gores or zones.
+
+sphere_part(T, Part) :-
+    findall(Part0, sphere_facet(T, Part0, _, _, _), Parts0),
+    sort(Parts0, Parts),
+    member(Part, Parts).
+
+%!  sphere_part_polygon(+T, +Part, ?P) is nondet.
+%
+%   P is a polygon of that Part.
+
+sphere_part_polygon(T, Part, P) :-
+    sphere_facet(T, Part, P, _, _).
+
+%   sphere_facet(T, Part, P, T1-T2, S1-S2) is nondet.
+
+sphere_facet(T, Part, P, Ts, Ss) :-
+    kept_answer(sg_true_sphere:found_facet, T, Part, facet(P, Ts, Ss)).
+
+:- public found_facet/3.
+
+found_facet(T, Part, facet(P, Ts, Ss)) :-
+    (   once(from_p(T, _, _, _, _))
+    ->  placed_polygon(T, P, Leaf, P0),
+        Part = Leaf/Name
+    ;   p(T, P, _),
+        Leaf-P0 = T-P,
+        Part = Name
+    ),
+    placed_face(Leaf, P0, curved(Name, [Ts,Ss])),
+    origin(Leaf, node(Leaf), plate(_)),
+    once(round_sphere(Leaf, Name, _)).
+
+part_leaf(T, Part, Leaf, Name) :-
+    (   Part = Leaf0/Name0
+    ->  Leaf-Name = Leaf0-Name0
+    ;   Leaf-Name = T-Part
+    ).
+
+%!  sphere_development(+T, +Part, +Options, -D) is det.
+%
+%   D is a new segment of kind `pattern`, true_development(T, Part): Part of
+%   segment T in gores or zones, seen from outside, each a piece. Options:
+%   gores(N), zones(N) as sphere_cut/2 has them, generators(N): so many parts of
+%   the middle meridian of the first gore, 12 by default, and those of
+%   plate_layer/2.
+%
+%   @error geometry_error(true(no_option(Leaf, Option))): half(true), and
+%   generators(N) of zones, say nothing here
+
+sphere_development(T, Part, Options, D) :-
+    part_leaf(T, Part, Leaf, Name),
+    sphere_cut(Options, Cut),
+    options_checked(Options, Cut, Leaf),
+    once(round_sphere(Leaf, Name, Surface)),
+    plate_layer(Options, Layer),
+    findall(facet(P, Ts, Ss, Es),
+            ( sphere_facet(T, Part, P, Ts, Ss), p(T, P, Es) ),
+            Facets0),
+    sort(Facets0, Facets),
+    meetings(T, Leaf, Facets, Meets),
+    patches(Facets, Cut, Patches),
+    lowest(Leaf, Low),
+    maplist(patch_laid(T, sphere(Surface, Layer, Low), Meets), Patches,
+            Facetss, Pointss),
+    apart(Pointss, Surface, Pairs),
+    list_to_assoc(Pairs, Points),
+    append(Facetss, Laid),
+    sort(1, @=<, Laid, Sorted),
+    list_to_assoc([], Curves),
+    marks(Cut, Options, Surface-Layer, Low, Facetss, Pointss, Marks),
+    facts_transaction(
+        pattern_written(true_development(T, Part),
+                        pattern(T, smooth, Sorted, Points, Curves, Marks),
+                        D)).
+
+options_checked(Options, Cut, Leaf) :-
+    member(Option0, [half(true),generators(_)]),
+    memberchk(Option0, Options),
+    ( Option0 = half(_) ; Cut = zones(_) ),
+    !,
+    functor(Option0, Option, _),
+    drawn_leaf(Leaf, S),
+    throw(error(geometry_error(true(no_option(S, Option))), _)).
+options_checked(_, _, _).
+
+drawn_leaf(Leaf, S) :-
+    (   origin(Leaf, node(Leaf), plate(S0))
+    ->  S = S0
+    ;   S = Leaf
+    ).
+
+meetings(T, Leaf, Facets, Meets) :-
+    findall(V,
+            ( member(facet(_, _, _, Es), Facets),
+              member(E, Es),
+              e(T, E, V, _, _) ),
+            Vs0),
+    sort(Vs0, Vs),
+    meeting_surfaces(T, Leaf, Vs, Meets).
+
+%   patches(Facets, Cut, Patches): Patch-Facets for each, in order.
+
+patches(Facets, Cut, Patches) :-
+    findall(Patch-Facet,
+            ( member(Facet, Facets), facet_patch(Cut, Facet, Patch) ),
+            Pairs0),
+    keysort(Pairs0, Pairs),
+    group_pairs_by_key(Pairs, Patches).
+
+facet_patch(gores(N), facet(_, T1-T2, _, _), gore(I, Step)) :-
+    Step is 360.0/N,
+    I is floor((T1+T2)/2.0/Step).
+facet_patch(zones(_), facet(_, _, S1-S2, _), zone(S1, S2)).
+
+
+                /*******************************
+                *            PLACES            *
+                *******************************/
+
+%   patch_laid(T, Sphere, Meets, Patch-Facets, Laid, Points): Laid are its
+%   connected parts as facets of true_shape.pl, Points Key-(X-Y), seen from
+%   outside.
+
+patch_laid(T, sphere(Surface, Layer, Low), Meets, Patch-Facets0, Laid,
+           Points) :-
+    patch_roll(Patch, Surface, Layer-Low, Roll),
+    maplist(facet_keyed(T, Patch, Roll, Meets), Facets0, Facets, Placess),
+    append(Placess, Places0),
+    sort(1, @<, Places0, Places),
+    findall(Key-Point,
+            ( member(Key-Place, Places), rolled(Roll, Place, Point) ),
+            Points0),
+    facets_joined(Facets, Laid),
+    seen_from_outside(Facets, Points0, Points).
+
+%   Roll is how a patch is laid: gore(Surface, R-Low, Middle-Half), x from the
+%   latitude Low; or cone(Surface,
+%   Flip, R1-R2, Length), Surface the cone through its circles, its radii there
+%   and how far apart they are; Flip says that h = 0 is the upper one.
+
+patch_roll(gore(I, Step), Surface, Layer-Low,
+           gore(Surface, R-Low, Middle-Half)) :-
+    sphere_radius(Surface, R0),
+    R is R0+Layer,
+    Half is Step/2.0,
+    Middle is (I+0.5)*Step.
+patch_roll(zone(S1, S2), Surface, Layer-_, cone(Cone, Flip, R1-R2, Length)) :-
+    sphere_radius(Surface, R0),
+    Angle is (S2-S1)*pi/360.0,
+    R is R0 + Layer/cos(Angle),
+    level_radius(S1, Part1),
+    level_radius(S2, Part2),
+    (   Part1 < Part2,
+        \+ is_rounding(Part1-Part2, 1.0)
+    ->  Flip = true,
+        cone_between(Surface, S2, S1, Cone)
+    ;   Flip = false,
+        cone_between(Surface, S1, S2, Cone)
+    ),
+    R1 is R*Part1,
+    R2 is R*Part2,
+    Length is 2.0*R*sin(Angle).
+
+sphere_radius(sphere(_, vector(A,B,C), _, _), R) :-
+    R is sqrt(A*A + B*B + C*C).
+
+level_radius(S, Part) :-
+    (   same_angle(abs(S), 90.0)
+    ->  Part = 0.0
+    ;   Part is cos(S*pi/180.0)
+    ).
+
+%   cone_between(Sphere, S1, S2, Cone): through the parallels at S1, the larger
+%   one, and S2.
+
+cone_between(sphere(point(X0,Y0,Z0), U0, V0, W0), S1, S2, Cone) :-
+    level_radius(S1, Part1),
+    level_radius(S2, Part2),
+    Low is sin(S1*pi/180.0),
+    High is sin(S2*pi/180.0),
+    Up is High-Low,
+    scaled(Low, W0, vector(A,B,C)),
+    X is X0+A,
+    Y is Y0+B,
+    Z is Z0+C,
+    scaled(Part1, U0, U),
+    scaled(Part1, V0, V),
+    scaled(Up, W0, W),
+    (   is_rounding(Part1-Part2, 1.0)
+    ->  Cone = cylinder(point(X,Y,Z), U, V, W)
+    ;   K is Part2/Part1,
+        Cone = cone(point(X,Y,Z), U, V, W, K)
+    ).
+
+scaled(F, vector(A0,B0,C0), vector(A,B,C)) :-
+    A is F*A0,
+    B is F*B0,
+    C is F*C0.
+
+%   facet_keyed(T, Patch, Roll, Meets, Facet0, Facet, Places): Places are
+%   Key-place(...) of its corners.
+
+facet_keyed(T, Patch, Roll, Meets, facet(P, Ts, Ss, Es),
+            facet(P, T1, T2, Halves), Places) :-
+    Ts = T1-T2,
+    maplist(half_keyed(T, Patch, Roll, Meets, Ts-Ss), Es, Halves, Places).
+
+half_keyed(T, Patch, Roll, Meets, Between, E, half(K1, K2, edge(E)),
+           K1-Place) :-
+    e(T, E, A, B, _),
+    vertex_key(T, Patch, Roll, Meets, Between, A, K1, Place),
+    vertex_key(T, Patch, Roll, Meets, Between, B, K2, _).
+
+vertex_key(T, gore(I, _), Roll, Meets, _, V, k(V, I), place(Degrees, S)) :-
+    gore_place(T, Roll, Meets, V, Degrees, S).
+vertex_key(T, zone(S1, S2), Roll, Meets, (T1-T2)-_, V, k(V, S1/Turn),
+           place(Degrees, H)) :-
+    zone_place(T, Roll, S1-S2, Meets, V, Degrees0, H),
+    (   Degrees0 == any
+    ->  Turn = apex,
+        Degrees = 0.0
+    ;   whole_turns(Degrees0, By),
+        Canonical is Degrees0-By,
+        Turn is round(((T1+T2)/2.0 - Canonical)/360.0),
+        Degrees is Canonical + 360.0*Turn
+    ).
+
+%   gore_place(T, Roll, Meets, V, Degrees, S): in the gore, from its middle.
+
+gore_place(T, gore(Sphere, _, Middle-Half), Meets, V, Degrees, S) :-
+    v(T, V, X, Y, Z),
+    sphere_place(Sphere, point(X,Y,Z), Degrees0, S0),
+    (   get_assoc(V, Meets, met([First|More], _))
+    ->  from_middle(Middle, Degrees0, From0),
+        (   same_angle(abs(From0), Half)
+        ->  generator_plane(Sphere, Degrees0, Plane),
+            Rest = [Plane]
+        ;   More = [Second|_]
+        ->  Rest = [Second]
+        ;   Rest = []
+        ),
+        met_point([Sphere,First|Rest], Sphere, point(X,Y,Z), Point),
+        sphere_place(Sphere, Point, Degrees1, S)
+    ;   Degrees1 = Degrees0,
+        S = S0
+    ),
+    from_middle(Middle, Degrees1, From),
+    Degrees is max(-Half, min(Half, From)).
+
+from_middle(Middle, Degrees, From) :-
+    From is Degrees - Middle - 360.0*round((Degrees-Middle)/360.0).
+
+met_point(Surfaces, Sphere, Point0, Point) :-
+    sphere_radius(Sphere, R),
+    Reach is R/10.0,
+    (   surfaces_meet(Surfaces, Reach, Point0, Point1)
+    ->  Point = Point1
+    ;   Point = Point0
+    ).
+
+%   sphere_place(Sphere, Point, Degrees, S): in its direction from the centre.
+
+sphere_place(sphere(point(X0,Y0,Z0), U, V, W), point(X,Y,Z), Degrees, S) :-
+    From = vector(X-X0, Y-Y0, Z-Z0),
+    along(From, U, A),
+    along(From, V, B),
+    along(From, W, C),
+    Degrees is atan2(B, A)*180.0/pi,
+    S is atan2(C, sqrt(A*A + B*B))*180.0/pi.
+
+along(vector(A,B,C), vector(D,E,F), Along) :-
+    Along is A*D + B*E + C*F.
+
+%   zone_place(T, Roll, S1-S2, Meets, V, Degrees, H): on the cone, H from 0 at
+%   the lower parallel to 1; Degrees is `any` at a pole.
+
+zone_place(T, cone(Cone, Flip, _, _), S1-S2, Meets, V, Degrees, H) :-
+    v(T, V, X, Y, Z),
+    surface_place(Cone, point(X,Y,Z), Degrees0, H0),
+    (   Cone = cone(_, _, _, _, K),
+        K =:= 0.0,
+        is_rounding(H0-1.0, 1.0)
+    ->  Degrees = any,
+        H1 = 1.0
+    ;   get_assoc(V, Meets, met([First|More], _))
+    ->  (   member(Level, [0.0,1.0]),
+            is_rounding(H0-Level, 1000.0)
+        ->  level_plane(Cone, Level, Plane),
+            Rest = [Plane]
+        ;   More = [Second|_]
+        ->  Rest = [Second]
+        ;   Rest = []
+        ),
+        met_on_cone([Cone,First|Rest], S1-S2, point(X,Y,Z), Point),
+        surface_place(Cone, Point, Degrees, H1)
+    ;   Degrees = Degrees0,
+        H1 = H0
+    ),
+    (   Flip == true
+    ->  H2 is 1.0-H1
+    ;   H2 = H1
+    ),
+    H is max(0.0, min(1.0, H2)).
+
+met_on_cone(Surfaces, _, Point0, Point) :-
+    Surfaces = [Cone|_],
+    arg(2, Cone, vector(A,B,C)),
+    Reach is sqrt(A*A + B*B + C*C)/5.0,
+    (   surfaces_meet(Surfaces, Reach, Point0, Point1)
+    ->  Point = Point1
+    ;   Point = Point0
+    ).
+
+
+                /*******************************
+                *            LAYING            *
+                *******************************/
+
+%   rolled(Roll, Place, Point): X east and Y north of a zone; a gore lies on its
+%   side, north to the right.
+
+rolled(gore(_, R-Low, _), place(Degrees, S), X-Y) :-
+    X is R*(S-Low)*pi/180.0,
+    level_radius(S, Part),
+    Y is -R*Degrees*pi/180.0*Part.
+rolled(cone(_, _, R1-R2, Length), place(Degrees, H), X-Y) :-
+    Off is R2-R1,
+    Up is H*Length,
+    (   is_rounding(Off, max(R1, R2))
+    ->  X is R1*Degrees*pi/180.0,
+        Y = Up
+    ;   Far is abs(R1 + H*Off)*Length/abs(Off),
+        Angle is (Degrees-180.0)*pi/180.0*abs(Off)/Length,
+        X is Far*sin(Angle),
+        (   Off < 0.0
+        ->  Y is -Far*cos(Angle)
+        ;   Y is Far*cos(Angle)
+        )
+    ).
+
+%   seen_from_outside(Facets, Points0, Points): mirrored, if facets run
+%   clockwise: in a hollow, or if the sphere was mirrored.
+
+seen_from_outside(Facets, Points0, Points) :-
+    list_to_assoc(Points0, Table),
+    findall(Area,
+            ( member(facet(_, _, _, Halves), Facets),
+              member(half(A, B, _), Halves),
+              get_assoc(A, Table, X1-Y1),
+              get_assoc(B, Table, X2-Y2),
+              Area is X1*Y2 - X2*Y1 ),
+            Areas),
+    sum_list(Areas, Sum),
+    (   Sum < 0.0
+    ->  findall(Key-(X-Y), ( member(Key-(X-Y0), Points0), Y is -Y0 ), Points)
+    ;   Points = Points0
+    ).
+
+%   apart(Pointss, Surface, Points): one patch above the other; a gore stays
+%   where it is along its meridian, zones begin at 0.
+
+apart(Pointss, Surface, Points) :-
+    sphere_radius(Surface, R),
+    Gap is R/20.0,
+    Unit is 2.0**(ceiling(log(R)/log(2.0)) - 44),
+    foldl(moved_up(Gap, Unit), Pointss, Lists, 0.0, _),
+    append(Lists, Points0),
+    keysort(Points0, Points).
+
+moved_up(Gap, Unit, Points0, Points, Y0, Y1) :-
+    Points0 = [Key0-_|_],
+    (   Key0 = k(_, I),
+        integer(I)
+    ->  Left = 0.0
+    ;   findall(X, member(_-(X-_), Points0), Xs),
+        min_list(Xs, Left)
+    ),
+    least_y(Points0, Low),
+    findall(Y, member(_-(_-Y), Points0), Ys),
+    max_list(Ys, High),
+    findall(Key-(X-Y),
+            ( member(Key-(X0-Y2), Points0),
+              X is round((X0-Left)/Unit)*Unit,
+              Y is round((Y2-Low+Y0)/Unit)*Unit ),
+            Points),
+    Y1 is Y0 + High - Low + Gap.
+
+
+                /*******************************
+                *            MARKS             *
+                *******************************/
+
+%   marks(Cut, Options, Surface-Layer, Low, Facetss, Pointss, Marks): of the
+%   first gore, across its middle meridian, in equal steps from pole to pole, or
+%   from the rim of a hemisphere, at the latitude Low. Marks are as
+%   true_layout.pl has them: Degrees is the latitude, Position where it is along
+%   the middle meridian, From and To are from there.
+
+marks(zones(_), _, _, _, _, _, []).
+marks(gores(_), Options, Surface-Layer, Low, [Facets|_], [Points|_], Marks) :-
+    option(generators(N), Options, 12),
+    sphere_radius(Surface, R0),
+    R is R0+Layer,
+    list_to_assoc(Points, Table),
+    findall(P-Q,
+            ( member(facet(_, _, _, Halves), Facets),
+              member(half(A, B, _), Halves),
+              get_assoc(A, Table, P),
+              get_assoc(B, Table, Q) ),
+            Sides),
+    least_y(Points, Least),
+    findall(mark(Number, S, X, From, To, X-Y1, X-Y2),
+            ( between(0, N, J),
+              Number is J+1,
+              S is Low + (90.0-Low)*J/N,
+              X is R*(S-Low)*pi/180.0,
+              spans(Sides, X, Spans),
+              member(From-To, Spans),
+              \+ is_rounding(To-From, R),
+              Y1 is From-Least,
+              Y2 is To-Least ),
+            Marks).
+
+least_y(Points, Least) :-
+    findall(Y, member(_-(_-Y), Points), Ys),
+    min_list(Ys, Least).
+
+%   spans(Sides, X, Spans): where the upright line at X is within them.
+
+spans(Sides, X, Spans) :-
+    findall(Y,
+            ( member((X1-Y1)-(X2-Y2), Sides),
+              (   X1 =< X
+              ->  X2 > X
+              ;   X2 =< X
+              ),
+              Y is Y1 + (Y2-Y1)*(X-X1)/(X2-X1) ),
+            Ys0),
+    msort(Ys0, Ys),
+    paired(Ys, Spans).
+
+paired([], []).
+paired([From,To|Ys], [From-To|Spans]) :-
+    paired(Ys, Spans).
+
+%   lowest(Leaf, Low): the latitude of its lowest parallel.
+
+lowest(Leaf, Low) :-
+    findall(S, placed_face(Leaf, _, curved(_, [_,S-_])), Ss),
+    min_list(Ss, Low).
