@@ -67,6 +67,9 @@ module that has it.
 :- reexport(gluing/regions, [regions_made/2, region_neighbour/4]).
 :- reexport(solid/glue, [unglue/1, glue_report/2]).
 :- reexport(gluing/cycle, [ loop_cycle/4, radial_cycle/4, disk/4 ]).
+:- reexport(gluing/vertex_disk,
+            [ disk_arcs/2, disk_direction/2, zone_at/3, disks_touch/2,
+              disk_relation/3 ]).
 :- reexport(csg/provenance,
             [ vertex_from/4, edge_from/3, polygon_from/5, operand_face/3,
               operand_edge/3 ]).

@@ -49,11 +49,13 @@ clear_maker(sg_regions_maker *m)
 
 sg_regions_end
 sg_regions_make(const sg_dense *dense, const sg_point_loop *point_loop,
-                size_t n, const sg_cancel *cancel, sg_regions *out, size_t *bad)
+                size_t n, const sg_zones_told *told, const sg_cancel *cancel,
+                sg_regions *out, size_t *bad)
 {
   sg_regions_maker m = {.d = dense,
                         .point_loop = point_loop,
                         .point_loops = n,
+                        .told = told,
                         .cancel = cancel,
                         .out = out};
   uint32_t outside = SG_NOWHERE;

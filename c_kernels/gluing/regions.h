@@ -31,6 +31,27 @@ typedef struct sg_point_loop {
   uint32_t v, p;
 } sg_point_loop;
 
+/* A side of what is round a vertex (places): of the corner where `edge` starts
+ * at it; of the wire `edge`, which has one; of `polygon`, inside of which the
+ * vertex lies, if edge is UINT32_MAX. */
+typedef struct sg_disk_side {
+  uint32_t edge, polygon;
+  bool above;
+} sg_disk_side;
+
+/* At vertex v these two sides have one zone. */
+typedef struct sg_zone_meeting {
+  uint32_t v;
+  sg_disk_side side[2];
+} sg_zone_meeting;
+
+/* What is told of vertices of several disks, instead of the sphere map: where
+ * it says nothing each cycle has a zone of its own. */
+typedef struct sg_zones_told {
+  const sg_zone_meeting *meeting; /* [n] by vertex */
+  size_t n;
+} sg_zones_told;
+
 typedef enum sg_region_role {
   SG_REGION_OUTSIDE, /* the one without end */
   SG_REGION_CELL,
@@ -69,8 +90,9 @@ typedef struct sg_lone_vertex {
 typedef struct sg_regions {
   size_t vertices, edges, faces, loops, parts;
   int64_t genus;
-  size_t twisted;  /* shells whose genus is no number: not of a surface */
-  size_t dropped;  /* polygons without area, which are no faces */
+  size_t twisted; /* shells whose genus is no number: not of a surface; and what
+                     of a shell is in another region than the rest */
+  size_t dropped; /* polygons without area, which are no faces */
   size_t doubtful; /* parts that lie on faces of others */
   size_t regions, shells, wires, lone;
   uint32_t *side; /* [2 * polygons] below, above: the region, from 0; dropped:
@@ -91,13 +113,14 @@ typedef enum sg_regions_end {
   SG_REGIONS_TRIANGLES /* its triangles do not end where it does */
 } sg_regions_end;
 
-/* Of a segment that is alone in `dense`; *bad: the polygon, a place, that is
- * no face.
+/* Of a segment that is alone in `dense`; told: NULL, or how disks lie; *bad:
+ * the polygon, a place, that is no face.
  *
  * Owner: sg_regions_clear() in any case.
  * Cost:  n log n of edges and faces. */
 sg_regions_end sg_regions_make(const sg_dense *dense,
                                const sg_point_loop *point_loop, size_t n,
+                               const sg_zones_told *told,
                                const sg_cancel *cancel, sg_regions *out,
                                size_t *bad);
 void sg_regions_clear(sg_regions *regions);

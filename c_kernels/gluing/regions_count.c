@@ -178,6 +178,7 @@ list_shells(counter *c)
       out->shell[out->shells].first = i;
       name_shell(m, i, &out->shell[out->shells++]);
     }
+    out->twisted += region_of(c, i) != region_of(c, root);
     out->shell[number[root]].euler += m->euler[i];
   }
   free(number);

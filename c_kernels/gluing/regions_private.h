@@ -19,6 +19,7 @@ typedef struct sg_regions_maker {
   const sg_dense *d;
   const sg_point_loop *point_loop;
   size_t point_loops;
+  const sg_zones_told *told; /* NULL: sphere maps say it */
   const sg_cancel *cancel;
   sg_regions *out;
   sg_regions_end end; /* what went wrong */

@@ -88,13 +88,58 @@ find_voids(sg_regions *regions)
   }
 }
 
-bool
-sg_door_regions_open(sg_call *call, int32_t s,
-                     const sg_point_loop_fact_list *loops,
-                     sg_regions_handle **out)
+/* e: an edge; -P of polygon P. */
+static bool
+find_side(sg_call *call, const sg_dense *d, int32_t e, bool above,
+          sg_disk_side *side)
+{
+  size_t at = e < 0 ? sg_find_id(d->polygon_id, d->polygons, -e)
+                    : sg_find_id(d->edge_id, d->edges, e);
+
+  *side = (sg_disk_side){e < 0 ? UINT32_MAX : (uint32_t)at,
+                         e < 0 ? (uint32_t)at : UINT32_MAX, above};
+  return at != SIZE_MAX || sg_call_missing(call, e < 0 ? "polygon" : "edge", 3);
+}
+
+static int
+compare_meetings(const void *x, const void *y)
+{
+  uint32_t a = ((const sg_zone_meeting *)x)->v;
+  uint32_t b = ((const sg_zone_meeting *)y)->v;
+
+  return (a > b) - (a < b);
+}
+
+static bool
+find_told(sg_call *call, const sg_dense *d, const sg_zone_meeting_fact_list *in,
+          sg_zones_told *told)
+{
+  sg_zone_meeting *meeting = sg_call_alloc(call, (in->n + 1) * sizeof *meeting);
+  bool good = meeting != NULL;
+
+  for (size_t i = 0; good && i < in->n; i++) {
+    const sg_zone_meeting_fact *m = &in->at[i];
+    size_t v = sg_find_id(d->vertex_id, d->vertices, m->v);
+
+    meeting[i].v = (uint32_t)v;
+    good = (v != SIZE_MAX || sg_call_missing(call, "vertex", 3)) &&
+           find_side(call, d, m->e1, m->above1, &meeting[i].side[0]) &&
+           find_side(call, d, m->e2, m->above2, &meeting[i].side[1]);
+  }
+  if (good && in->n > 0) {
+    qsort(meeting, in->n, sizeof *meeting, compare_meetings);
+  }
+  *told = (sg_zones_told){meeting, in->n};
+  return good;
+}
+
+static bool
+open_regions(sg_call *call, int32_t s, const sg_point_loop_fact_list *loops,
+             const sg_zone_meeting_fact_list *meetings, sg_regions_handle **out)
 {
   sg_regions_handle *h = calloc(1, sizeof *h);
   sg_point_loop *loop = NULL;
+  sg_zones_told told = {0};
   size_t bad = 0;
 
   if (!h) {
@@ -102,12 +147,14 @@ sg_door_regions_open(sg_call *call, int32_t s,
   }
   h->s = s;
   if (!sg_dense_read(call, &s, 1, &h->dense) ||
-      !find_loops(call, &h->dense, loops, &loop)) {
+      !find_loops(call, &h->dense, loops, &loop) ||
+      (meetings && !find_told(call, &h->dense, meetings, &told))) {
     sg_regions_handle_free(h);
     return false;
   }
-  sg_regions_end end = sg_regions_make(&h->dense, loop, loops->n, &call->cancel,
-                                       &h->regions, &bad);
+  sg_regions_end end =
+      sg_regions_make(&h->dense, loop, loops->n, meetings ? &told : NULL,
+                      &call->cancel, &h->regions, &bad);
   if (end != SG_REGIONS_DONE) {
     refuse(call, h, end, bad);
     sg_regions_handle_free(h);
@@ -118,6 +165,23 @@ sg_door_regions_open(sg_call *call, int32_t s,
   }
   *out = h;
   return true;
+}
+
+bool
+sg_door_regions_open(sg_call *call, int32_t s,
+                     const sg_point_loop_fact_list *loops,
+                     sg_regions_handle **out)
+{
+  return open_regions(call, s, loops, NULL, out);
+}
+
+bool
+sg_door_regions_told(sg_call *call, int32_t s,
+                     const sg_point_loop_fact_list *loops,
+                     const sg_zone_meeting_fact_list *meetings,
+                     sg_regions_handle **out)
+{
+  return open_regions(call, s, loops, meetings, out);
 }
 
 /* ---- asking ---- */

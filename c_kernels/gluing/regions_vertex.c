@@ -485,6 +485,54 @@ join_shells(disks *x)
   }
 }
 
+/* ---- one vertex: what is told ---- */
+
+/* The number of the cycle of a side, or SG_NOWHERE. */
+static uint32_t
+cycle_of_side(const disks *x, size_t i, const sg_disk_side *side)
+{
+  sg_regions_maker *m = x->m;
+
+  for (uint32_t k = x->begin[i]; k < x->begin[i + 1]; k++) {
+    uint32_t item = x->item[k];
+
+    if (item >= m->corners) {
+      if (m->wire_edge[item - m->corners] == side->edge) {
+        return number_of(&x->cycle, (uint32_t)(m->corners + item));
+      }
+    } else if (item < m->entries ? (uint32_t)m->d->list[item] == side->edge
+                                 : side->edge == SG_NOWHERE &&
+                                       m->polygon[item] == side->polygon) {
+      return number_of(&x->cycle,
+                       sg_disjoint_root(m->cycle, 2 * item + side->above));
+    }
+  }
+  return SG_NOWHERE;
+}
+
+static void
+told_zones(disks *x, size_t i)
+{
+  const sg_zones_told *told = x->m->told;
+  size_t at;
+
+  for (uint32_t c = 0; c < x->cycle.n; c++) {
+    x->zone[c] = c;
+  }
+  SG_SEARCH(at, 0, told->n, told->meeting[at].v < x->vertex[i]);
+  for (; at < told->n && told->meeting[at].v == x->vertex[i]; at++) {
+    uint32_t a = cycle_of_side(x, i, &told->meeting[at].side[0]);
+    uint32_t b = cycle_of_side(x, i, &told->meeting[at].side[1]);
+
+    if (a != SG_NOWHERE && b != SG_NOWHERE) {
+      sg_disjoint_join(x->zone, a, b);
+    }
+  }
+  for (uint32_t c = 0; c < x->cycle.n; c++) {
+    x->zone[c] = sg_disjoint_root(x->zone, c);
+  }
+}
+
 static bool
 map_vertex(disks *x, size_t i)
 {
@@ -492,6 +540,11 @@ map_vertex(disks *x, size_t i)
 
   if (!name_all(x, i) || !add_items(x, i) || !need_rooms(x)) {
     return false;
+  }
+  if (m->told) {
+    told_zones(x, i);
+    join_shells(x);
+    return sg_regions_asked(m);
   }
   describe_disks(x, i);
   sg_sphere_map map = {.apex = m->d->at[x->vertex[i]],

@@ -5,12 +5,14 @@
             law_fault/3,                % +Report, -Fault, -Count
             region_neighbour/4          % ?S, ?R1, ?R2, ?P
           ]).
+:- use_module('../decision', [decision_is_default/1]).
 :- use_module('../kernel',
-              [ regions_open/3, regions_close/1, regions_counted/2,
-                regions_listed/2, regions_neighbours/2, regions_items/3,
-                regions_written/1, segment_welded/2
+              [ regions_open/3, regions_told/4, regions_close/1,
+                regions_counted/2, regions_listed/2, regions_neighbours/2,
+                regions_items/3, regions_written/1, segment_welded/2
               ]).
 :- use_module('../polygon/triangulation', [complete_segments/1]).
+:- use_module(vertex_zone, [zones_told/2]).
 :- use_module('../store',
               [ segment/3, sides/4, lies_in/3, assert_fact/1,
                 retractall_facts/1, facts_transaction/1 ]).
@@ -94,9 +96,12 @@ regions_kept(S, Report, Regions) :-
 
 with_regions(S, Goal) :-
     findall(V-P, lies_in(S, v(V), p(P)), Loops),
-    setup_call_cleanup(regions_open(S, Loops, Regions),
-                       call(Goal, Regions),
-                       regions_close(Regions)).
+    (   decision_is_default(disk_relation/3)
+    ->  Open = regions_open(S, Loops, Regions)
+    ;   zones_told(S, Meetings),
+        Open = regions_told(S, Loops, Meetings, Regions)
+    ),
+    setup_call_cleanup(Open, call(Goal, Regions), regions_close(Regions)).
 
 %!  regions_report(+S, -Report) is det.
 %

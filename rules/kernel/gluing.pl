@@ -19,6 +19,17 @@ Foreign predicates; see kernel.pl and c_kernels/gluing/regions.h.
 %   @error geometry_error(wrong_triangles(S, P)): t/6 does not end where P does,
 %          or a vertex that is told to lie inside P does not
 
+%!  regions_told(+S:id, +Loops:list(point_loop_fact),
+%!               +Meetings:list(zone_meeting_fact), -Regions:regions) is det.
+%
+%   As regions_open/3, but how the disks at a vertex lie to each other is
+%   told: meet(V, E1, Above1, E2, Above2), at vertex V two sides have one
+%   zone. E is the edge that starts at V, of a polygon, or of a wire; or -P,
+%   polygon P inside of which V lies. Above is true of the side where the
+%   normal points. Of what is not told each cycle has a zone of its own.
+%
+%   @error as regions_open/3; existence_error(edge, E)
+
 %!  regions_close(+Regions:regions) is det.
 
 %!  regions_counted(+Regions:regions, -Counts:region_counts) is det.

@@ -412,7 +412,12 @@ fault_en(glue_law(S, Faults0)) -->
       atomic_list_concat(Faults, ', ', Text) },
     [ 'segment ~d: what was glued breaks a law (~w), so nothing was glued'-
       [S, Text], nl,
-      '  Give a larger or smaller --tolerance, or --repair the operands.' ].
+      '  Give another --tolerance, --repair the operands, or mend the \c
+       --rules.' ].
+fault_en(disks_cross(S, V, D1, D2)) -->
+    [ 'segment ~d: disks ~d and ~d at vertex ~d go through each other, by \c
+       disk_relation/3'-[S, D1, D2, V], nl,
+      '  Cut them first, or use other --rules.' ].
 fault_en(glue_wire(S, E, P)) -->
     [ 'edge ~d of curve ~d runs in the glued polygon ~d, or meets its border \c
        beside the vertices'-[E, S, P], nl,

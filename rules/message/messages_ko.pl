@@ -427,7 +427,11 @@ fault_ko(glue_law(S, Faults0)) -->
       atomic_list_concat(Faults, ', ', Text) },
     [ '세그먼트 ~d: 붙인 것이 법칙에 어긋나(~w) 아무것도 붙이지 않았습니다'-
       [S, Text], nl,
-      '  --tolerance를 바꾸거나 --repair로 피연산자를 고치십시오.' ].
+      '  --tolerance를 바꾸거나 --repair로 피연산자를 고치거나 --rules를 고치십시오.' ].
+fault_ko(disks_cross(S, V, D1, D2)) -->
+    [ '세그먼트 ~d: disk_relation/3에 따르면 꼭짓점 ~d번의 원반 ~d번과 ~d번이 \c
+       서로를 뚫고 지나갑니다'-[S, V, D1, D2], nl,
+      '  먼저 자르거나 다른 --rules를 쓰십시오.' ].
 fault_ko(glue_wire(S, E, P)) -->
     [ '곡선 ~d의 모서리 ~d번이 붙인 다각형 ~d번 안을 지나거나 꼭짓점이 아닌 \c
        경계에서 만납니다'-[S, E, P], nl,

@@ -11,7 +11,7 @@
 
 #include <math.h>
 
-enum { CUBES = 1, WIRE = 901, LONE = 99 };
+enum { CUBES = 1, CORNERS = 2, WIRE = 901, LONE = 99 };
 
 static bool
 add_vertex(int32_t v, double x)
@@ -103,6 +103,45 @@ opening(void)
   sg_regions_handle_free(regions);
 }
 
+/* How many shells two cubes with a vertex in common have, if that is told. */
+static size_t
+told_shells(sg_zone_meeting_fact_list *meetings, bool *twisted)
+{
+  sg_point_loop_fact_list none = {0};
+  sg_regions_handle *regions = NULL;
+  sg_regions counts = {0};
+
+  if (sg_door_regions_told(&call, CORNERS, &none, meetings, &regions)) {
+    sg_door_regions_counted(&call, regions, &counts);
+    sg_regions_handle_free(regions);
+  }
+  *twisted = counts.twisted > 0;
+  sg_call_rest(&call);
+  return counts.shells;
+}
+
+static void
+telling(void)
+{
+  sg_zone_meeting_fact meeting = {8, 7, true, 25, true};
+  sg_zone_meeting_fact_list one = {&meeting, 1, 1}, none = {0};
+  size_t doubles;
+  bool twisted;
+
+  CHECK("cubes",
+        add_cube(call.world, CORNERS) &&
+            add_cube_at(call.world, CORNERS, 1, (double[3]){1, 1, 1}) &&
+            add_segment(CORNERS));
+  CHECK("welded", sg_door_segment_welded(&call, CORNERS, &doubles));
+  sg_call_rest(&call);
+  CHECK("outside they meet", told_shells(&one, &twisted) == 3 && !twisted);
+  CHECK("told nothing", told_shells(&none, &twisted) == 4 && !twisted);
+  meeting.above1 = false;
+  CHECK("through a face", told_shells(&one, &twisted) == 3 && twisted);
+  meeting.e2 = 4711;
+  CHECK("no such edge", told_shells(&one, &twisted) == 0);
+}
+
 int
 main(void)
 {
@@ -115,6 +154,7 @@ main(void)
                      add_segment(CUBES) && add_wire());
   welding();
   opening();
+  telling();
   sg_call_close(&call);
   sg_world_let_go(world);
   return check_report();

@@ -426,7 +426,7 @@ compare(bool any)
   sg_dense d = make_segment(any);
   sg_regions r;
   size_t bad;
-  sg_regions_end end = sg_regions_make(&d, NULL, 0, NULL, &r, &bad);
+  sg_regions_end end = sg_regions_make(&d, NULL, 0, NULL, NULL, &r, &bad);
 
   CHECK("regions are found", end == SG_REGIONS_DONE);
   CHECK("features", r.vertices == c.v && r.edges == c.e && r.faces == c.f &&
@@ -460,8 +460,8 @@ main(void)
     compare(true);
   }
   sg_dense d = make_segment(false);
-  CHECK("stopped",
-        sg_regions_make(&d, NULL, 0, &now, &r, &bad) == SG_REGIONS_STOPPED);
+  CHECK("stopped", sg_regions_make(&d, NULL, 0, NULL, &now, &r, &bad) ==
+                       SG_REGIONS_STOPPED);
   sg_regions_clear(&r);
   return check_report();
 }

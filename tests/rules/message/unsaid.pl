@@ -12,7 +12,6 @@ unsaid(messages, notice_en(greeting)).
 % A fault of the program, or a last resort: no model is known that has it.
 unsaid(messages, notice_en(no_end)).
 unsaid(messages, fault_en(result_open)).
-unsaid(messages, fault_en(glue_law(_,_))).
 unsaid(explain_glue_en, role_en(slit)).
 unsaid(messages, notice_en(opened(contacts))).
 unsaid(messages, notice_en(opened(faces))).
