@@ -213,16 +213,16 @@ example(radial_cycle/4, 'facts/two_rooms.pl',
 example(disk/4, 'facts/two_rooms.pl', "disk(1, 13, D, Items).",
         "D = 1, Items = [e(_)]").
 example(disk_arcs/2, 'facts/figures/glue_vertex.pl',
-        "disk_arcs(disk(5, 13, 2), [Arc|_]).",
+        "disk_arcs(disk(5, 1, 2), [Arc|_]).",
         "Arc = arc(p(1,-1,3),p(-1,-1,3),1,0)").
 example(disk_direction/2, 'facts/figures/glue_vertex.pl',
-        "disk_direction(disk(5, 13, 4), Direction).", "Direction = p(0,0,-3)").
+        "disk_direction(disk(5, 1, 4), Direction).", "Direction = p(0,0,-3)").
 example(zone_at/3, 'facts/figures/glue_vertex.pl',
-        "zone_at(disk(5, 13, 2), p(0,0,1), Zone).", "Zone = 1").
+        "zone_at(disk(5, 1, 2), p(0,0,1), Zone).", "Zone = 1").
 example(disks_touch/2, 'facts/figures/glue_vertex.pl',
-        "\\+ disks_touch(disk(5, 13, 2), disk(5, 13, 3)).", "true").
+        "\\+ disks_touch(disk(5, 1, 2), disk(5, 1, 3)).", "true").
 example(disk_relation/3, 'facts/figures/glue_vertex.pl',
-        "disk_relation(disk(5, 13, 2), disk(5, 13, 3), Relation).",
+        "disk_relation(disk(5, 1, 2), disk(5, 1, 3), Relation).",
         "Relation = within").
 
 % Drawing: views, pictures, hidden lines.
