@@ -16,7 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { TRIED = 3 };
+enum { TRIED = 8 };
 
 typedef struct part {
   uint32_t element; /* of its outer zone */
@@ -134,7 +134,21 @@ list_parts(walk *w)
   return true;
 }
 
-/* Try number n of where part i is. */
+/* The polygon of a piece that comes n after its root. */
+static uint32_t
+polygon_after(const sg_regions_maker *m, uint32_t root, int n)
+{
+  uint32_t p = root;
+
+  for (; n > 0; n--) {
+    do {
+      p = p + 1 < m->d->polygons ? p + 1 : 0;
+    } while (!m->is_face[p] || sg_disjoint_root(m->piece, p) != root);
+  }
+  return p;
+}
+
+/* Try number n of where part i is: each time in another face. */
 static void
 choose_point(walk *w, part *one, int n)
 {
@@ -143,8 +157,9 @@ choose_point(walk *w, part *one, int n)
 
   sg_point_clear(&one->at);
   if (one->piece != SG_NOWHERE) {
-    uint32_t first = m->triangle_begin[one->piece];
-    uint32_t count = m->triangle_begin[one->piece + 1] - first;
+    uint32_t p = polygon_after(m, one->piece, n);
+    uint32_t first = m->triangle_begin[p];
+    uint32_t count = m->triangle_begin[p + 1] - first;
     const int32_t *v = d->corner[m->triangle[first + (uint32_t)n % count]];
     middle_of(d, v, 3, &one->at);
   } else if (one->element < sg_element_of_lone(m, 0)) {
