@@ -9,6 +9,7 @@
 #include "engine/list.h"
 #include "engine/search.h"
 #include "number/exact.h"
+#include "number/vector.h"
 #include "rows/disjoint.h"
 #include "sphere_map.h"
 
@@ -348,6 +349,40 @@ see_sides(const sg_dense *d, uint32_t t, const double *p, int inside[3])
   }
 }
 
+/* Whether p is so near the line through vertices a and b that rounding may have
+ * put it on either side. The same from both sides. */
+static bool
+nearly_on(const sg_dense *d, int32_t a, int32_t b, const double *p)
+{
+  const double *from = d->at[a < b ? a : b], *to = d->at[a < b ? b : a];
+  double way[3], at[3], across[3];
+
+  sg_minus(to, from, way);
+  sg_minus(p, from, at);
+  sg_cross(way, at, across);
+  return sg_dot(across, across) <= 1e-18 * sg_dot(way, way) * sg_dot(way, way);
+}
+
+/* As see_sides(); a diagonal, which another triangle of polygon q has too, also
+ * has what is nearly on it: beside it, and a hair above the plane, the rest of
+ * the polygon is not where the triangle ends. */
+static void
+see_triangle(const sg_regions_maker *m, uint32_t q, uint32_t t, const double *p,
+             int inside[3])
+{
+  const int32_t *c = m->d->corner[t];
+
+  see_sides(m->d, t, p, inside);
+  for (int k = 0; k < 3; k++) {
+    int32_t a = c[k], b = c[(k + 1) % 3];
+
+    if (inside[k] != 0 && nearly_on(m->d, a, b, p) &&
+        sg_regions_third(m, q, b, a) >= 0) {
+      inside[k] = 0;
+    }
+  }
+}
+
 /* The triangles of the polygon that have the vertex: as a corner, or where it
  * is. */
 static bool
@@ -365,7 +400,7 @@ add_point_loop(disks *x, uint32_t disk, uint32_t k)
     bool corner = c[0] == v || c[1] == v || c[2] == v;
     int inside[3];
 
-    see_sides(d, t, d->at[v], inside);
+    see_triangle(m, p, t, d->at[v], inside);
     bool has = corner || (inside[0] >= 0 && inside[1] >= 0 && inside[2] >= 0);
     for (int s = 0; has && s < 3; s++) {
       bool opposite = corner ? c[(s + 2) % 3] == v : inside[s] > 0;

@@ -418,10 +418,6 @@ fault_en(disks_cross(S, V, D1, D2)) -->
     [ 'segment ~d: disks ~d and ~d at vertex ~d go through each other, by \c
        disk_relation/3'-[S, D1, D2, V], nl,
       '  Cut them first, or use other --rules.' ].
-fault_en(glue_wire(S, E, P)) -->
-    [ 'edge ~d of curve ~d runs in the glued polygon ~d, or meets its border \c
-       beside the vertices'-[E, S, P], nl,
-      '  Divide the curve and the face there, or glue a sheet along it.' ].
 fault_en(glue_meets(S, P1, P2, X, Y, Z)) -->
     [ 'segment ~d: polygons ~d and ~d would meet at ~6g ~6g ~6g and share \c
        nothing, so nothing was glued'-[S, P1, P2, X, Y, Z], nl,

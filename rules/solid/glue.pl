@@ -69,14 +69,17 @@ The operands keep their rows, so nothing is needed to take them apart again.
 %
 %   @error as boolean/3
 %   @error geometry_error(glue_law(S, Faults)): a law does not hold
-%   @error geometry_error(glue_wire(S0, E0, P)): of wires_written/3
+%   @error geometry_error(wrong_triangles(S, P)): of wires_written/3
 %   @error geometry_error(glue_meets(S, P1, P2, X, Y, Z)): two of its polygons
 %          meet there and share nothing
 
 glued_boundary(Operands, S, Options0, Report) :-
     new_segments_complete,
     partition(is_curve, Operands, Curves, Others),
-    faces_glued(Others, S, Options0, Reach),
+    boolean_tolerance(Operands, Options0, Options),
+    option(tolerance(Tolerance), Options),
+    tolerance_reach(Tolerance, Reach),
+    faces_glued(Others, S, Options, Reach),
     stage(rules, wires_written(S, Curves, Reach)),
     source_kept(Operands, 1, S),
     stage(regions, regions_found(S, Report)),
@@ -87,13 +90,10 @@ is_curve(S) :-
     segment(S, curve, _),
     !.
 
-faces_glued([], _, _, 0) :-
+faces_glued([], _, _, _) :-
     !.
-faces_glued(Operands, S, Options0, Reach) :-
+faces_glued(Operands, S, Options, Reach) :-
     solids_among(Operands, Solids),
-    boolean_tolerance(Operands, Options0, Options),
-    option(tolerance(Tolerance), Options),
-    tolerance_reach(Tolerance, Reach),
     pieces(Operands, Solids, Reach, Options, Solid, Contacts, How),
     call_cleanup(
         ( stage(faces, faces_merged(Solid,

@@ -1,45 +1,48 @@
 :- module(sg_glue_wire,
           [ wires_written/3             % +S, +Curves, +Reach
           ]).
+:- use_module(glue_divide,
+              [ edge_divided/5, seam_added/4, polygons_divided/2, is_edge/3,
+                has_vertex/3 ]).
 :- use_module('../store',
-              [ v/5, e/5, t/6, edge_polygon/3, lies_in/3, assert_fact/1,
-                fresh_id/3
-              ]).
-:- use_module('../vector', [cross_product/3, difference/3, dot_product/3]).
-:- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
+              [ v/5, e/5, t/6, lies_in/3, assert_fact/1, fresh_id/3 ]).
+:- use_module('../vector',
+              [ cross_product/3, difference/3, dot_product/3, scaled/3,
+                vector_sum/3 ]).
+:- use_module(library(apply), [foldl/4, maplist/2, maplist/3, maplist/4]).
 :- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(pairs), [pairs_values/2]).
 /** <module> Wires among faces that are glued (NG-5).
 
-The edges of curves become wires: divided where they go through vertices and
-faces. An end on a vertex is that vertex; an end in the middle of a face, and
-where a wire goes through one, is a point loop of it. What runs along an edge of
-a face is that edge. Decided by the rationals of the doubles of v/5, which the
-regions are decided by.
-
-@see docs/limits.md for what wires do not do
+The edges of curves become wires: divided where they go through vertices, edges
+of faces and other wires, and through faces. An end on a vertex is that vertex.
+An end in the middle of a face, and where a wire goes through one, is a point
+loop of it. What runs in a face is a seam of it, or parts it (glue_divide.pl);
+what runs along an edge is that edge. Decided by the rationals of the doubles of
+v/5, which the regions are decided by; what is no farther apart than the
+tolerance is in one place.
 */
 
 %!  wires_written(+S, +Curves:list, +Reach) is det.
 %
 %   Add the edges and the lone vertices of the segments Curves to the faces of
-%   segment S, with from_v/4 and lies_in/3. Vertices no farther apart than Reach
-%   are one.
+%   segment S, with from_v/4 and lies_in/3. What is no farther apart than Reach
+%   is one.
 %
-%   @error geometry_error(glue_wire(S0, E0, P)): edge E0 of curve S0 meets the
-%          border of polygon P of S beside its vertices, or runs in P
+%   @error geometry_error(wrong_triangles(S, P)): of polygons_divided/2
 
 wires_written(_, [], _) :-
     !.
 wires_written(S, Curves, Reach0) :-
     Reach is rational(Reach0),
-    findall(triangle(P, V1-A, V2-B, V3-C),
+    findall(triangle(P, A, B, C, Box),
             ( t(S, P, _, V1, V2, V3),
-              place(S, V1, A),
-              place(S, V2, B),
-              place(S, V3, C) ),
+              maplist(place(S), [V1,V2,V3], [A,B,C]),
+              points_box([A,B,C], Box) ),
             Triangles),
-    maplist(curve_written(S, Reach, Triangles), Curves).
+    foldl(curve_written(S, Reach, Triangles), Curves, [], Changed0),
+    sort(Changed0, Changed),
+    polygons_divided(S, Changed).
 
 place(S, V, p(X,Y,Z)) :-
     once(v(S, V, X0, Y0, Z0)),
@@ -47,207 +50,279 @@ place(S, V, p(X,Y,Z)) :-
     Y is rational(Y0),
     Z is rational(Z0).
 
-curve_written(S, Reach, Triangles, S0) :-
-    findall(V0-V, curve_vertex(S, Reach, Triangles, S0, V0, V), Known),
-    findall(E0-(V1-V2),
-            ( e(S0, E0, A0, B0, 1),
+curve_written(S, Reach, Triangles, S0, Changed0, Changed) :-
+    findall(V0-At, ( v(S0, V0, _, _, _), place(S0, V0, At) ), Places),
+    foldl(vertex_taken(S, Reach, Triangles, S0), Places, []-Changed0,
+          Known-Changed1),
+    findall(V1-V2,
+            ( e(S0, _, A0, B0, 1),
               memberchk(A0-V1, Known),
               memberchk(B0-V2, Known) ),
             Edges),
-    maplist(edge_written(S, S0, Reach, Triangles), Edges).
+    foldl(edge_written(S, Reach, Triangles), Edges, Changed1, Changed).
 
-%   curve_vertex(S, Reach, Triangles, S0, V0, V): V of S, there or new, is where
-%   V0 of S0 is.
+%   vertex_taken(S, Reach, Triangles, S0, V0-At, ...): V of S, there or new, is
+%   where V0 of S0 is.
 
-curve_vertex(S, Reach, Triangles, S0, V0, V) :-
-    v(S0, V0, X, Y, Z),
-    (   near_vertex(S, Reach, X, Y, Z, V1)
-    ->  V = V1
-    ;   vertex_added(S, X, Y, Z, V),
+vertex_taken(S, Reach, Triangles, S0, V0-At, Known-Changed0,
+             [V0-V|Known]-Changed) :-
+    (   near_vertex(S, Reach, At, V)
+    ->  Changed = Changed0
+    ;   vertex_added(S, At, V),
         assert_fact(from_v(S, V, S0, V0)),
-        place(S, V, At),
-        point_noted(S, S0-V0, Reach, V, At, Triangles)
+        point_noted(S, Reach, Triangles, V, At, Changed0, Changed)
     ).
 
-near_vertex(S, _, X, Y, Z, V) :-
-    v(S, V, X, Y, Z),
-    !.
-near_vertex(S, Reach, X, Y, Z, V) :-
-    v(S, V, X1, Y1, Z1),
-    (X1-X)**2+(Y1-Y)**2+(Z1-Z)**2 =< Reach*Reach,
-    !.
+%   near_vertex(S, Reach, At, V): the nearest.
 
-vertex_added(S, X, Y, Z, V) :-
+near_vertex(S, Reach, At, V) :-
+    findall(Square-V1,
+            ( v(S, V1, _, _, _),
+              place(S, V1, Place),
+              square_between(At, Place, Square),
+              Square =< Reach*Reach ),
+            Near0),
+    keysort(Near0, [_-V|_]).
+
+square_between(A, B, Square) :-
+    difference(A, B, D),
+    dot_product(D, D, Square).
+
+vertex_added(S, p(X0,Y0,Z0), V) :-
     fresh_id(v, S, V),
+    X is float(X0)+0.0,
+    Y is float(Y0)+0.0,
+    Z is float(Z0)+0.0,
     assert_fact(v(S, V, X, Y, Z)).
 
-%   point_noted(S, S0-V0, Reach, V, At, Triangles): V, which is no corner, may
-%   lie in a face.
+%   point_noted(S, Reach, Triangles, V, At, Changed0, Changed): the new vertex V
+%   divides the edges that it is on; else it may lie in faces.
 
-point_noted(S, S0-V0, Reach, V, At, Triangles) :-
-    forall(( member(Triangle, Triangles),
-             in_triangle(S, wire(S0, V0), Reach, At, Triangle, P),
+point_noted(S, Reach, Triangles, V, At, Changed0, Changed) :-
+    findall(V1-V2,
+            ( an_edge(S, V1, V2),
+              V1 =\= V,
+              V2 =\= V,
+              place(S, V1, A),
+              place(S, V2, B),
+              on_way(A, B, At, Reach, _) ),
+            Edges0),
+    sort(Edges0, Edges),
+    foldl(edge_divided(S, V), Edges, Changed0, Changed),
+    forall(( in_triangle(Triangles, Reach, At, P),
+             \+ has_vertex(S, P, V),
              \+ lies_in(S, v(V), p(P)) ),
            assert_fact(lies_in(S, v(V), p(P)))).
 
-in_triangle(S, Wire, Reach, At, Triangle, P) :-
-    Triangle = triangle(P, _-A, _-B, _-C),
+%   an_edge(S, V1, V2): V1 < V2, as often as there are half-edges.
+
+an_edge(S, V1, V2) :-
+    e(S, _, A, B, _),
+    V1 is min(A, B),
+    V2 is max(A, B).
+
+%   on_way(A, B, At, Reach, Along): At is on the way from A to B, not at its
+%   ends; Along grows with how far.
+
+on_way(A, B, At, Reach, Along) :-
+    difference(B, A, D),
+    difference(At, A, W),
+    dot_product(W, D, Along),
+    Along > 0,
+    dot_product(D, D, Length),
+    Along < Length,
+    cross_product(W, D, X),
+    dot_product(X, X, Off),
+    Off =< Reach*Reach*Length.
+
+%   in_triangle(Triangles, Reach, At, P): At is in a triangle of polygon P.
+
+in_triangle(Triangles, Reach, At, P) :-
+    points_box([At], Box),
+    member(triangle(P, A, B, C, Around), Triangles),
+    boxes_near(Box, Around, Reach),
     normal(A, B, C, N),
-    side(N, A, At, Side),
-    dot_product(N, N, Length),
-    Side*Side =< Reach*Reach*Length,
-    between_sides(N, At, A, B, C),
-    inside_polygon(S, Wire, Triangle, N, At).
+    near_plane(N, A, At, Reach, _),
+    between_sides(N, At, A, B, C).
 
 normal(A, B, C, N) :-
     difference(B, A, U),
     difference(C, A, W),
     cross_product(U, W, N).
 
+near_plane(N, A, At, Reach, Side) :-
+    difference(At, A, D),
+    dot_product(N, D, Side),
+    dot_product(N, N, Length),
+    Side*Side =< Reach*Reach*Length.
+
 between_sides(N, At, A, B, C) :-
     left_of(N, A, B, At),
     left_of(N, B, C, At),
     left_of(N, C, A, At).
 
+%   left_of(N, A, B, At): as seen from where N points.
+
 left_of(N, A, B, At) :-
-    along(N, A, B, At, Side),
-    Side >= 0.
-
-%   along(N, A, B, At, Side): positive if At is left of the line from A to B, as
-%   seen from where N points.
-
-along(N, A, B, At, Side) :-
     difference(B, A, U),
     difference(At, A, W),
     cross_product(U, W, X),
-    dot_product(N, X, Side).
+    dot_product(N, X, Side),
+    Side >= 0.
+
+%   Boxes are of doubles, so that most triangles are told apart at once.
+
+points_box(Points, box(X1,Y1,Z1,X2,Y2,Z2)) :-
+    findall(X, member(p(X,_,_), Points), Xs),
+    findall(Y, member(p(_,Y,_), Points), Ys),
+    findall(Z, member(p(_,_,Z), Points), Zs),
+    maplist(extent, [Xs,Ys,Zs], [X1,Y1,Z1], [X2,Y2,Z2]).
+
+extent(Ns, Low, High) :-
+    msort(Ns, [Low0|_]),
+    sort(0, @>=, Ns, [High0|_]),
+    Low is float(Low0),
+    High is float(High0).
+
+boxes_near(box(X1,Y1,Z1,X2,Y2,Z2), box(A1,B1,C1,A2,B2,C2), Reach) :-
+    X1 =< A2+Reach,
+    A1 =< X2+Reach,
+    Y1 =< B2+Reach,
+    B1 =< Y2+Reach,
+    Z1 =< C2+Reach,
+    C1 =< Z2+Reach.
 
 
                 /*******************************
                 *             EDGES            *
                 *******************************/
 
-edge_written(S, S0, Reach, Triangles, E0-(V1-V2)) :-
-    through_vertices(S, Reach, V1, V2, Vs),
-    append(Vs, [V2], Ends),
-    foldl(part_written(S, wire(S0, E0), Triangles), Ends, V1, _).
+%   edge_written(S, Reach, Triangles, V1-V2, Changed0, Changed): first it is
+%   divided where it crosses edges, which it divides, then at all vertices.
 
-%   through_vertices(S, Reach, V1, V2, Vs): the vertices of S between V1 and V2,
-%   in order.
-
-through_vertices(S, Reach, V1, V2, Vs) :-
+edge_written(S, Reach, Triangles, V1-V2, Changed0, Changed) :-
     place(S, V1, A),
     place(S, V2, B),
-    difference(B, A, D),
-    dot_product(D, D, Length),
+    findall(At-edges(Edge), crossed(S, Reach, A, B, Edge, At), Crossed),
+    foldl(crossing_divided(S, Reach), Crossed, Changed0, Changed1),
     findall(Along-V,
             ( v(S, V, _, _, _),
               V =\= V1,
               V =\= V2,
               place(S, V, Q),
-              difference(Q, A, W),
-              dot_product(W, D, Along),
-              Along > 0,
-              Along < Length,
-              cross_product(W, D, X),
-              dot_product(X, X, Off),
-              Off =< Reach*Reach*Length ),
+              on_way(A, B, Q, Reach, Along) ),
             Pairs0),
     keysort(Pairs0, Pairs),
-    pairs_values(Pairs, Vs).
+    pairs_values(Pairs, Vs),
+    append(Vs, [V2], Ends),
+    foldl(part_written(S, Reach, Triangles), Ends, V1-Changed1, _-Changed).
 
-%   part_written(S, Wire, Triangles, V2, V1, V2): from V1 to V2, if that is no
-%   edge.
+%   crossed(S, Reach, A, B, V1-V2, At): the way from A to B passes edge V1-V2 of
+%   S at At, and neither ends there.
 
-part_written(S, Wire, Triangles, V2, V1, V2) :-
-    (   V1 =:= V2
+crossed(S, Reach, A, B, V1-V2, At) :-
+    points_box([A,B], Box),
+    findall(V1-V2, an_edge(S, V1, V2), Edges0),
+    sort(Edges0, Edges),
+    member(V1-V2, Edges),
+    place(S, V1, C),
+    place(S, V2, D),
+    points_box([C,D], Around),
+    boxes_near(Box, Around, Reach),
+    passing(A, B, C, D, At1, At2),
+    square_between(At1, At2, Square),
+    Square =< Reach*Reach,
+    \+ ( member(End, [A,B]), square_between(End, At2, Near),
+         Near =< Reach*Reach ),
+    \+ ( member(End, [C,D]), square_between(End, At1, Near),
+         Near =< Reach*Reach ),
+    vector_sum(At1, At2, Twice),
+    scaled(1r2, Twice, At).
+
+%   passing(A, B, C, D, At1, At2): where lines through A and B, and C and D, are
+%   nearest, between these ends.
+
+passing(A, B, C, D, At1, At2) :-
+    difference(B, A, U),
+    difference(D, C, V),
+    difference(C, A, W),
+    maplist(dot_product, [U,U,V], [U,V,V], [UU,UV,VV]),
+    maplist(dot_product(W), [U,V], [WU,WV]),
+    Cross is UU*VV-UV*UV,
+    Cross > 0,
+    T is (WU*VV-WV*UV) rdiv Cross,
+    T > 0,
+    T < 1,
+    K is (WU*UV-WV*UU) rdiv Cross,
+    K > 0,
+    K < 1,
+    point_at(A, B, T, At1),
+    point_at(C, D, K, At2).
+
+crossing_divided(S, Reach, At-edges(Edge), Changed0, Changed) :-
+    (   near_vertex(S, Reach, At, V)
     ->  true
-    ;   an_edge(S, V1, V2)
-    ->  true
-    ;   place(S, V1, A),
-        place(S, V2, B),
-        findall(T-P,
-                ( pierced(S, Wire, A, B, Triangles, T, P),
-                  \+ lies_in(S, v(V1), p(P)),
-                  \+ lies_in(S, v(V2), p(P)) ),
-                Through0),
+    ;   vertex_added(S, At, V)
+    ),
+    edge_divided(S, V, Edge, Changed0, Changed).
+
+%   part_written(S, Reach, Triangles, V2, V1-Changed0, V2-Changed): from V1 to
+%   V2, if that is no edge.
+
+part_written(S, Reach, Triangles, V2, V1-Changed0, V2-Changed) :-
+    place(S, V1, A),
+    place(S, V2, B),
+    (   ( V1 =:= V2 ; is_edge(S, V1, V2) )
+    ->  Changed = Changed0
+    ;   runs_in(Triangles, Reach, A, B, P)
+    ->  seam_added(S, P, V1, V2),
+        Changed = [P|Changed0]
+    ;   Changed = Changed0,
+        findall(T-P, pierced(Triangles, Reach, A, B, T, P), Through0),
         sort(Through0, Through),
         pierced_written(Through, S, A, B, V1, V2)
     ).
 
-an_edge(S, V1, V2) :-
-    (   e(S, _, V1, V2, _)
-    ;   e(S, _, V2, V1, _)
-    ),
+%   runs_in(Triangles, Reach, A, B, P): both ends are in the plane of polygon P,
+%   and the middle is in P: as nothing is met in between, all is.
+
+runs_in(Triangles, Reach, A, B, P) :-
+    vector_sum(A, B, Twice),
+    scaled(1r2, Twice, Middle),
+    points_box([Middle], Box),
+    member(triangle(P, C1, C2, C3, Around), Triangles),
+    boxes_near(Box, Around, Reach),
+    normal(C1, C2, C3, N),
+    near_plane(N, C1, A, Reach, _),
+    near_plane(N, C1, B, Reach, _),
+    between_sides(N, Middle, C1, C2, C3),
     !.
 
-%   pierced(S, Wire, A, B, Triangles, T, P): polygon P is gone through at
-%   A+T*(B-A).
+%   pierced(Triangles, Reach, A, B, T, P): polygon P is gone through at
+%   A+T*(B-A), not at an end.
 
-pierced(S, Wire, A, B, Triangles, T, P) :-
-    member(Triangle, Triangles),
-    Triangle = triangle(P, _-C1, _-C2, _-C3),
+pierced(Triangles, Reach, A, B, T, P) :-
+    points_box([A,B], Box),
+    member(triangle(P, C1, C2, C3, Around), Triangles),
+    boxes_near(Box, Around, Reach),
     normal(C1, C2, C3, N),
     side(N, C1, A, S1),
     side(N, C1, B, S2),
-    (   S1 =:= 0,
-        S2 =:= 0
-    ->  beside(Wire, A, B, N, Triangle),
-        fail
-    ;   sign(S1)*sign(S2) < 0
-    ),
+    sign(S1)*sign(S2) < 0,
     T is S1 rdiv (S1-S2),
     point_at(A, B, T, Q),
     between_sides(N, Q, C1, C2, C3),
-    inside_polygon(S, Wire, Triangle, N, Q).
+    \+ ( member(End, [A,B]), square_between(End, Q, Square),
+         Square =< Reach*Reach ).
 
 side(N, C, At, Side) :-
     difference(At, C, D),
     dot_product(N, D, Side).
 
-point_at(p(X1,Y1,Z1), p(X2,Y2,Z2), T, p(X,Y,Z)) :-
-    X is X1+T*(X2-X1),
-    Y is Y1+T*(Y2-Y1),
-    Z is Z1+T*(Z2-Z1).
-
-%   inside_polygon(S, Wire, Triangle, N, Q): Q, on Triangle, is on no edge of
-%   its polygon.
-
-inside_polygon(S, Wire, triangle(P, V1-A, V2-B, V3-C), N, Q) :-
-    forall(( member(side(V,From,W,To),
-                    [side(V1,A,V2,B),side(V2,B,V3,C),side(V3,C,V1,A)]),
-             along(N, From, To, Q, 0),
-             border(S, P, V, W) ),
-           refused(Wire, P)).
-
-border(S, P, V, W) :-
-    (   e(S, E, V, W, _)
-    ;   e(S, E, W, V, _)
-    ),
-    edge_polygon(S, E, P),
-    !.
-
-refused(wire(S0, E0), P) :-
-    throw(error(geometry_error(glue_wire(S0, E0, P)), _)).
-
-%   beside(Wire, A, B, N, Triangle): a wire in the plane of Triangle has no
-%   point inside it: one of its sides, or the wire, is between them.
-
-beside(Wire, A, B, N, triangle(P, _-C1, _-C2, _-C3)) :-
-    (   member(From-To, [C1-C2,C2-C3,C3-C1]),
-        along(N, From, To, A, S1),
-        S1 =< 0,
-        along(N, From, To, B, S2),
-        S2 =< 0
-    ->  true
-    ;   maplist(along(N, A, B), [C1,C2,C3], Sides),
-        (   forall(member(Side, Sides), Side >= 0)
-        ->  true
-        ;   forall(member(Side, Sides), Side =< 0)
-        )
-    ->  true
-    ;   refused(Wire, P)
-    ).
+point_at(A, B, T, At) :-
+    difference(B, A, D),
+    scaled(T, D, Way),
+    vector_sum(A, Way, At).
 
 %   pierced_written(Through, S, A, B, V1, V2): the parts of a wire between the
 %   faces that it goes through.
@@ -256,11 +331,8 @@ pierced_written([], S, _, _, V1, V2) :-
     fresh_id(e, S, E),
     assert_fact(e(S, E, V1, V2, 1)).
 pierced_written([T-P|Through0], S, A, B, V1, V2) :-
-    point_at(A, B, T, p(X0,Y0,Z0)),
-    X is float(X0)+0.0,
-    Y is float(Y0)+0.0,
-    Z is float(Z0)+0.0,
-    vertex_added(S, X, Y, Z, V),
+    point_at(A, B, T, At),
+    vertex_added(S, At, V),
     same_place(Through0, T, Ps, Through),
     forall(member(Q, [P|Ps]), assert_fact(lies_in(S, v(V), p(Q)))),
     fresh_id(e, S, E),

@@ -100,6 +100,47 @@ model(wire(edge), [box(2,[0,0,0]),wire([1,1,0], [1,1,2])],
       c(8,12,6,6,1,2,2,0)).
 model(wire(alone), [box(2,[0,0,0]),wire([4,0,0], [5,0,0])],
       c(10,13,6,6,2,2,3,0)).
+
+%   Wires in the top of a box: from its middle, to an edge in its middle, right
+%   across, from beyond to beyond, from corner to corner, crossing, round a
+%   part of it, from a hole to the border; at the middle of an edge; a hair
+%   above; two that cross in space.
+
+model(wire(in_face), [box(2,[0,0,0]),wire([0,0,2], [0.5,0,2])],
+      c(10,13,6,7,1,2,2,0)).
+model(wire(to_edge), [box(2,[0,0,0]),wire([0,0,2], [1,0,2])],
+      c(10,14,6,6,1,2,2,0)).
+model(wire(across), [box(2,[0,0,0]),wire([-1,0,2], [1,0,2])],
+      c(10,15,7,7,1,2,2,0)).
+model(wire(beyond), [box(2,[0,0,0]),wire([-2,0,2], [2,0,2])],
+      c(12,17,7,7,1,2,2,0)).
+model(wire(corners), [box(2,[0,0,0]),wire([-1,-1,2], [1,1,2])],
+      c(8,13,7,7,1,2,2,0)).
+model(wire(crossing), [box(2,[0,0,0]),wire([-0.5,0,2], [0.5,0,2]),
+                       wire([0,-0.5,2], [0,0.5,2])],
+      c(13,16,6,7,1,2,2,0)).
+model(wire(crossing_across), [box(2,[0,0,0]),wire([-1,0,2], [1,0,2]),
+                              wire([0,-2,2], [0,2,2])],
+      c(15,22,9,9,1,2,2,0)).
+model(wire(round), [box(2,[0,0,0])|Wires], c(12,16,7,8,1,2,2,0)) :-
+    Points = [[-0.5,-0.5,2],[0.5,-0.5,2],[0.5,0.5,2],[-0.5,0.5,2]],
+    append(Points, [[-0.5,-0.5,2]], Round),
+    findall(wire(A, B), nextto(A, B, Round), Wires).
+model(wire(hole), [frame,wire([0.5,0,1], [1.5,0,1])],
+      c(18,27,10,11,1,2,2,2)).
+model(wire(at_edge), [box(2,[0,0,0]),wire([1,1,1], [3,3,1])],
+      c(10,14,6,6,1,2,2,0)).
+model(wire(hair), [box(2,[0,0,0]),wire([-1,0.3,2.0000000000001], [1,0,2])],
+      c(10,15,7,7,1,2,2,0)).
+model(wire(in_space), [wire([0,0,0], [2,2,0]),wire([0,2,0], [2,0,0])],
+      c(5,4,0,0,1,1,1,0)).
+model(wire(near_edge), [box(2,[0,0,0]),
+                        wire([1.0000000000001,0.3,1], [3,0.3,1]),
+                        wire([2,-1,1.0000000000001], [2,1,1])],
+      c(13,16,6,7,1,2,2,0)).
+model(wire(in_shared), [box(1,[0,0,0]),box(1,[1,0,0]),
+                        wire([0.5,-0.5,0.5], [0.5,0.5,0.5])],
+      c(14,23,12,12,1,3,3,0)).
 model(wire(only), [wire([4,0,0], [5,0,0])], c(2,1,0,0,1,1,1,0)).
 
 %   A closed book of K wedges about an axis; cubes of six tetrahedra each; a box
