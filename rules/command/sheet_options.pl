@@ -5,6 +5,7 @@
                                         % -Request
             request_title/2,            % +Request, -Title
             looking/2,                  % +Options, -View
+            points_wanted/2,            % +Options, -Most
             scale_option/2              % +Options, -Millimetres
           ]).
 :- use_module('../decimal', [decimal_number/2]).
@@ -43,7 +44,7 @@ sheet_wanted(Options) :-
 sheet_request(Options, Picture,
               [ paper(Width,Height), views(Views), sections(Sections),
                 angle(Angle), scale(Scale), unit(Unit), frame(Frame),
-                hidden(Hidden), picture(Picture)
+                hidden(Hidden), picture(Picture)|Numbered
               ]) :-
     apart(Options, size(_), '--size', '--sheet'),
     apart(Options, projection(central), '--projection central', '--sheet'),
@@ -60,7 +61,30 @@ sheet_request(Options, Picture,
     ->  Frame = false
     ;   Frame = true
     ),
-    option(hidden(Hidden), Options, usual).
+    option(hidden(Hidden), Options, usual),
+    findall(points(Most), points_wanted(Options, Most), Numbered).
+
+%!  points_wanted(+Options, -Most) is semidet.
+%
+%   Points of penetration lines are to have numbers, at most Most of a line, or
+%   `all`.
+%
+%   @error usage_error(bad_value('--points', Text, Form))
+
+points_wanted(Options, Most) :-
+    option(points(Text), Options),
+    (   Text == all
+    ->  Most = all
+    ;   (   integer(Text)
+        ->  Most = Text
+        ;   atom(Text),
+            atom_number(Text, Most)
+        ),
+        integer(Most),
+        Most >= 1
+    ->  true
+    ;   usage_error(bad_value('--points', Text, 'N, all (N >= 1)'))
+    ).
 
 apart(Options, Option, A, B) :-
     (   memberchk(Option, Options)

@@ -236,6 +236,9 @@ verb_option(draw, option(png, '', one_of([smooth, dots]), 'HOW',
 verb_option(draw, option(dpi, '', number(1), 'N',
     'dots to the inch of a smooth .png')).
 
+verb_option(draw, option(points, '', value, 'N',
+    'number N points of each penetration line, the same in all views; all: \c
+     every corner of it')).
 verb_option(draw, option('min-line', '', number(0), 'MM',
     'lines shorter than MM on the sheet that no other line touches at its \c
      ends are left out: specks of a scan')).
@@ -461,6 +464,8 @@ option_ko(dashes,
     '파선: auto(형식에 맞게, 기본값), geometry(한 선씩 따로, 절단기), \c
 type(플로터의 선 종류)').
 option_ko(png, '.png: smooth(매끈한 선, 기본값), dots(1988년 화면의 점. --size는 점의 수)').
+option_ko(points,
+    '상관선마다 점 N개에 번호를 붙인다. 모든 투상도에서 같은 번호. all: 꺾인 점 모두').
 option_ko('min-line',
     '용지에서 MM보다 짧고 양 끝이 다른 선에 닿지 않는 선은 그리지 않는다(스캔한 \c
 메시의 티)').

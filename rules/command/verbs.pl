@@ -12,8 +12,7 @@
 :- use_module('../solid/simplify', [simplified_roots/1]).
 :- use_module('../csg/csg_roots', 
               [ aside_segments/1, roots_alone/0, operand_lines/1,
-                with_operand_lines/2
-              ]).
+                with_operand_lines/2 ]).
 :- use_module('../drawing/drawing', [write_drawing/2, drawing_format/2]).
 :- use_module(verbs_shading,
               [ shade_asked/3, shade_taken/3, eye_away/2, picture_shaded/5,
@@ -41,8 +40,9 @@
 :- use_module(sheet_options,
               [ sheet_wanted/1, sheet_request/3, request_facts/4,
                 request_title/2, looking/2,
-                scale_option/2
-              ]).
+                points_wanted/2, scale_option/2 ]).
+:- use_module('../sheet/line_point', [line_points/2, points_added/5]).
+:- use_module('../sheet/sheet', [sheet_strokes/5]).
 :- use_module('../sheet/sheet_plan', [views_drawing/5]).
 :- use_module(solid_verbs,
               [ solid_verb/1, solid_verb_run/4, solids_written/3,
@@ -70,7 +70,7 @@
 :- use_module('../picture/view',
               [ set_view/1, set_view/3, set_projection/1, turn_up/1, with_up/2
               ]).
-:- use_module(library(apply), [maplist/2, maplist/3, partition/4]).
+:- use_module(library(apply), [exclude/3, maplist/2, maplist/3, partition/4]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(http/json), [json_write_dict/2]).
 :- use_module(library(lists), [append/3, member/2]).
@@ -173,7 +173,8 @@ verb_run(draw, Files, Options, 0) :-
         facts_transaction(
             sg_verbs:pictured(Lines, Options, Eye, PictureOptions)),
         said_if_nothing_drawn,
-        picture_shaded(Shade, Shading, Away, DrawingOptions, WriteOptions)
+        picture_shaded(Shade, Shading, Away, DrawingOptions, Options1),
+        picture_numbered(Options, Lines, Options1, WriteOptions)
     ),
     said_of_style(DrawingOptions),
     maplist(output_written(drawing_output(WriteOptions)), Outputs).
@@ -341,6 +342,7 @@ said_of_style(Options) :-
 %     - projection(Kind): `parallel` or `central`
 %     - lines(Which), crease(Degrees), segments(List): see picture/1
 %     - hidden(How), size(Size), ...: see write_drawing/2
+%     - points(Most): numbered points on penetration lines, see line_points/2
 %     - sheet(Paper), views(Names), section(Planes), angle(Angle), scale(Scale),
 %       unit(Unit), 'title-block'(File), language(Language), 'no-frame'(Bool):
 %       a sheet, as the verb draw makes it; the values are atoms as after the
@@ -367,8 +369,32 @@ draw(File, Options) :-
     option(up(Axis), Options, z),
     with_up(Axis, sg_verbs:pictured(Lines, Options, Eye, Options)),
     said_if_nothing_drawn,
-    drawing_output(Options, File),
+    picture_numbered(Options, Lines, Options, WriteOptions),
+    drawing_output(WriteOptions, File),
     when_written(print_message(informational, sanggwan(wrote(File)))).
+
+%   picture_numbered(Options, Lines, Options0, Options1): options of
+%   write_drawing/2 for the picture of the current world with numbered points,
+%   where Options ask for them. Lines are those of operands.
+
+picture_numbered(Options, Lines, Options0, Options1) :-
+    (   points_wanted(Options, Most)
+    ->  (   option(png(dots), Options)
+        ->  usage_error(both_options('--points', '--png dots'))
+        ;   true
+        ),
+        with_operand_lines(Lines, line_points(Most, Points)),
+        sheet_strokes(210-148, Options0, Sheet, Place, Strokes),
+        option(drawing(Drawing0), Options0,
+               drawing(Sheet,[view('',Strokes,[])])),
+        option(hidden(Hidden), Options0, dashed),
+        points_added(Hidden, Points, Place, Drawing0, Drawing),
+        exclude(is_drawing, Options0, Rest),
+        Options1 = [drawing(Drawing)|Rest]
+    ;   Options1 = Options0
+    ).
+
+is_drawing(drawing(_)).
 
 view_goal(view(Name), set_view(Name)).
 view_goal(view(Theta, Phi), set_view(Theta, Phi, 0)).

@@ -315,6 +315,8 @@ notice_en(shadows_in_vain) -->
 notice_en(facets_off(Dots)) -->
     [ 'what is round is shown round; the facets of files are up to ~1f dots \c
        from that (--surface facets shows them)'-[Dots] ].
+notice_en(points_in_vain) -->
+    [ 'there is no penetration line, so no point has a number' ].
 notice_en(nothing_seen) -->
     [ 'nothing is seen: the picture is its background alone', nl,
       '  The model has no solid, or what it takes away is all of it.' ].

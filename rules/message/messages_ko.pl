@@ -303,6 +303,8 @@ notice_ko(shadows_in_vain) -->
 notice_ko(facets_off(Dots)) -->
     [ '둥근 것은 둥글게 보입니다. 파일의 면은 거기서 많아야 ~1f점 떨어져 있습니다 (--surface \c
 facets는 그 면을 보입니다)'-[Dots] ].
+notice_ko(points_in_vain) -->
+    [ '상관선이 없어 번호를 붙일 점이 없습니다' ].
 notice_ko(nothing_seen) -->
     [ '보이는 것이 없습니다. 그림은 바탕뿐입니다', nl,
       '  모델에 입체가 없거나 모두 빼 버렸습니다.' ].

@@ -28,6 +28,7 @@
               [ intervals_union/3, intervals_gaps/2, intervals_subtract/3,
                 intervals_within/4
               ]).
+:- use_module(line_segment, [lines_given/1]).
 :- use_module(role,
               [ backs_seen/2, edge_role/5, role_rank/2, role_drawn/2,
                 usual_crease/1
@@ -105,7 +106,8 @@ picture(Options) :-
             option(segments(Segments), Options, all),
             outlines(Which, Segments, Crease),
             open_scene(Scene, Options),
-            draw(Method, Scene, Which, Crease)
+            draw(Method, Scene, Which, Crease),
+            lines_given(Segments)
         )).
 
 %   The kernel stands in for the rules as long as they are the default ones.

@@ -7,6 +7,8 @@
 :- use_module('../picture/section', [model_box/1, section_plane/3]).
 :- use_module(seen_stroke,
               [placed_point/3, region_millimetres/3, seen_strokes/5]).
+:- use_module('../csg/csg_roots', [with_operand_lines/2]).
+:- use_module(line_point, [line_points/2, points_seen/4]).
 :- use_module(sheet_construction,
               [ centre_views/6, construction_view/7, item_place/5,
                 view_interrupted/3
@@ -48,6 +50,7 @@ What is asked for is a list:
   - hidden(How): as for write_drawing/2; `usual` leaves hidden lines out of
     sections and pictorial views
   - picture(Options): for picture/1
+  - points(Most): number points of penetration lines, see line_points/2
 */
 
 :- meta_predicate views_drawing(+, +, :, -, -).
@@ -71,13 +74,25 @@ views_drawing(Request, Lines, Module:cuts(First,Again), Drawing, Placed) :-
     sections(Texts, Sections),
     maplist(section_seen(Lines, Module:Again, Picture), Sections, SeenCut),
     facts_snapshot(( call(Module:First),
-                     maplist(whole_seen(Lines, Picture), Views, SeenWhole) )),
+                     maplist(whole_seen(Lines, Picture), Views, SeenWhole),
+                     request_points(Request, Lines, Points) )),
     append(SeenWhole, SeenCut, All),
     option(hidden(Hidden), Request),
     maplist(shown(Hidden), All, Shown),
     boxed_views(Shown, Boxed),
     warned_if_empty(Boxed),
-    sheet_laid(Request, Sections, Boxed, Drawing, Placed).
+    maplist(view_points(Hidden, Points), Shown, Dots),
+    append(Dots, Items),
+    sheet_laid([construction(Items)|Request], Sections, Boxed, Drawing, Placed).
+
+%   request_points(Request, Lines, Points): those that are to have numbers, of
+%   the penetration lines and of the Lines of operands.
+
+request_points(Request, Lines, Points) :-
+    (   option(points(Most), Request)
+    ->  with_operand_lines(Lines, line_points(Most, Points))
+    ;   Points = []
+    ).
 
 %!  seen_drawing(+Request, +Seens, -Drawing) is det.
 %
@@ -162,10 +177,22 @@ sheet_error(What) :-
 shown(Hidden, seen(View,Parts0,Regions,Centres),
       seen(View,Parts,Regions,Centres)) :-
     View = view(_, _, _, Kind),
-    (   ( Hidden == removed ; Hidden == usual, Kind \== side )
+    (   leaves_hidden_out(Hidden, Kind)
     ->  exclude(hidden_part, Parts0, Parts)
     ;   Parts = Parts0
     ).
+
+leaves_hidden_out(removed, _).
+leaves_hidden_out(usual, Kind) :-
+    Kind \== side.
+
+view_points(Hidden, Points, Seen, Dots) :-
+    Seen = seen(view(_,_,_,Kind), _, _, _),
+    (   leaves_hidden_out(Hidden, Kind)
+    ->  How = removed
+    ;   How = Hidden
+    ),
+    points_seen(How, Points, Seen, Dots).
 
 hidden_part(part(hidden,_,_,_,_,_,_,_)).
 

@@ -167,6 +167,8 @@ command(nothing_seen, [render, @('empty.pl'), '--size', '9x9',
                        '-o', @('a.png')]).
 command(not_shaded(_,_), [render, @('curve.pl'), '--size', '9x9',
                           '-o', @('a.png')]).
+command(points_in_vain, [draw, @('cube.pl'), '--points', '4',
+                         '-o', @('a.svg')]).
 command(surface_uncut(_), [render, @('sheet.pl'), '--size', '9x9',
                            '--section', 'z=-1', '-o', @('a.png')]).
 command(surface_see_through(_), [render, @('united.pl'), '--size', '9x9',
