@@ -17,13 +17,18 @@
 :- initialization(main, main).
 
 main :-
+    current_prolog_flag(argv, Words),
+    (   Words == []
+    ->  Sizes = [800,1600,3200,6400]
+    ;   maplist(atom_number, Words, Sizes)
+    ),
     format("~w~t~16|~w~t~8+~w~t~10+~w~t~8+~w~t~8+~w~t~8+~w~t~8+~w~n",
            [job,parts,area,sheets,used,shelves,used,seconds]),
     forall(job(Name, Paper, Gap, Outlines),
            reported(Name, Paper, Gap, Outlines)),
     format("~n~w~t~8+~w~t~8+~w~t~8+~w~t~10+~w~n",
            [parts,sheets,used,seconds,growth]),
-    foldl(grown, [800,1600,3200,6400], none, _).
+    foldl(grown, Sizes, none, _).
 
 %   grown(N, Before, Now): Before and Now are N-Seconds.
 

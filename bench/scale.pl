@@ -81,8 +81,9 @@ trial_candidate :-
 touch(S) :-
     v(S, V, X, Y, Z),
     !,
-    retractall_facts(v(S, V, _, _, _)),
-    assert_fact(v(S, V, X, Y, Z)).
+    facts_transaction(( retractall_facts(v(S, V, _, _, _)),
+                        assert_fact(v(S, V, X, Y, Z))
+                      )).
 
 median(Trials, K, Median) :-
     findall(Value, ( member(Trial, Trials), arg(K, Trial, Value) ), Values),

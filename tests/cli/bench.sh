@@ -1,5 +1,5 @@
 # bench.sh -- programs of bench/ run, on little: what they print is not looked at
-# as a measure here.
+# as a measure here. Those that take long, or need peers, with TEST_ALL only.
 . "$(dirname "$0")/../check.sh"
 
 export B
@@ -7,4 +7,21 @@ check "facts" output '^e/5 by start vertex' bench/facts 2000
 check "penetration" output '^[0-9]+ lines in [0-9]+ polygons' \
   bench/penetration 60
 check "triangulation" output '^polygon +vertices' bench/triangulation 50
+check "startup" output '^draw figure 13 to SVG' bench/startup 1
+check "load" output 'triangles: read' bench/load 2000
+check "scale" output '^1,056' bench/scale 500
+check "growth" output 'kB  n.-*[0-9]' env RUNS=1 bench/growth apexes
+check "faces" output '^cube, all threads' bench/faces 1
+check "nesting" output '^50 ' bench/nesting 50
+"$SANGGWAN" convert -q facts/cube.pl -o "$TMP/cube.obj"
+check "hidden lines" output '^cube +feature' env NO_OCCT=1 ROUNDS=1 \
+  VIEWED="$TMP/cube.obj" bench/hidden_lines "$TMP/cube.obj"
+if [ -n "${TEST_ALL:-}" ]; then
+  check "batch" output '1000000 . looked through' bench/batch 20
+  check "serve" output '^undo, picture' bench/serve 1
+  check "unfold" output '^model' env NO_BLENDER=1 ROUNDS=1 bench/unfold
+  check "curves" output '.' bench/curves cyl2 1
+  check "booleans" output '.' bench/booleans degenerate
+  check "render" output '.' bench/render 64x48
+fi
 check_report
