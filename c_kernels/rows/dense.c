@@ -134,6 +134,19 @@ set_begins(const sg_dense *d, rows *out)
   return true;
 }
 
+/* False: no row of a segment of d is on the page. */
+static bool
+may_have(const sg_dense *d, const sg_view *view, size_t page)
+{
+  size_t at;
+
+  if (!view->span) {
+    return true;
+  }
+  SG_SEARCH(at, 0, d->segments, d->segment[at] < view->span[page][0]);
+  return at < d->segments && d->segment[at] <= view->span[page][1];
+}
+
 /* The rows of `view` in the segments of `d`, by segment and the id in this
  * column. */
 static bool
@@ -146,6 +159,9 @@ gather(const sg_dense *d, const sg_view *view, unsigned column,
   for (size_t i = 0; i < view->pages; i++) {
     if (i % 16 == 0 && (*stopped = sg_cancelled(cancel))) {
       return false;
+    }
+    if (!may_have(d, view, i)) {
+      continue;
     }
     for (unsigned r = sg_live_next(view->live[i], 0); r < SG_PAGE_ROWS;
          r = sg_live_next(view->live[i], r + 1)) {
