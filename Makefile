@@ -86,6 +86,8 @@ all: $(B)/sanggwan.so $(if $(wildcard rules/command/cli.pl),sanggwan)
 
 # exact.c: its own flags, whatever OPT says.
 $(B)/c_kernels/number/exact.o: OPT := -O2
+# Filters of rows of bytes, many at a time.
+$(B)/c_kernels/drawing/image_png.o: OPT += -O3
 $(B)/%4pl.o $(B)/c_kernels/door_types.o $(B)/c_kernels/door.o $(B)/doors.o \
   $(B)/engine/engine.o \
   $(B)/engine/question.o: \

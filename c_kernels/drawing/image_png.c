@@ -57,12 +57,17 @@ static void
 filter_row(unsigned filter, const uint8_t *row, const uint8_t *above, size_t n,
            size_t dot, uint8_t *out)
 {
+  const uint8_t *before = filter == 2 ? above : row;
+  size_t from = filter == 1 ? dot : 0;
+
   *out++ = (uint8_t)filter;
-  for (size_t i = 0; i < n; i++) {
-    uint8_t before = filter == 1   ? (i < dot ? 0 : row[i - dot])
-                     : filter == 2 ? (above ? above[i] : 0)
-                                   : 0;
-    out[i] = (uint8_t)(row[i] - before);
+  if (filter == 0 || !before) {
+    memcpy(out, row, n);
+    return;
+  }
+  memcpy(out, row, from);
+  for (size_t i = from; i < n; i++) {
+    out[i] = (uint8_t)(row[i] - before[i - from]);
   }
 }
 

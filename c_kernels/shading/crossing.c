@@ -83,74 +83,81 @@ cross_line(reach *r, const sg_slice *line, const sg_slice *arc, double above)
 
 /* ---- arcs ---- */
 
+/* A slice in one place. */
+typedef struct arc_point {
+  double x, z, slope;
+  bool steep; /* no tangent: it ends there */
+} arc_point;
+
 /* A slice between two places: bounded by its chord and, on the side to which
  * it bends, by its tangents. */
 typedef struct triangle {
-  double x[2], z[2], slope[2];
-  bool steep[2]; /* no tangent: it ends there */
-  int bend;      /* 1: below its chord (nearer); -1: above; 0: straight */
+  arc_point end[2];
+  int bend; /* 1: below its chord (nearer); -1: above */
   double apex;
 } triangle;
 
-static void
-find_apex(triangle *t)
+static arc_point
+point_of(const sg_slice *s, int32_t place)
 {
-  double turn = t->slope[0] - t->slope[1];
-  double x =
-      (t->z[1] - t->z[0] + t->slope[0] * t->x[0] - t->slope[1] * t->x[1]) /
-      turn;
+  double x = place / 256.0, at = x - s->x0;
+  double square = (s->e * at + s->f) * at + s->g;
+  double root = square > 0 ? sqrt(square) : 0.0;
+  bool steep = root <= 1e-9 * (1.0 + fabs(s->f));
 
-  t->apex = t->steep[0]                  ? t->x[0]
-            : t->steep[1]                ? t->x[1]
-            : x > t->x[0] && x < t->x[1] ? x
-                                         : (t->x[0] + t->x[1]) / 2.0;
+  return (arc_point){
+      .x = x,
+      .z = s->a + s->b * at + s->arc * root,
+      .slope =
+          s->b + (steep ? 0.0 : s->arc * (2.0 * s->e * at + s->f) / (2 * root)),
+      .steep = steep};
+}
+
+static int
+bend_of(const sg_slice *s)
+{
+  return s->arc * (4.0 * s->e * s->g - s->f * s->f) > 0 ? 1 : -1;
 }
 
 static triangle
-bound(const sg_slice *s, const double x[2])
+bound(int bend, const arc_point *left, const arc_point *right)
 {
-  triangle t = {.apex = x[0]};
+  double turn = left->slope - right->slope;
+  double x =
+      (right->z - left->z + left->slope * left->x - right->slope * right->x) /
+      turn;
 
-  for (int i = 0; i < 2; i++) {
-    double at = x[i] - s->x0, square = (s->e * at + s->f) * at + s->g;
-    double root = square > 0 ? sqrt(square) : 0.0;
-
-    t.x[i] = x[i];
-    t.z[i] = s->a + s->b * at + s->arc * root;
-    t.steep[i] = s->arc != 0 && root <= 1e-9 * (1.0 + fabs(s->f));
-    t.slope[i] = s->b + (s->arc == 0 || t.steep[i]
-                             ? 0.0
-                             : s->arc * (2.0 * s->e * at + s->f) / (2 * root));
-  }
-  if (s->arc != 0) {
-    double curved = s->arc * (4.0 * s->e * s->g - s->f * s->f);
-    t.bend = curved > 0 ? 1 : -1;
-    find_apex(&t);
-  }
-  return t;
+  return (triangle){.end = {*left, *right},
+                    .bend = bend,
+                    .apex = left->steep    ? left->x
+                            : right->steep ? right->x
+                            : x > left->x && x < right->x
+                                ? x
+                                : (left->x + right->x) / 2.0};
 }
 
 /* The least (way 1) or most (-1) that the depth can be at x. */
 static double
 limit(const triangle *t, double x, int way)
 {
+  const arc_point *end = t->end;
   double tangent[2];
 
   if (t->bend != way) {
-    return t->z[0] +
-           (t->z[1] - t->z[0]) * ((x - t->x[0]) / (t->x[1] - t->x[0]));
+    return end[0].z +
+           (end[1].z - end[0].z) * ((x - end[0].x) / (end[1].x - end[0].x));
   }
   for (int i = 0; i < 2; i++) {
-    tangent[i] = t->steep[i] ? -way * (double)INFINITY
-                             : t->z[i] + t->slope[i] * (x - t->x[i]);
+    tangent[i] = end[i].steep ? -way * (double)INFINITY
+                              : end[i].z + end[i].slope * (x - end[i].x);
   }
-  return way > 0 ? fmax(tangent[0], tangent[1]) : fmin(tangent[0], tangent[1]);
+  return (tangent[0] > tangent[1]) == (way > 0) ? tangent[0] : tangent[1];
 }
 
 static bool
 apart(const triangle *p, const triangle *q, double t)
 {
-  double x[4] = {p->x[0], p->x[1], p->apex, q->apex};
+  double x[4] = {p->end[0].x, p->end[1].x, p->apex, q->apex};
 
   for (int i = 0; i < 4; i++) {
     if (!(limit(q, x[i], 1) - limit(p, x[i], -1) > t)) {
@@ -160,28 +167,86 @@ apart(const triangle *p, const triangle *q, double t)
   return true;
 }
 
-/* The first place from x1 to x2 where q begins or ends to be t deeper than p.
- */
-static void
-cross_arcs(reach *r, const sg_slice *p, const sg_slice *q, int32_t x1,
-           int32_t x2, double t)
+/* Whether q - p rises all the way, or falls: as an arc bends one way, its slope
+ * is between those at its ends. */
+static bool
+goes_one_way(const triangle *p, const triangle *q)
 {
-  double x[2] = {x1 / 256.0, x2 / 256.0};
-  triangle a = bound(p, x), b = bound(q, x);
+  const arc_point *a = p->end, *b = q->end;
 
-  if (r->found != r->x1 || apart(&a, &b, t) || apart(&b, &a, -t)) {
+  if (a[0].steep || a[1].steep || b[0].steep || b[1].steep) {
+    return false;
+  }
+  double low = fmin(b[0].slope, b[1].slope) - fmax(a[0].slope, a[1].slope);
+  double high = fmax(b[0].slope, b[1].slope) - fmin(a[0].slope, a[1].slope);
+
+  return low > 0 || high < 0;
+}
+
+/* Where q begins or ends to be t deeper than p. */
+typedef struct arc_pair {
+  const sg_slice *p, *q;
+  int bend[2];
+  double t;
+} arc_pair;
+
+static double
+beyond(const arc_pair *of, int32_t x)
+{
+  return sg_slice_depth(of->q, x / 256.0) - sg_slice_depth(of->p, x / 256.0) -
+         of->t;
+}
+
+/* The one place between x1 and x2, where it is `left` and `right` too deep: by
+ * chords, every other time by halves. */
+static void
+note_change(reach *r, const arc_pair *of, int32_t x1, int32_t x2, double left,
+            double right)
+{
+  bool begins = left <= 0;
+
+  if (begins == (right <= 0)) {
     return;
   }
-  if (x2 - x1 > 1) {
-    int32_t middle = halfway(x1, x2);
-    cross_arcs(r, p, q, x1, middle, t);
-    cross_arcs(r, p, q, middle, x2, t);
+  for (int turn = 0; x2 - x1 > 1; turn++) {
+    double chord = x1 + (x2 - x1) * (left / (left - right));
+    int32_t x = turn % 3 == 2    ? halfway(x1, x2)
+                : chord < x1 + 1 ? x1 + 1
+                : chord > x2 - 1 ? x2 - 1
+                                 : (int32_t)chord;
+    double here = beyond(of, x);
+
+    if (begins == (here <= 0)) {
+      x1 = x;
+      left = here;
+    } else {
+      x2 = x;
+      right = here;
+    }
+  }
+  note(r, (x1 + left / (left - right)) / 256.0);
+}
+
+/* The first place from x1 to x2, where p and q are `a` and `b`. */
+static void
+cross_arcs(reach *r, const arc_pair *of, int32_t x1, int32_t x2,
+           const arc_point a[2], const arc_point b[2])
+{
+  if (r->found != r->x1) {
     return;
   }
-  double left = b.z[0] - a.z[0] - t, right = b.z[1] - a.z[1] - t;
+  triangle p = bound(of->bend[0], &a[0], &a[1]);
+  triangle q = bound(of->bend[1], &b[0], &b[1]);
 
-  if (left > 0 ? right <= 0 : right > 0) {
-    note(r, x[0] + (x[1] - x[0]) * (left / (left - right)));
+  if (x2 - x1 == 1 || goes_one_way(&p, &q)) {
+    note_change(r, of, x1, x2, b[0].z - a[0].z - of->t,
+                b[1].z - a[1].z - of->t);
+  } else if (!apart(&p, &q, of->t) && !apart(&q, &p, -of->t)) {
+    int32_t x = halfway(x1, x2);
+    arc_point m = point_of(of->p, x), n = point_of(of->q, x);
+
+    cross_arcs(r, of, x1, x, (arc_point[]){a[0], m}, (arc_point[]){b[0], n});
+    cross_arcs(r, of, x, x2, (arc_point[]){m, a[1]}, (arc_point[]){n, b[1]});
   }
 }
 
@@ -242,7 +307,10 @@ sg_slices_cross(const sg_active *a, const sg_active *b, int32_t x1, int32_t x2,
       cross_line(&r, line, arc, p->arc == 0 ? -t : t);
     }
   } else if (middle > t) {
-    cross_arcs(&r, p, q, x1, x2, t);
+    const arc_pair pair = {p, q, {bend_of(p), bend_of(q)}, t};
+    const arc_point of_p[] = {point_of(p, x1), point_of(p, x2)};
+    const arc_point of_q[] = {point_of(q, x1), point_of(q, x2)};
+    cross_arcs(&r, &pair, x1, x2, of_p, of_q);
   } else {
     cross_together(&r, p, q, (double[2]){left, right}, t);
   }

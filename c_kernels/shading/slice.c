@@ -365,6 +365,19 @@ go_on(sg_shading_work *w, cut *cuts, int n, int32_t x1, int32_t x2)
   return true;
 }
 
+/* Whether all pieces of a leaf lie where nothing is looked at. */
+static bool
+is_left_out(const sg_shading_work *w, const sg_shading_body *body)
+{
+  bool out = true;
+
+  for (bool more = true; more && out; body++) {
+    more = body->more;
+    out = w->between[0] <= body->low[0] && body->high[0] <= w->between[1];
+  }
+  return out;
+}
+
 /* The slices of the pieces of a leaf: from break to break the same sides are
  * there, and the middle tells which. */
 static bool
@@ -410,7 +423,8 @@ sg_slices_of_item(sg_shading_work *w, const sg_shading_item *item, double y)
   const sg_shading *s = w->scene;
 
   if (item->round) {
-    return slice_body(w, &s->body.item[item->at], y);
+    const sg_shading_body *body = &s->body.item[item->at];
+    return is_left_out(w, body) || slice_body(w, body, y);
   }
   const sg_shading_polygon *p = &s->polygon.item[item->at];
   return !(p->y1 <= y && y < p->y2) || slice_polygon(w, p, y);

@@ -270,6 +270,8 @@ sg_shading_line_beyond(const sg_shading *scene, sg_shading_work *w, double y,
   out->n = 0;
   w->open.n = 0;
   w->active.n = 0;
+  w->between[0] = from / 256.0;
+  w->between[1] = to / 256.0;
   if (!sg_slices_of_line(w, y) || !list_starts(w)) {
     return false;
   }
