@@ -256,8 +256,8 @@ sg_door_image_scanned(sg_call *call, sg_scan *scan, sg_shading *scene,
 
 bool
 sg_door_image_again(sg_call *call, sg_image *old, const sg_count_list *bands,
-                    sg_shading *scene, const sg_image_how *how,
-                    const sg_shading_look_list *looks,
+                    size_t from, size_t to, sg_shading *scene,
+                    const sg_image_how *how, const sg_shading_look_list *looks,
                     const sg_list_count_list *leaves, sg_image **out)
 {
   const sg_shading_frame *frame = sg_shading_frame_of(scene);
@@ -277,6 +277,11 @@ sg_door_image_again(sg_call *call, sg_image *old, const sg_count_list *bands,
       return sg_call_domain(call, "image_band", 2);
     }
   }
+  if (!(from < to && to <= (size_t)old->width)) {
+    return sg_call_domain(call, "image_column", 4);
+  }
+  in.from = (int32_t)from;
+  in.to = (int32_t)to;
   return ended(call, sg_shade_again(&in, old, bands->at, bands->n, pool,
                                     &call->cancel, out));
 }

@@ -22,8 +22,9 @@ typedef struct sg_image {
 /* GOOD, NO_MEMORY or STOPPED; the picture is as large as the scene's frame. */
 sg_shading_end sg_shade(const sg_shaded *in, sg_pool *pool,
                         const sg_cancel *cancel, sg_image **out);
-/* The same of a picture that differs from `old`, of the same size, in `n` bands
- * alone; band i is rows i * SG_IMAGE_BAND and on. Others are as they were. */
+/* The same of a picture that differs from `old`, of the same size, in the
+ * wanted dots of `n` bands alone; band i is rows i * SG_IMAGE_BAND and on.
+ * Others are as they were. */
 sg_shading_end sg_shade_again(const sg_shaded *in, const sg_image *old,
                               const size_t *band, size_t n, sg_pool *pool,
                               const sg_cancel *cancel, sg_image **out);

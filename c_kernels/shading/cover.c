@@ -285,10 +285,18 @@ sg_cover_light(const sg_shaded *in, sg_shading_work *work, const sg_span *span,
   }
 }
 
+static int32_t
+wanted_to(const sg_dot_row *cover, const sg_shaded *in)
+{
+  return in->to > 0 ? in->to : cover->width;
+}
+
 bool
 sg_cover_row(sg_dot_row *cover, const sg_shaded *in, sg_shading_work *work,
              sg_spans *spans, int32_t y)
 {
+  const sg_line_part part = {in->from * DOT, wanted_to(cover, in) * DOT, false};
+
   memset(cover->sum, 0, (size_t)cover->width * sizeof *cover->sum);
   memset(cover->seen, 0, (size_t)cover->width * sizeof *cover->seen);
   for (unsigned k = 0; k < in->lines; k++) {
@@ -298,7 +306,7 @@ sg_cover_row(sg_dot_row *cover, const sg_shaded *in, sg_shading_work *work,
     const sg_spans *here = &kept;
     if (in->scan) {
       kept = sg_scan_line(in->scan, (size_t)y * in->lines + k);
-    } else if (sg_shading_line(in->scene, work, line, spans)) {
+    } else if (sg_shading_line_part(in->scene, work, line, &part, spans)) {
       here = spans;
     } else {
       return false;
@@ -351,10 +359,13 @@ sg_cover_bytes(const sg_dot_row *cover, const sg_shaded *in,
   for (unsigned k = in->lines; k > 1; k /= 2) {
     shift++;
   }
-  for (int32_t x = 0; x < cover->width; x++, out += bytes) {
+  int32_t to = wanted_to(cover, in);
+  out += (size_t)in->from * bytes;
+  for (int32_t x = in->from; x < to; x++, out += bytes) {
     const uint32_t *sum = cover->sum[x];
 
-    if (x > 0 && memcmp(sum, cover->sum[x - 1], sizeof *cover->sum) == 0) {
+    if (x > in->from &&
+        memcmp(sum, cover->sum[x - 1], sizeof *cover->sum) == 0) {
       memcpy(out, out - bytes, bytes);
     } else if (in->clear) {
       clear_dot(sum, shift, byte, out);

@@ -48,6 +48,7 @@ typedef struct sg_shaded {
   unsigned shadows;        /* 0: there are none */
   bool edges;              /* a line where other faces begin */
   const sg_scan *scan;     /* null, or spans of this scene, lines, opacities */
+  int32_t from, to;        /* dots of a row that are wanted; to 0: all */
 } sg_shaded;
 
 /* Sums of a row of dots. */
@@ -63,7 +64,8 @@ typedef struct sg_dot_row {
 bool sg_cover_open(sg_dot_row *out, int32_t width);
 void sg_cover_close(sg_dot_row *cover);
 
-/* The sums of the row y of dots. `spans` is room. False: no memory. */
+/* The sums of the row y of dots, right for those that are wanted. `spans` is
+ * room. False: no memory. */
 bool sg_cover_row(sg_dot_row *cover, const sg_shaded *in, sg_shading_work *work,
                   sg_spans *spans, int32_t y);
 
@@ -71,8 +73,9 @@ bool sg_cover_row(sg_dot_row *cover, const sg_shaded *in, sg_shading_work *work,
 void sg_cover_light(const sg_shaded *in, sg_shading_work *work,
                     const sg_span *span, double x, double y, uint32_t light[3]);
 
-/* The bytes of these dots, 3 a dot, or 4 if it is `clear`: red, green, blue,
- * alpha. `byte` as of sg_srgb_bytes(). */
+/* The bytes of those that are wanted, 3 a dot, or 4 if it is `clear`: red,
+ * green, blue, alpha. `out` is that of the whole row, `byte` as of
+ * sg_srgb_bytes(). */
 void sg_cover_bytes(const sg_dot_row *cover, const sg_shaded *in,
                     const uint8_t *byte, uint8_t *out);
 

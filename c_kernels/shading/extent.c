@@ -44,8 +44,8 @@ static bool
 look_at(const sg_shading *scene, sg_shading_work *work, double y, bool within,
         sg_spans *spans, reached *all)
 {
-  bool good = sg_shading_line_beyond(scene, work, y, within ? all->x1 : 1,
-                                     within ? all->x2 : 0, spans);
+  const sg_line_part part = {within ? all->x1 : 1, within ? all->x2 : 0, true};
+  bool good = sg_shading_line_part(scene, work, y, &part, spans);
 
   if (good && spans->n > 0) {
     reached line = {spans->span[0].x1,     spans->span[spans->n - 1].x2, y, y,

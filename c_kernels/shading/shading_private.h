@@ -140,9 +140,9 @@ struct sg_shading_work {
   SG_LIST_OF(uint64_t) start; /* x1, then the place of the slice */
   SG_LIST_OF(sg_active) active;
   SG_LIST_OF(double) crossing;
-  double between[2]; /* dots: what is round and lies here is left out */
-  sg_expression expression;           /* a copy with counters of its own */
-  bool failed;                        /* no memory */
+  double between[2];        /* dots: what is round and lies here is left out */
+  sg_expression expression; /* a copy with counters of its own */
+  bool failed;              /* no memory */
   sg_shading_work *light[SG_SHADOWS]; /* null: not yet */
 };
 

@@ -131,11 +131,16 @@ bool sg_shading_work_failed(const sg_shading_work *work);
 bool sg_shading_line(const sg_shading *scene, sg_shading_work *work, double y,
                      sg_spans *spans);
 
-/* The same, but what is between `from` and `to`, in 1/256 dot, is not looked
- * at. */
-bool sg_shading_line_beyond(const sg_shading *scene, sg_shading_work *work,
-                            double y, int32_t from, int32_t to,
-                            sg_spans *spans);
+/* A part of a line, in 1/256 dot: what is between `from` and `to`, or what is
+ * not. */
+typedef struct sg_line_part {
+  int32_t from, to;
+  bool beyond;
+} sg_line_part;
+
+/* The same of a part; spans may reach out of it. */
+bool sg_shading_line_part(const sg_shading *scene, sg_shading_work *work,
+                          double y, const sg_line_part *part, sg_spans *spans);
 
 /* What is seen at (x, y) of a span, x in dots: how deep, and which way the
  * seen side looks, a unit vector of the model's axes. */

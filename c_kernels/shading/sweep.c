@@ -7,6 +7,7 @@
 #include "engine/search.h"
 #include "rows/sort.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -260,9 +261,19 @@ change_active(sg_shading_work *w, int32_t x, size_t *next, int32_t *to)
   return true;
 }
 
+static const sg_line_part all_of_it = {INT32_MIN, INT32_MAX, false};
+
+/* Whether something between two ends is of the part. */
+static bool
+is_wanted(const sg_line_part *part, int32_t x1, int32_t x2)
+{
+  return part->beyond ? x1 < part->from || x2 > part->to
+                      : x1 < part->to && x2 > part->from;
+}
+
 bool
-sg_shading_line_beyond(const sg_shading *scene, sg_shading_work *w, double y,
-                       int32_t from, int32_t to, sg_spans *out)
+sg_shading_line_part(const sg_shading *scene, sg_shading_work *w, double y,
+                     const sg_line_part *part, sg_spans *out)
 {
   size_t next = 0;
 
@@ -270,17 +281,15 @@ sg_shading_line_beyond(const sg_shading *scene, sg_shading_work *w, double y,
   out->n = 0;
   w->open.n = 0;
   w->active.n = 0;
-  w->between[0] = from / 256.0;
-  w->between[1] = to / 256.0;
+  w->between[0] = part->beyond ? part->from / 256.0 : INFINITY;
+  w->between[1] = part->beyond ? part->to / 256.0 : -INFINITY;
   if (!sg_slices_of_line(w, y) || !list_starts(w)) {
     return false;
   }
   for (int32_t x1 = start_at(w, 0), x2; x1 < INT32_MAX; x1 = x2) {
-    if (!change_active(w, x1, &next, &x2)) {
-      return false;
-    }
-    bool between = from <= x1 && x2 <= to;
-    if (w->active.n > 0 && !between && !sweep_between(w, x1, x2, out)) {
+    if (!change_active(w, x1, &next, &x2) ||
+        (w->active.n > 0 && is_wanted(part, x1, x2) &&
+         !sweep_between(w, x1, x2, out))) {
       return false;
     }
   }
@@ -291,5 +300,5 @@ bool
 sg_shading_line(const sg_shading *scene, sg_shading_work *w, double y,
                 sg_spans *out)
 {
-  return sg_shading_line_beyond(scene, w, y, 1, 0, out);
+  return sg_shading_line_part(scene, w, y, &all_of_it, out);
 }

@@ -47,15 +47,16 @@ scene is that of kernel/shading.pl.
 %   @error as for image_shade/5, and domain_error(shading_scan, Scan): it is one
 %          of another scene
 
-%!  image_again(+Image0:image, +Bands:list(count), +Scene:shading,
-%!              +How:image_how, +Looks:list(shading_look),
+%!  image_again(+Image0:image, +Bands:list(count), +From:count, +To:count,
+%!              +Scene:shading, +How:image_how, +Looks:list(shading_look),
 %!              +Leaves:list(list(count)), -Image:image) is det.
 %
-%   The same for Bands of 16 rows, from 0, alone; the other dots of Image are
-%   those of Image0.
+%   The same for Bands of 16 rows, from 0, alone, and of these for the dots From
+%   up to, not with, To; the other dots of Image are those of Image0.
 %
 %   @error as for image_shade/5, domain_error(image_of_scene, Image0): it has
-%          another size; domain_error(image_band, Bands)
+%          another size; domain_error(image_band, Bands),
+%          domain_error(image_column, To)
 
 %!  image_parts(+Scene:shading, +How:image_how, +Looks:list(shading_look),
 %!              +Leaves:list(list(count)), +Y:count,

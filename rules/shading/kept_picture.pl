@@ -4,17 +4,18 @@
 :- use_module('../csg/csg', [root_segment/1]).
 :- use_module('../decision', [decision_is_default/1]).
 :- use_module('../kernel',
-              [image_again/7, image_scanned/6, image_shade/5, shading_scan/5]).
+              [image_again/9, image_scanned/6, image_shade/5, shading_scan/5]).
 :- use_module('../picture/view', [current_view/4]).
 :- use_module('../store', [segment_stamp/2]).
+:- use_module(edited_model, [edited_model/5, shaded_state/1]).
 :- use_module(shaded_picture,
               [ empty_picture/3, looks_for_kernel/3, picture_decided/6,
                 picture_how/3, picture_place/5 ]).
 :- use_module(shading_scene,
-              [ facts_rows/6, is_shaded/1, scene_handle/2, scene_tolerance/2,
+              [ facts_dots/5, is_shaded/1, scene_handle/2, scene_tolerance/2,
                 shaded_eye/3, shaded_model/2, shaded_scene/5 ]).
 :- use_module(surface_look, [scene_looks/4]).
-:- use_module(library(apply), [exclude/3, maplist/3, maplist/4]).
+:- use_module(library(apply), [exclude/3, foldl/4, foldl/6, maplist/3, maplist/4]).
 :- use_module(library(lists),
               [append/3, member/2, nth1/3, reverse/2, same_length/2]).
 :- use_module(library(option), [option/2, option/3]).
@@ -35,23 +36,65 @@ afresh in the same frame.
 %   @error as of shaded_model/2 and shaded_eye/3
 
 world_picture(Options, Image) :-
-    findall(S, ( root_segment(S), is_shaded(S) ), Roots),
-    shaded_model(Roots, Model),
-    current_view(Theta, Phi, Rho, Kind),
-    shaded_eye(Model, view(Theta,Phi,Rho,Kind), Eye),
-    Key = key(Options,Eye),
+    shaded_state(State),
     (   nb_current(sg_kept_picture, Kept),
-        Kept = kept(Key,_,_,_,_,_)
-    ->  again(Kept, Model, Image)
-    ;   afresh(Key, Model, Image)
+        edited(Kept, Options, State, Image0)
+    ->  Image = Image0
+    ;   findall(S, ( root_segment(S), is_shaded(S) ), Roots),
+        shaded_model(Roots, Model),
+        model_eye(Model, Eye),
+        Key = key(Options,Eye,State),
+        (   nb_current(sg_kept_picture, Kept),
+            Kept = kept(key(Options,Eye,_),_,_,_,_,_)
+        ->  again(Kept, Key, Model, Image)
+        ;   afresh(Key, Model, Image)
+        )
     ).
 
-%   Kept is kept(Key, Frame, Made, Looked, Scan, Image): Frame is frame(Size,
-%   Place, Tolerance); Made is made(Model, Things); Looked is looked(Looks,
-%   Leaves, How), for the kernel; Scan is scan(Scene, Spans), or `none`.
+model_eye(Model, Eye) :-
+    current_view(Theta, Phi, Rho, Kind),
+    shaded_eye(Model, view(Theta,Phi,Rho,Kind), Eye).
+
+%   Kept is kept(Key, Frame, Made, Looked, Scan, Image): Key is key(Options,
+%   Eye, State), Frame is frame(Size, Place, Tolerance); Made is made(Model,
+%   Stamps), those of leaves that are rows; Looked is looked(Looks, Leaves,
+%   How), for the kernel; Scan is scan(Scene, Spans), or `none`.
+
+%   edited(Kept, Options, State, Image): only some primitives are others.
+
+edited(kept(key(Options0,Eye,State0),frame(Size,Place,Tolerance),
+            made(Model0,Stamps),Looked,_,Image0),
+       Options, State, Image) :-
+    Options0 == Options,
+    may_be_parts(Looked, Looked),
+    edited_model(State0, State, Model0, Model, Changed),
+    model_eye(Model, Eye1),
+    Eye1 == Eye,
+    (   Changed == []
+    ->  Image = Image0
+    ;   shaded_scene(Model, Eye, Place, Size, Scene),
+        scene_tolerance(Scene, Tolerance),
+        shaded_again(Image0, Changed, Scene, Eye, Place, Size, Looked, Image),
+        nb_setval(sg_kept_picture,
+                  kept(key(Options,Eye,State),frame(Size,Place,Tolerance),
+                       made(Model,Stamps),Looked,none,Image))
+    ).
+
+%   shaded_again(Image0, Changed, Scene, Eye, Place, Size, Looked, Image):
+%   Image0 where none of the facts Changed is.
+
+shaded_again(Image0, Changed, Scene, Eye, Place, Size,
+             looked(Looks,Leaves,How), Image) :-
+    findall(Box, ( member(Fact, Changed),
+                   facts_dots(Eye, Place, Size, [Fact], Box) ),
+            Boxes),
+    changed_bands(Boxes, Size, Bands),
+    changed_columns(Boxes, Size, From, To),
+    scene_handle(Scene, Handle),
+    image_again(Image0, Bands, From, To, Handle, How, Looks, Leaves, Image).
 
 afresh(Key, Model, Image) :-
-    Key = key(Options,Eye),
+    Key = key(Options,Eye,_),
     (   picture_place(Model, Eye, Options, Size, Place)
     ->  shaded_scene(Model, Eye, Place, Size, Scene),
         looked(Scene, Options, Looked),
@@ -88,38 +131,36 @@ kernel_opacity(look(_,_,A,_,_), A).
 
 kept(Key, Size-Place, Model, Scene, Looked, Scan, Image) :-
     Looked = looked(Looks,Leaves,How),
-    Key = key(Options,_),
+    Key = key(Options,_,_),
     (   decision_is_default(pixel_colour/4),
         \+ option(palette(_), Options)
     ->  scene_tolerance(Scene, Tolerance),
-        things(Model, Things),
+        row_stamps(Model, Stamps),
         nb_setval(sg_kept_picture,
-                  kept(Key,frame(Size,Place,Tolerance),made(Model,Things),
+                  kept(Key,frame(Size,Place,Tolerance),made(Model,Stamps),
                        Looked,Scan,Image))
     ;   nb_setval(sg_kept_picture, none)
     ),
     picture_decided(Scene, How, Looks, Leaves, Options, Image).
 
-%   again(Kept, Model, Image)
+%   again(Kept, Key, Model, Image)
 
-again(kept(Key,frame(Size,Place,Tolerance),Made0,Looked0,Scan0,Image0), Model,
-      Image) :-
-    Key = key(Options,Eye),
+again(kept(_,frame(Size,Place,Tolerance),made(Model0,Stamps0),Looked0,Scan0,
+           Image0),
+      Key, Model, Image) :-
+    Key = key(Options,Eye,_),
     shaded_scene(Model, Eye, Place, Size, Scene),
     looked(Scene, Options, Looked),
-    Made0 = made(Model0,Things0),
-    things(Model, Things),
+    things(Model0, Stamps0, Things0),
+    row_stamps(Model, Stamps),
+    things(Model, Stamps, Things),
     (   same_solids(Model0-Things0, Model-Things)
     ->  other_looks(Scan0, Looked0, Looked, Key, Size-Place, Model, Scene,
                     Image0, Image)
     ;   scene_tolerance(Scene, Tolerance),
         may_be_parts(Looked0, Looked),
         changed(Model0, Things0, Looked0, Model, Things, Looked, Facts)
-    ->  findall(Band, changed_band(Facts, Eye, Place, Size, Band), Bands0),
-        sort(Bands0, Bands),
-        Looked = looked(Looks,Leaves,How),
-        scene_handle(Scene, Handle),
-        image_again(Image0, Bands, Handle, How, Looks, Leaves, Image),
+    ->  shaded_again(Image0, Facts, Scene, Eye, Place, Size, Looked, Image),
         kept(Key, Size-Place, Model, Scene, Looked, none, Image)
     ;   scanned(Key, Size-Place, Model, Scene, Looked, Image)
     ).
@@ -174,18 +215,26 @@ may_be_parts(looked(Looks0,_,How0), looked(Looks,_,How)) :-
                 *            CHANGES           *
                 *******************************/
 
-%   things(Model, Things): what each leaf of the kernel is: thing(What, Stamp),
-%   without numbers, which edits shift. Rows have the stamp of their segment.
+%   row_stamps(Model, Stamps): those of the segments whose rows are leaves of
+%   the kernel, in their order.
 
-things(model(_,Facts,_), Things) :-
-    maplist(thing, Facts, Things).
+row_stamps(model(_,Facts,_), Stamps) :-
+    findall(Stamp, ( member(rows(_,S,_), Facts), segment_stamp(S, Stamp) ),
+            Stamps).
 
-thing(Fact, thing(What,Stamp)) :-
-    Fact =.. [Name,_|What0],
-    What = [Name|What0],
-    (   Fact = rows(_,S,_)
-    ->  segment_stamp(S, Stamp)
-    ;   Stamp = 0
+%   things(Model, Stamps, Things): what each leaf of the kernel is: thing(What,
+%   Stamp), without numbers, which edits shift. Rows have the stamp of their
+%   segment.
+
+things(model(_,Facts,_), Stamps, Things) :-
+    foldl(thing, Facts, Things, Stamps, []).
+
+thing(Fact, thing([Name|What],Stamp), Stamps0, Stamps) :-
+    Fact =.. [Name,_|What],
+    (   Name == rows
+    ->  Stamps0 = [Stamp|Stamps]
+    ;   Stamp = 0,
+        Stamps = Stamps0
     ).
 
 same_solids(model(Leaves0,_,Roots0)-Things0, model(Leaves,_,Roots)-Things) :-
@@ -316,17 +365,30 @@ one_or(Operation, Trees, Tree) :-
     ;   Tree = node(Operation,Trees)
     ).
 
-%   changed_band(Facts, Eye, Place, Size, Band): a line between faces reaches
-%   half a dot farther than these.
+%   changed_bands(Boxes, Size, Bands): a line between faces reaches half a dot
+%   farther than these.
 
-changed_band(Facts, Eye, Place, Size, Band) :-
-    Size = _-Height,
+changed_bands(Boxes, _-Height, Bands) :-
     Last is Height-1,
-    member(Fact, Facts),
-    facts_rows(Eye, Place, Size, [Fact], Y1, Y2),
-    First is max(0, floor(Y1) - 1),
-    End is min(Last, ceiling(Y2) + 1),
-    First =< End,
-    From is First//16,
-    To is End//16,
-    between(From, To, Band).
+    findall(Band,
+            ( member(b(_,Y1,_,Y2), Boxes),
+              First is max(0, floor(Y1) - 1),
+              End is min(Last, ceiling(Y2) + 1),
+              First =< End,
+              From is First//16,
+              To is End//16,
+              between(From, To, Band) ),
+            Bands0),
+    sort(Bands0, Bands).
+
+%   changed_columns(Boxes, Size, From, To): from, and up to, not with, those of
+%   all Boxes. Beside the picture there is one.
+
+changed_columns(Boxes, Width-_, From, To) :-
+    foldl(wider, Boxes, Width-0, X1-X2),
+    From is max(0, min(Width-1, floor(X1) - 2)),
+    To is max(From+1, min(Width, ceiling(X2) + 2)).
+
+wider(b(X1,_,X2,_), From0-To0, From-To) :-
+    From is min(From0, X1),
+    To is max(To0, X2).

@@ -1,5 +1,6 @@
 :- module(sg_shading_leaf,
           [ known_leaf/4,               % +S, +Term, +Matrix, -Leaf
+            last_matrix/4,              % +S, +Term, -Matrix, -Leaf
             term_leaf/4,                % +Term, -Parts, -Shape, -Faces
             bent_faces/2,               % +Term, -Bent
             chain_loops/2,              % +Chain, -Loops
@@ -55,6 +56,15 @@ known_leaf(S, Term, Matrix, Leaf) :-
         ;   true
         )
     ).
+
+%!  last_matrix(+S, +Term, -Matrix, -Leaf) is semidet.
+%
+%   Leaf is what known_leaf/4 said last of segment S, if that was of Term and a
+%   Matrix.
+
+last_matrix(S, Term, Matrix, Leaf) :-
+    last_leaf(S, Last-Matrix, Leaf),
+    Last == Term.
 
 placed_leaf(S, rows, Matrix, rows, Parts, Shape, Faces) :-
     !,

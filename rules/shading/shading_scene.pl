@@ -6,6 +6,8 @@
             shaded_scene/5,             % +Model, +Eye, +Place, +Size, -Scene
             shading_scene/2,            % +Size, -Scene
             is_shaded/1,                % +S
+            as_its_term/2,              % +S, +Term
+            part_facts/3,               % +Number, +Parts, -Facts
             without_picture/2,          % +Model, -Scene
             scene_handle/2,             % +Scene, -Handle
             scene_tolerance/2,          % +Scene, -Tolerance
@@ -13,7 +15,7 @@
             scene_model/2,              % +Scene, -Model
             scene_scale/2,              % +Scene, -Scale
             depth_tolerance/3,          % +Matrix, +Facts, -Tolerance
-            facts_rows/6,               % +Eye, +Place, +Size, +Facts, -Y1, -Y2
+            facts_dots/5,               % +Eye, +Place, +Size, +Facts, -Box
             scene_size/2,               % +Scene, -Size
             scene_root/2,               % +Scene, -Root
             scene_place/2,              % +Scene, ?Place
@@ -145,8 +147,10 @@ right_kind(Kind, Leaf, at(_, _, Above, Wanted)) :-
     ;   true
     ).
 
-%   as_its_term(S, Term): segment S is still what the primitive Term made. Who
-%   edits rows by hand wants to see them.
+%!  as_its_term(+S, +Term) is semidet.
+%
+%   True when segment S is still what the primitive Term made. Who edits rows by
+%   hand wants to see them.
 
 as_its_term(S, Term) :-
     is_primitive(Term),
@@ -295,6 +299,15 @@ shape_nodes(without, Place,
 part_added(Number, Part0, Place0-Facts, Place-[Part|Facts]) :-
     part_fact(Part0, Number, Part),
     Place is Place0+1.
+
+%!  part_facts(+Number, +Parts, -Facts) is det.
+%
+%   Facts, for the kernel, are the Parts (known_leaf/4) of leaf Number.
+
+part_facts(_, [], []).
+part_facts(Number, [Part|Parts], [Fact|Facts]) :-
+    part_fact(Part, Number, Fact),
+    part_facts(Number, Parts, Facts).
 
 part_fact(flat(Points,Surfaces,Polygons), Number,
           flat(Number,Points,Surfaces,Polygons)).
@@ -567,14 +580,14 @@ row([A2,B2,C2,D2], F, [A1,B1,C1,D1], G, [A,B,C,D]) :-
     C is F*C1 + G*C2 + 0.0,
     D is F*D1 + G*D2 + 0.0.
 
-%!  facts_rows(+Eye, +Place, +Size, +Facts, -Y1, -Y2) is semidet.
+%!  facts_dots(+Eye, +Place, +Size, +Facts, -Box) is semidet.
 %
-%   What Facts are in the picture of shaded_scene/5 is between Y1 and Y2, in
-%   dots. Fails if they have no faces.
+%   What Facts are in the picture of shaded_scene/5 is in Box = b(X1,Y1,X2,Y2),
+%   in dots. Fails if they have no faces.
 
-facts_rows(Eye, Place, Width-Height, Facts, Y1, Y2) :-
+facts_dots(Eye, Place, Width-Height, Facts, b(X1,Y1,X2,Y2)) :-
     eye_rows(Eye, Place, Matrix),
-    shading_box(frame(Matrix,Width,Height,0.0), Facts, box(_,Y1,_,_,Y2,_)).
+    shading_box(frame(Matrix,Width,Height,0.0), Facts, box(X1,Y1,_,X2,Y2,_)).
 
 %!  depth_tolerance(+Matrix, +Facts, -Tolerance) is det.
 %

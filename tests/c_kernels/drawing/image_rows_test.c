@@ -233,15 +233,27 @@ again(void)
                                 is_domain("shading_scan", 1));
   memset(image->dot + 16 * 120, 9, 16 * 120);
   CHECK("two bands again",
-        sg_door_image_again(&call, image, &(sg_count_list){bands, 2, 0}, scene,
-                            &how, &looks, &leaves, &same) &&
+        sg_door_image_again(&call, image, &(sg_count_list){bands, 2, 0}, 0, 40,
+                            scene, &how, &looks, &leaves, &same) &&
             memcmp(image->dot, same->dot, bytes) != 0 &&
             !memcmp(image->dot, same->dot, 16 * 120));
   sg_image_close(same);
   CHECK("no such band",
-        !sg_door_image_again(&call, image, &(sg_count_list){far, 1, 0}, scene,
-                             &how, &looks, &leaves, &same) &&
+        !sg_door_image_again(&call, image, &(sg_count_list){far, 1, 0}, 0, 40,
+                             scene, &how, &looks, &leaves, &same) &&
             is_domain("image_band", 2));
+  CHECK("no such columns",
+        !sg_door_image_again(&call, image, &(sg_count_list){bands, 2, 0}, 3, 41,
+                             scene, &how, &looks, &leaves, &same) &&
+            is_domain("image_column", 4));
+  memset(image->dot, 9, 3 * 40 * 50);
+  CHECK("columns alone are made again",
+        sg_door_image_again(&call, image, &(sg_count_list){bands, 2, 0}, 10, 20,
+                            scene, &how, &looks, &leaves, &same));
+  for (size_t x = 0; x < 40; x++) {
+    CHECK("a dot", (same->dot[16 * 120 + 3 * x] == 9) == (x < 10 || x >= 20));
+  }
+  sg_image_close(same);
   CHECK("a PGM", sg_door_image_pgm(&call, image, &to_pgm) &&
                      pgm.n == strlen("P5\n40 50\n255\n") + 2000);
   how.shadows = (sg_shading_list){&light, 1, 0};

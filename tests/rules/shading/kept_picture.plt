@@ -1,5 +1,5 @@
 /* The picture of a world that is edited has the bytes of one made afresh. */
-% covers: picture_file, shading_light
+% covers: edited_model, picture_file, shading_light
 :- module(test_kept_picture, []).
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
@@ -8,8 +8,10 @@
 :- use_module(library(random)).
 :- use_module(library(readutil)).
 :- use_module(rules(kernel)).
+:- use_module(rules(shading/edited_model)).
 :- use_module(rules(shading/kept_picture)).
 :- use_module(rules(shading/picture_file)).
+:- use_module(rules(shading/shading_scene)).
 :- use_module(rules(store)).
 :- use_module(tests('rules/polyhedron')).
 :- use_module(shaded_model).
@@ -127,18 +129,39 @@ test(edits_with_shadows, Wrong == []) :-
     options(Options),
     wrong([shadows(true)|Options], 12, Wrong).
 
-%   What is made again of a leaf that moved: the rows where it was, and is. The
-%   kept picture is painted over, so others are black.
-test(some_bands, Black == 272) :-
+%   What is made again of a leaf that moved: the rows and columns where it was,
+%   and is. The kept picture is painted over, so others are black.
+test(some_bands, Black-Beside == 272-320) :-
     in_new_world(
         ( world2,
           world_picture([size(200-320)], _),
           painted_over,
           replaced(2, at([translate(0,0,21)], box(size(1,1,1)))),
           world_picture([size(200-320)], Image),
-          findall(Y, ( between(0, 319, Y), image_dot(Image, 0, Y, [0,0,0]) ),
-                  Ys),
-          length(Ys, Black) )).
+          black_rows(Image, 112, Black),
+          black_rows(Image, 0, Beside) )).
+%   A model of which a leaf is edited is what would be made afresh.
+test(edited_model, Wrong == []) :-
+    set_random(seed(11)),
+    findall(I,
+            in_new_world(
+                ( world,
+                  shaded_state(State0),
+                  shaded_model([21,22,23], Model0),
+                  nb_setval(edited, State0-Model0),
+                  between(1, 12, I),
+                  edit(move),
+                  nb_getval(edited, State1-Model1),
+                  shaded_state(State),
+                  (   edited_model(State1, State, Model1, Model2, _)
+                  ->  Edited = Model2
+                  ;   Edited = none
+                  ),
+                  shaded_model([21,22,23], Model),
+                  nb_setval(edited, State-Model),
+                  \+ ( Edited == none, other_shape(Model1, Model) ),
+                  Edited \== Model )),
+            Wrong).
 test(new_looks, Black == 0) :-
     in_new_world(
         ( world2,
@@ -151,6 +174,17 @@ test(new_looks, Black == 0) :-
           findall(Y, ( between(0, 31, Y), image_dot(Image, 0, Y, [0,0,0]) ),
                   Ys),
           length(Ys, Black) )).
+
+black_rows(Image, X, Black) :-
+    aggregate_all(count, ( between(0, 319, Y),
+                           image_dot(Image, X, Y, [0,0,0]) ), Black).
+
+%   A leaf is another primitive than before.
+other_shape(model(Leaves0,_,_), model(Leaves,_,_)) :-
+    nth1(I, Leaves0, leaf(_,_,_,_,Faces0)),
+    nth1(I, Leaves, leaf(_,_,_,_,Faces)),
+    Faces0 \== Faces,
+    !.
 
 painted_over :-
     nb_getval(sg_kept_picture, Kept0),
