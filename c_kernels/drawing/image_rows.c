@@ -1,6 +1,7 @@
 /* image_rows.c -- scenes in dots, and dots in files. */
 #include "doors/image.h"
 
+#include "image_lzw.h"
 #include "image_png.h"
 #include "raster_rows.h"
 #include "shading/dot_part.h"
@@ -481,6 +482,25 @@ sg_door_image_pgm(sg_call *call, sg_image *image, const sg_output *stream)
     }
     good = stream->write(stream->data, row, width);
   }
+  return good;
+}
+
+bool
+sg_door_image_lzw(sg_call *call, sg_image *image, const sg_output *stream)
+{
+  size_t n = (size_t)image->width * (size_t)image->height * image->bytes;
+  uint8_t *bytes;
+  size_t packed;
+
+  if (image->bytes != 3) {
+    return sg_call_domain(call, "image_without_alpha", IMAGE);
+  }
+  if (!sg_image_lzw(image->dot, n, &bytes, &packed)) {
+    return sg_call_no_memory(call);
+  }
+  bool good = stream->write(stream->data, (const char *)bytes, packed);
+
+  free(bytes);
   return good;
 }
 

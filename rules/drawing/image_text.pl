@@ -1,8 +1,9 @@
 :- module(sg_image_text,
           [ image_base64/2,             % +Image, -Text
-            image_flate/2               % +Image, -Text
+            image_flate/2,              % +Image, -Text
+            image_lzw_text/2            % +Image, -Text
           ]).
-:- use_module('../kernel', [image_png/3]).
+:- use_module('../kernel', [image_lzw/2, image_png/3]).
 :- use_module(library(base64), [base64_encoded/3]).
 :- use_module(library(lists), [append/3]).
 :- use_module(library(memfile),
@@ -21,11 +22,16 @@ image_base64(Image, Text) :-
     base64_encoded(Bytes, Text, [encoding(octet),as(string)]).
 
 png_string(Image, Bytes) :-
+    written_string(Out, image_png(Image, 0, Out), Bytes).
+
+%   written_string(Out, Goal, Bytes): Bytes are what Goal writes to Out.
+
+written_string(Out, Goal, Bytes) :-
     setup_call_cleanup(
         new_memory_file(File),
         ( setup_call_cleanup(
               open_memory_file(File, write, Out, [encoding(octet)]),
-              image_png(Image, 0, Out),
+              Goal,
               close(Out)),
           memory_file_to_string(File, Bytes, octet) ),
         free_memory_file(File)).
@@ -33,14 +39,26 @@ png_string(Image, Bytes) :-
 %!  image_flate(+Image, -Text) is det.
 %
 %   Text is the data of Image for the filters ASCII85Decode and FlateDecode of
-%   PDF and PostScript, the latter with the predictor of PNG (15): what the
+%   PDF, the latter with the predictor of PNG (15): what the
 %   chunks IDAT of a PNG file have. In lines, with the end `~>`.
 
 image_flate(Image, Text) :-
     png_string(Image, Bytes),
     chunks_data(8, Bytes, Parts),
     atomic_list_concat(Parts, Data),
-    atom_codes(Data, Codes),
+    text_85(Data, Text).
+
+%!  image_lzw_text(+Image, -Text) is det.
+%
+%   Text is the data of Image for the filters ASCII85Decode and LZWDecode, which
+%   level 2 of PostScript has.
+
+image_lzw_text(Image, Text) :-
+    written_string(Out, image_lzw(Image, Out), Bytes),
+    text_85(Bytes, Text).
+
+text_85(Bytes, Text) :-
+    string_codes(Bytes, Codes),
     phrase(base_85(Codes, 0), Digits),
     string_codes(Text, Digits).
 

@@ -3,15 +3,14 @@
           ]).
 :- use_module(ink, [dashes_option/3]).
 :- use_module(drawing_shading, [page_images/4]).
-:- use_module(image_text, [image_flate/2]).
+:- use_module(image_text, [image_lzw_text/2]).
 :- use_module('../kernel', [image_size/3]).
 :- use_module(page, [write_page/6, page_layers/2, page_points/2]).
 :- use_module(library(lists), [member/2]).
 :- use_module(library(option), [option/3]).
 /** <module> PostScript, and EPS to be put into documents.
 
-Language level 2, with shading in dots 3; true millimetres. No time and no name
-of a user: the same
+Language level 2, true millimetres. No time and no name of a user: the same
 drawing gives the same bytes. Colours are those for print; texts are drawn.
 
 @see Adobe: PostScript Language Document Structuring Conventions 3.0, EPSF 3.0
@@ -39,11 +38,7 @@ write_ps(Kind, Out, Inked, Options) :-
     option(title(Title), Options, ''),
     ascii(Title, Ascii),
     format(Out, '%%Title: ~w~n%%Creator: Sanggwan~n', [Ascii]),
-    (   Images == []
-    ->  Level = 2
-    ;   Level = 3
-    ),
-    format(Out, '%%LanguageLevel: ~d~n%%Pages: 1~n%%EndComments~n', [Level]),
+    format(Out, '%%LanguageLevel: 2~n%%Pages: 1~n%%EndComments~n', []),
     operators(Out),
     page_size(Kind, Out, Width, Height),
     format(Out, '%%Page: 1 1~ngsave~n', []),
@@ -52,21 +47,20 @@ write_ps(Kind, Out, Inked, Options) :-
                sg_ps:write_images(Out, Images)),
     format(Out, 'grestore~nshowpage~n%%EOF~n', []).
 
-%   write_images(Out, Images): data in line, for the filters of level 3.
+%   write_images(Out, Images): data in line, for the filters of level 2.
 
 write_images(Out, Images) :-
     forall(member(image(X,Y,W,H,Image), Images),
            ( image_size(Image, Columns, Rows),
-             image_flate(Image, Data),
+             image_lzw_text(Image, Data),
              format(Out, 'gsave ~w ~w translate ~w ~w scale~n\c
                           /DeviceRGB setcolorspace~n\c
                           << /ImageType 1 /Width ~d /Height ~d \c
                           /BitsPerComponent 8 /Decode [0 1 0 1 0 1]~n\c
                           /ImageMatrix [~d 0 0 ~d 0 0] \c
                           /DataSource currentfile /ASCII85Decode filter~n\c
-                          << /Predictor 15 /Colors 3 /Columns ~d >> \c
-                          /FlateDecode filter >> image~n~s~ngrestore~n',
-                    [X,Y,W,H,Columns,Rows,Columns,Rows,Columns,Data]) )).
+                          /LZWDecode filter >> image~n~s~ngrestore~n',
+                    [X,Y,W,H,Columns,Rows,Columns,Rows,Data]) )).
 
 heading(ps, '%!PS-Adobe-3.0').
 heading(eps, '%!PS-Adobe-3.0 EPSF-3.0').

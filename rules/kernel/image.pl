@@ -119,6 +119,12 @@ scene is that of kernel/shading.pl.
 %   Writes Image to Stream as a PNG file; PerMetre dots are a metre, 0: the
 %   file does not say.
 
+%!  image_lzw(+Image:image, +Stream:output) is det.
+%
+%   Writes the bytes of its dots to Stream, packed for the filter LZWDecode.
+%
+%   @error domain_error(image_without_alpha, Image)
+
 %!  image_ppm(+Image:image, +Stream:output) is det.
 %
 %   The same as a PPM file (P6).
