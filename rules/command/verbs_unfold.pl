@@ -26,9 +26,10 @@
 :- use_module(sheet_options, [scale_option/2]).
 :- use_module(solid_verbs, [empty_roots_warned/0]).
 :- use_module('../solid/simplify', [simplified_roots/1]).
+:- use_module('../stack_limit', [with_stack_for/3]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
-              [ segment/3, unfolding/2, retractall_facts/1,
+              [ p/3, segment/3, unfolding/2, retractall_facts/1,
                 facts_snapshot/1
               ]).
 :- use_module('../drawing/style_file', [style_rows/2]).
@@ -81,8 +82,16 @@ unfold_run(Files, Options, 0) :-
     asked_once(patterns_reported(Files, Options, Flags, All, Ds)),
     laid_flat_told(Options, Ds),
     tables_written(Options, Ds),
-    sheets_once(Options, Ds, Outputs, Options1),
-    maplist(written_to(Options1, Ds), Outputs).
+    aggregate_all(count, ( member(D, Ds), p(D, _, _) ), Polygons),
+    sheet_octets(Octets),
+    with_stack_for(Polygons, Octets,
+                   ( sheets_once(Options, Ds, Outputs, Options1),
+                     maplist(written_to(Options1, Ds), Outputs) )).
+
+%   sheet_octets(Octets): a polygon takes less on the stacks while sheets are
+%   laid out and written.
+
+sheet_octets(40000).
 
 patterns_reported(Files, Options, Flags, Outputs, Ds) :-
     catch(patterns(Options, Flags, Ds),

@@ -7,13 +7,13 @@
 :- use_module(pattern_slit, [opened_slits/3]).
 :- use_module(pattern_split, [split_piece/4]).
 :- use_module(pattern_tab, [deepest_tab/3, side_length/2, tabs/5]).
-:- use_module(library(apply), [foldl/5, include/3, maplist/3, maplist/4]).
+:- use_module(library(apply), [foldl/4, foldl/5, include/3, maplist/3, maplist/4]).
 :- use_module(library(assoc),
               [gen_assoc/3, get_assoc/3, list_to_assoc/2, put_assoc/4]).
 :- use_module(library(error), [must_be/2]).
 :- use_module(library(lists),
               [ append/2, append/3, member/2, nth1/3, same_length/2,
-                subtract/3, sum_list/2
+                selectchk/3, subtract/3, sum_list/2
               ]).
 :- use_module(library(option), [option/2, option/3]).
 :- use_module(library(pairs),
@@ -257,8 +257,9 @@ numbered_part(piece(name(D,K,_),Faces,Sides), piece(name(D,K,I),Faces,Sides),
                 *******************************/
 
 %   pieces_fitted(Pieces0, On, Width, Tight, Known, Fitted, Tabs): On is
-%   on(Paper,Flat), as of split_piece/4. Those of Pieces0 whose places are in
-%   Tight are divided so that there is room for tabs all round their parts.
+%   on(Paper,Flat), as of split_piece/4. Those of Pieces0 whose places I are in
+%   Tight, a list of I-Times, are divided so that there is room for tabs all
+%   round their parts, and for more of them if that has not been enough before.
 
 pieces_fitted(Pieces0, On, Width, Tight, Known, Fitted, Tabs) :-
     On = on(Paper, _),
@@ -273,16 +274,23 @@ pieces_fitted(Pieces0, On, Width, Tight, Known, Fitted, Tabs) :-
     findall(I,
             ( nth1(N, Fitted0, fitted(_,Outline)),
               nth1(N, Origins, I),
-              \+ memberchk(I, Tight),
+              \+ memberchk(I-4, Tight),
               \+ outline_fits(Outline, Paper)
             ),
-            More),
-    (   More == []
+            More0),
+    (   More0 == []
     ->  Fitted = Fitted0,
         Tabs = Tabs0
-    ;   append(More, Tight, Tight1),
-        sort(Tight1, Tight2),
-        pieces_fitted(Pieces0, On, Width, Tight2, Known, Fitted, Tabs)
+    ;   sort(More0, More),
+        foldl(tighter, More, Tight, Tight1),
+        pieces_fitted(Pieces0, On, Width, Tight1, Known, Fitted, Tabs)
+    ).
+
+tighter(I, Tight0, [I-Times|Tight]) :-
+    (   selectchk(I-Times0, Tight0, Tight)
+    ->  Times is Times0+1
+    ;   Times = 1,
+        Tight = Tight0
     ).
 
 fitted_piece(Tabs, Piece, fitted(Piece,Outline)) :-
@@ -299,14 +307,11 @@ outline_fits(Outline, Paper) :-
 %   Origins are the places in Pieces0 of the pieces that Split are parts of.
 
 pieces_split(Pieces0, on(Paper,Flat), Width, Tight, Split, Origins) :-
-    (   Tight == []
-    ->  Narrow = Paper
-    ;   tab_room(Paper, Width, Pieces0, Narrow)
-    ),
     findall(I-Part,
             ( nth1(I, Pieces0, Piece),
-              (   memberchk(I, Tight)
-              ->  split_piece(Piece, Narrow, Flat, Parts)
+              (   memberchk(I-Times, Tight)
+              ->  tab_room(Paper, Width, Pieces0, Times, Narrow),
+                  split_piece(Piece, Narrow, Flat, Parts)
               ;   split_piece(Piece, Paper, Flat, Parts)
               ),
               member(Part, Parts)
@@ -314,15 +319,17 @@ pieces_split(Pieces0, on(Paper,Flat), Width, Tight, Split, Origins) :-
             Pairs),
     pairs_keys_values(Pairs, Origins, Split).
 
-%   tab_room(Paper, Width, Pieces, Narrow): what is left of Paper if a piece
-%   grows by a tab on each side, as deep as the longest seam may have one.
+%   tab_room(Paper, Width, Pieces, Times, Narrow): what is left of Paper if a
+%   piece grows by a tab on each side, as deep as the longest seam may have one,
+%   and by as much as half the room for each of more Times.
 
-tab_room(room(W0,H0,Gap), wide(Width,_), Pieces, room(W,H,Gap)) :-
+tab_room(room(W0,H0,Gap), wide(Width,_), Pieces, Times, room(W,H,Gap)) :-
     deepest_tab(Width, Pieces, Deep),
     Most is min(W0, H0)/4,
     (   Deep =< Most
-    ->  W is W0-2*Deep,
-        H is H0-2*Deep
+    ->  Off is min(2*Most, (1+Times)*Deep),
+        W is W0-Off,
+        H is H0-Off
     ;   Whole is floor(Most),
         throw(error(usage_error(pattern(tabs(Width, Whole, W0-H0))), _))
     ).

@@ -47,7 +47,7 @@ fine_sheets(6).
 %   needed of a roll.
 
 nested(Outlines, Paper, nested(Size,Places)) :-
-    maplist(outline_way, Outlines, Ways),
+    maplist(outline_way(Paper), Outlines, Ways),
     best_trial(Ways, Paper, trial(_,_,Pairs,Size)),
     list_to_assoc(Pairs, ByName),
     findall(Name-Place,
@@ -58,18 +58,20 @@ nested(Outlines, Paper, nested(Size,Places)) :-
 %   angles it is tried, and its box. A table, table(D,Part), is read from below
 %   or from the right.
 
-outline_way(Name-Loops, way(Name,Loops,Hull,[0.0,90.0],W,H)) :-
+outline_way(_, Name-Loops, way(Name,Loops,Hull,[0.0,90.0],W,H)) :-
     Name = table(_, _),
     !,
     append(Loops, Points),
     hull(Points, Hull),
     points_box(Points, W, H).
-outline_way(Name-Loops, way(Name,Loops,Hull,Angles,Width,Height)) :-
+outline_way(Paper, Name-Loops,
+            way(Name,Loops,Hull,Angles,Width,Height)) :-
     append(Loops, Points),
     hull(Points, Hull),
     points_box(Points, W, H),
     hull_box(Hull, Degrees, LeastW, LeastH),
-    (   LeastW*LeastH > 0.98*W*H
+    (   LeastW*LeastH > 0.98*W*H,
+        box_fits(Paper, W, H)
     ->  Width = W,
         Height = H,
         Angles = [0.0,90.0,180.0,270.0]
@@ -355,22 +357,28 @@ turned(Degrees, X0-Y0, X-Y) :-
 %
 %   True when a piece with these Points can be nested on one sheet.
 
-fits_on(_, roll(_)) :-
-    !.
 fits_on(Points, Paper) :-
+    (   points_box(Points, W, H)
+    ;   least_box(Points, _, W, H)
+    ),
+    box_fits(Paper, W, H),
+    !.
+
+%   box_fits(Paper, W, H): also on its side; squares of the raster are on the
+%   safe side.
+
+box_fits(roll(_), _, _).
+box_fits(Paper, W, H) :-
     Paper = room(RoomW, RoomH, Gap),
     square(RoomW, RoomH, Gap, Paper, coarse, Square),
     Width is RoomW-2.1*Square,
     Height is RoomH-2.1*Square,
-    (   points_box(Points, W, H)
-    ;   least_box(Points, _, W, H)
-    ),
     (   W =< Width,
         H =< Height
+    ->  true
     ;   H =< Width,
         W =< Height
-    ),
-    !.
+    ).
 
 points_box(Points, W, H) :-
     Points = [X-Y|_],

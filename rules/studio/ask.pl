@@ -4,6 +4,7 @@
             next_answers/2,             % +Head, -Reply
             asks_forgotten/0
           ]).
+:- use_module('../stack_limit', [with_stack_limit/2]).
 :- use_module('../store', [facts_snapshot/1]).
 :- use_module(ask_hidden, [asks_of_picture/1, hides/2]).
 :- use_module(query, [answer_json/2, read_goal/3]).
@@ -179,16 +180,8 @@ asks_forgotten :-
                 *******************************/
 
 :- meta_predicate
-    with_stack_limit(+, 0),
     within_seconds(+, 0),
     within_inferences(+, 0).
-
-with_stack_limit(Octets, Goal) :-
-    current_prolog_flag(stack_limit, Old),
-    setup_call_cleanup(
-        set_prolog_flag(stack_limit, Octets),
-        once(Goal),
-        set_prolog_flag(stack_limit, Old)).
 
 within_inferences(Most, Goal) :-
     call_with_inference_limit(once(Goal), Most, Result),

@@ -2,7 +2,8 @@
           [ true_development/4,         % +S, ?Part, +Options, -D
             developable_part/3          % ?S, ?Part, -Surface
           ]).
-:- use_module('../near', [before_angle/2, between_angles/3, longer/2]).
+:- use_module('../near',
+              [before_angle/2, between_angles/3, longer/2, same_part/2]).
 :- use_module('../development/bend', [pattern_bent/2]).
 :- use_module('../store', [segment/3, facts_transaction/1]).
 :- use_module('../csg/placed_surface', [asked_once/1, placed_surface/3]).
@@ -28,9 +29,10 @@
 :- use_module(true_sweep, [facets_swept/6]).
 :- use_module(true_tip, [tips_moved/4]).
 :- use_module(library(apply), [foldl/4, foldl/5, foldl/6, maplist/3]).
+:- use_module(library(assoc), [assoc_to_values/2]).
 :- use_module(library(error), [must_be/2]).
 :- use_module(library(lists),
-              [append/2, max_list/2, member/2, min_list/2, nth0/3,
+              [append/2, max_list/2, member/2, min_list/2, nth0/3, nth1/3,
                sum_list/2]).
 :- use_module(library(option), [option/2, option/3]).
 :- use_module(library(ordsets), [ord_memberchk/2]).
@@ -79,8 +81,9 @@ developable_part(S, Part, Surface) :-
 %
 %     - seam(Degrees)
 %       The generator at which it is cut open; without it the shortest (of
-%       those between facets that no hole interrupts, if there are such), and if
-%       the part does not go round, none.
+%       those between facets that no hole interrupts, if there are such, and of
+%       equal ones the farthest from holes), and if the part does not go round,
+%       none.
 %     - half(true)
 %       Only the half from the seam on, if the other one is its mirror image.
 %     - generators(N)
@@ -218,8 +221,8 @@ turn_place(T, Place) :-
     Place is round(T*1.0e6) mod 360000000.
 
 %   shortest_generator(Facets, Starts, Shape, Sense, Seam): of those that no
-%   hole interrupts, if there are such; of equally short ones up to rounding,
-%   the first.
+%   hole interrupts, if there are such; of equally short ones up to rounding
+%   the one that is farthest from all holes, or the first.
 
 shortest_generator(Facets, Starts, Shape, Sense, Seam) :-
     facet_index(Facets, Index),
@@ -234,8 +237,38 @@ shortest_generator(Facets, Starts, Shape, Sense, Seam) :-
     ),
     pairs_keys(Lengths, Ls),
     min_list(Ls, Least),
-    once(( member(Length-Seam, Lengths),
-           \+ longer(Length, Least) )).
+    findall(T,
+            ( member(Length-T, Lengths), \+ longer(Length, Least) ),
+            Equal),
+    farthest_from_holes(Equal, Shape, Seam).
+
+%   farthest_from_holes(Ts, Shape, T): what is cut out has corners off the rims.
+
+farthest_from_holes(Ts, shape(_, _, Nodes), T) :-
+    assoc_to_values(Nodes, Places),
+    findall(Off,
+            ( member(node(Off, H, _, _), Places),
+              Off \== any,
+              \+ same_part(H, 0.0),
+              \+ same_part(H, 1.0) ),
+            Holes0),
+    sort(Holes0, Holes),
+    (   Ts = [_,_|_],
+        Holes \== []
+    ->  maplist(nearest_angle(Holes), Ts, Offs),
+        max_list(Offs, Most),
+        once(( nth1(I, Offs, Off),
+               \+ before_angle(Off, Most),
+               nth1(I, Ts, T) ))
+    ;   Ts = [T|_]
+    ).
+
+nearest_angle(Holes, T, Off) :-
+    findall(Off0,
+            ( member(Hole, Holes),
+              Off0 is abs(T-Hole - 360.0*round((T-Hole)/360.0)) ),
+            Offs),
+    min_list(Offs, Off).
 
 generator_length(Index, T, Sense, Shape, Count, Length) :-
     Shape = shape(Surface, _, _),

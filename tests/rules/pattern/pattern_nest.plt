@@ -113,6 +113,23 @@ test(tables_are_read, [ forall(member(W-H, [500-300,300-500])) ]) :-
     nested([table(2,0)-[[0.0-0.0,200.0-0.0,200.0-90.0,0.0-90.0]]|Parts],
            room(W,H,3), nested(_,[_-place(_,Degrees,_,_)|_])),
     assertion(memberchk(Degrees, [0.0,90.0])).
+% What fits on paper has a place there: also what fits only if it is turned by
+% little, and has hardly a smaller box then.
+test(fits_and_is_placed, [ forall(between(0, 24, I)), nondet ]) :-
+    Turn is I/8*pi/180,
+    findall(W, ( between(0, 20, K), W is 184 + K*0.4 ), Ws),
+    forall(member(W, Ws),
+           ( findall(X-Y,
+                     ( member(X0-Y0, [ 20-0,W-30,W-200,160-230,0-230,0-30 ]),
+                       X is X0*cos(Turn) - Y0*sin(Turn),
+                       Y is X0*sin(Turn) + Y0*cos(Turn) ),
+                     Loop),
+             (   fits_on(Loop, room(190,277,3))
+             ->  nested([one-[Loop]], room(190,277,3), nested(_,Places)),
+                 Places = [_-place(Sheet,_,_,_)],
+                 assertion(Sheet =:= 1)
+             ;   true
+             ) )).
 test(same_again) :-
     parts(9, 25, 20, 150, Parts),
     nested(Parts, room(500,400,3), A),
