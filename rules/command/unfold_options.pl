@@ -28,6 +28,11 @@ options_together(Options) :-
     ;   given(faces, Options),
         given(true, Options)
     ->  usage_error(both_options('--faces', '--true'))
+    ;   given(cells, Options),
+        member(Other, [true,faces]),
+        given(Other, Options)
+    ->  written(Other, With),
+        usage_error(both_options('--cells', With))
     ;   given(lines, Options),
         given(trim, Options)
     ->  usage_error(both_options('--lines', '--trim'))

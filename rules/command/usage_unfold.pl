@@ -22,6 +22,9 @@ unfold_option(option(format, '',
     'the format for -o -')).
 unfold_option(option(only, '', value, 'S,...',
     'only these segments, by number or name')).
+unfold_option(option(cells, '', flag, '',
+    'cell by cell: each cell that faces bound is a solid; faces that two \c
+     cells have bear the same number in both')).
 unfold_option(option(trim, '', one_of([outside, inside]), 'SIDE',
     'first take away what is inside of the other segments, and leave what is \c
      outside; or the other way round')).
@@ -167,6 +170,8 @@ wish_option(Option) :-
 %   Help says in Korean what the option Name does.
 
 unfold_option_ko(only, '이 세그먼트만. 번호나 이름').
+unfold_option_ko(cells,
+    '세포마다. 면이 둘러싼 세포는 저마다 입체이고, 두 세포가 함께 가진 면은 양쪽에서 번호가 같다').
 unfold_option_ko(trim,
     '먼저 다른 세그먼트의 안에 있는 부분을 잘라 내고 바깥(outside)을 남긴다. \c
 inside는 그 반대').

@@ -5,13 +5,15 @@
             glue_misses_told/0
           ]).
 :- use_module('../csg/csg', [node/4, root_segment/1]).
+:- use_module('../gluing/exploded', [cells_parted/1]).
 :- use_module('../gluing/regions', [regions_report/2]).
 :- use_module('../model/model', [load_model/2, save_model/1]).
 :- use_module('../plain', [plain_json/2]).
 :- use_module('../language', [language/1]).
 :- use_module('../solid/glue',
               [unglue/1, glue_report/2, glue_operands/2, glue_misses/2]).
-:- use_module('../store', [facts_snapshot/1, facts_transaction/1]).
+:- use_module('../store',
+              [v/5, segment/3, facts_snapshot/1, facts_transaction/1]).
 :- use_module(solid_verbs, [operands_loaded/4, operands_evaluated/2]).
 :- use_module(verb_output,
               [ some_files/2, outputs/3, some_outputs/1, no_model_replaced/2,
@@ -126,7 +128,8 @@ printed(Options, Report) :-
 %!  unglue_run(+Files, +Options, -Status) is det.
 %
 %   As verb_run/4: the roots that are glues are taken away, so their operands
-%   are roots again, as they were.
+%   are roots again, as they were. Of cells that have no operands, as those of a
+%   file of rows, each becomes a solid.
 
 unglue_run(Files, Options, 0) :-
     some_files(Files, 'MODEL'),
@@ -135,8 +138,20 @@ unglue_run(Files, Options, 0) :-
     no_model_replaced(Files, Outputs),
     load_model(Files, [evaluate(false),triangles(false)|Options]),
     findall(S, ( root_segment(S), node(S, glue, _, _) ), Glues),
-    (   Glues == []
+    findall(S, ( segment(S, cells, _), v(S, _, _, _, _),
+                 \+ node(S, glue, _, _) ),
+            Alone0),
+    sort(Alone0, Alone),
+    (   Glues == [],
+        Alone == []
     ->  print_message(warning, sanggwan(nothing_glued))
-    ;   facts_transaction(maplist(unglue, Glues))
+    ;   facts_transaction(( maplist(unglue, Glues),
+                            maplist(sg_verbs_glue:parted, Alone) ))
     ),
     maplist(output_written(save_model), Outputs).
+
+parted(S) :-
+    cells_parted(S),
+    findall(N, segment(N, solid, region(S, _)), Ns),
+    length(Ns, Cells),
+    print_message(informational, sanggwan(cells_parted(S, Cells))).

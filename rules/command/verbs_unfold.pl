@@ -10,6 +10,7 @@
 :- use_module('../csg/placed_surface', [asked_once/1]).
 :- use_module('../development/bend', [doubly_curved/3, named_segment/2]).
 :- use_module('../development/leaf_face', [roots_alone_named/0]).
+:- use_module('../gluing/exploded', [cells_parted/0, faces_once/0]).
 :- use_module('../limits', [term_of_text/3]).
 :- use_module('../model/mesh', [write_mesh/3]).
 :- use_module('../model/model', [load_model/2, save_model/1]).
@@ -115,7 +116,8 @@ world_patterns(Options, Ds, DrawingOptions) :-
 
 %!  roots_apart(+Options:list) is det.
 %
-%   Only roots are unfolded, with faces(N) made simple. With --true what they
+%   Only roots are unfolded, with faces(N) made simple; what is glued each face
+%   once, or with cells(true) each cell as a solid. With --true what they
 %   are made of stays, as it tells which smooth surfaces their facets stand for.
 
 roots_apart(Options) :-
@@ -125,7 +127,11 @@ roots_apart(Options) :-
     ->  true
     ;   how_wished_of_any(true_lengths, _)
     ->  true
-    ;   roots_alone_named
+    ;   roots_alone_named,
+        (   option(cells(true), Options)
+        ->  cells_parted
+        ;   faces_once
+        )
     ).
 
 %   table_output(Options, Tables): Tables is a list of what --table says.

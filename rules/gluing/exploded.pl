@@ -1,11 +1,15 @@
 :- module(sg_exploded,
           [ cells_exploded/1,           % +Factor
+            cells_parted/0,
+            cells_parted/1,             % +S
+            faces_once/0,
             segment_exploded/3          % +S, +Factor, -Parts
           ]).
 :- use_module('../csg/csg_rows', [drop_boundary/1]).
 :- use_module('../csg/known_surface',
               [facets_of/2, moved_surface/3, remember_facets/1]).
 :- use_module('../polygon/triangulation', [complete_segments/1]).
+:- use_module(regions, [regions_made/2]).
 :- use_module('../store',
               [ v/5, e/5, p/3, t/6, edge_polygon/3, segment/3, region/3,
                 sides/4, assert_fact/1, retractall_facts/1, facts_transaction/1,
@@ -18,7 +22,7 @@
 
 Each cell becomes a solid of its own, region(S, R), moved away from the middle
 of the model. Faces with one region on both sides go with it, as a surface; what
-is outside stays where it is.
+bounds no cell is a surface that stays where it is.
 */
 
 %!  cells_exploded(+Factor) is det.
@@ -39,6 +43,50 @@ exploded(S, Factor) :-
            retractall_facts(from_p(N, _, _, _, _))),
     drop_boundary(S),
     retractall_facts(segment(S, _, _)).
+
+%!  cells_parted is det.
+%
+%   As cells_exploded/1 with 0, also of surfaces that bound cells, and of solids
+%   that bound several. What bounds none is as of faces_once/0. One transaction.
+
+cells_parted :-
+    facts_transaction(
+        ( forall(( segment(S, Kind, _), Kind \== curve,
+                   \+ region(S, _, _) ),
+                 regions_made(S, _)),
+          forall(( segment(S, Kind, _), sg_exploded:has_cells(S, Kind) ),
+                 sg_exploded:exploded(S, 0)),
+          faces_once )).
+
+has_cells(S, Kind) :-
+    findall(R, region(S, R, cell), [_|Others]),
+    (   Kind == solid
+    ->  Others \== []
+    ;   true
+    ).
+
+%!  cells_parted(+S) is det.
+%
+%   Of segment S alone: each of its cells is a solid, and what else there is
+%   surfaces and a curve.
+
+cells_parted(S) :-
+    (   region(S, _, _)
+    ->  true
+    ;   regions_made(S, _)
+    ),
+    facts_transaction(sg_exploded:exploded(S, 0)).
+
+%!  faces_once is det.
+%
+%   Segments of kind `cells` become surfaces, which have each face once. One
+%   transaction.
+
+faces_once :-
+    facts_transaction(
+        forall(segment(S, cells, Name),
+               ( retractall_facts(segment(S, _, _)),
+                 assert_fact(segment(S, surface, Name)) ))).
 
 %!  segment_exploded(+S, +Factor, -Parts:list) is det.
 %
@@ -67,18 +115,32 @@ middle(S, Vs, m(X, Y, Z)) :-
 %   region_moved(S, Factor, Middle, R-Role, Parts)
 
 region_moved(S, Factor, Middle, R-Role, Parts) :-
-    findall(P-Sense, border(S, R, P, Sense), Borders),
     findall(P-1, sides(S, P, R, R), Inner),
     (   Role == cell
-    ->  polygons_vertices(S, Borders, Vs),
+    ->  findall(P-Sense, border(S, R, P, Sense), Borders),
+        polygons_vertices(S, Borders, Vs),
         middle(S, Vs, Own),
         shift(Factor, Middle, Own, Shift),
-        copied(S, R, Shift, solid, Borders, Solids)
+        copied(S, R, Shift, solid, Borders, Solids),
+        Sheets = Inner
     ;   Shift = m(0.0, 0.0, 0.0),
-        Solids = []
+        Solids = [],
+        findall(P-Sense, ( border(S, R, P, Sense), no_cell(S, P, R) ),
+                Borders),
+        append(Inner, Borders, Sheets)
     ),
-    copied(S, R, Shift, surface, Inner, Surfaces),
+    copied(S, R, Shift, surface, Sheets, Surfaces),
     append(Solids, Surfaces, Parts).
+
+%   no_cell(S, P, R): beyond P is no cell either, and P is not one of those of
+%   the region there.
+
+no_cell(S, P, R) :-
+    ( sides(S, P, R, Other) ; sides(S, P, Other, R) ),
+    Other > R,
+    region(S, Other, Role),
+    Role \== cell,
+    !.
 
 border(S, R, P, 1) :-
     sides(S, P, R, Above),

@@ -444,6 +444,9 @@ notice_en(cityjson_open(File, N)) -->
     ).
 notice_en(cityjson_left_out(File, N)) -->
     [ '~w: templates are not read: left out ~D'-[File, N] ].
+notice_en(cells_parted(S, N)) -->
+    [ 'segment ~d has no operands: each of its ~d cells is a solid now'-
+      [S, N] ].
 notice_en(nothing_glued) -->
     [ 'nothing is glued in this model' ].
 notice_en(opened(contacts)) -->

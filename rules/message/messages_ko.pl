@@ -455,6 +455,9 @@ notice_ko(cityjson_open(File, N)) -->
     [ '~w: 열린 입체 ~D개는 곡면으로 읽습니다'-[File, N] ].
 notice_ko(cityjson_left_out(File, N)) -->
     [ '~w: 템플릿은 읽지 않습니다. ~D개를 뺐습니다'-[File, N] ].
+notice_ko(cells_parted(S, N)) -->
+    [ '세그먼트 ~d에는 피연산자가 없습니다. 세포 ~d개가 저마다 입체가 되었습니다'-
+      [S, N] ].
 notice_ko(nothing_glued) -->
     [ '이 모델에는 붙인 것이 없습니다' ].
 notice_ko(opened(contacts)) -->

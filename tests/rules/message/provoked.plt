@@ -147,6 +147,7 @@ command(cityjson_open(_,_), [check, @('open.json')]).
 command(cityjson_left_out(_,_), [check, @('open.json')]).
 command(glue_gap(_,_,_,_,_), [glue, @('near.pl')]).
 command(glue_gaps(_,_), [glue, @('near.pl')]).
+command(cells_parted(_,_), [unglue, 'facts/two_rooms.pl', '-o', @('a.pl')]).
 command(nothing_glued, [unglue, @('cube.pl'), '-o', @('a.pl')]).
 command(one_segment, [penetrate, @('cube.pl')]).
 command(points_alone(_), [penetrate, @('pin.pl')]).
