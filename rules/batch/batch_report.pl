@@ -1,5 +1,6 @@
 :- module(sg_batch_report,
           [ line_text/3,                % +Job, +Result, -Text
+            report_line/2,              % +Out, +Text
             json_text/2,                % +Value, -Text
             outcome/1                   % ?Outcome
           ]).
@@ -57,6 +58,15 @@ files_rest([], [']']).
 files_rest([File|Files], [',', Text|Rest]) :-
     json_text(File, Text),
     files_rest(Files, Rest).
+
+%!  report_line(+Out, +Text) is det.
+%
+%   Text is the next line of the report Out, for who reads along.
+
+report_line(Out, Text) :-
+    write(Out, Text),
+    nl(Out),
+    flush_output(Out).
 
 %!  json_text(+Value, -Text) is det.
 %

@@ -9,6 +9,7 @@
 :- use_module(ask_hidden, [asks_of_picture/1, hides/2]).
 :- use_module(query, [answer_json/2, read_goal/3]).
 :- use_module(answer_name, [shown_names/2]).
+:- use_module(request, [request_error/1]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [append/3]).
 :- use_module(library(pairs), [pairs_keys_values/3]).
@@ -114,9 +115,6 @@ answers(Owner, Goal, Bindings, Names, Rows, Cut) :-
     ;   Rows = Rows0,
         Cut = false
     ).
-
-request_error(What) :-
-    throw(error(request_error(What), _)).
 
 :- public row/3.
 

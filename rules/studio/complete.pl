@@ -6,6 +6,7 @@
 :- use_module('../spelling', [near_words/3]).
 :- use_module('../store', [param/2, relation/3, segment/3]).
 :- use_module(world_state, [in_state/3]).
+:- use_module(request, [request_error/1]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [append/3, member/2]).
 /** <module> What a beginning of a word may become: relations, predicates,
@@ -55,9 +56,6 @@ completed(World, Names, Head, _{words:Words, left:Left}) :-
     most_words(Most),
     first_words(Most, Found, First, Left),
     maplist(word_dict, First, Words).
-
-request_error(What) :-
-    throw(error(request_error(What), _)).
 
 %   begins(Small, Name, Rank): with it 0; one of its words does 1.
 

@@ -29,6 +29,7 @@
 :- use_module(world_state, 
               [ in_state/3, world_begun/1, world_forgotten/1,
                 world_is_known/1 ]).
+:- use_module(request, [request_error/1]).
 :- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(readutil), [read_file_to_string/3]).
 :- use_module(library(sha), [sha_hash/3, hash_atom/2]).
@@ -57,9 +58,6 @@ until they are kept, which is a change, or discarded.
 
 most_worlds(16).
 most_steps(1000).
-
-request_error(What) :-
-    throw(error(request_error(What), _)).
 
 %!  document_revision(-Revision:integer) is det.
 %

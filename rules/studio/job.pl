@@ -11,6 +11,7 @@
 :- use_module('../output', [files_recorded/2]).
 :- use_module(files_read, [files_read/2]).
 :- use_module(process_state, [runs_users_code/1, with_process_kept/3]).
+:- use_module(request, [request_error/1]).
 :- use_module(library(apply), [maplist/2, maplist/3]).
 :- use_module(library(lists), [append/3, last/2, member/2]).
 :- use_module(library(memfile),
@@ -87,9 +88,6 @@ verb_job(Run, Head, Body, Reply, Out) :-
                 /*******************************
                 *           REQUEST            *
                 *******************************/
-
-request_error(What) :-
-    throw(error(request_error(What), _)).
 
 job_arguments(Head, Arguments) :-
     (   get_dict(argv, Head, Texts),

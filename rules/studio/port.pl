@@ -19,6 +19,7 @@
 :- use_module(job, [printed_octets/3]).
 :- use_module(port_cut, [cut_picture/3]).
 :- use_module(world_state, [in_state/3, state_messages/3]).
+:- use_module(request, [request_error/1]).
 :- use_module(library(apply), [maplist/2, maplist/3, partition/4]).
 :- use_module(library(lists), [append/3, list_to_set/2, member/2]).
 /** <module> A port of a session: one picture of the document, as a body.
@@ -39,9 +40,6 @@ view_port(Head, Port) :-
         )
     ;   Port = ""
     ).
-
-request_error(What) :-
-    throw(error(request_error(What), _)).
 
 %!  viewed(+World, +Head:dict, -Reply:dict, -Octets) is det.
 %

@@ -5,6 +5,7 @@
 :- use_module('../store',
               [ e/5, edge_polygon/3, joint/6, line/9, p/3, segment/3, v/5 ]).
 :- use_module(world_state, [in_state/3]).
+:- use_module(request, [request_error/1]).
 :- use_module(library(apply), [maplist/3, maplist/4, partition/4]).
 :- use_module(library(lists), [member/2]).
 /** <module> The selection of a session: what people point at, by its names.
@@ -17,9 +18,6 @@ it, and which other names show it, so that all panes can light it.
 
 % selected_(Names): strings, in the order in which they came.
 :- dynamic selected_/1.
-
-request_error(What) :-
-    throw(error(request_error(What), _)).
 
 %!  selected(+World, +Head:dict, -Reply:dict) is det.
 %

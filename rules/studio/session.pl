@@ -4,12 +4,9 @@
 :- use_module('../decision', [decision/4]).
 :- use_module('../kernel', [reader_gone/1, stdio_apart/2]).
 :- use_module('../message/message_object', [message_object/3, objects_heard/2]).
-:- use_module('../output', [copied_to/3]).
-:- use_module('../pattern/fold_file', [write_fold/3]).
-:- use_module('../pattern/pattern_drawing', [pattern_drawing/3]).
 :- use_module('../progress', [with_progress_told/3]).
 :- use_module('../spelling', [near_words/3]).
-:- use_module('../store', [in_world/2, segment/3]).
+:- use_module('../store', [in_world/2]).
 :- use_module('../version', [version/1]).
 :- use_module(ask,
               [asked/3, asks_forgotten/0, next_answers/2, question_state/2]).
@@ -22,18 +19,20 @@
                 document_saved/2, document_text/1, document_tried/4,
                 document_world/1, trial_ended/1
               ]).
+:- use_module(document_verb, [of_the_document/6]).
 :- use_module(job, [captured/2, verb_job/5, worlds_collected/0]).
+:- use_module(laid_out, [sheet_laid/4, shaded/4, unfolded/4, folded/4]).
 :- use_module(model_tree, [text_tree/2]).
-:- use_module(port,
-              [ drawing_body/3, strokes_body/4, view_port/2, viewed/4,
-                with_picture/3 ]).
+:- use_module(port, [view_port/2, viewed/4, with_picture/3]).
+:- use_module(process_limit,
+              [ limits_forgotten/0, memory_limited/1, cpu_wanted/1,
+                cpu_limited/0 ]).
 :- use_module(protocol, [frame_read/4, frame_write/3, octets_text/2,
                          text_octets/2]).
+:- use_module(request, [request_error/1, request_options/2]).
 :- use_module(select, [selected/3, selection_forgotten/0]).
-:- use_module(world_state, [in_state/3, made_once/4]).
-:- use_module(library(apply), [maplist/2, maplist/3]).
-:- use_module(library(rlimit), [rlimit/3]).
-:- use_module(library(lists), [append/2, append/3, member/2, nth1/3]).
+:- use_module(world_state, [in_state/3]).
+:- use_module(library(apply), [maplist/2]).
 /** <module> A session: frames in, frames out (docs/protocol.md).
 
 `sanggwan serve --stdio` is one process for one who asks: a studio, an editor, a
@@ -53,8 +52,7 @@ revision.
 % The sequence number of the request that is being done, and of the last `stop`
 % that came: what came before that is not done any more. newest(Port, Sequence):
 % of the last `view` that came for Port.
-% cpu_each(Seconds): of the processor, that a request may take.
-:- dynamic under_way/1, stopped_before/1, newest/2, cpu_each/1.
+:- dynamic under_way/1, stopped_before/1, newest/2.
 
 %!  session(:Run, +Makers, +Help, -Status) is det.
 %
@@ -74,7 +72,7 @@ session(Run, _:Makers, _:Help, Status) :-
     retractall(under_way(_)),
     retractall(stopped_before(_)),
     retractall(newest(_, _)),
-    retractall(cpu_each(_)),
+    limits_forgotten,
     stdio_apart(In, Out),
     message_queue_create(Queue, [max_size(256)]),
     thread_self(Worker),
@@ -315,9 +313,6 @@ right_id(Head) :-
     ;   true
     ).
 
-request_error(What) :-
-    throw(error(request_error(What), _)).
-
 %   right_revision(Head): what was asked of an older revision is not done.
 
 right_revision(Head) :-
@@ -355,10 +350,10 @@ request(export,   document, exported).
 request(problems, nothing,  problems_told).
 request(problem,  nothing,  problem_told).
 request(select,   document, pointed_at).
-request(sheet,    document, sheet_laid).
-request(shaded,   document, shaded).
-request(unfold,   document, unfolded).
-request(fold,     document, folded).
+request(sheet,    document, laid(sheet_laid)).
+request(shaded,   document, laid(shaded)).
+request(unfold,   document, laid(unfolded)).
+request(fold,     document, laid(folded)).
 request(edit,     document, changed(edit)).
 request(cut,      document, changed(cut)).
 request(text,     document, text).
@@ -376,42 +371,6 @@ greeted(request(_, Head, _), _, Reply, "") :-
     version(Version),
     Reply = _{ protocol:1, program:"sanggwan", version:Version, pid:Pid,
                offered:Offered }.
-
-%   memory_limited(Head): from now on, if Head says so.
-
-memory_limited(Head) :-
-    (   get_dict(memory_mb, Head, Megabytes)
-    ->  (   integer(Megabytes),
-            Megabytes >= 100
-        ->  Octets is Megabytes*1 000 000,
-            rlimit(data, _, Octets)
-        ;   request_error(bad_key(memory_mb, least(100)))
-        )
-    ;   true
-    ).
-
-%   cpu_wanted(Head): each request from now on has so many seconds.
-
-cpu_wanted(Head) :-
-    (   get_dict(cpu_s, Head, Seconds)
-    ->  (   integer(Seconds),
-            Seconds >= 1
-        ->  retractall(cpu_each(_)),
-            assertz(cpu_each(Seconds))
-        ;   request_error(bad_key(cpu_s, positive))
-        )
-    ;   true
-    ).
-
-%   cpu_limited: the system ends the process when the request takes more.
-
-cpu_limited :-
-    (   cpu_each(Seconds)
-    ->  statistics(process_cputime, Used),
-        Most is ceiling(Used)+Seconds,
-        rlimit(cpu, _, Most)
-    ;   true
-    ).
 
 run(request(_, Head, Body), Session, Reply, Octets) :-
     session_run(Session, Run),
@@ -509,13 +468,14 @@ explained(request(_, Head, _), Session, Reply, Octets) :-
     ->  true
     ;   request_error(bad_key(item, item))
     ),
-    options(Head, Options),
+    request_options(Head, Options),
     (   maplist(of_looking, Options)
     ->  session_help(Session, help(_, _, Explain)),
         document_world(World),
         verb_job(sg_session:explained_there(World, Explain),
                  Head.put(argv, [Item|Options]), "", Reply, Octets)
-    ;   of_the_document(Session, [explain], [Item|Options], Head, Reply,
+    ;   session_run(Session, Run),
+        of_the_document(Run, [explain], [Item|Options], Head, Reply,
                         Octets)
     ).
 
@@ -551,7 +511,8 @@ exported(request(_, Head, _), Session, Reply, Octets) :-
     ->  true
     ;   request_error(bad_key(argv, export))
     ),
-    of_the_document(Session, [Verb], Options, Head, Reply, Octets).
+    session_run(Session, Run),
+    of_the_document(Run, [Verb], Options, Head, Reply, Octets).
 
 problems_told(request(_, Head, _), _, Reply, "") :-
     problems_listed(Head, Reply).
@@ -564,141 +525,11 @@ pointed_at(request(_, Head, _), _, Reply, "") :-
     document_world(World),
     selected(World, Head, Reply).
 
-%   sheet_laid: the drawing on paper, as strokes; or what pens draw of it, in
-%   their order.
+%   laid(Goal): by laid_out.pl.
 
-sheet_laid(request(_, Head, _), Session, Reply, Octets) :-
-    options(Head, Words),
-    (   get_dict(pens, Head, Wanted)
-    ->  (   memberchk(Wanted, [true,false])
-        ->  true
-        ;   request_error(bad_key(pens, boolean))
-        )
-    ;   Wanted = false
-    ),
-    session_makers(Session, makers(_,Sheet,_)),
-    document_world(World),
-    document_file(File),
-    made_once(World, made(sheet, Words),
-              objects_heard(in_state(World, loaded,
-                                     call(Sheet, Words, File, Drawing0,
-                                          Pens0)),
-                            Objects0),
-              sheet(Drawing0,Pens0,Objects0)),
-    made_once(World, made(sheet, Words), true, sheet(Drawing,Pens,Objects)),
-    (   Wanted == true
-    ->  pens_body(Drawing, Pens, Reply0, Octets)
-    ;   drawing_body(Drawing, Reply0, Octets)
-    ),
-    Reply = Reply0.put(messages, Objects).
-
-pens_body(drawing(sheet(Width,Height,_), _), Pens, Reply, Octets) :-
-    findall(Stroke, ( member(pen(_,_,Strokes), Pens),
-                      member(Stroke, Strokes) ),
-            All),
-    findall(_{pen:Pen, colour:[R,G,B], strokes:N},
-            ( member(pen(Pen,rgb(R,G,B),Strokes), Pens),
-              length(Strokes, N) ),
-            Listed),
-    strokes_body(All, Looks, Count, Octets),
-    Reply = _{ kind:"strokes", sheet:[Width,Height], looks:Looks,
-               strokes:Count, pens:Listed }.
-
-%   shaded: a picture in PNG.
-
-shaded(request(_, Head, _), Session, Reply, Octets) :-
-    options(Head, Words),
-    session_makers(Session, makers(_,_,Shaded)),
-    document_world(World),
-    get_time(T0),
-    objects_heard(in_state(World, loaded, call(Shaded, Words, Octets)),
-                  Objects),
-    get_time(T1),
-    Ms is (T1-T0)*1000,
-    Reply = _{kind:"png", messages:Objects, ms:Ms}.
-
-%   unfolded: the patterns as strokes, one sheet of them.
-
-unfolded(request(_, Head, _), Session, Reply, Octets) :-
-    sheet_wanted(Head, Sheet),
-    patterns(Session, Head, unfold(Sheet),
-             sg_session:pattern_sheet(Sheet, Reply0, Octets0),
-             Reply0-Octets0, Reply1-Octets, Objects),
-    Reply = Reply1.put(messages, Objects).
-
-sheet_wanted(Head, Sheet) :-
-    (   get_dict(sheet, Head, Sheet)
-    ->  (   integer(Sheet),
-            Sheet > 0
-        ->  true
-        ;   request_error(bad_key(sheet, sheet(1)))
-        )
-    ;   Sheet = 1
-    ).
-
-:- public pattern_sheet/5, fold_octets/4.
-
-pattern_sheet(Sheet, Reply, Octets, Ds, Options) :-
-    pattern_drawing(Ds, Options, Drawings),
-    length(Drawings, Sheets),
-    (   nth1(Sheet, Drawings, Drawing)
-    ->  true
-    ;   request_error(bad_key(sheet, sheet(Sheets)))
-    ),
-    drawing_body(Drawing, Reply0, Octets),
-    pattern_titles(Ds, Patterns),
-    Reply = Reply0.put(_{sheets:Sheets, patterns:Patterns}).
-
-pattern_titles(Ds, Patterns) :-
-    findall(_{pattern:D, of:T}, ( member(D, Ds), pattern_title(D, T) ),
-            Patterns).
-
-pattern_title(D, Title) :-
-    segment(D, _, Term),
-    format(string(Title), "~W", [Term, [quoted(true), max_depth(12)]]).
-
-%   folded: what can be folded, as FOLD.
-
-folded(request(_, Head, _), Session,
-       _{kind:"fold", patterns:Patterns, messages:Objects}, Octets) :-
-    patterns(Session, Head, fold, sg_session:fold_octets(Titles0, Octets0),
-             Titles0-Octets0, Patterns-Octets, Objects).
-
-fold_octets(Patterns, Octets, Ds, Options) :-
-    captured(copied_to(-, fold, sg_session:fold_written(Ds, Options)), Octets),
-    pattern_titles(Ds, Patterns).
-
-:- public fold_written/3.
-
-fold_written(Ds, Options, File) :-
-    write_fold(File, Ds, Options).
-
-%   patterns(Session, Head, What, Goal, Made, Value, Objects): Value is what
-%   Made becomes by call(Goal, Ds, Options), of the patterns that Head asks
-%   for; Objects are the messages. It is done once a revision.
-
-:- meta_predicate patterns(+, +, +, 2, ?, -, -).
-
-patterns(Session, Head, What, Goal, Made, Value, Objects) :-
-    options(Head, Words0),
-    (   get_dict(segment, Head, S)
-    ->  (   integer(S),
-            S > 0
-        ->  number_string(S, Only),
-            append(["--only",Only], Words0, Words)
-        ;   request_error(bad_key(segment, segment))
-        )
-    ;   Words = Words0
-    ),
-    session_makers(Session, makers(Patterns,_,_)),
-    document_world(World),
-    made_once(World, made(What, Words),
-              objects_heard(in_state(World, loaded,
-                                     ( call(Patterns, Words, Ds, Options),
-                                       call(Goal, Ds, Options) )),
-                            Objects0),
-              Made-Objects0),
-    made_once(World, made(What, Words), true, Value-Objects).
+laid(Goal, request(_, Head, _), Session, Reply, Octets) :-
+    session_makers(Session, Makers),
+    call(Goal, Head, Makers, Reply, Octets).
 
 changed(Request, request(_, Head, Body), _, Reply, "") :-
     document_changed(Request, Head, Body, Reply, Commit),
@@ -757,45 +588,3 @@ rules_told(_{decisions:Decisions, tried:Tried}, Octets) :-
                        atom_string(By0, By) ),
                      Decisions)),
     text_octets(Rules, Octets).
-
-options(Head, Options) :-
-    (   get_dict(options, Head, Options0)
-    ->  (   is_list(Options0)
-        ->  Options = Options0
-        ;   request_error(bad_key(options, options))
-        )
-    ;   Options = []
-    ).
-
-%   of_the_document(Session, Before, After, Head, Reply, Octets): a verb of the
-%   command line, with the document as its model, by its rules.
-
-of_the_document(Session, Before, After, Head, Reply, Octets) :-
-    document_input(File, Text),
-    document_rules(Rules, _),
-    setup_call_cleanup(
-        rules_file(Rules, RulesFile, Options),
-        ( append([Before,Options,[File|After]], Words0),
-          maplist(word_text, Words0, Words),
-          session_run(Session, Run),
-          text_octets(Text, Body),
-          verb_job(Run, Head.put(argv, Words), Body, Reply, Octets)
-        ),
-        rules_file_gone(RulesFile)).
-
-rules_file("", none, []) :-
-    !.
-rules_file(Rules, File, ['--rules',File]) :-
-    tmp_file_stream(File, Out, [encoding(utf8), extension(pl)]),
-    call_cleanup(format(Out, "~s", [Rules]), close(Out)).
-
-rules_file_gone(none) :-
-    !.
-rules_file_gone(File) :-
-    catch(delete_file(File), error(_, _), true).
-
-word_text(Word, Text) :-
-    (   atom(Word)
-    ->  atom_string(Word, Text)
-    ;   Text = Word
-    ).

@@ -14,6 +14,7 @@
 :- use_module(visitor_answer, [answers_recorded/2, class_request/4]).
 :- use_module(guard, [new_secret/1, request_allowed/3]).
 :- use_module(protocol, [frame_read/4, frame_write/3, text_octets/2]).
+:- use_module(request, [request_error/1]).
 :- use_module(library(filesex), [delete_directory_and_contents/1]).
 :- use_module(library(http/json), [json_write_dict/3]).
 :- use_module(library(lists), [append/3, member/2]).
@@ -50,9 +51,6 @@ most(sessions, 40).
 most(idle,     1800).
 most(memory,   1000).
 most(download, 60).
-
-request_error(What) :-
-    throw(error(request_error(What), _)).
 
 
                 /*******************************

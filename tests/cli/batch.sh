@@ -5,7 +5,7 @@
 # nothing disturbs. TEST_ALL=1: killed at 50 moments; a sample otherwise.
 # covers: batch_html, batch_junit, batch_merge, batch_report, batch_store
 # covers: job_key, job_name, job_names, job_words, manifest, runner
-# covers: verbs_batch, worker, files_read
+# covers: job_result, job_workers, run_state, verbs_batch, worker, files_read
 . "$(dirname "$0")/harness.bash"
 cd "$work" || exit 2
 times=4

@@ -5,6 +5,7 @@
 # verbs in random order, for SERVE_SECONDS more. serve_fuzz.py
 # sends SERVE_FRAMES random frames. SERVE_SEED is of all.
 # covers: ask, document, job, journal, message_object, port, process_state, session
+# covers: request, document_verb, laid_out, process_limit
 . "$(dirname "$0")/harness.bash"
 cd "$here" || exit 2
 
