@@ -3,7 +3,7 @@
                                         % -Skipped
             first_of/3                  % +N, +List, -First
           ]).
-:- use_module('../near', [less_part/2, points_left/2]).
+:- use_module('../near', [tolerance/2, points_left/2]).
 :- use_module('../kernel', [shapes_add/2, shapes_free/3, shapes_open/2]).
 :- use_module('../sheet/lettering',
               [lettering_drop/3, lettering_width/3]).
@@ -345,21 +345,31 @@ shape_middle([XA-YA,XB-YB,XC-YC|More], Area, X-Y) :-
 %   the right.
 
 face_way(Shapes, U-V) :-
-    findall(Length-(DX-DY),
-            ( member(Shape, Shapes),
-              last(Shape, Last),
-              append([Last], Shape, Round),
-              append(_, [XA-YA,XB-YB|_], Round),
-              DX is XB-XA,
-              DY is YB-YA,
-              Length is DX*DX+DY*DY
-            ),
-            Sides),
-    last_of_sorted(Sides, Square-(DX0-DY0)),
-    Length0 is sqrt(Square),
-    U0 is DX0/Length0,
-    V0 is DY0/Length0,
+    foldl(longest_side, Shapes, side(-1.0,0.0,0.0), side(Square,DX,DY)),
+    Square >= 0.0,
+    Length is sqrt(Square),
+    U0 is DX/Length,
+    V0 is DY/Length,
     upright_way(U0, V0, U-V).
+
+longest_side(Shape, Side0, Side) :-
+    last(Shape, Last),
+    longest_side(Shape, Last, Side0, Side).
+
+%   longest_side(Points, Before, Side0, Side): of those that are as long as each
+%   other, the last one.
+
+longest_side([], _, Side, Side).
+longest_side([XB-YB|Points], XA-YA, Side0, Side) :-
+    DX is XB-XA,
+    DY is YB-YA,
+    Square is DX*DX+DY*DY,
+    (   arg(1, Side0, Square0),
+        Square < Square0
+    ->  Side1 = Side0
+    ;   Side1 = side(Square,DX,DY)
+    ),
+    longest_side(Points, XB-YB, Side1, Side).
 
 %   upright_way(U0, V0, Way): Way, to be read from below or from the right.
 
@@ -371,21 +381,20 @@ upright_way(U0, V0, U-V) :-
         V is V0
     ).
 
-last_of_sorted(Sides, Longest) :-
-    keysort(Sides, Sorted),
-    last(Sorted, Longest).
-
-in_face(Shapes, Point) :-
-    member(Shape, Shapes),
-    last(Shape, Last),
-    left_of_all([Last|Shape], Point),
+in_face(Shapes, X-Y) :-
+    tolerance(rounding, Near),
+    member([XA-YA|Points], Shapes),
+    left_of_all(Points, XA, YA, XA-YA, X, Y, Near),
     !.
 
-left_of_all([_], _).
-left_of_all([XA-YA,XB-YB|Points], X-Y) :-
-    Cross is (XB-XA)*(Y-YA) - (YB-YA)*(X-XA),
-    \+ less_part(Cross, 0.0),
-    left_of_all([XB-YB|Points], X-Y).
+%   left_of_all(Points, XA, YA, First, X, Y, Near): X-Y is not right of any side
+%   from XA-YA over Points back to First.
+
+left_of_all([], XA, YA, XB-YB, X, Y, Near) :-
+    (XB-XA)*(Y-YA) - (YB-YA)*(X-XA) >= -Near.
+left_of_all([XB-YB|Points], XA, YA, First, X, Y, Near) :-
+    (XB-XA)*(Y-YA) - (YB-YA)*(X-XA) >= -Near,
+    left_of_all(Points, XB, YB, First, X, Y, Near).
 
 %   The middles of the two ends of a text.
 
