@@ -11,6 +11,7 @@
               [ dealt/3, pattern_marks/3, variant_answer/4, variant_number/3,
                 variant_question/2, with_variant/5 ]).
 :- use_module(port, [drawing_body/3]).
+:- use_module(request, [request_error/1]).
 :- use_module(library(apply), [maplist/2]).
 :- use_module(library(lists), [member/2, nth0/3]).
 /** <module> Problems for a class, as a page shows them: questions, and whether
@@ -20,9 +21,6 @@ The question is the sheet that the verb `problems` makes (rules/problem). What
 is right is computed from the model each time; a page hears no more of it than
 whether what it sent is right, until it is, or until it asks to be shown.
 */
-
-request_error(What) :-
-    throw(error(request_error(What), _)).
 
 %!  problems_listed(+Head:dict, -Reply:dict) is det.
 %

@@ -9,8 +9,8 @@
             file_allowed/3,             % +Folder, +Name, -Path
             security_header/2           % ?Name, ?Value
           ]).
-:- use_module(request, [request_error/1]).
 :- use_module(visitor_answer, [class_file/1, class_pupil/2]).
+:- use_module(request, [request_error/1]).
 :- use_module(library(apply), [maplist/2]).
 :- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(sha), [sha_hash/3, hash_atom/2]).
@@ -207,6 +207,8 @@ keys("edit",     [set]).
 keys("cut",      [segment,edge,keep]).
 keys("text",     []).
 keys("tree",     []).
+keys("problems", []).
+keys("problem",  [problem,number,answers,show,lang]).
 keys("undo",     []).
 keys("redo",     []).
 keys("rules",    [try,keep|Keys]) :-
@@ -245,6 +247,30 @@ looked_through("rules", front(_,_,_,Owner), Head0, Head) :-
     ->  Head = Head0.put(owner, true)
     ;   request_error(owner_alone(rules))
     ).
+looked_through(Do, front(_,_,_,Owner), Head0, Head) :-
+    memberchk(Do, ["problems","problem"]),
+    !,
+    (   class_file(File)
+    ->  true
+    ;   request_error(no_class)
+    ),
+    atom_string(File, Name),
+    (   Owner = pupil(Secret)
+    ->  atom_concat('pupil ', Secret, Who),
+        (   class_pupil(Who, Pupil)
+        ->  true
+        ;   Do == "problems"
+        ->  Pupil = _{}
+        ;   request_error(not_in_class)
+        ),
+        ( del_dict(number, Head0, _, Head1) -> true ; Head1 = Head0 ),
+        (   get_dict(name, Pupil, Called)
+        ->  Head2 = Head1.put(_{pupil:Called, turn:Pupil.turn})
+        ;   Head2 = Head1
+        )
+    ;   Head2 = Head0
+    ),
+    Head = Head2.put(file, Name).
 looked_through("export", _, Head, Head) :-
     !,
     (   get_dict(argv, Head, [Verb|Options]),

@@ -6,6 +6,7 @@
             answers_recorded/2          % +Who, +Reply
           ]).
 :- use_module('../kernel', [atomic_sync/1]).
+:- use_module(request, [request_error/1]).
 :- use_module(library(filesex), [make_directory_path/1]).
 :- use_module(library(http/json), [json_read_dict/2, json_write_dict/3]).
 :- use_module(library(lists), [member/2]).
@@ -22,9 +23,6 @@ The secret of a pupil is not in it, only a digest.
 % Shown): Right is a list of true and false, of the last try; Shown is true if
 % the answer was shown before all was right.
 :- dynamic book_/2, pupil_/3, done_/7.
-
-request_error(What) :-
-    throw(error(request_error(What), _)).
 
 %!  class_begun(+File) is det.
 %
