@@ -358,7 +358,7 @@ fill_edges(sg_world *world)
   return good;
 }
 
-/* Polygon k has the edges k and -- half of them -- 1. */
+/* Polygon k has edge k, every FAN-th edge 1 too. */
 static bool
 fill_polygons(sg_world *world)
 {
@@ -371,7 +371,7 @@ fill_polygons(sg_world *world)
     int32_t *edges = id[2] + 3 * (size_t)k;
     id[0][k] = 1;
     id[1][k] = k + 1;
-    edges[0] = 1 + k % 2;
+    edges[0] = 1 + (k % FAN == 1);
     edges[1] = k + 1;
     edges[2] = 1;
     list[k] = edges;
@@ -424,8 +424,8 @@ test_questions(void)
   CHECK("many polygons", fill_polygons(world));
   for (int32_t e = 2; e <= 20; e++) {
     CHECK("the polygon of an edge", polygons_of_edge(world, e) == 1);
-    CHECK("half of all, and the first",
-          e % 6 || polygons_of_edge(world, 1) == MANY_EDGES / 2 + 1);
+    CHECK("those of the first",
+          e % 6 || polygons_of_edge(world, 1) == MANY_EDGES / FAN + 1);
   }
   CHECK("valid", sg_world_is_valid(world));
   sg_world_drop(world);
