@@ -7,7 +7,8 @@
             before_because/5,           % +Scene, +X, +Y, +Walk, -Because
             behind_because/6,           % +Scene, +X, +Y, +Walk, +Look, -Because
             reason_because/4,           % +Scene, +R, +Reason, -Because
-            look_because/5,             % +R, +S, +Colours, +Look, -Because
+            look_because/6,             % +R, +S, +Face, +Colours, +Look,
+                                        % -Because
             side_normal/7,              % +Scene, +X, +Y, +At, +Part, +Walk,
                                         % -Normal
             tone_because/3              % +Normal, +Look, -Because
@@ -19,7 +20,7 @@
 :- use_module('../shading/seen', [met/4]).
 :- use_module('../shading/shading_scene',
               [scene_handle/2, scene_leaf/2, scene_place/2, scene_root/2]).
-:- use_module('../shading/surface_look', [look_opacity/2, look_source/4]).
+:- use_module('../shading/surface_look', [look_opacity/2, look_source/5]).
 :- use_module('../shading/surface_ramp', [ramp/3]).
 :- use_module('../shading/surface_tone',
               [look_shine/2, picture_normal/2, tone/3, tone_sum/3]).
@@ -223,16 +224,16 @@ begun([passed(group(Z,Mets),In)|Behind], Scene, In0, Begun) :-
                 *     LOOKS, TONES, COLOURS    *
                 *******************************/
 
-%!  look_because(+R, +S, +Colours, +Look, -Because) is det.
+%!  look_because(+R, +S, +Face, +Colours, +Look, -Because) is det.
 %
-%   Where the colour of Look comes from.
+%   Where the colour of Look, that of a Face, comes from.
 
-look_because(R, S, Colours, Look, Because) :-
+look_because(R, S, Face, Colours, Look, Because) :-
     memberchk(colour(Colour), Look),
     decided_by(surface_look/4, By),
     (   By \== default
     ->  Because = [because(look_by_rule(Colour,By), [])]
-    ;   look_source(R, S, colour(_), Segment)
+    ;   look_source(R, S, Face, colour(_), Segment)
     ->  Because = [because(look_of(Segment,Colour), [])]
     ;   Because = [because(look_of_palette(Colour,Colours), [])]
     ).

@@ -4,7 +4,7 @@
           ]).
 :- use_module(explain_face,
               [ before_because/5, behind_because/6, leaf_names/6,
-                look_because/5, passed/3, place_because/5, reason_because/4,
+                look_because/6, passed/3, place_because/5, reason_because/4,
                 side_normal/7, tone_because/3, tree_because/4, walked/5 ]).
 :- use_module(explain_pair, [decided_by/2]).
 :- use_module(explain_tree, [tree_way/3, false_reason/4]).
@@ -186,7 +186,12 @@ part_because(seen(Scene,X,Y,All,Options,Looks,Leaves),
     nth0(LookPlace, Looks, Look),
     behind_because(Scene, X1, Y1, Walk, Look, Behind),
     option(colours(Colours), Options, root),
-    look_because(R, S, Colours, Look, LookWhy),
+    (   scene_leaf(Scene, leaf(Leaf,_,_,_,Faces)),
+        memberchk(F-Face0, Faces)
+    ->  Face = Face0
+    ;   Face = any
+    ),
+    look_because(R, S, Face, Colours, Look, LookWhy),
     option(shade(Shade), Options, lambert),
     side_normal(Scene, X, Y, X1-Y1, part(R,Leaf,F), Walk, Normal),
     tone_because(Normal, [shade(Shade)|Look], ToneWhy),

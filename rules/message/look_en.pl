@@ -4,6 +4,7 @@
             expected_light_en//1        % +Expected
           ]).
 :- use_module('../colour', [colour_name/2]).
+:- use_module(library(apply), [maplist/3]).
 /** <module> What is wrong with looks and lights, in English.
 
 look_ko.pl has the same heads in Korean (tests/rules/model/look_file.plt).
@@ -30,6 +31,15 @@ look_en(no_way(N)) -->
     [ 'light ~w has no direction'-[N], nl,
       '  Add light(~w, picture(X, Y, Z)) or light(~w, direction(X, Y, Z)).'-
       [N, N] ].
+look_en(no_face(S, Face, Names)) -->
+    { maplist(term_to_atom, Names, Atoms),
+      atomic_list_concat(Atoms, ', ', All)
+    },
+    [ 'segment ~w has no face ~w'-[S, Face], nl ],
+    (   { Names == [] }
+    ->  [ '  Its faces have no names: write look(~w, Property).'-[S] ]
+    ;   [ '  Write one of its faces: ~w.'-[All] ]
+    ).
 look_en(only(Name, Arity)) -->
     [ 'a file for --look has no facts ~w/~w'-[Name, Arity], nl,
       '  Write look(Segment, Property) and light(N, Property).' ].

@@ -5,6 +5,7 @@
             expected_light_ko//1        % +Expected
           ]).
 :- use_module('../colour', [colour_name/2]).
+:- use_module(library(apply), [maplist/3]).
 /** <module> What is wrong with looks and lights, in Korean.
 
 The heads are those of look_en.pl (tests/rules/model/look_file.plt).
@@ -31,6 +32,15 @@ look_ko(no_way(N)) -->
     [ '빛 ~w에 방향이 없습니다'-[N], nl,
       '  light(~w, picture(X, Y, Z))나 light(~w, direction(X, Y, Z))를 \c
        추가하십시오.'-[N, N] ].
+look_ko(no_face(S, Face, Names)) -->
+    { maplist(term_to_atom, Names, Atoms),
+      atomic_list_concat(Atoms, ', ', All)
+    },
+    [ '세그먼트 ~w에 면 ~w이(가) 없습니다'-[S, Face], nl ],
+    (   { Names == [] }
+    ->  [ '  그 면들에는 이름이 없습니다. look(~w, Property)로 쓰십시오.'-[S] ]
+    ;   [ '  그 면 가운데 하나를 쓰십시오: ~w.'-[All] ]
+    ).
 look_ko(only(Name, Arity)) -->
     [ '--look 파일에 ~w/~w 사실은 쓸 수 없습니다'-[Name, Arity], nl,
       '  look(Segment, Property)와 light(N, Property)를 쓰십시오.' ].

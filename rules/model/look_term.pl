@@ -13,6 +13,8 @@
     look(S, shine(F,N))          white light that it throws back: F, 0 to 1, as
                                  strong as a light, and the higher N, 1 to 1000,
                                  the sharper
+    look(S, face(F, Property))   one of these, of the faces F alone, as in
+                                 face_of/3; curved(Part) is a curved face
     light(N, picture(X,Y,Z))     it comes from there in the picture: X to the
                                  right, Y up, Z towards the eye
     light(N, direction(X,Y,Z))   it goes this way, in the model
@@ -38,6 +40,11 @@ look_holds(shine(F,N)) :-
     integer(N),
     N >= 1,
     N =< 1000.
+
+look_holds(face(Face, Property)) :-
+    callable(Face),
+    Property \= face(_, _),
+    look_holds(Property).
 
 part(X) :-
     number(X),
@@ -82,6 +89,9 @@ look_expected(_, any).
 expected(colour(_), colour).
 expected(opacity(_), opacity).
 expected(shine(_,_), shine).
+expected(face(_,Property), Expected) :-
+    nonvar(Property),
+    expected(Property, Expected).
 expected(strength(_), strength).
 expected(Property, way) :-
     way(Property, _).
@@ -93,5 +103,8 @@ expected(Property, way) :-
 property_slot(Property, Slot) :-
     (   way(Property, _)
     ->  Slot = direction
+    ;   Property = face(Face,Own)
+    ->  Slot = face(Face,OwnSlot),
+        property_slot(Own, OwnSlot)
     ;   functor(Property, Slot, _)
     ).

@@ -1,6 +1,6 @@
 :- module(sg_surface_look,
           [ surface_look/4,             % +R, +S, +Face, -Look
-            look_source/4,              % +R, +S, ?Property, -Segment
+            look_source/5,              % +R, +S, +Face, ?Property, -Segment
             scene_looks/4,              % +Scene, +Colours, -Looks, -Leaves
             look_opacity/2,             % +Look, -Opacity
             scene_opacities/2,          % +Scene, -Opaque
@@ -15,13 +15,15 @@
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(assoc), [empty_assoc/1, get_assoc/3, list_to_assoc/2]).
 :- use_module(library(error), [must_be/2]).
+:- use_module(library(pairs), [pairs_values/2]).
 :- use_module(library(lists),
               [ append/2, append/3, list_to_set/2, member/2, nth0/3, selectchk/3
               ]).
 /** <module> How a face looks (CB-8).
 
 A look is a list of properties, those of look/2. Of each the nearest wins: that
-of the segment of the leaf, of the nodes above it, of the root. What is taken
+of the segment of the leaf, of the nodes above it, of the root; of one segment
+first that of the face. What is taken
 away shows the body that it was taken from: behind the operands of a difference
 but the first one comes the first one, before the node itself. Without any
 colour a face has that of a palette, by roots.
@@ -38,7 +40,7 @@ colour a face has that of a palette, by roots.
 %   face before a picture is made.
 
 surface_look(R, S, Face, Look) :-
-    findall(Property, look_source(R, S, Property, _), All),
+    findall(Property, look_source(R, S, Face, Property, _), All),
     nearest(All, [], Look0),
     (   Face == section
     ->  Look = [hatched|Look0]
@@ -56,12 +58,12 @@ nearest([Property|All], Slots, Look) :-
         nearest(All, [Slot|Slots], Look1)
     ).
 
-%!  look_source(+R, +S, ?Property, -Segment) is nondet.
+%!  look_source(+R, +S, +Face, ?Property, -Segment) is nondet.
 %
-%   True when leaf S (0: of none) of the root R may have the Property, for
-%   Segment has it; the nearest first.
+%   True when the Face of leaf S (0: of none) of the root R may have the
+%   Property, for Segment has it; the nearest first.
 
-look_source(R, S, Property, Segment) :-
+look_source(R, S, Face, Property, Segment) :-
     look(_, _),
     !,
     (   S =:= 0
@@ -70,7 +72,13 @@ look_source(R, S, Property, Segment) :-
     ),
     seen_way(R, N, Way),
     member(Segment, Way),
-    look(Segment, Property).
+    own_look(Segment, Face, Property).
+
+own_look(Segment, Face, Property) :-
+    look(Segment, face(Face, Property)).
+own_look(Segment, _, Property) :-
+    look(Segment, Property),
+    Property \= face(_, _).
 
 %   seen_way(R, S, Way): the segments whose look S may have, the nearest first.
 
@@ -114,15 +122,19 @@ body_way(N, [N|Way]) :-
 %   Looks are the looks that Scene has, each once. Leaves has for each leaf the
 %   places in Looks, from 0: the leaf's, then those of its faces, where a rule
 %   tells them apart. Colours is `root` or `leaf`: by what the palette goes.
+%
+%   @error model_error(look(no_face(S, Face, Names))): a fact look/2 is of a Face
+%          that the leaf S has not; Names are those that it has
 
 scene_looks(Scene, Colours, Looks, Leaves) :-
     findall(R, scene_root(Scene, root(R,_)), Roots),
     findall(Leaf, scene_leaf(Scene, Leaf), All),
+    forall(look(S, face(Face, _)), face_is_there(S, Face, All)),
     (   decision_is_default(surface_look/4),
         \+ look(_, _)
     ->  Asked = nothing
     ;   decision_is_default(surface_look/4)
-    ->  Asked = leaves                  % faces look alike
+    ->  Asked = leaves
     ;   Asked = faces
     ),
     (   Asked == leaves
@@ -168,17 +180,43 @@ below(N, Above, S, Way) :-
 
 %   leaf_looks(Asked, Colours, Roots, Ways, Leaf, Looks)
 
-leaf_looks(leaves, Colours, Roots, Ways, leaf(Number,R,S,_,Faces), [Look]) :-
+leaf_looks(leaves, Colours, Roots, Ways, leaf(Number,R,S,_,Faces),
+           [Look|Looks]) :-
     Faces \= [1-section],
     get_assoc(R/S, Ways, Way),
     !,
     own_colour(Colours, Number, R, Roots, _, Colour),
-    findall(Property, ( member(N, Way), look(N, Property) ), All),
-    nearest(All, [], Look0),
-    with_colour(Look0, Colour, Look).
+    way_look(Way, any, Colour, Look),
+    (   member(N, Way),
+        look(N, face(_, _))
+    ->  findall(Own, ( face_names(1, Faces, Face),
+                       way_look(Way, Face, Colour, Own) ), Looks)
+    ;   Looks = []                      % faces look alike
+    ).
 leaf_looks(Asked, Colours, Roots, _, leaf(Number,R,S,_,Faces), Looks) :-
     own_colour(Colours, Number, R, Roots, Place, Colour),
     asked_looks(Asked, R, S, Faces, Place-Colour, Looks).
+
+way_look(Way, Face, Colour, Look) :-
+    findall(Property, ( member(N, Way), own_look(N, Face, Property) ), All),
+    nearest(All, [], Look0),
+    with_colour(Look0, Colour, Look).
+
+%   face_is_there(S, Face, Leaves): segment S, if it is one of Leaves, has such
+%   a Face.
+
+face_is_there(S, Face, Leaves) :-
+    findall(Faces, member(leaf(_,_,S,_,Faces), Leaves), Own),
+    (   Own == []
+    ->  true
+    ;   append(Own, All),
+        pairs_values(All, Names0),
+        sort(Names0, Names),
+        (   memberchk(Face, Names)
+        ->  true
+        ;   throw(error(model_error(look(no_face(S,Face,Names))), _))
+        )
+    ).
 
 own_colour(Colours, Number, R, Roots, Place, Colour) :-
     (   Colours == leaf
@@ -199,8 +237,12 @@ asked_looks(_, R, S, [1-section], Place-Colour, [Look]) :-
     ;   Look = Look0
     ).
 asked_looks(nothing, _, _, _, _-Colour, [[colour(Colour)]]).
-asked_looks(leaves, R, S, _, _-Colour, [Look]) :-
-    face_look(R, S, any, Colour, Look).
+asked_looks(leaves, R, S, Faces, Place-Colour, Looks) :-
+    (   look(_, face(_, _))
+    ->  asked_looks(faces, R, S, Faces, Place-Colour, Looks)
+    ;   face_look(R, S, any, Colour, Look),
+        Looks = [Look]
+    ).
 asked_looks(faces, R, S, Faces, _-Colour, [Palette|Looks]) :-
     Palette = [colour(Colour)],
     findall(Look,

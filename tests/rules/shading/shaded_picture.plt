@@ -236,6 +236,16 @@ test(hole_is_of_the_body_before_the_root, Colours == [Red,White]) :-
 test(tool_alone, Colours == [Blue,rgb(118,160,208),White]) :-
     white(White), blue(Blue),
     flat_colours("look(3, colour(blue)).", [], Colours).
+test(faces, Colours == [Blue,rgb(118,160,208),White]) :-
+    white(White), blue(Blue),
+    flat_colours("look(2, face(top, colour(blue))). look(9, shine(0.1,3)).",
+                 [], Colours).
+test(face_before_its_leaf, Colours == [Blue,Red,White]) :-
+    white(White), red(Red), blue(Blue),
+    flat_colours("look(2, colour(red)). look(2, face(top, colour(blue))).",
+                 [], Colours).
+test(face_of_none, error(model_error(look(no_face(2,lid,[base,top|_]))))) :-
+    flat_colours("look(2, face(lid, colour(blue))).", [], _).
 % ---- see-through, sections -------------------------------------------------
 
 %   Red glass before white: both sides of it, each of half of what comes.
