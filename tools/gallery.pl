@@ -4,8 +4,8 @@
 
    Run in the project's root. docs/gallery/pictures.pl lists the pictures;
    each is drawn by the very command that the page shows under it. Of problem
-   sheets the first variant is kept, question and answer. PROGRAM is ./sanggwan
-   unless given. Exits 1 if a picture could not be drawn.
+   sheets all is kept but the patterns; the page shows the first variant.
+   PROGRAM is ./sanggwan unless given. Exits 1 if a picture could not be drawn.
 */
 :- module(sg_gallery, []).
 :- use_module(library(http/html_write)).
@@ -91,24 +91,17 @@ drawn(Program, Picture) :-
     process_wait(Process, exit(0)),
     forall(left_over(Picture, File), delete_file(File)).
 
-%   left_over(Picture, File): File was made with problem sheets, and is not on
-%   the page.
+%   left_over(Picture, File): File was made with problem sheets, and is a
+%   pattern: these are four fifths of all octets.
 
 left_over(Picture, File) :-
-    Picture = sheets(_, _, _, _, Numbers),
+    Picture = sheets(_, _, _, _, _),
     file(Picture, Folder),
     exists_directory(Folder),
     directory_files(Folder, Locals),
-    findall(Local,
-            ( member(Number, Numbers), sheet_file(Number, _, Local) ),
-            Kept),
     member(Local, Locals),
-    \+ memberchk(Local, ['.','..'|Kept]),
+    sub_atom(Local, _, _, _, '-development-'),
     directory_file_path(Folder, Local, File).
-
-sheet_file(Number, Kind, Local) :-
-    member(Kind, [question,answer]),
-    format(atom(Local), '~w-1-~w.svg', [Number,Kind]).
 
 page(Pictures) :-
     writing('docs/gallery/index.html', text, page_written(Pictures)).
@@ -165,19 +158,30 @@ figures([Picture|Pictures]) -->
                 ])),
     figures(Pictures).
 
-%   pairs(Folder, Numbers)//: question and answer beside each other.
+%   pairs(Folder, Problems)//: question and answer of the first variant beside
+%   each other, links to those of the others under them.
 
 pairs(_, []) -->
     [].
-pairs(Folder, [Number|Numbers]) -->
+pairs(Folder, [Problem|Problems]) -->
     { findall(a(href(File), img([src(File), alt(Alt)])),
-              ( sheet_file(Number, Kind, Local),
-                atomic_list_concat([Folder,Local], /, File),
-                atomic_list_concat([Number,', ',Kind], Alt) ),
-              Both)
+              ( sheet_file(Folder, Problem, 1, Kind, File),
+                atomic_list_concat([Problem,', ',Kind], Alt) ),
+              Both),
+      findall(Part,
+              ( between(2, 4, Variant),
+                sheet_file(Folder, Problem, Variant, Kind, File),
+                format(atom(Text), '~w ~d, ~w', [Problem,Variant,Kind]),
+                member(Part, [a(href(File), Text),' ']) ),
+              Others)
     },
     html(Both),
-    pairs(Folder, Numbers).
+    html(p(Others)),
+    pairs(Folder, Problems).
+
+sheet_file(Folder, Problem, Variant, Kind, File) :-
+    member(Kind, [question,answer]),
+    format(atom(File), '~w/~w-~d-~w.svg', [Folder,Problem,Variant,Kind]).
 
 style('
 body { font: 16px/1.5 Georgia, "Noto Serif", serif; color: #111;
@@ -191,6 +195,7 @@ figure { margin: 0; break-inside: avoid }
 .pairs { grid-column: 1 / -1 }
 .pairs div { display: grid; gap: 1rem; grid-template-columns: 1fr 1fr;
              margin-top: 1rem }
+.pairs p { grid-column: 1 / -1; margin: 0 0 1rem; font-size: .8rem }
 img { width: 100%; border: 1px solid #ddd }
 figcaption { margin: .5rem 0 }
 pre { margin: 0; padding: .4rem .6rem; background: #f4f4f4;

@@ -368,9 +368,8 @@ picture(fitting_cyclone, 'Cyclone in plate',
 
 % Problem sheets: docs/problems.md.
 sheets(problems, 'Problem sheets',
-       'Question and answer of the fourteen problems of a first collection, \c
-        the first variant of each; the command makes four of each, patterns \c
-        and keys.',
+       'The fourteen problems of a first collection, four variants of each: \c
+        question, answer and key. The command makes their patterns, too.',
        ['facts/problems/collection.pl'],
        [fig08,fig09,fig10,fig11,fig12,fig13,fig14,
         dev09,dev10,dev11,dev12,dev13,dev14,dev15]).
