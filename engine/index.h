@@ -32,7 +32,7 @@ typedef struct sg_rows {
 
 enum {
   SG_MOST_LATE = 64,
-  SG_FEW_SEARCHES = 8 /* looks at all rows that cost what an index costs */
+  SG_FEW_SEARCHES = 32 /* looks at all rows that cost what an index costs */
 };
 
 typedef struct sg_index {
