@@ -67,6 +67,7 @@ module that has it.
 :- reexport(gluing/regions, [regions_made/2, region_neighbour/4]).
 :- reexport(solid/glue, [unglue/1, glue_report/2]).
 :- reexport(gluing/cycle, [ loop_cycle/4, radial_cycle/4, disk/4 ]).
+:- reexport(gluing/region_border, [zone/4, shell/4]).
 :- reexport(gluing/vertex_disk,
             [ disk_arcs/2, disk_direction/2, zone_at/3, disks_touch/2,
               disk_relation/3 ]).

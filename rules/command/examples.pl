@@ -212,6 +212,12 @@ example(radial_cycle/4, 'facts/two_rooms.pl',
         "Pages = [page(1,_,_),page(6,_,2),page(7,_,_)]").
 example(disk/4, 'facts/two_rooms.pl', "disk(1, 13, D, Items).",
         "D = 1, Items = [e(_)]").
+example(zone/4, 'facts/two_rooms.pl',
+        "regions_made(1, _), zone(1, 1, R, Cycles).",
+        "R = 3, Cycles = [[above(_)|_]]").
+example(shell/4, 'facts/two_rooms.pl',
+        "regions_made(1, _), shell(1, 2, K, Uses).",
+        "K = 1, Uses = [e(_)]").
 example(disk_arcs/2, 'facts/figures/glue_vertex.pl',
         "disk_arcs(disk(5, 1, 2), [Arc|_]).",
         "Arc = arc(p(1,-1,3),p(-1,-1,3),1,0)").

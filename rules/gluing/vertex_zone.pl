@@ -1,9 +1,10 @@
 :- module(sg_vertex_zone,
-          [ zones_told/2                % +S, -Meetings
+          [ zones_told/2,               % +S, -Meetings
+            zone_meeting/3              % +S, +V, -Sides
           ]).
 :- use_module(cycle, [disk/4]).
 :- use_module(vertex_disk, [disk_zones/2, disks_meet/4]).
-:- use_module('../store', [v/5]).
+:- use_module('../store', [v/5, edge_polygon/3]).
 :- use_module(library(lists), [member/2, nth0/3]).
 /** <module> The zones at vertices as a rule says them.
 
@@ -22,6 +23,33 @@ kernel for the default is c_kernels/gluing/sphere_map.h. */
 zones_told(S, Meetings) :-
     findall(Meeting, ( crowded(S, V, Ds), meeting(S, V, Ds, Meeting) ),
             Meetings).
+
+%!  zone_meeting(+S, +V, -Sides) is nondet.
+%
+%   The two disks that have Sides, One-Other as of disk_zones/2, at vertex V of
+%   segment S have a zone in common, of which these are.
+%
+%   @error as zones_told/2
+
+zone_meeting(S, V, One-Other) :-
+    crowded(S, V, Ds),
+    meeting(S, V, Ds, meet(_,E1,Above1,E2,Above2)),
+    told_side(S, E1, Above1, One),
+    told_side(S, E2, Above2, Other).
+
+told_side(S, E, Above, Side) :-
+    (   E < 0
+    ->  P is -E,
+        Item = p(P)
+    ;   Item = E
+    ),
+    (   E > 0,
+        \+ edge_polygon(S, E, _)
+    ->  Side = e(E)
+    ;   Above == true
+    ->  Side = above(Item)
+    ;   Side = below(Item)
+    ).
 
 crowded(S, V, Ds) :-
     v(S, V, _, _, _),
