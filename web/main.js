@@ -2,7 +2,7 @@
 
 import { $, h, arrows, calm, say } from "./dom.js";
 import { w, wordsLoaded, otherTongue, reworded, said, tongue } from "./words.js";
-import { Wire, Lost } from "./wire.js";
+import { Wire, Lost, textOf } from "./wire.js";
 import { Kept, recordOf } from "./kept.js";
 import { Ports } from "./ports.js";
 import { KINDS, eyeWords } from "./kinds.js";
@@ -121,10 +121,28 @@ class Studio {
   }
 
   openMenu() {
-    return this.models.map((name) => h("button", { onclick: (event) => {
-      event.target.closest(".menu").hidden = true;
-      this.opened(name);
-    } }, name));
+    const choice = (name, keys) => h("button", { onclick: (event) => {
+      const menu = event.target.closest(".menu");
+      if (menu) menu.hidden = true;
+      this.opened(name, null, keys);
+    } }, name);
+    const file = h("input", { type: "file", accept: ".pl,.csg,.stl,.off,.obj,.ply", class: "unseen",
+      onchange: () => this.upload(file.files[0]) });
+    return [...this.models.map((name) => choice(name)), ...this.uploads.map((name) => choice(name, { upload: true })),
+      h("label", { class: "file" }, w("upload"), file)];
+  }
+
+  // A file of the reader's machine: the program keeps it, and opens it.
+  async upload(file) {
+    try {
+      const { head } = await this.wire.ask("upload", { name: file.name });
+      const answer = await fetch("up/" + head.ticket, { method: "POST", body: file });
+      if (!answer.ok) throw new Error(await answer.text());
+      this.uploads = [...new Set([...this.uploads, file.name])].sort();
+      await this.opened(file.name, null, { upload: true, replay: false });
+    } catch (error) {
+      this.failed(error);
+    }
   }
 
   exportMenu() {
@@ -181,6 +199,7 @@ class Studio {
 
   greeted(head) {
     this.models = head.models;
+    this.uploads = head.uploads || [];
     this.owner = head.owner;
     $("banner").hidden = true;
     clearTimeout(this.awayTimer);
@@ -209,6 +228,8 @@ class Studio {
 
   async opened(file, remark, keys = {}) {
     if (!file) return;
+    keys = { ...keys, ...(file === this.file && this.sent ? { upload: true } : {}) };
+    this.sent = Boolean(keys.upload);
     this.file = file;
     document.body.classList.remove("bare");
     $("file").textContent = file;
@@ -278,7 +299,6 @@ class Studio {
     try {
       await this.wire.ask("save", keys);
       this.changes = 0;
-      this.saved = Date.now();
       this.state();
       say(w("saved"));
     } catch (error) {
@@ -287,12 +307,40 @@ class Studio {
     }
   }
 
-  // The file is another one: if nothing was changed here, it is opened again.
-  fileChanged() {
-    if (Date.now() - (this.saved || 0) < 3000) return;
-    const take = () => this.opened(this.file, null, { replay: false });
-    if (this.changes) this.banner("file_new", [h("button", { onclick: take }, w("take"))]);
-    else take();
+  // Another program wrote the file: a change like any other, which undo takes back.
+  // If something was changed here too, whoever looks at the page chooses.
+  async fileChanged() {
+    const take = async () => {
+      $("banner").hidden = true;
+      await this.change("reload");
+      this.changes = 0;
+      this.state();
+      say(w("taken"));
+    };
+    if (!this.isText) this.opened(this.file);
+    else if (!this.changes) await take();
+    else {
+      this.banner("file_new", [["take", take], ["compare_texts", () => this.compare(take)],
+        ["keep_mine", () => { $("banner").hidden = true; }]].map(([word, onclick]) => h("button", { onclick }, w(word))));
+    }
+  }
+
+  // The text of the file beside the text here; lines that only one has are marked.
+  async compare(take) {
+    try {
+      const [there, here] = await Promise.all([this.wire.ask("reload", { look: true }), this.wire.ask("text")]);
+      const texts = [there, here].map(({ body }) => textOf(body).split("\n"));
+      const column = (word, i) => h("div", {}, h("h2", {}, w(word)), h("pre", { tabindex: 0 }, ...texts[i].map((line) =>
+        h("span", { class: texts[1 - i].includes(line) ? "" : "other" }, line + "\n"))));
+      const box = h("dialog", { class: "compare", onclose: () => box.remove() },
+        h("div", { class: "both" }, column("in_file", 0), column("in_page", 1)),
+        h("p", { class: "wishes" }, h("button", { class: "main", onclick: () => { box.close(); take(); } }, w("take")),
+          h("button", { onclick: () => box.close() }, w("keep_mine"))));
+      document.body.append(box);
+      box.showModal();
+    } catch (error) {
+      this.failed(error);
+    }
   }
 
   // The page as one file, which needs no program.

@@ -138,6 +138,9 @@ session_en(open_to_others(Host, Port)) -->
        this model; nothing is encrypted'-[Host, Port], nl,
       '  Rules, which run code, are not changed there. Without --host only \c
        this machine is let in.' ].
+session_en(too_many_uploads(Most)) -->
+    [ '~D files were sent already, as many as may be'-[Most], nl,
+      '  Send one by the name of another, which it replaces.' ].
 session_en(too_many_sessions(Most)) -->
     [ 'the studio has ~D sessions already, as many as it may'-[Most], nl,
       '  Try again when others have left.' ].
@@ -195,6 +198,8 @@ session_en(does(redo)) -->
     [ 'does what was taken back again' ].
 session_en(does(rules)) -->
     [ 'lists decisions; tries, keeps or discards rules' ].
+session_en(does(reload)) -->
+    [ 'takes the text that another program wrote into the file' ].
 session_en(does(save)) -->
     [ 'writes the text of the model into its file' ].
 
@@ -274,6 +279,9 @@ wanted_en(segment) -->
     [ 'the number of a segment' ].
 wanted_en(sheet(Sheets)) -->
     [ 'the number of a sheet, from 1 to ~d'-[Sheets] ].
+wanted_en(upload) -->
+    [ 'the name of a model (.pl, .csg, .stl, .off, .obj, .ply), without a \c
+       folder' ].
 wanted_en(pupil) -->
     [ 'a name, of 60 characters at most' ].
 wanted_en(variant(Count)) -->

@@ -133,6 +133,9 @@ session_ko(open_to_others(Host, Port)) -->
        암호화는 없습니다'-[Host, Port], nl,
       '  코드를 실행하는 규칙은 거기서 바꾸지 못합니다. --host를 빼면 이 \c
        컴퓨터에서만 열 수 있습니다.' ].
+session_ko(too_many_uploads(Most)) -->
+    [ '보낸 파일이 이미 ~D개라 더 보낼 수 없습니다'-[Most], nl,
+      '  이미 있는 이름으로 보내면 그것을 바꿉니다.' ].
 session_ko(too_many_sessions(Most)) -->
     [ '스튜디오에 이미 세션이 ~D개 있어 더 열 수 없습니다'-[Most], nl,
       '  다른 사람이 나간 뒤 다시 시도하십시오.' ].
@@ -190,6 +193,8 @@ session_ko(does(redo)) -->
     [ '되돌린 것을 다시 합니다' ].
 session_ko(does(rules)) -->
     [ '결정을 늘어놓습니다. 규칙을 시험하고 남기거나 버립니다' ].
+session_ko(does(reload)) -->
+    [ '다른 프로그램이 파일에 쓴 글을 가져옵니다' ].
 session_ko(does(save)) -->
     [ '모델의 글을 파일에 씁니다' ].
 
@@ -268,6 +273,8 @@ wanted_ko(segment) -->
     [ '세그먼트의 번호' ].
 wanted_ko(sheet(Sheets)) -->
     [ '1부터 ~d까지의 용지 번호'-[Sheets] ].
+wanted_ko(upload) -->
+    [ '폴더 없는 모델 이름 (.pl, .csg, .stl, .off, .obj, .ply)' ].
 wanted_ko(pupil) -->
     [ '60자까지의 이름' ].
 wanted_ko(variant(Count)) -->

@@ -26,6 +26,7 @@ studio_word(redo, 'Redo', '다시 실행').
 studio_word(save, 'Save', '저장').
 studio_word(export, 'Export', '내보내기').
 studio_word(open, 'Open', '열기').
+studio_word(upload, 'A file of this computer …', '이 컴퓨터의 파일 …').
 studio_word(language, '한국어', 'English').
 studio_word(tree, 'Tree', '트리').
 studio_word(form, 'Sizes', '치수').
@@ -115,6 +116,11 @@ studio_word(file_new,
     'The file was changed by another program.',
     '다른 프로그램이 파일을 고쳤습니다.').
 studio_word(take, 'Take the file', '파일의 것을 쓰기').
+studio_word(taken, 'The text of the file was taken.', '파일의 글을 가져왔습니다.').
+studio_word(compare_texts, 'Compare', '비교').
+studio_word(keep_mine, 'Keep what is here', '여기 것을 두기').
+studio_word(in_file, 'In the file', '파일').
+studio_word(in_page, 'Here', '여기').
 studio_word(keep_rules, 'Keep', '유지').
 studio_word(discard, 'Discard', '버리기').
 studio_word(tried,

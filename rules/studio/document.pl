@@ -2,6 +2,7 @@
           [ document_opened/3,          % +Head, -Reply, -Commit
             document_changed/5,         % +Request, +Head, +Body, -Reply,
                                         % -Commit
+            document_reloaded/4,        % +Head, -Reply, -Text, -Commit
             document_saved/2,           % +Head, -Reply
             document_text/1,            % -Text
             document_world/1,           % -World
@@ -24,7 +25,7 @@
                 journal_steps/3
               ]).
 :- use_module(job, [with_input/2]).
-:- use_module(protocol, [octets_text/2]).
+:- use_module(protocol, [octets_text/2, text_octets/2]).
 :- use_module(text_edit, [number_place/5, text_replaced/5, wish_place/6]).
 :- use_module(world_state, 
               [ in_state/3, world_begun/1, world_forgotten/1,
@@ -452,6 +453,50 @@ change_committed(Kept, State) :-
     retractall(document(_, _, _, _, _, _)),
     assertz(document(File, text, Revision, State, Saved, Journal)),
     contents_swept.
+
+%!  document_reloaded(+Head:dict, -Reply:dict, -Octets, -Commit:callable) is det.
+%
+%   Another program wrote the file. When Commit has been called, its text is that
+%   of the document: a change like any other. With Head.look true nothing is
+%   changed, and Octets is the text of the file.
+%
+%   @error model_error(What), request_error(What)
+
+document_reloaded(Head, Reply, Octets, Commit) :-
+    text_document(File, _, State, _, Journal),
+    (   catch(read_file_to_string(File, Text, [encoding(utf8)]), error(_, _),
+              fail)
+    ->  true
+    ;   throw(error(model_error(cannot_read(missing)), location(File, 0, 0)))
+    ),
+    text_octets(Text, Octets0),
+    State = state(Now, _, _),
+    content_(Now, Text0, Rules),
+    digest(Text, Digest),
+    (   get_dict(look, Head, true)
+    ->  Octets = Octets0,
+        Reply = _{},
+        Commit = true
+    ;   Octets = "",
+        save_step(Rules, Digest, Step),
+        (   Text == Text0
+        ->  document_world(World),
+            shape(World, [], Reply),
+            Change = true
+        ;   document_changed(text, Head, Octets0, Reply, Change)
+        ),
+        Commit = sg_document:reload_committed(Change, Journal, Step, Digest)
+    ).
+
+:- public reload_committed/4.
+
+%   The journal says that the file holds this text now, as when it is saved.
+
+reload_committed(Change, Journal, Step, Digest) :-
+    call(Change),
+    journal_line(Journal, Step),
+    retract(document(File, Kind, Revision, State, _, Journal)),
+    assertz(document(File, Kind, Revision, State, Digest, Journal)).
 
 %   change_step(Request, Head, Body, Text, Step, More): Step as in the journal.
 

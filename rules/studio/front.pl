@@ -9,9 +9,9 @@
                 pupil_secret/1, same_secret/2, security_header/2 ]).
 :- use_module(page_file, [page_file/3, page_words/1]).
 :- use_module(visitor,
-              [ download_taken/3, visitor_answered/3, visitor_asks/4,
+              [ download_taken/3, upload_taken/2, uploads/2, visitor_answered/3, visitor_asks/4,
                 visitor_joined/4, visitor_left/1, visitor_refused/3,
-                visitors_ended/0, visitors_told/1, visitors_watched/1 ]).
+                visitors_ended/0, visitors_watched/1 ]).
 :- use_module(protocol, [text_octets/2]).
 :- use_module(library(http/json), [json_read_dict/2]).
 :- use_module(library(lists), [member/2]).
@@ -86,7 +86,6 @@ front(Model, Options, 130) :-
     class_begun(Problems),
     flush_output,
     opened_in_browser(Options, Address),
-    model_file_watched,
     setup_call_cleanup(true, watching, ( pages_closed, visitors_ended )).
 
 %   class_opened(Class, Name, Port): the address for pupils is printed too.
@@ -181,27 +180,7 @@ watching :-
     sleep(1),
     get_time(Now),
     visitors_watched(Now),
-    model_file_watched,
     fail.
-
-% file_seen_(File, Time): when the file was written, as pages know.
-:- dynamic file_seen_/2.
-
-%   model_file_watched: pages hear that the file of the model is another one.
-
-model_file_watched :-
-    front_(_, _, Model),
-    Model \== none,
-    catch(time_file(Model, Time), error(_, _), fail),
-    !,
-    (   file_seen_(Model, Time)
-    ->  true
-    ;   retract(file_seen_(Model, _))
-    ->  assertz(file_seen_(Model, Time)),
-        visitors_told(_{event:"file"})
-    ;   assertz(file_seen_(Model, Time))
-    ).
-model_file_watched.
 
 
                 /*******************************
@@ -240,6 +219,17 @@ replied(get, Path, _) :-
     ->  download(File, Name)
     ;   reply(404, 'text/plain', "not there any more\n")
     ).
+replied(post, Path, Request) :-
+    atom_concat('/up/', Ticket0, Path),
+    !,
+    front_(Front, _, _),
+    atom_string(Ticket0, Ticket),
+    (   \+ origin_allowed(Request, Front)
+    ->  reply(403, 'text/plain', "not from a page of this program\n")
+    ;   upload_taken(Ticket, File)
+    ->  uploaded(Request, File)
+    ;   reply(404, 'text/plain', "not there any more\n")
+    ).
 replied(Method, Path, _) :-
     memberchk(Method, [get,head]),
     page_file(Path, Type, Text),
@@ -260,6 +250,36 @@ reply_head(Status, Type, Charset, More) :-
     forall(( security_header(Name, Value) ; member(Name-Value, More) ),
            format("~w: ~w~n", [Name, Value])),
     format("Content-type: ~w~w~n~n", [Type, Charset]).
+
+%   largest(N): octets of a file that a page sends.
+
+largest(20_000_000).
+
+%   uploaded(Request, File): it stands there whole, or not at all.
+
+uploaded(Request, File) :-
+    largest(Most),
+    (   memberchk(content_length(Length), Request),
+        \+ memberchk(transfer_encoding(_), Request)
+    ->  (   Length =< Most
+        ->  memberchk(input(In), Request),
+            copied(In, Length, File),
+            reply(200, 'text/plain', "")
+        ;   reply(413, 'text/plain', "larger than 20 MB\n")
+        )
+    ;   reply(411, 'text/plain', "how long it is, is not said\n")
+    ).
+
+copied(In, Length, File) :-
+    atom_concat(File, '.part', Part),
+    setup_call_cleanup(
+        open(Part, write, Out, [type(binary)]),
+        ( set_stream(In, encoding(octet)),
+          copy_stream_data(In, Out, Length)
+        ),
+        close(Out)),
+    size_file(Part, Length),
+    rename_file(Part, File).
 
 %   download(File, Name): whatever it is, a page of ours is not made of it.
 
@@ -378,10 +398,12 @@ welcomed(Socket, Visitor, front(_,_,Folder,Owner0), Model, Revision, Head) :-
     ;   file_base_name(Model, File)
     ),
     models(Folder, Models),
+    uploads(Visitor, Uploads),
     class_told(Visitor, Class),
     visitor_answered(Socket, Id,
                      _{ do:"hello", version:Version, file:File, rev:Revision,
-                        owner:Owner, models:Models, class:Class }).
+                        owner:Owner, models:Models, uploads:Uploads,
+                        class:Class }).
 
 %   class_told(Visitor, Class): null without problems; else whether Visitor is
 %   the teacher, and by which name a pupil is in the class.

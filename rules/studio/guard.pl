@@ -6,6 +6,8 @@
             new_secret/1,               % -Token
             pupil_secret/1,             % +Secret
             request_allowed/3,          % +Front, +Head, -Allowed
+            upload_name/1,              % +Name
+            upload_folder/2,            % +Owner, -Folder
             file_allowed/3,             % +Folder, +Name, -Path
             security_header/2           % ?Name, ?Value
           ]).
@@ -190,7 +192,7 @@ request_allowed(Front, Head, Allowed) :-
 
 %   keys(Do, Keys): what a request may say.
 
-keys("open",     [file,replay]).
+keys("open",     [file,replay,upload]).
 keys("view",     [port,section,explode|Keys]) :-
     view_keys(Keys).
 keys("sheet",    [options,pens]).
@@ -213,6 +215,7 @@ keys("undo",     []).
 keys("redo",     []).
 keys("rules",    [try,keep|Keys]) :-
     view_keys(Keys).
+keys("reload",   [look]).
 keys("save",     [file,force]).
 keys("complete", [text]).
 keys("help",     [of]).
@@ -221,11 +224,22 @@ keys("stop",     []).
 view_keys([ format,view,projection,lines,hidden,up,crease,size,scale,margin,
             segments ]).
 
+looked_through("open", front(_,_,_,Owner), Head0, Head) :-
+    get_dict(upload, Head0, true),
+    !,
+    name_of(Head0, Name),
+    upload_name(Name),
+    upload_folder(Owner, Folder),
+    file_allowed(Folder, Name, Path0),
+    atomic_list_concat([Folder,/,Path0], Path),
+    journal_of(Owner, Path, Journal, Code),
+    Head = Head0.put(_{file:Path, journal:Journal, owner:Code}).
 looked_through("open", front(_,_,Folder,Owner), Head0, Head) :-
     !,
     name_of(Head0, Name),
     file_allowed(Folder, Name, Path),
-    journal_of(Owner, Path, Journal, Code),
+    absolute_file_name(Path, Absolute, [relative_to(Folder)]),
+    journal_of(Owner, Absolute, Journal, Code),
     Head = Head0.put(_{file:Path, journal:Journal, owner:Code}).
 looked_through("save", front(_,_,_,pupil(_)), _, _) :-
     !,
@@ -290,12 +304,7 @@ looked_through(_, _, Head, Head) :-
 
 journal_of(pupil(Secret), Path, Journal, false) :-
     !,
-    (   getenv('XDG_STATE_HOME', State),
-        State \== ''
-    ->  true
-    ;   getenv('HOME', Home),
-        atom_concat(Home, '/.local/state', State)
-    ),
+    state_folder(State),
     file_base_name(Path, Base),
     format(string(Of), "~w ~w", [Secret,Path]),
     sha_hash(Of, Hash, [algorithm(sha256), encoding(utf8)]),
@@ -351,10 +360,53 @@ offered([ "--view","--projection","--lines","--hidden","--crease","--up",
                 *            FILES             *
                 *******************************/
 
+%!  upload_name(+Name:string) is det.
+%
+%   A file that a page sends may be called Name: that of a model, without a
+%   folder.
+%
+%   @error request_error(bad_key(name, upload))
+
+upload_name(Name) :-
+    (   string(Name),
+        string_length(Name, Length),
+        Length =< 100,
+        file_name_extension(_, Ending0, Name),
+        downcase_atom(Ending0, Ending),
+        memberchk(Ending, [pl,csg,stl,off,obj,ply]),
+        string_codes(Name, [First|Codes]),
+        forall(member(Code, [First|Codes]),
+               ( code_type(Code, csym) ; memberchk(Code, `-.+ `) )),
+        \+ memberchk(First, `.- `)
+    ->  true
+    ;   request_error(bad_key(name, upload))
+    ).
+
+%!  upload_folder(+Owner, -Folder) is det.
+%
+%   Folder has what the owner, or a pupil, pupil(Secret), sent: beside the
+%   journals, so it is there after the program was killed.
+
+upload_folder(Owner, Folder) :-
+    ( Owner = pupil(Secret) -> Of = Secret ; Of = owner ),
+    state_folder(State),
+    sha_hash(Of, Hash, [algorithm(sha256), encoding(utf8)]),
+    hash_atom(Hash, Digest),
+    sub_atom(Digest, 0, 16, _, Short),
+    atomic_list_concat([State,'/sanggwan/uploads/',Short], Folder).
+
+state_folder(State) :-
+    (   getenv('XDG_STATE_HOME', State0),
+        State0 \== ''
+    ->  State = State0
+    ;   getenv('HOME', Home),
+        atom_concat(Home, '/.local/state', State)
+    ).
+
 %!  file_allowed(+Folder, +Name, -Path) is det.
 %
-%   Path is the file Name of Folder, or of a folder in it, whatever is linked to
-%   what.
+%   Path, from Folder on, is the file Name of Folder, or of a folder in it,
+%   whatever is linked to what.
 %
 %   @error request_error(outside(Name))
 
@@ -364,10 +416,10 @@ file_allowed(Folder, Name, Path) :-
         name_path(Folder, Name, Path0),
         catch(real_path(Path0, Real), error(_, _), fail),
         atom_concat(Root, Rest, Real),
-        ( Rest == '' ; Root == (/) ; sub_atom(Rest, 0, 1, _, /) ),
+        ( Root == (/) -> Local = Rest ; atom_concat(/, Local, Rest) ),
         file_name_extension(_, Ending, Real),
         memberchk(Ending, [pl,csg,stl,off,obj,ply])
-    ->  atom_string(Real, Path)
+    ->  atom_string(Local, Path)
     ;   request_error(outside(Name))
     ).
 

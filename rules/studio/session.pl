@@ -15,7 +15,8 @@
 :- use_module(complete, [completed/4]).
 :- use_module(document,
               [ document_changed/5, document_file/1, document_input/2,
-                document_opened/3, document_revision/1, document_rules/2,
+                document_opened/3, document_reloaded/4, document_revision/1,
+                document_rules/2,
                 document_saved/2, document_text/1, document_tried/4,
                 document_world/1, trial_ended/1
               ]).
@@ -361,6 +362,7 @@ request(tree,     document, treed).
 request(undo,     document, changed(undo)).
 request(redo,     document, changed(redo)).
 request(rules,    document, rules).
+request(reload,   document, reloaded).
 request(save,     document, saved).
 
 greeted(request(_, Head, _), _, Reply, "") :-
@@ -544,6 +546,11 @@ text(Request, Session, Reply, Octets) :-
         Reply = _{}
     ;   changed(text, Request, Session, Reply, Octets)
     ).
+
+reloaded(request(_, Head, _), _, Reply, Octets) :-
+    document_reloaded(Head, Reply, Octets, Commit),
+    committed(Commit),
+    moved_on.
 
 treed(_, _, Reply, "") :-
     document_text(Text),

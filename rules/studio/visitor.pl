@@ -4,18 +4,22 @@
             visitor_asks/4,             % +Front, +Socket, +Head, +Body
             visitor_answered/3,         % +Socket, +Id, +Reply
             visitor_refused/3,          % +Socket, +Id, +Error
-            visitors_told/1,            % +Head
             visitors_watched/1,         % +Now
             visitors_ended/0,
+            upload_taken/2,             % +Ticket, -File
+            uploads/2,                  % +Visitor, -Names
             download_taken/3            % +Ticket, -Path, -Name
           ]).
 :- use_module('../message/message_object', [message_object/3]).
 :- use_module('../plain', [plain_json/2]).
 :- use_module(visitor_answer, [answers_recorded/2, class_request/4]).
-:- use_module(guard, [new_secret/1, request_allowed/3]).
+:- use_module(guard,
+              [ new_secret/1, request_allowed/3, upload_folder/2,
+                upload_name/1 ]).
 :- use_module(protocol, [frame_read/4, frame_write/3, text_octets/2]).
 :- use_module(request, [request_error/1]).
-:- use_module(library(filesex), [delete_directory_and_contents/1]).
+:- use_module(library(filesex), 
+              [delete_directory_and_contents/1, make_directory_path/1]).
 :- use_module(library(http/json), [json_write_dict/3]).
 :- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(process),
@@ -34,14 +38,15 @@ one, and the journal of the document has all that was answered.
 % session_(Visitor, Generation, Pid, In); socket_(Socket, Visitor, Send);
 % pending_(Number, Visitor, Socket, Id, Do, Since, File): Number is the id that
 % the session knows. revision_(Visitor, Revision); used_(Visitor, Time);
-% download_(Ticket, Path, Name, Until); folder_(Folder): of downloads.
+% opened_(Visitor, File, Time): what is open, and when it was written, as far as
+% pages know. download_(Ticket, Path, Name, Until); folder_(Folder): of downloads.
 :- dynamic session_/4, socket_/3, pending_/7, revision_/2, used_/2,
-           download_/4, folder_/1.
+           opened_/3, download_/4, folder_/1.
 
 %   What a visitor may have: waiting requests, seconds for one until it is
 %   stopped and until its session is killed, seconds of the processor for one,
 %   seconds without any, megabytes of a session, seconds until a download is
-%   fetched. And how many sessions there may be.
+%   fetched, files that were sent. And how many sessions there may be.
 
 most(waiting,  64).
 most(stopped,  60).
@@ -51,6 +56,7 @@ most(sessions, 40).
 most(idle,     1800).
 most(memory,   1000).
 most(download, 60).
+most(uploads,  20).
 
 
                 /*******************************
@@ -101,13 +107,6 @@ visitor_refused(Socket, Id, Error) :-
     message_object(error, Error, Object),
     sent(Socket, _{id:Id, error:Object}, "").
 
-%!  visitors_told(+Head:dict) is det.
-%
-%   Every page hears Head.
-
-visitors_told(Head) :-
-    forall(socket_(Socket, _, _), sent(Socket, Head, "")).
-
 told(Visitor, But, Head) :-
     forall(( socket_(Socket, Visitor, _), Socket \== But ),
            sent(Socket, Head, "")).
@@ -151,7 +150,10 @@ visitor_asks(Front, Socket, Head, Body) :-
 %   class as a whole, the front answers.
 
 front_or_session(Front, Visitor, Socket, Id, Head, Body) :-
-    (   get_dict(do, Head, Do),
+    (   get_dict(do, Head, "upload")
+    ->  upload_ticket(Visitor, Head, Ticket),
+        visitor_answered(Socket, Id, _{do:"upload", ticket:Ticket})
+    ;   get_dict(do, Head, Do),
         class_request(Visitor, Do, Head, Reply)
     ->  visitor_answered(Socket, Id, Reply),
         (   Do == "join"
@@ -181,7 +183,8 @@ asked(Front, Visitor, Socket, Id, Head, Body) :-
     flag(sg_visitor_request, N, N+1),
     Number is N+1,
     question_known(Socket, Allowed0, Allowed1),
-    download_begun(Head, Number, Allowed1, Allowed, File),
+    download_begun(Head, Number, Allowed1, Allowed, File0),
+    file_opened(Front, Allowed, File0, File),
     visitor_mutex(Visitor, Mutex),
     get_time(Now),
     with_mutex(Mutex,
@@ -258,6 +261,7 @@ routed(Visitor, Head, Body) :-
     ->  pending_(Number, Visitor, Socket, Id, _, _, _),
         sent(Socket, Head.put(id, Id), Body)
     ;   retract(pending_(Number, Visitor, Socket, Id, Do, _, File)),
+        file_heard(Do, Visitor, File, Head),
         (   Do == "ask"
         ->  retractall(question_(Socket, Id, _)),
             assertz(question_(Socket, Id, Number))
@@ -270,6 +274,33 @@ routed(Visitor, Head, Body) :-
     ),
     !.
 routed(_, _, _).
+
+%   file_heard(Do, Visitor, Opened, Head): which file is open; it is as the
+%   session read it, or wrote it, at least until now.
+
+file_heard(Do, Visitor, Opened, Head) :-
+    (   memberchk(Do, ["open","save","reload"]),
+        \+ get_dict(error, Head, _),
+        ( Opened = opened(File) -> true ; opened_(Visitor, File, _) )
+    ->  file_time(File, Time),
+        retractall(opened_(Visitor, _, _)),
+        assertz(opened_(Visitor, File, Time))
+    ;   true
+    ).
+
+file_time(File, Time) :-
+    catch(time_file(File, Time), error(_, _), Time = 0.0).
+
+%   files_watched: pages hear that their file is another one.
+
+files_watched :-
+    forall(( opened_(Visitor, File, Time0),
+             file_time(File, Time),
+             Time =\= 0,
+             Time =\= Time0,
+             retract(opened_(Visitor, File, Time0)) ),
+           ( assertz(opened_(Visitor, File, Time)),
+             told(Visitor, none, _{event:"file"}) )).
 
 %   book_kept(Do, Visitor, Head0, Head): what a pupil answered stands in the
 %   book of the class before he hears whether it is right.
@@ -340,6 +371,17 @@ download_begun(Head, Number, Allowed0, Allowed, File) :-
         File = none
     ).
 
+%   file_opened(Front, Allowed, File0, File): File is opened(Path) of a request
+%   that names the file of the document.
+
+file_opened(front(_,_,Folder,_), Allowed, File0, File) :-
+    (   memberchk(Allowed.do, ["open","save"]),
+        get_dict(file, Allowed, Name)
+    ->  absolute_file_name(Name, Path, [relative_to(Folder)]),
+        File = opened(Path)
+    ;   File = File0
+    ).
+
 %   download_name(Name0, Name): letters of any language, digits, `-`, `_`, dots
 %   inside.
 
@@ -368,6 +410,7 @@ download_folder(Folder) :-
         )).
 
 download_ready(none, Head, Head).
+download_ready(opened(_), Head, Head).
 download_ready(file(Path,Name), Head0, Head) :-
     (   get_dict(status, Head0, 0),
         exists_file(Path)
@@ -387,6 +430,69 @@ download_ready(file(Path,Name), Head0, Head) :-
 download_taken(Ticket, Path, Name) :-
     retract(download_(Ticket, Path, Name, _)),
     !.
+
+
+                /*******************************
+                *            UPLOADS           *
+                *******************************/
+
+% upload_(Ticket, File, Until).
+:- dynamic upload_/3.
+
+%   upload_ticket(Visitor, Head, Ticket): with Ticket the page may send the file
+%   Head.name, once.
+%
+%   @error request_error(too_many_uploads(Most))
+
+upload_ticket(Visitor, Head, Ticket) :-
+    ( get_dict(name, Head, Name) -> true ; Name = "" ),
+    upload_name(Name),
+    uploads(Visitor, Names),
+    length(Names, Length),
+    most(uploads, Most),
+    (   ( Length < Most ; memberchk(Name, Names) )
+    ->  true
+    ;   request_error(too_many_uploads(Most))
+    ),
+    visitor_folder(Visitor, Folder),
+    make_directory_path(Folder),
+    atomic_list_concat([Folder,/,Name], File),
+    new_secret(Ticket),
+    get_time(Now),
+    most(download, Seconds),
+    Until is Now+Seconds,
+    assertz(upload_(Ticket, File, Until)).
+
+visitor_folder(Visitor, Folder) :-
+    (   atom_concat('pupil ', Secret, Visitor)
+    ->  Owner = pupil(Secret)
+    ;   Owner = true
+    ),
+    upload_folder(Owner, Folder).
+
+%!  upload_taken(+Ticket:string, -File) is semidet.
+%
+%   With Ticket a page sends File; once.
+
+upload_taken(Ticket, File) :-
+    get_time(Now),
+    retract(upload_(Ticket, File, Until)),
+    Until >= Now,
+    !.
+
+%!  uploads(+Visitor, -Names) is det.
+%
+%   Names of files that Visitor sent.
+
+uploads(Visitor, Names) :-
+    visitor_folder(Visitor, Folder),
+    catch(directory_files(Folder, Files), error(_, _), Files = []),
+    findall(Name,
+            ( member(File, Files),
+              atom_string(File, Name),
+              catch(upload_name(Name), error(_, _), fail) ),
+            Names0),
+    sort(Names0, Names).
 
 
                 /*******************************
@@ -417,6 +523,7 @@ visitors_watched(Now) :-
              used_(Visitor, Time),
              Now-Time > Idle ),
            session_killed(Visitor)),
+    files_watched,
     forall(( download_(Ticket, Path, _, Until), Until < Now ),
            ( retractall(download_(Ticket, _, _, _)),
              catch(delete_file(Path), error(_, _), true) )).

@@ -26,13 +26,13 @@ class Front:
         self.host, port = place[len("http://"):].split(":")
         self.port = int(port)
 
-    def get(self, path, method="GET", headers=None):
+    def get(self, path, method="GET", headers=None, body=None):
         """status, headers, octets"""
         connection = http.client.HTTPConnection("127.0.0.1", self.port,
                                                 timeout=20)
         given = {"Host": "%s:%d" % (self.host, self.port)}
         given.update(headers or {})
-        connection.request(method, path, headers=given)
+        connection.request(method, path, body, given)
         answer = connection.getresponse()
         octets = answer.read()
         connection.close()

@@ -281,6 +281,43 @@ for name in ("../x.svg", "/tmp/x.svg", "x", ".x.svg", "-x.svg", "x\0.svg",
     answer = page.ask("export", argv=["draw"], name=name)
     check("download %s" % name, code(answer) == "request_error.bad_key",
           answer[0])
+# Files that a page sends.
+for name in ("../x.pl", "/tmp/x.pl", "x", ".x.pl", "x.sh", "a/b.pl", "-x.pl",
+             "x\0.pl", "x" * 200 + ".pl", "x\n.pl", 7, None):
+    answer = page.ask("upload", name=name)
+    check("sent as %s" % name, code(answer) == "request_error.bad_key",
+          answer[0])
+
+
+def sent(ticket, octets, headers=None):
+    given = {"Origin": "http://" + place, "Content-Length": str(len(octets))}
+    given.update(headers or {})
+    return front.get("/up/" + ticket, "POST", given, octets)[0]
+
+
+ticket = page.ask("upload", name="sent.pl")[0].get("ticket", "")
+check("sent by another page", sent(ticket, MODEL.encode(), {
+    "Origin": "http://evil.example"}) == 403)
+check("without a ticket", sent("0" * 32, MODEL.encode()) == 404)
+check("sent", sent(ticket, MODEL.encode()) == 200)
+check("once", sent(ticket, b"other") == 404)
+ticket = page.ask("upload", name="large.pl")[0]["ticket"]
+check("too large", sent(ticket, b"", {"Content-Length": "20000001"}) == 413)
+ticket = page.ask("upload", name="chunks.pl")[0]["ticket"]
+check("a length that is not said", sent(ticket, b"0\r\n\r\n", {
+    "Transfer-Encoding": "chunked"}) in (400, 411))
+head, _ = page.ask("open", file="sent.pl", upload=True)
+check("opened", len(head.get("segments", [])) == 2, head)
+check("kept for the next page", front.page().hello["uploads"] == ["sent.pl"],
+      front.page().hello)
+for name in ("../secret.pl", "/etc/passwd", "tee.pl", "large.pl"):
+    check("no other file: " + name, "error" in page.ask(
+        "open", file=name, upload=True)[0])
+for i in range(19):
+    sent(page.ask("upload", name="m%d.pl" % i)[0]["ticket"], b"% none\n")
+check("no more than 20", code(page.ask("upload", name="m.pl"))
+      == "request_error.too_many_uploads")
+check("but another text", "ticket" in page.ask("upload", name="m1.pl")[0])
 page.ask("open", file="tee.pl", replay=False)
 head, _ = page.ask("export", argv=["draw", "--view", "front"],
                    name="그림.svg")
@@ -354,13 +391,41 @@ check("the front was killed", head.get("replayed") == 12, head)
 check("another secret", again.token != front.token)
 check("save", page.ask("save")[0].get("file"))
 check("saved", "radius(0.61)" in open(os.path.join(models, "tee.pl")).read())
-check("it tells of the file", page.hear()[0] == {"event": "file"})
 with open(os.path.join(models, "tee.pl"), "a") as out:
     out.write("% another program\n")
 head, _ = page.hear()
 check("a file that another program writes", head == {"event": "file"}, head)
 check("is not written over", code(page.ask("save"))
       == "request_error.file_changed")
+head, body = page.ask("reload", look=True)
+check("its text may be looked at", body.decode().endswith("other program\n")
+      and not page.ask("text")[1].decode().endswith("other program\n"), head)
+head, _ = page.ask("edit", set={"segment": 2, "path": [2, 2, 1, 1],
+                                "value": 0.62})
+head, _ = page.ask("reload")
+check("taken, as one step", "error" not in head and
+      page.ask("text")[1].decode().endswith("other program\n"), head)
+page.ask("undo")
+check("which undo takes back", "radius(0.62)" in page.ask("text")[1].decode())
+page.ask("redo")
+text = page.ask("text")[1]
+again.process.kill()
+again.process.wait()
+page.close()
+again.process.stdout.close()
+again.process.stderr.close()
+again = started()
+page = again.page()
+head, _ = page.ask("open", file="tee.pl")
+check("and no kill", "error" not in head and page.ask("text")[1] == text,
+      head)
+check("no path of this machine is told", folder not in json.dumps(head) and
+      folder not in json.dumps(page.ask("open", file="none.pl")[0]) and
+      folder not in json.dumps(page.ask("text", body="x(")[0]), head)
+page.ask("save")
+time.sleep(1.3)
+check("what the page saved is no news", not any(
+    one.get("event") == "file" for one in page.events), page.events)
 page.close()
 time.sleep(0.05)
 status, _, error = again.end()

@@ -42,6 +42,8 @@ unsaid(session_en, session_en(too_many_sessions(_))).
 unsaid(session_en, wanted_en(offered)).
 unsaid(session_en, wanted_en(download)).
 unsaid(session_en, wanted_en(pupil)).
+unsaid(session_en, wanted_en(upload)).
+unsaid(session_en, session_en(too_many_uploads(_))).
 
 % Of a view: tests/cli/serve_studio.py.
 unsaid(session_en, wanted_en(section)).
