@@ -61,7 +61,7 @@ class Studio {
         pane.element.hidden = key !== name;
         tabs.querySelector(`[data-word=${key}]`).setAttribute("aria-selected", String(key === name));
       }
-      if ((this.ready || name === "problems") && name !== "tree" && this.wire.open) panes[name].refresh().catch((error) => this.failed(error));
+      if (this.ready && !["tree", "problems"].includes(name)) panes[name].refresh().catch((error) => this.failed(error));
       this.pane = name;
     };
     for (const key of Object.keys(panes)) {
@@ -246,8 +246,15 @@ class Studio {
       if (this.text.dirty) this.text.done();
     } catch (error) {
       this.failed(error, error.head && error.head.error.code === "request_error.journal_of_another"
-        ? [["forget", () => this.opened(file, null, { replay: false })]] : []);
+        ? [["recover", () => this.recovered(file)], ["forget", () => this.opened(file, null, { replay: false })]] : []);
     }
+  }
+
+  // What was changed here before another program wrote the file.
+  async recovered(file) {
+    await this.opened(file, null, { replay: "journal" });
+    this.changes = this.changes || 1;
+    if (this.ready) this.fileChanged();
   }
 
   // Every pane shows the new revision.

@@ -31,7 +31,10 @@ export class Wire extends EventTarget {
   }
 
   connect() {
-    const socket = new WebSocket(`ws://${location.host}/ws`);
+    const address = new URL("ws", location.href);       // also below a folder of a proxy
+    address.protocol = address.protocol === "https:" ? "wss:" : "ws:";
+    address.hash = "";
+    const socket = new WebSocket(address);
     socket.binaryType = "arraybuffer";
     this.socket = socket;
     socket.onopen = () => this.send({ id: HELLO, do: "hello", token: this.token, pupil: pupil() });

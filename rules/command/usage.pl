@@ -332,6 +332,8 @@ verb_option(serve, option(class, '', flag, '',
 verb_option(serve, option(problems, '', value, 'FILE',
     'the problems of a class (docs/problems.md), which pupils answer in the \c
      page; as --class')).
+verb_option(serve, option(behind, '', value, 'URL',
+    'where a proxy shows the page, like https://h.example/sanggwan/')).
 verb_option(serve, option(open, '', flag, '',
     'open the page in the browser of this desktop (as is usual)')).
 verb_option(serve, option(stdio, '', flag, '',
@@ -415,6 +417,7 @@ option_ko(class, '학생들이 코드로 들어온다 (코드를 출력한다). 
                   세션을 하나씩 가진다').
 option_ko(problems, '학생들이 페이지에서 푸는 수업의 문제 (docs/problems.md). \c
                      --class와 같이 들어온다').
+option_ko(behind, '프록시가 페이지를 보이는 주소. 보기: https://h.example/sanggwan/').
 option_ko(open, '이 데스크톱의 브라우저에서 페이지를 연다 (기본)').
 option_ko(output, '결과 파일. 확장자가 형식을 정하며 여러 번 쓸 수 있다').
 option_ko(format, '-o - 의 형식').

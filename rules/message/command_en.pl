@@ -75,6 +75,9 @@ command_en(host_needs_class(Host)) -->
        model'-[Host], nl,
       '  Add --class: each who joins has the model for himself. Or leave \c
        --host out, and reach this machine by a tunnel (ssh -L).' ].
+command_en(behind(URL)) -->
+    [ '--behind ~w is no address of a page'-[URL], nl,
+      '  Write it as people see it, like https://h.example/sanggwan/.' ].
 command_en(no_address(Host)) -->
     [ 'this machine has no address ~p to listen at'-[Host], nl,
       '  Leave --host out: only this machine can reach it then.' ].

@@ -77,6 +77,9 @@ command_ko(host_needs_class(Host)) -->
           [Host], nl,
       '  --class를 더하면 저마다 모델을 하나씩 가집니다. 아니면 --host를 빼고 \c
        터널(ssh -L)로 들어오십시오.' ].
+command_ko(behind(URL)) -->
+    [ '--behind ~w: 페이지의 주소가 아닙니다'-[URL], nl,
+      '  사람들이 보는 대로 쓰십시오. 보기: https://h.example/sanggwan/' ].
 command_ko(no_address(Host)) -->
     [ '이 컴퓨터에는 ~p 주소가 없습니다'-[Host], nl,
       '  --host를 빼십시오. 그러면 이 컴퓨터에서만 열 수 있습니다.' ].

@@ -127,6 +127,7 @@ studio_word(tried,
     'tried: {0} came, {1} went, {2} changed',
     '시험 중: {0}개 생김, {1}개 없어짐, {2}개 바뀜').
 studio_word(decisions, 'Decisions', '결정').
+studio_word(recover, 'Take the journal', '일지의 것을 쓰기').
 studio_word(forget, 'Discard the journal', '일지 버리기').
 studio_word(force, 'Write it nevertheless', '그래도 쓰기').
 studio_word(close, 'Close', '닫기').

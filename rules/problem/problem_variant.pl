@@ -35,8 +35,8 @@
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(filesex), [directory_file_path/3]).
 :- use_module(library(lists),
-              [ append/2, append/3, last/2, list_to_set/2, member/2, nth0/3, nth1/3,
-                select/3, subtract/3 ]).
+              [ append/2, append/3, last/2, list_to_set/2, member/2, nth0/3,
+                nth1/3, select/3, subtract/3 ]).
 :- use_module(library(option), [option/2, option/3]).
 :- use_module(library(yall), [(>>)/4]).
 /** <module> One variant of a problem: what is asked of it, and what is true.

@@ -21,8 +21,8 @@
 :- use_module('../store', [in_world/2, new_world/1, segment/3]).
 :- use_module('../unfolding/unfold', [unfoldable/1, wanted_of/3, wishes/3]).
 :- use_module(journal,
-              [ journal_begun/4, journal_closed/1, journal_line/2,
-                journal_steps/3
+              [ journal_begun/5, journal_closed/1, journal_line/2,
+                journal_steps/3, journal_whole/3
               ]).
 :- use_module(job, [with_input/2]).
 :- use_module(protocol, [octets_text/2, text_octets/2]).
@@ -267,10 +267,23 @@ open_committed(opened(File, Kind, State, Digest), Journal0, Steps) :-
 %   model_text(File, Text, Steps, Journal, Head): Journal is file(Path) or none.
 
 model_text(File, Text, Steps, Journal, Head) :-
-    catch(read_file_to_string(File, Text, [encoding(utf8)]), error(_, _),
+    catch(read_file_to_string(File, Text0, [encoding(utf8)]), error(_, _),
           load_model(File)),            % says what is wrong
-    digest(Text, Digest),
     journal_path(Head, File, Path),
+    (   get_dict(replay, Head, "journal"),
+        Path \== none,
+        journal_whole(Path, Text, Steps)
+    ->  Journal = file(Path),
+        rules_allowed(Steps, Head)
+    ;   Text = Text0,
+        text_steps(Path, Text, Head, Steps, Journal)
+    ).
+
+%   text_steps(Path, Text, Head, Steps, Journal): the steps from Text on that
+%   the journal Path has.
+
+text_steps(Path, Text, Head, Steps, Journal) :-
+    digest(Text, Digest),
     (   Path == none
     ->  Steps = [],
         Journal = none
@@ -343,7 +356,8 @@ usual_path(File, Path) :-
 journal_opened(none, _, _, _, none).
 journal_opened(file(Path), File, Digest, Steps, Journal) :-
     atom_concat(Path, '.new', New),
-    journal_begun(New, File, Digest, Journal),
+    content_(Digest, Text, ""),
+    journal_begun(New, File, Digest, Text, Journal),
     catch(( forall(member(Step, Steps), journal_line(Journal, Step)),
             rename_file(New, Path)
           ),
@@ -454,10 +468,11 @@ change_committed(Kept, State) :-
     assertz(document(File, text, Revision, State, Saved, Journal)),
     contents_swept.
 
-%!  document_reloaded(+Head:dict, -Reply:dict, -Octets, -Commit:callable) is det.
+%!  document_reloaded(+Head:dict, -Reply:dict, -Octets,
+%!                    -Commit:callable) is det.
 %
-%   Another program wrote the file. When Commit has been called, its text is that
-%   of the document: a change like any other. With Head.look true nothing is
+%   Another program wrote the file. When Commit has been called, its text is
+%   that of the document: a change like any other. With Head.look true nothing is
 %   changed, and Octets is the text of the file.
 %
 %   @error model_error(What), request_error(What)
@@ -729,7 +744,7 @@ document_saved(Head, Reply) :-
     ->  true
     ;   not_changed(File, File0, Saved)
     ),
-    digest(Text, Digest),
+    content(Text, "", Digest),
     first_steps(Rules, Steps),
     save_step(Rules, Digest, Step),
     journal_line(Journal0, Step),

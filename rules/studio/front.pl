@@ -5,11 +5,12 @@
 :- use_module('../version', [version/1]).
 :- use_module(visitor_answer, [class_begun/1, class_file/1, class_pupil/2]).
 :- use_module(guard,
-              [ host_allowed/2, is_loopback/1, new_secret/1, origin_allowed/2,
-                pupil_secret/1, same_secret/2, security_header/2 ]).
+              [ behind_begun/1, host_allowed/2, is_loopback/1, new_secret/1,
+                origin_allowed/2, pupil_secret/1, same_secret/2, security_header/2 ]).
 :- use_module(page_file, [page_file/3, page_words/1]).
 :- use_module(visitor,
-              [ download_taken/3, upload_taken/2, uploads/2, visitor_answered/3, visitor_asks/4,
+              [ download_taken/3, upload_taken/2, uploads/2,
+                visitor_answered/3, visitor_asks/4,
                 visitor_joined/4, visitor_left/1, visitor_refused/3,
                 visitors_ended/0, visitors_watched/1 ]).
 :- use_module(protocol, [text_octets/2]).
@@ -42,7 +43,8 @@ usual_port(1989).
 %
 %   Serve the studio until it is interrupted, which is raised. Model is the
 %   file that pages show first, or `none`. Options are those of the verb serve:
-%   port(N), host(Address), class(Boolean), problems(File), open(Boolean).
+%   port(N), host(Address), class(Boolean), problems(File), behind(URL),
+%   open(Boolean).
 %
 %   @error usage_error(port_taken(Port)), usage_error(no_address(Host)),
 %   usage_error(host_needs_class(Host))
@@ -60,13 +62,18 @@ front(Model, Options, 130) :-
     ->  option(class(Class), Options, false)
     ;   Class = true
     ),
-    (   ( is_loopback(Host) ; Class == true )
+    option(behind(Behind), Options, none),
+    behind_begun(Behind),
+    (   ( is_loopback(Host) ; Class == true ; Behind \== none )
     ->  true
     ;   throw(error(usage_error(host_needs_class(Host)), _))
     ),
     libraries_loaded,
     bound_socket(Host, Options, Socket, Port),
-    (   is_loopback(Host)
+    (   Behind \== none
+    ->  Owner = false,
+        print_message(warning, sanggwan(studio(behind(Behind, Host, Port))))
+    ;   is_loopback(Host)
     ->  Owner = true
     ;   Owner = false,
         print_message(warning, sanggwan(studio(open_to_others(Host, Port))))
@@ -79,24 +86,36 @@ front(Model, Options, 130) :-
            http_server(sg_front:answered,
                        [ port(Host:Port), tcp_socket(Socket), workers(5),
                          timeout(20), keep_alive_timeout(5), silent(true) ])),
-    shown_at(Host, Name),
-    format(string(Address), "http://~w:~d/#~w", [Name, Port, Token]),
+    page_address(Behind, Host, Port, Page),
+    format(string(Address), "~w#~w", [Page, Token]),
     format("~w~n", [Address]),
-    class_opened(Class, Name, Port),
+    class_opened(Class, Page),
     class_begun(Problems),
     flush_output,
     opened_in_browser(Options, Address),
     setup_call_cleanup(true, watching, ( pages_closed, visitors_ended )).
 
-%   class_opened(Class, Name, Port): the address for pupils is printed too.
+%   page_address(Behind, Host, Port, Page): where people find the page.
 
-class_opened(true, Name, Port) :-
+page_address(none, Host, Port, Page) :-
+    !,
+    shown_at(Host, Name),
+    format(atom(Page), "http://~w:~d/", [Name, Port]).
+page_address(URL, _, _, Page) :-
+    (   sub_atom(URL, _, 1, 0, /)
+    ->  Page = URL
+    ;   atom_concat(URL, /, Page)
+    ).
+
+%   class_opened(Class, Page): the address for pupils is printed too.
+
+class_opened(true, Page) :-
     new_secret(Secret),
     sub_string(Secret, 0, 10, _, Code),
     retractall(class_code(_)),
     assertz(class_code(Code)),
-    format("http://~w:~d/#~w~n", [Name, Port, Code]).
-class_opened(false, _, _).
+    format("~w#~w~n", [Page, Code]).
+class_opened(false, _).
 
 %   problems_file(Problems0, Problems): those of a class; what is wrong with the
 %   file is said before anything is opened.

@@ -1,6 +1,7 @@
 :- module(sg_guard,
           [ host_allowed/2,             % +Request, +Front
             origin_allowed/2,           % +Request, +Front
+            behind_begun/1,             % +URL
             is_loopback/1,              % +Address
             same_secret/2,              % +Given, +Token
             new_secret/1,               % -Token
@@ -31,6 +32,46 @@ get there.
                 *          ADDRESSES           *
                 *******************************/
 
+% behind_(Place, Origin): a proxy has the page of this front at Place, host and
+% port, and Origin is that of pages there.
+:- dynamic behind_/2.
+
+%!  behind_begun(+URL) is det.
+%
+%   A proxy sends what is asked of URL, as http://host/path/, to this front; or
+%   no proxy does, if URL is `none`.
+%
+%   @error usage_error(behind(URL))
+
+behind_begun(URL) :-
+    retractall(behind_(_, _)),
+    (   URL == none
+    ->  true
+    ;   member(Scheme-Port, ['https://'-443,'http://'-80]),
+        atom_concat(Scheme, Rest, URL),
+        atomic_list_concat([Place0|_], /, Rest),
+        place_of(Place0, Port, Host, Given),
+        atom_chars(Host, Chars),
+        Chars \== [],
+        forall(member(Char, Chars),
+               ( char_type(Char, csym) ; memberchk(Char, [.,-]) ))
+    ->  downcase_atom(Place0, Place),
+        atom_concat(Scheme, Place, Origin),
+        assertz(behind_(Host-Given, Origin))
+    ;   throw(error(usage_error(behind(URL)), _))
+    ).
+
+%   place_of(Place, Usual, Host, Port)
+
+place_of(Place, Usual, Host, Port) :-
+    (   atomic_list_concat([Host0,Text], :, Place)
+    ->  atom_number(Text, Port),
+        integer(Port)
+    ;   Host0 = Place,
+        Port = Usual
+    ),
+    downcase_atom(Host0, Host).
+
 %!  host_allowed(+Request, +Front) is semidet.
 %
 %   The HTTP request Request says, once, that it is for Front, front(Bound,
@@ -38,8 +79,14 @@ get there.
 %   to.
 
 host_allowed(Request, front(Bound,Port,_,_)) :-
-    findall(Host-Given, host_given(Request, Host, Given), [Name-Port]),
-    host_name(Bound, Name).
+    findall(Host-Given, host_given(Request, Host, Given), [Name-Asked]),
+    (   Asked == Port,
+        host_name(Bound, Name)
+    ->  true
+    ;   downcase_atom(Name, Lower),
+        behind_(Lower-Given, _),
+        memberchk(Asked, [Given,80])    % a host without a port is read as 80
+    ).
 
 host_given(Request, Host, Port) :-
     member(host(Host), Request),
@@ -78,6 +125,12 @@ is_octet(Part) :-
 
 origin_allowed(Request, front(Bound,Port,_,_)) :-
     findall(Origin, member(origin(Origin), Request), [Origin]),
+    (   behind_(_, Origin)
+    ->  true
+    ;   own_origin(Origin, Bound, Port)
+    ).
+
+own_origin(Origin, Bound, Port) :-
     atom_concat('http://', Place, Origin),
     (   atomic_list_concat([Name,PortText], :, Place)
     ->  atom_number(PortText, Port)

@@ -1,7 +1,8 @@
 :- module(sg_journal,
-          [ journal_begun/4,            % +Path, +File, +Digest, -Journal
+          [ journal_begun/5,            % +Path, +File, +Digest, +Text, -Journal
             journal_line/2,             % +Journal, +Step
             journal_steps/3,            % +Path, +Digest, -Steps
+            journal_whole/3,            % +Path, -Text, -Steps
             journal_closed/1            % +Journal
           ]).
 :- use_module('../kernel', [atomic_sync/1]).
@@ -17,17 +18,18 @@ change was made. So nothing is lost when the process is killed, or the machine
 loses its power. A last line that is not complete was told to nobody.
 */
 
-%!  journal_begun(+Path, +File, +Digest, -Journal) is det.
+%!  journal_begun(+Path, +File, +Digest, +Text, -Journal) is det.
 %
-%   Path is a new journal of File, the text of which has this Digest. An old
-%   one is gone.
+%   Path is a new journal of File, which holds Text with this Digest. An old one
+%   is gone.
 
-journal_begun(Path, File, Digest, Journal) :-
+journal_begun(Path, File, Digest, Text, Journal) :-
     file_directory_name(Path, Folder),
     catch(make_directory_path(Folder), error(_, _), true),
     open(Path, write, Journal, [encoding(utf8), newline(posix)]),
     atom_string(File, Name),
-    catch(journal_line(Journal, _{journal:1, file:Name, digest:Digest}),
+    catch(journal_line(Journal, _{ journal:1, file:Name, digest:Digest,
+                                  text:Text }),
           Error,
           ( journal_closed(Journal),
             throw(Error)
@@ -93,6 +95,24 @@ journal_steps(Path, Digest, Steps) :-
     ->  Steps = []
     ;   Steps = other
     ).
+
+%!  journal_whole(+Path, -Text, -Steps) is semidet.
+%
+%   Path is a journal that began with Text; Steps are all changes since,
+%   whatever the file holds.
+
+journal_whole(Path, Text, Steps) :-
+    exists_file(Path),
+    setup_call_cleanup(
+        open(Path, read, In, [encoding(utf8)]),
+        ( step(In, Head),
+          get_dict(journal, Head, 1),
+          get_dict(text, Head, Text),
+          string(Text),
+          steps(In, Steps0)
+        ),
+        close(In)),
+    exclude(is_save, Steps0, Steps).
 
 is_save(Step) :-
     get_dict(do, Step, "save").

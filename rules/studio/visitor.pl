@@ -39,7 +39,7 @@ one, and the journal of the document has all that was answered.
 % pending_(Number, Visitor, Socket, Id, Do, Since, File): Number is the id that
 % the session knows. revision_(Visitor, Revision); used_(Visitor, Time);
 % opened_(Visitor, File, Time): what is open, and when it was written, as far as
-% pages know. download_(Ticket, Path, Name, Until); folder_(Folder): of downloads.
+% pages know. download_(Ticket, Path, Name, Until); folder_(Folder): of these.
 :- dynamic session_/4, socket_/3, pending_/7, revision_/2, used_/2,
            opened_/3, download_/4, folder_/1.
 

@@ -3,9 +3,11 @@ English and in Korean: what people do, and what they see then."""
 import json
 import os
 import re
+import socket
 import struct
 import subprocess
 import sys
+import threading
 import time
 
 sys.path[:0] = [os.path.dirname(os.path.abspath(__file__)),
@@ -158,6 +160,135 @@ def kinds(language):
         "getComputedStyle(p).display !== 'none').length") == 1)
     browser.script("studio.ports.enlarge(studio.ports.ports[0])")
     turned_to("iso")
+
+
+def file_changed(language):
+    """Another program writes the file: one step; or whoever looks chooses."""
+    path = os.path.join(models, "tee.pl")
+    for _ in range(9):
+        front_page.ask("save", force=True)
+        browser.script("studio.changes = 0")
+        text = front_page.ask("text")[1].decode()
+        if open(path).read() == text:
+            break
+    with open(path, "w") as out:
+        out.write(text.replace("radius(1)", "radius(0.95)", 1))
+    check(language + ": what another program wrote", browser.wait(
+        "JSON.stringify(studio.tree.model).includes('0.95')"), browser.log())
+    browser.script("studio.change('undo')")
+    for _ in range(200):
+        if front_page.ask("text")[1].decode() == text:
+            break
+        time.sleep(0.02)
+    check(language + ": one undo takes it back",
+          front_page.ask("text")[1].decode() == text)
+    browser.wait("studio.changes > 0")
+    with open(path, "w") as out:
+        out.write(text + "% theirs\n")
+    check(language + ": asked, if both changed", browser.wait(
+        "document.querySelectorAll('#banner button').length === 4"),
+        browser.script("return document.getElementById('banner')"
+                       ".textContent"))
+    browser.script("document.querySelectorAll('#banner button')[1].click()")
+    check(language + ": both texts side by side", browser.wait(
+        "[...document.querySelectorAll('dialog[open] .other')].map(s => "
+        "s.textContent).join('').includes('% theirs')"))
+    browser.script("document.querySelector('dialog .main').click()")
+    for _ in range(200):
+        if front_page.ask("text")[1].decode().endswith("% theirs\n"):
+            break
+        time.sleep(0.02)
+    check(language + ": taken", front_page.ask("text")[1].decode().endswith(
+        "% theirs\n"))
+    sent = os.path.join(models, "..", "sent %s.pl" % language)
+    with open(sent, "w") as out:
+        out.write("segment(1, solid, box(size(1, 2, 3))).\n")
+    browser.script("document.querySelector('#bar [data-word=open]').click()")
+    browser.keys(os.path.realpath(sent), "#bar input[type=file]")
+    check(language + ": a file of the reader", browser.wait(
+        "studio.segments.length === 1 && studio.file === arguments[0]",
+        os.path.basename(sent)), browser.log())
+    browser.script("studio.opened('tee.pl', null, { replay: false })")
+    browser.wait("studio.file === 'tee.pl' && studio.segments.length > 1")
+    browser.wait("document.getElementById('banner').hidden")
+    with open(path, "w") as out:
+        out.write(MODEL)
+    for _ in range(200):
+        if front_page.ask("text")[1].decode() == MODEL:
+            break
+        time.sleep(0.02)
+
+
+class Proxy(threading.Thread):
+    """A reverse proxy: /folder/x at its own port is /x there."""
+
+    def __init__(self, port):
+        super().__init__(daemon=True)
+        self.there = port
+        self.listening = socket.create_server(("127.0.0.1", 0))
+        self.port = self.listening.getsockname()[1]
+
+    def run(self):
+        while True:
+            page, _ = self.listening.accept()
+            threading.Thread(target=self.one, args=(page,),
+                             daemon=True).start()
+
+    def one(self, page):
+        head = b""
+        while b"\r\n\r\n" not in head:
+            octets = page.recv(65536)
+            if not octets:
+                return
+            head += octets
+        head = head.replace(b" /folder/", b" /", 1)
+        if b"Upgrade: websocket" not in head:
+            head = head.replace(b"Connection: keep-alive",
+                                b"Connection: close")
+        try:
+            other = socket.create_connection(("127.0.0.1", self.there))
+        except OSError:
+            page.close()
+            return
+        other.sendall(head)
+        threading.Thread(target=self.copied, args=(page, other),
+                         daemon=True).start()
+        self.copied(other, page)
+
+    @staticmethod
+    def copied(one, other):
+        try:
+            while True:
+                octets = one.recv(65536)
+                if not octets:
+                    break
+                other.sendall(octets)
+            other.shutdown(socket.SHUT_WR)
+        except OSError:
+            pass
+
+
+def behind_a_proxy():
+    free = socket.create_server(("127.0.0.1", 0))
+    port = free.getsockname()[1]
+    free.close()
+    proxy = Proxy(port)
+    proxy.start()
+    own = os.path.join(folder, "behind")
+    os.makedirs(own)
+    with open(os.path.join(own, "tee.pl"), "w") as out:
+        out.write(MODEL)
+    room = Front(program, own, "tee.pl", (
+        "--behind", "http://127.0.0.1:%d/folder/" % proxy.port),
+        dict(env, XDG_STATE_HOME=own), port)
+    browser.open("about:blank")
+    browser.open(room.address)
+    check("behind a proxy", browser.wait(
+        "studio.ready && studio.ports.ports[0].picture.shown"),
+        (room.address, browser.log()))
+    room.process.kill()
+    room.process.communicate()
+    browser.log()
 
 
 def as_a_file(language, words):
@@ -380,6 +511,7 @@ def flows(language):
     browser.wait("document.getElementById('banner').hidden")
 
     kinds(language)
+    file_changed(language)
 
     if language == "ko":
         as_a_file(language, words)
@@ -470,6 +602,8 @@ for language in ("en", "ko"):
             check("nothing is wider than it", browser.script(
                 "return document.documentElement.scrollWidth <= innerWidth"))
         browser.size(1440, 900)
+        if language == "en":
+            behind_a_proxy()
         a_class(language)
         browser.open(front.address)
         browser.wait("studio.ready")

@@ -15,15 +15,20 @@ class Refused(Exception):
 
 
 class Front:
-    def __init__(self, program, folder, model=None, arguments=(), env=None):
+    def __init__(self, program, folder, model=None, arguments=(), env=None,
+                 port=None):
         self.process = subprocess.Popen(
             [program, "serve", "--no-open",
-             *([model] if model else []), *arguments],
+             *([model] if model else []), *arguments,
+             *(["--port", str(port)] if port else [])],
             cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
             stderr=subprocess.PIPE, env=env)
         self.address = self.process.stdout.readline().decode().strip()
         place, self.token = self.address.split("/#")
-        self.host, port = place[len("http://"):].split(":")
+        if port is None:
+            self.host, port = place[len("http://"):].split(":")
+        else:
+            self.host = "127.0.0.1"
         self.port = int(port)
 
     def get(self, path, method="GET", headers=None, body=None):

@@ -422,6 +422,23 @@ check("and no kill", "error" not in head and page.ask("text")[1] == text,
 check("no path of this machine is told", folder not in json.dumps(head) and
       folder not in json.dumps(page.ask("open", file="none.pl")[0]) and
       folder not in json.dumps(page.ask("text", body="x(")[0]), head)
+page.ask("edit", set={"segment": 2, "path": [2, 2, 1, 1], "value": 0.63})
+mine = page.ask("text")[1]
+with open(os.path.join(models, "tee.pl"), "a") as out:
+    out.write("% a third\n")
+os.kill(again.sessions()[0], signal.SIGKILL)
+while page.hear()[0] != {"event": "restarted"}:
+    pass
+check("two who wrote, and a kill", code(page.ask("open", file="tee.pl"))
+      == "request_error.journal_of_another")
+head, _ = page.ask("open", file="tee.pl", replay="journal")
+check("what was changed here is there", "error" not in head and
+      page.ask("text")[1] == mine, head)
+check("the file is not written over", code(page.ask("save"))
+      == "request_error.file_changed")
+check("what is there may be taken", "error" not in page.ask("reload")[0] and
+      page.ask("text")[1].decode().endswith("% a third\n"))
+page.ask("edit", set={"segment": 2, "path": [2, 2, 1, 1], "value": 0.62})
 page.ask("save")
 time.sleep(1.3)
 check("what the page saved is no news", not any(
@@ -454,6 +471,42 @@ check("a name of others", front.get(
 check("an address", front.get(
     "/", headers={"Host": "10.1.2.3:%d" % front.port})[0] == 200)
 page.close()
+
+# Behind a proxy: its address too, and no other.
+free = socket.socket()
+free.bind(("127.0.0.1", 0))
+number = free.getsockname()[1]
+free.close()
+for url in ("h.example", "ftp://h.example/", "https://", "https://a b/",
+            "https://h.example:x/", "https://u@h.example/", "javascript:x"):
+    done = subprocess.run([program, "serve", "--no-open", "--behind", url],
+                          cwd=models, stdout=subprocess.PIPE, check=False,
+                          stderr=subprocess.PIPE, timeout=20)
+    check("behind %s" % url, done.returncode == 2 and b"--behind" in
+          done.stderr, done)
+own, front = front, Front(program, models, "tee.pl", (
+    "--behind", "https://h.example/sanggwan"), env, number)
+check("the address of the proxy is printed", front.address.startswith(
+    "https://h.example/sanggwan/#"), front.address)
+for host, status in (("h.example", 200), ("127.0.0.1:%d" % number, 200),
+                     ("H.EXAMPLE", 200), ("evil.example", 400),
+                     ("h.example.evil.example", 400), ("xh.example", 400),
+                     ("h.example:81", 400)):
+    check("behind: host " + host, front.get("/", headers={"Host": host})[0]
+          == status)
+page = front.socket(Host="h.example", Origin="https://h.example")
+page.say({"id": 0, "do": "hello", "token": front.token})
+check("behind: not the owner", page.hear()[0]["owner"] is False)
+for origin in ("http://h.example", "https://evil.example",
+               "https://h.example:444", "https://h.example.evil.example",
+               "null", None):
+    refused("behind: origin %s" % origin, 403, Host="h.example",
+            Origin=origin)
+page.close()
+time.sleep(0.05)
+_, _, error = front.end()
+check("behind: said", b"h.example" in error and b"127.0.0.1" in error, error)
+front = own
 
 # A class: each pupil has a world; nobody but the owner writes a file.
 class_code = joined.split("/#")[1]
