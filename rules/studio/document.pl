@@ -472,8 +472,8 @@ change_committed(Kept, State) :-
 %!                    -Commit:callable) is det.
 %
 %   Another program wrote the file. When Commit has been called, its text is
-%   that of the document: a change like any other. With Head.look true nothing is
-%   changed, and Octets is the text of the file.
+%   that of the document: a change like any other. With Head.look true nothing
+%   is changed, and Octets is the text of the file.
 %
 %   @error model_error(What), request_error(What)
 

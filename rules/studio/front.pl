@@ -6,7 +6,8 @@
 :- use_module(visitor_answer, [class_begun/1, class_file/1, class_pupil/2]).
 :- use_module(guard,
               [ behind_begun/1, host_allowed/2, is_loopback/1, new_secret/1,
-                origin_allowed/2, pupil_secret/1, same_secret/2, security_header/2 ]).
+                origin_allowed/2, pupil_secret/1, same_secret/2,
+                security_header/2 ]).
 :- use_module(page_file, [page_file/3, page_words/1]).
 :- use_module(visitor,
               [ download_taken/3, upload_taken/2, uploads/2,

@@ -18,7 +18,7 @@
                 upload_name/1 ]).
 :- use_module(protocol, [frame_read/4, frame_write/3, text_octets/2]).
 :- use_module(request, [request_error/1]).
-:- use_module(library(filesex), 
+:- use_module(library(filesex),
               [delete_directory_and_contents/1, make_directory_path/1]).
 :- use_module(library(http/json), [json_write_dict/3]).
 :- use_module(library(lists), [append/3, member/2]).
