@@ -1,13 +1,15 @@
 :- module(sg_cityjson,
           [ read_cityjson/2             % +File, +Options
           ]).
+:- use_module('../kernel', [shape_write/4]).
 :- use_module('../limits', [limit_value/2]).
 :- use_module('../store', [assert_fact/1, fresh_id/3]).
-:- use_module(library(apply), [foldl/4, foldl/5, maplist/3]).
+:- use_module(library(apply), [foldl/4, foldl/5, maplist/2, maplist/3]).
 :- use_module(library(assoc),
-              [empty_assoc/1, get_assoc/3, put_assoc/4]).
+              [get_assoc/3, ord_list_to_assoc/2]).
 :- use_module(library(lists),
-              [append/2, append/3, last/2, member/2, nth0/3, nth1/3]).
+              [ append/2, append/3, last/2, member/2, nth0/3, nth1/3,
+                same_length/2 ]).
 :- use_module(library(option), [option/2]).
 /** <module> CityJSON: buildings and terrain as solids, surfaces and lines.
 
@@ -79,7 +81,8 @@ place(Context, Line) :-
     ).
 
 fault(Path, Why) :-
-    throw(cityjson(Path, Why)).
+    path_text(Path, Text),
+    throw(cityjson(Text, Why)).
 
 %   city_read(Json, Options, Counts): counts(Segments, Open, LeftOut).
 
@@ -247,20 +250,34 @@ nested(Depth, List, Path) :-
     ->  true
     ;   fault(Path, nesting)
     ),
-    forall(nth0(I, List, Item),
-           (   Depth =:= 1
-           ->  (   integer(Item)
-               ->  true
-               ;   item_path(Path, I, At),
-                   fault(At, index(Item))
-               )
-           ;   item_path(Path, I, At),
-               Depth1 is Depth-1,
-               nested(Depth1, Item, At)
-           )).
+    (   Depth =:= 1,
+        maplist(integer, List)
+    ->  true
+    ;   items_nested(List, 0, Depth, Path)
+    ).
 
-item_path(Path, I, At) :-
-    format(atom(At), '~w/~d', [Path, I]).
+items_nested([], _, _, _).
+items_nested([Item|Items], I, Depth, Path) :-
+    item_path(Path, I, At),
+    (   Depth > 1
+    ->  Depth1 is Depth-1,
+        nested(Depth1, Item, At)
+    ;   integer(Item)
+    ->  true
+    ;   fault(At, index(Item))
+    ),
+    I1 is I+1,
+    items_nested(Items, I1, Depth, Path).
+
+%   item_path(Path, I, At): a path is an atom, or Path/I: it is seldom told.
+
+item_path(Path, I, Path/I).
+
+path_text(Path/I, Text) :-
+    !,
+    path_text(Path, Text0),
+    format(atom(Text), '~w/~d', [Text0, I]).
+path_text(Path, Path).
 
 type_read("Solid", Shells, Path, Vertices, Id, Counts0, Counts) :-
     solid_read(Id, Vertices, Path, Shells, _, Counts0, Counts).
@@ -309,7 +326,7 @@ solid_read(Name, Vertices, Path, Shells, S, Counts0, Counts) :-
     findall(At-Surface,
             ( nth0(I, Shells, Surfaces),
               nth0(J, Surfaces, Surface),
-              format(atom(At), '~w/~d/~d', [Path, I, J]) ),
+              At = Path/I/J ),
             Numbered),
     surfaces_rings(Numbered, Vertices, Faces),
     (   closed(Faces)
@@ -359,13 +376,12 @@ ring(Ring0, Path, Count, Ring) :-
     ).
 
 indices_there(Indices, Path, Count) :-
-    forall(nth0(I, Indices, Index),
-           (   Index >= 0,
-               Index < Count
-           ->  true
-           ;   item_path(Path, I, At),
-               fault(At, index(Index, Count))
-           )).
+    (   nth0(I, Indices, Index),
+        ( Index < 0 ; Index >= Count )
+    ->  item_path(Path, I, At),
+        fault(At, index(Index, Count))
+    ;   true
+    ).
 
 %   closed(Faces): each edge has its opposite.
 
@@ -376,11 +392,13 @@ closed(Faces) :-
     findall(B-A, member(A-B, Edges0), Turned0),
     msort(Turned0, Edges).
 
-ring_edge(Ring, A, B) :-
-    Ring = [First|Rest],
-    append(Rest, [First], Next),
-    nth1(I, Ring, A),
-    nth1(I, Next, B).
+ring_edge([First|Rest], A, B) :-
+    pair_of([First|Rest], First, A, B).
+
+pair_of([A], First, A, First).
+pair_of([A,B|_], _, A, B).
+pair_of([_,B|Rest], First, A0, B0) :-
+    pair_of([B|Rest], First, A0, B0).
 
 
                 /*******************************
@@ -391,20 +409,36 @@ faces_written(Kind, Name, Vertices, Faces, S) :-
     fresh_id(segment, 0, S),
     assert_fact(segment(S, Kind, Name)),
     append(Faces, Rings),
-    append(Rings, Indices),
-    vertices_written(S, Indices, Vertices, Ids),
-    foldl(face_written(S, Ids), Faces, 1-1, _).
+    append(Rings, Indices0),
+    sort(Indices0, Indices),
+    numbered(Indices, Ids),
+    (   maplist(same_length([_]), Faces),
+        maplist(maplist(id_of(Ids)), Rings, Chains),
+        maplist(place_of(Vertices), Indices, Points),
+        shape_write(S, Points, Chains, true)
+    ->  true
+    ;   foldl(vertex_written(S, Vertices), Indices, 1, _),
+        foldl(face_written(S, Ids), Faces, 1-1, _)
+    ).
+
+%   numbered(Indices, Ids): those of vertices, in order, from 1.
+
+numbered(Indices, Ids) :-
+    findall(Index-V, nth1(V, Indices, Index), Pairs),
+    ord_list_to_assoc(Pairs, Ids).
+
+place_of(Vertices, Index, point(X,Y,Z)) :-
+    Arg is Index+1,
+    arg(Arg, Vertices, p(X,Y,Z)).
 
 vertices_written(S, Indices0, Vertices, Ids) :-
     sort(Indices0, Indices),
-    empty_assoc(Empty),
-    foldl(vertex_written(S, Vertices), Indices, Empty-1, Ids-_).
+    numbered(Indices, Ids),
+    foldl(vertex_written(S, Vertices), Indices, 1, _).
 
-vertex_written(S, Vertices, Index, Ids0-V, Ids-V1) :-
-    Arg is Index+1,
-    arg(Arg, Vertices, p(X,Y,Z)),
+vertex_written(S, Vertices, Index, V, V1) :-
+    place_of(Vertices, Index, point(X,Y,Z)),
     assert_fact(v(S, V, X, Y, Z)),
-    put_assoc(Index, Ids0, V, Ids),
     V1 is V+1.
 
 face_written(S, Ids, Rings, P-E0, P1-E) :-
