@@ -8,11 +8,12 @@
 :- use_module(pattern_title, [piece_title/3]).
 :- use_module('../development/polygon_name', [polygon_name/3]).
 :- use_module('../store', [segment/3]).
+:- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- use_module(library(lists), [append/2, member/2]).
 :- use_module(library(option), [option/3]).
-:- use_module(library(pairs), [group_pairs_by_key/2]).
+:- use_module(library(pairs), [group_pairs_by_key/2, pairs_values/2]).
 /** <module> What is to be written on a piece of a pattern.
 */
 
@@ -24,14 +25,20 @@
 %   of seam_numbers/2.
 
 wanted_texts(Options, Numbers, Placed, Wanted) :-
-    findall(Want, seam_text(Placed, Options, Numbers, Want), Seams),
+    findall(Length-Want, seam_text(Placed, Options, Numbers, Length, Want),
+            Ranked0),
+    keysort(Ranked0, Ranked),
+    pairs_values(Ranked, Seams),
     generator_texts(Placed, Generators),
     findall(Want, face_or_angle_text(Placed, Options, Want), Others),
     findall(Want, title_text(Placed, Options, Want), Titles),
     append([Seams,Generators,Titles,Others], Wanted).
 
-seam_text(placed(Name,_,_,Lines,Sides), Options, Numbers,
-          want(number,Name,Text,[4.0,3.2,2.5,2.0,1.6],
+%   seam_text(Placed, Options, Numbers, Length, Want): Length is that of the
+%   longest place. Short ones, which leave less choice, come first.
+
+seam_text(placed(Name,_,_,Lines,Sides), Options, Numbers, Longest,
+          want(number,Name,Text,[4.0,3.2,2.5,2.0,1.6,1.3],
                first_of([beside(Places),beside(Tabs),
                          over_folds(beside(Places))]))) :-
     option(numbers(true), Options, true),
@@ -47,9 +54,14 @@ seam_text(placed(Name,_,_,Lines,Sides), Options, Numbers,
     findall(Place, ( member(Seam, Some), get_assoc(Seam, Placed, Place) ),
             Sided),
     findall(A-B, member(place(_,A,B), Sided), Places),
+    aggregate_all(max(Length), ( member(A-B, Places), length_of(A, B, Length) ),
+                  Longest),
     findall(Tab, ( member(Place, Sided), tab_at(Place, Folds, Tab) ), Tabs),
     option(partner_sheets(Sheets), Options, none),
     partner_text(N, Name, Sheets, Text).
+
+length_of(XA-YA, XB-YB, Length) :-
+    Length is sqrt((XB-XA)**2 + (YB-YA)**2).
 
 %   partner_text(N, Name, Sheets, Text): with the number of the sheet that the
 %   partner is on, if that is another one and there is room.

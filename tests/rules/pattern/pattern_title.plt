@@ -1,6 +1,6 @@
 /* What the pieces of several patterns are called, and where that is written. */
 :- module(test_pattern_title, []).
-% covers: pattern_want
+
 :- use_module(library(plunit)).
 :- use_module(library(apply)).
 :- use_module(library(lists)).
