@@ -9,6 +9,7 @@
 :- use_module('../kernel', [census/1]).
 :- use_module('../language', [language/1]).
 :- use_module('../plain', [plain_json/2, plain_text/2]).
+:- use_module('../pattern/pattern_yield', [pattern_yield/2]).
 :- use_module('../pattern/pattern_title', [pattern_title/2]).
 :- use_module(report, [counted/4]).
 :- use_module('../development/seam_measure', [pattern_area/2, seam_drawn/3]).
@@ -34,13 +35,24 @@
 unfold_report(Ds, Options) :-
     census(Parts),
     maplist(pattern_measures(Parts), Ds, All0),
-    maplist(measured_if_bent(Options), All0, All),
+    maplist(measured_if_bent(Options), All0, All1),
+    maplist(with_yield(Options), All1, All),
     (   option(json(true), Options)
     ->  plain_json(current_output,
                    json_write_dict(current_output, All, [width(78)])),
         nl
     ;   language(Language),
         maplist(print_pattern(Language), All)
+    ).
+
+%   with_yield(Options, M0, M): that of all sheets together.
+
+with_yield(Options, M0, M) :-
+    (   option(drawings(Drawings), Options),
+        \+ option(tile(true), Options)
+    ->  pattern_yield(Drawings, Yield),
+        M = M0.put(Yield)
+    ;   M = M0
     ).
 
 measured_if_bent(Options0, M0, M) :-

@@ -125,6 +125,8 @@ unfold_option(option(overlap, '', number(0), 'MM',
 unfold_option(option(margin, '', number(0), 'MM',
     'free all round a page; default 10')).
 unfold_option(option(gap, '', number(0), 'MM', 'between pieces; default 3')).
+unfold_option(option(kerf, '', number(0), 'MM',
+    'how wide a cut is: outlines go outwards by half of that, holes inwards')).
 unfold_option(option(tabs, '', number(0), 'MM',
     'tabs to glue, so wide, on one side of each seam')).
 unfold_option(option('tab-sides', '', one_of([one, both, alternate]), 'WHICH',
@@ -241,6 +243,8 @@ unfold_option_ko(tile,
 unfold_option_ko(overlap, '--tile과 함께: 쪽이 겹치는 너비. 기본값 10').
 unfold_option_ko(margin, '쪽 둘레의 여백. 기본값 10').
 unfold_option_ko(gap, '조각 사이의 간격. 기본값 3').
+unfold_option_ko(kerf,
+    '절단 폭: 윤곽은 그 반만큼 바깥으로, 구멍은 안쪽으로 옮긴다').
 unfold_option_ko(tabs, '접합선마다 한쪽에 붙이는 풀칠면의 너비').
 unfold_option_ko('tab-sides',
     '--tabs와 함께: 접합선의 한쪽(one, 기본값), 양쪽(both), 번갈아(alternate)').

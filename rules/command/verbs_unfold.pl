@@ -80,24 +80,42 @@ unfold_run(Files, Options, 0) :-
     options_together(Options),
     empty_roots_warned,
     roots_apart(Options),
-    asked_once(patterns_reported(Files, Options, Flags, All, Ds)),
-    laid_flat_told(Options, Ds),
-    tables_written(Options, Ds),
+    asked_once(patterns_reported(Files, Options, Flags, All, Ds, Options0)),
+    laid_flat_told(Options0, Ds),
+    tables_written(Options0, Ds),
+    with_sheet_stack(Ds,
+                     ( sheets_once(Options0, Ds, Outputs, Options1),
+                       maplist(written_to(Options1, Ds), Outputs) )).
+
+:- meta_predicate with_sheet_stack(+, 0).
+
+%   with_sheet_stack(Ds, Goal): what a polygon of Ds takes on the stacks while
+%   sheets are laid out and written.
+
+with_sheet_stack(Ds, Goal) :-
     aggregate_all(count, ( member(D, Ds), p(D, _, _) ), Polygons),
     sheet_octets(Octets),
-    with_stack_for(Polygons, Octets,
-                   ( sheets_once(Options, Ds, Outputs, Options1),
-                     maplist(written_to(Options1, Ds), Outputs) )).
+    with_stack_for(Polygons, Octets, Goal).
 
-%   sheet_octets(Octets): a polygon takes less on the stacks while sheets are
-%   laid out and written.
+%   sheet_octets(Octets): that is less than before.
 
 sheet_octets(40000).
 
-patterns_reported(Files, Options, Flags, Outputs, Ds) :-
-    catch(patterns(Options, Flags, Ds),
+%   patterns_reported(Files, Options0, Flags, Outputs, Ds, Options): a report as
+%   JSON has the yield of the sheets, which are laid out for it, and are among
+%   Options then.
+
+patterns_reported(Files, Options0, Flags, Outputs, Ds, Options) :-
+    catch(patterns(Options0, Flags, Ds),
           error(model_error(unfold(S, Wish, What)), Location),
           in_file(Files, S, Wish, What, Location)),
+    (   option(json(true), Options0),
+        member(output(_, Format), Outputs),
+        is_drawing(Format),
+        on_sheets(Format)
+    ->  with_sheet_stack(Ds, sheets_laid(Options0, Ds, Options))
+    ;   Options = Options0
+    ),
     reported(Ds, Options, Outputs).
 
 %!  world_patterns(+Options:list, -Ds:list, -DrawingOptions:list) is det.
@@ -547,13 +565,18 @@ table_output(Unit, D, File) :-
 %   sheets_once(Options0, Ds, Outputs, Options): several drawings have the same
 %   sheets; they are laid out once, with what there is to say of them.
 
-sheets_once(Options, Ds, Outputs, [drawings(Drawings)|Options]) :-
-    findall(File, ( member(output(File,Format), Outputs), on_sheets(Format) ),
-            [_,_|_]),
-    !,
+sheets_once(Options0, Ds, Outputs, Options) :-
+    (   \+ option(drawings(_), Options0),
+        findall(File,
+                ( member(output(File,Format), Outputs), on_sheets(Format) ),
+                [_,_|_])
+    ->  sheets_laid(Options0, Ds, Options)
+    ;   Options = Options0
+    ).
+
+sheets_laid(Options, Ds, [drawings(Drawings)|Options]) :-
     drawing_options(Options, DrawingOptions),
     stage(write, pattern_drawing(Ds, DrawingOptions, Drawings)).
-sheets_once(Options, _, _, Options).
 
 on_sheets(Format) :-
     is_drawing(Format),
@@ -606,7 +629,7 @@ drawing_options(Options, DrawingOptions) :-
 drawing_option(Options, Option) :-
     member(Name,
            [ page,tile,overlap,margin,gap,tabs,numbers,angles,inside,grid,
-             dashes,height,pages,fit
+             dashes,height,pages,fit,kerf
            ]),
     Option =.. [Name,_],
     option(Option, Options).

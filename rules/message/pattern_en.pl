@@ -37,6 +37,9 @@ pattern_en(too_large(N)) -->
 pattern_en(scale(Scale)) -->
     { scale_text(Scale, Text) },
     [ 'the scale is ~w'-[Text] ].
+pattern_en(yield(Share, Sheets)) -->
+    { Percent is 100*Share },
+    [ 'the pieces take ~1f % of the sheets (~D)'-[Percent, Sheets] ].
 pattern_en(no_room(Role, N)) -->
     { role_en(Role, Words) },
     [ '~w left out: ~D; there is no room for letters that can be read'
@@ -91,6 +94,10 @@ pattern_fault_en(no_height) -->
 pattern_fault_en(no_scale) -->
     [ '--pages: at no scale the pattern fits on so few pages'-[], nl,
       '  Give more --pages, a larger --page or narrower --tabs.' ].
+pattern_fault_en(kerf(Kerf, Piece)) -->
+    [ '--kerf ~w is wider than a slot, a hole or a tab of piece ~w'
+      -[Kerf, Piece], nl,
+      '  Take a narrower cut, or a larger --scale.' ].
 pattern_fault_en(margin(Margin, W-H)) -->
     [ '--margin ~w leaves no room on a page of ~w x ~w mm'-[Margin, W, H], nl,
       '  Take a smaller margin or a larger --page.' ].

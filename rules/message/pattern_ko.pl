@@ -37,6 +37,9 @@ pattern_ko(too_large(N)) -->
 pattern_ko(scale(Scale)) -->
     { scale_text(Scale, Text) },
     [ '척도는 ~w입니다'-[Text] ].
+pattern_ko(yield(Share, Sheets)) -->
+    { Percent is 100*Share },
+    [ '조각들이 용지(~D장)의 ~1f %를 차지합니다'-[Sheets, Percent] ].
 pattern_ko(no_room(Role, N)) -->
     { role_ko(Role, Words) },
     [ '읽을 수 있는 크기로 쓸 자리가 없어 ~w ~D개를 뺐습니다'-[Words, N] ].
@@ -76,6 +79,10 @@ pattern_fault_ko(no_height) -->
 pattern_fault_ko(no_scale) -->
     [ '--pages: 어떤 척도로도 그만큼 적은 쪽에 들어가지 않습니다'-[], nl,
       '  --pages를 늘리거나 더 큰 --page, 더 좁은 --tabs를 쓰십시오.' ].
+pattern_fault_ko(kerf(Kerf, Piece)) -->
+    [ '--kerf ~w: 조각 ~w의 홈이나 구멍, 풀칠면보다 넓습니다'
+      -[Kerf, Piece], nl,
+      '  절단 폭을 줄이거나 --scale을 키우십시오.' ].
 pattern_fault_ko(margin(Margin, W-H)) -->
     [ '--margin ~w: ~w x ~w mm 쪽에 남는 자리가 없습니다'-[Margin, W, H], nl,
       '  여백을 줄이거나 더 큰 --page를 쓰십시오.' ].

@@ -3,6 +3,7 @@
             pattern_layout/3            % +Ds, +Options, -Layout
           ]).
 :- use_module(pattern_fit, [fitted_pieces/5]).
+:- use_module(pattern_kerf, [kerf_strokes/4]).
 :- use_module(pattern_lines,
               [outline_loops/2, outline_strokes/3, piece_line/4]).
 :- use_module('../drawing/pattern_look', [pattern_look/5]).
@@ -23,6 +24,7 @@
 :- use_module(pattern_tile, [tiled/4]).
 :- use_module(pattern_title, [pattern_titles/2]).
 :- use_module(pattern_parted, [parted_segments/2]).
+:- use_module(pattern_yield, [pattern_yield/2]).
 :- use_module(pattern_want, [wanted_texts/4]).
 :- use_module(pattern_word, [word_lines/2, word_text/6]).
 :- use_module('../sheet/sheet_paper', [unit_millimetres/2]).
@@ -64,6 +66,7 @@ those of pattern_look.pl.
 %     - page(P): A4 to A0, perhaps with -landscape, letter, `WxH` or W-H; if not
 %       given one sheet as large as needed. margin(M): free all round, 10 mm;
 %       gap(G): between pieces, 3 mm
+%     - kerf(K): what is cut is moved outwards by K/2 mm, of holes inwards
 %     - tile(true): pieces are not divided for the page but the sheet is, into
 %       pages that overlap by overlap(O), 10 mm
 %     - tabs(W): tabs W mm wide at one side of each seam; tab_sides(On), see
@@ -97,7 +100,19 @@ pattern_drawing(Ds, Options0, Drawings) :-
         tiled(Options, Drawing, [], Tiles),
         table_pages(Ds, Options, Pages),
         append(Tiles, Pages, Drawings)
-    ;   Drawings = Drawings0
+    ;   Drawings = Drawings0,
+        told_yield(Options, Drawings)
+    ).
+
+%   told_yield(Options, Drawings): of sheets that are as large as they are, not as
+%   large as needed.
+
+told_yield(Options, Drawings) :-
+    (   ( option(page(_), Options) ; option(pages(_), Options) )
+    ->  pattern_yield(Drawings, Yield),
+        print_message(informational,
+                      sanggwan(pattern(yield(Yield.yield, Yield.sheets))))
+    ;   true
     ).
 
 %   scale_found(Ds, Options0, Options): the scale that is asked for by what
@@ -211,7 +226,9 @@ pattern_layout(Ds, Options,
     maplist(pieces_of(look(Factor,From)), Ds, Piecess),
     append(Piecess, All),
     include(has_area, All, Pieces0),
-    option(gap(Gap), Options, 3),
+    option(gap(Gap0), Options, 3),
+    option(kerf(Kerf), Options, 0),
+    Gap is Gap0+Kerf,
     pattern_paper(Options, Gap, Paper),
     pieces_points(Pieces0, Pointss),
     extent_checked(Pointss),
@@ -378,7 +395,8 @@ sheet_drawing(Layout, Options, Count, I-Laid, Drawing, Skipped) :-
     append(Wanteds, Wanted),
     written(Cuts, Folds, Wanted, Letters, Skipped),
     letters_by_piece(Letters, ByPiece),
-    maplist(piece_view(Height, ByPiece), Placed, Views),
+    option(kerf(Kerf), Options, 0),
+    maplist(piece_view(Height, Kerf, ByPiece), Placed, Views),
     sheet_view(Sheet, Options, Count-I, Views0),
     append([Views0,Views,Tables], All),
     W is round(Width*1000),
@@ -472,7 +490,7 @@ moved_corner(Move, _-P0, P) :-
 %   A view of a piece: letters, marks and folds first, so that it still hangs
 %   together when they are made; then holes, the outline last.
 
-piece_view(Height, Letters, placed(Name,_,Loops0,Lines0,_),
+piece_view(Height, Kerf, Letters, placed(Name,_,Loops0,Lines0,_),
            view(View,Strokes,Words)) :-
     Name = name(D, _, _),
     view_name(Name, View),
@@ -494,7 +512,8 @@ piece_view(Height, Letters, placed(Name,_,Loops0,Lines0,_),
     maplist(paper_loop(Height), Loops0, Loops),
     single_lines(Lines, Loops, Single),
     in_painting_order(Single, Inner),
-    outline_strokes(Loops, D, Cut),
+    outline_strokes(Loops, D, Cut0),
+    kerf_strokes(Kerf, View, Cut0, Cut),
     append([Texts, Inner, Cut], Strokes).
 
 %   single_lines(Lines, Loops, Single): those of Lines, Role-Stroke, that lie on
