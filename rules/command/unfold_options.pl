@@ -39,6 +39,12 @@ options_together(Options) :-
     ;   given(gores, Options),
         given(zones, Options)
     ->  usage_error(both_options('--gores', '--zones'))
+    ;   findall(Option,
+                ( member(Name, [tabs,lap,'lock-seam']),
+                  given(Name, Options),
+                  written(Name, Option) ),
+                [One,Other|_])
+    ->  usage_error(both_options(One, Other))
     ;   scales(Options, [One,Other|_])
     ->  usage_error(both_options(One, Other))
     ;   true

@@ -132,6 +132,11 @@ unfold_option(option(tabs, '', number(0), 'MM',
 unfold_option(option('tab-sides', '', one_of([one, both, alternate]), 'WHICH',
     'with --tabs: on one side of each seam, as is usual, on both, or on the \c
      two in turn')).
+unfold_option(option(lap, '', number(0), 'MM',
+    'lap seams: an allowance so wide on one side of each seam')).
+unfold_option(option('lock-seam', '', number(0), 'MM',
+    'grooved lock seams with pockets so wide: one and a half times that on \c
+     both sides of each seam, and where it is folded over')).
 unfold_option(option('open-slits', '', flag, '',
     'with --tabs: pieces are parted at folds wherever a slit has no room for \c
      tabs; --no-open-slits: nowhere; without either where more than a tenth \c
@@ -146,6 +151,8 @@ unfold_option(option('fold-threshold', '', number(0), 'DEGREES',
     'folds that bend less are not drawn; default 0.5')).
 unfold_option(option(inside, '', flag, '',
     'the patterns as they are seen from inside')).
+unfold_option(option(mirror, '', flag, '',
+    'also the other hand of each pattern: its mirror image')).
 unfold_option(option(grid, '', number(0.5), 'MM',
     'a grid with lines so far apart, 0.5 or more, for a check')).
 unfold_option(option(style, '', value, 'FILE',
@@ -248,6 +255,9 @@ unfold_option_ko(kerf,
 unfold_option_ko(tabs, '접합선마다 한쪽에 붙이는 풀칠면의 너비').
 unfold_option_ko('tab-sides',
     '--tabs와 함께: 접합선의 한쪽(one, 기본값), 양쪽(both), 번갈아(alternate)').
+unfold_option_ko(lap, '겹침 이음: 접합선마다 한쪽에 이만큼의 여유').
+unfold_option_ko('lock-seam',
+    '거멀접기(그루브 심): 포켓의 너비. 접합선 양쪽에 그 1.5배의 여유와 접는 선').
 unfold_option_ko('open-slits',
     '--tabs와 함께: 틈이 좁아 풀칠면이 들어가지 않는 곳마다 접는 선에서 조각을 나눈다. \c
      --no-open-slits: 나누지 않는다. 둘 다 없으면 접합선의 10분의 1 넘게 풀칠면이 없을 때만').
@@ -257,6 +267,7 @@ unfold_option_ko(names, '면의 이름: numbers(번호)나 words(base 같은 말
 unfold_option_ko(angles, '접는 각도를 쓴다').
 unfold_option_ko('fold-threshold', '이보다 적게 꺾이는 곳은 그리지 않는다. 기본값 0.5').
 unfold_option_ko(inside, '안쪽에서 본 전개도').
+unfold_option_ko(mirror, '전개도마다 좌우 대칭인 것도').
 unfold_option_ko(grid, '확인하기 위한 모눈. 간격은 0.5 이상').
 
 %!  unfold_example(-Command) is multi.

@@ -42,6 +42,7 @@
 :- use_module('../unrolling/true_table', [write_true_lengths/3]).
 :- use_module(unfold_options, [options_together/1]).
 :- use_module(unfold_report, [unfold_report/2]).
+:- use_module('../unfolding/unfold_mirror', [mirrored_pattern/2]).
 :- use_module('../unfolding/unfold_how', [how_wished/3, how_wished_of_any/2]).
 :- use_module('../unfolding/unfold_true', [true_patterns/4]).
 :- use_module('../unfolding/unfold_whole', [pattern_whole/1]).
@@ -190,10 +191,24 @@ patterns(Options, Flags, Ds) :-
     develop_options(Options, DevelopOptions),
     trimming(Options, All),
     maplist(patterns_or_none(Ss, All, DevelopOptions), Ss, Wanteds, Dss),
-    append(Dss, Ds),
+    append(Dss, Ds0),
+    mirrored_too(Options, Ds0, Ds),
     (   Ds == []
     ->  throw(error(geometry_error(unfold(all_trimmed_away)), _))
     ;   maplist(pattern_whole, Ds)
+    ).
+
+%   mirrored_too(Options, Ds0, Ds): with --mirror each of Ds0 and its mirror
+%   image.
+
+mirrored_too(Options, Ds0, Ds) :-
+    (   option(mirror(true), Options)
+    ->  findall(Pair,
+                ( member(D, Ds0),
+                  mirrored_pattern(D, M),
+                  member(Pair, [D,M]) ),
+                Ds)
+    ;   Ds = Ds0
     ).
 
 %   trims(Options): these, or the model, say that something is trimmed.
@@ -637,6 +652,10 @@ drawing_option(Options, fold_threshold(Degrees)) :-
     option('fold-threshold'(Degrees), Options).
 drawing_option(Options, table(Lengths)) :-
     option(lengths(Lengths), Options).
+drawing_option(Options, lap(Width)) :-
+    option(lap(Width), Options).
+drawing_option(Options, lock(Width)) :-
+    option('lock-seam'(Width), Options).
 drawing_option(Options, tab_sides(On)) :-
     option('tab-sides'(On), Options).
 drawing_option(Options, open_slits(Open)) :-

@@ -25,6 +25,12 @@ pattern_en(opened_by_itself(Before, After)) -->
     pattern_en(opened(Before, After)),
     [ nl, '  With --no-open-slits they stay whole; much of the seam has no \c
            tab then.' ].
+pattern_en(without_tab(D, N, Share, Seam, Es)) -->
+    { memberchk(Seam, [lap,lock]) },
+    !,
+    [ 'pattern ~d: seams without an allowance: ~D (~3g % of the length of \c
+       all); there is no room for it'-[D, N, Share] ],
+    without_tab_en(Es).
 pattern_en(without_tab(D, N, Share, Help, Es)) -->
     [ 'pattern ~d: seams without a tab: ~D (~3g % of the length of all); \c
        neither side has room for one'-[D, N, Share] ],

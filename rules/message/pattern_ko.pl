@@ -25,6 +25,12 @@ pattern_ko(opened_by_itself(Before, After)) -->
     pattern_ko(opened(Before, After)),
     [ nl, '  --no-open-slits를 쓰면 나누지 않지만, 접합선의 많은 부분에 풀칠면이 없습니다.'
     ].
+pattern_ko(without_tab(D, N, Share, Seam, Es)) -->
+    { memberchk(Seam, [lap,lock]) },
+    !,
+    [ '전개도 ~d: 이음 여유가 들어갈 자리가 없는 접합선 ~D개(전체 길이의 ~3g %)'
+      -[D, N, Share] ],
+    without_tab_ko(Es).
 pattern_ko(without_tab(D, N, Share, Help, Es)) -->
     [ '전개도 ~d: 접합선 ~D개(모든 길이의 ~3g %)에는 양쪽 어디에도 자리가 없어 \c
        풀칠면이 없습니다'-[D, N, Share] ],

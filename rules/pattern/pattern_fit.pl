@@ -2,6 +2,7 @@
           [ fitted_pieces/5             % +Pieces, +Paper, +Options, -Fitted,
                                         % -Tabs
           ]).
+:- use_module(pattern_allowance, [allowances/5]).
 :- use_module(pattern_lines, [outline_loops/2, piece_outline/3]).
 :- use_module(pattern_nest, [fits_on/2]).
 :- use_module(pattern_slit, [opened_slits/3]).
@@ -34,7 +35,8 @@ all do.
 %   them, name(D,K,Part) with Part from 1, each with its outline round its tabs
 %   (pattern_lines.pl). Tabs is tabs(Tabs,Butt): assocs, of tab(D,E,A,B) to what
 %   tabs/4 says, and of the seams D-J that have none to an edge of theirs.
-%   Options are tabs(Width), tab_sides(On), as of tabs/5, default `one`, and
+%   Options are lap(W) or lock(W), as of allowances/5, or
+%   tabs(Width), tab_sides(On), as of tabs/5, default `one`, and
 %   open_slits(Open): true, false, or `auto`, which
 %   it is if not given: where much of the seam would be without tabs. What was
 %   divided is told, except with told(false).
@@ -43,24 +45,43 @@ all do.
 %          divided, a page with room for W x H mm takes tabs of at most Most
 
 fitted_pieces(Pieces0, Paper, Options, Fitted, Tabs) :-
-    option(tabs(Deep), Options, 0),
-    must_be(number, Deep),
-    option(tab_sides(On), Options, one),
-    must_be(oneof([one,both,alternate]), On),
-    Width = wide(Deep, On),
-    option(open_slits(Open), Options, auto),
+    joints(Options, Width),
+    (   Width = wide(_, lap)
+    ->  Open = false
+    ;   Width = wide(_, lock)
+    ->  Open = false
+    ;   option(open_slits(Open), Options, auto)
+    ),
     pieces_opened(Open, Width, Pieces0, Pieces1, Known),
     option(fold_threshold(Flat), Options, 0.5),
     pieces_fitted(Pieces1, on(Paper,Flat), Width, [], Known, Fitted, Tabs),
     (   option(told(false), Options)
     ->  true
-    ;   told(Open, Pieces0, Pieces1, Fitted, Tabs)
+    ;   Width = wide(_, On),
+        told(On, Open, Pieces0, Pieces1, Fitted, Tabs)
     ).
 
-told(Open, Pieces0, Pieces1, Fitted, Tabs) :-
+%   joints(Options, Width): Width is wide(Deep,On), On as of tabs/5, or of
+%   allowances/5.
+
+joints(Options, wide(Deep,On)) :-
+    (   member(On, [lap,lock]),
+        Given =.. [On,Deep],
+        option(Given, Options),
+        Deep > 0
+    ->  true
+    ;   option(tabs(Deep), Options, 0),
+        must_be(number, Deep),
+        option(tab_sides(On), Options, one),
+        must_be(oneof([one,both,alternate]), On)
+    ).
+
+told(On, Open, Pieces0, Pieces1, Fitted, Tabs) :-
     told_opened(Open, Pieces0, Pieces1),
     told_more(divided, Pieces1, Fitted),
-    (   ( Open == true ; Pieces1 \== Pieces0 )
+    (   memberchk(On, [lap,lock])
+    ->  Help = On
+    ;   ( Open == true ; Pieces1 \== Pieces0 )
     ->  Help = none
     ;   Help = open_slits
     ),
@@ -222,7 +243,9 @@ slits_opened(N, Width, Pieces0, Known0, Pieces, Known) :-
     ).
 
 pieces_tabs(wide(Deep,On), Pieces, tabs(Tabs,Butt)) :-
-    (   Deep > 0
+    (   memberchk(On, [lap,lock])
+    ->  allowances(On, Deep, Pieces, Pairs, Left)
+    ;   Deep > 0
     ->  tabs(Deep, On, Pieces, Pairs, Left)
     ;   Pairs = [],
         Left = []
@@ -323,8 +346,13 @@ pieces_split(Pieces0, on(Paper,Flat), Width, Tight, Split, Origins) :-
 %   piece grows by a tab on each side, as deep as the longest seam may have one,
 %   and by as much as half the room for each of more Times.
 
-tab_room(room(W0,H0,Gap), wide(Width,_), Pieces, Times, room(W,H,Gap)) :-
-    deepest_tab(Width, Pieces, Deep),
+tab_room(room(W0,H0,Gap), wide(Width,On), Pieces, Times, room(W,H,Gap)) :-
+    (   On == lap
+    ->  Deep = Width
+    ;   On == lock
+    ->  Deep is 1.5*Width
+    ;   deepest_tab(Width, Pieces, Deep)
+    ),
     Most is min(W0, H0)/4,
     (   Deep =< Most
     ->  Off is min(2*Most, (1+Times)*Deep),

@@ -41,6 +41,8 @@ side_way(D, Tabs, side(E,_,WA-A,WB-B,_), way(E,Points)) :-
 
 way_round(strip(Points), _, _, Points) :-
     !.
+way_round(allowance(Points,_), _, _, Points) :-
+    !.
 way_round(Outlines, A, B, Points) :-
     append(Outlines, Points0),
     append([A|Points0], [B], Points1),
@@ -80,6 +82,7 @@ piece_line(piece(name(D,_,_),_,Sides), Tabs, how(Threshold,Butt), Line) :-
     member(Side, Sides),
     (   fold_line(Side, Threshold, Line)
     ;   tab_line(Side, D, Tabs, Threshold, Line)
+    ;   allowance_fold(Side, D, Tabs, Line)
     ;   side_mark(Side, D, Butt, Line)
     ).
 
@@ -100,7 +103,7 @@ fold_role(Angle, Threshold, Role) :-
 tab_line(side(E,_,WA-A,WB-B,seam(_,Angle,_)), D, Tabs, Threshold,
          line(Role,E,First,Last)) :-
     get_assoc(tab(D,E,WA,WB), Tabs, Own),
-    (   Own = strip(_)
+    (   ( Own = strip(_) ; Own = allowance(_, _) )
     ->  First = A,
         Last = B
     ;   member([First|Tab], Own),
@@ -110,6 +113,12 @@ tab_line(side(E,_,WA-A,WB-B,seam(_,Angle,_)), D, Tabs, Threshold,
     ->  Role = Role0
     ;   Role = mark
     ).
+
+%   Where the edge of a lock seam is folded over.
+
+allowance_fold(side(E,_,WA-_,WB-_,_), D, Tabs, line(Role,E,P,Q)) :-
+    get_assoc(tab(D,E,WA,WB), Tabs, allowance(_, Folds)),
+    member(fold(Role,P,Q), Folds).
 
 side_mark(side(E,_,_-A,_-B,seam(J,_,_)), D, Butt, line(mark,E,P,Q)) :-
     (   J = split(_,_)

@@ -1,5 +1,6 @@
 :- module(sg_pattern_tab,
-          [ tabs/5,                     % +Width, +On, +Pieces, -Tabs, -Butt
+          [ piece_shapes/3,             % +Width, +Piece, -Named
+            tabs/5,                     % +Width, +On, +Pieces, -Tabs, -Butt
             least_tab/2,                % +Width, -Least
             deepest_tab/3,              % +Width, +Pieces, -Deep
             side_length/2,              % +Side, -Length
@@ -140,6 +141,11 @@ side_length(side(_,_,_-A,_-B,_), Length) :-
 
 points_apart(XA-YA, XB-YB, Length) :-
     Length is sqrt((XB-XA)**2 + (YB-YA)**2).
+
+%!  piece_shapes(+Width, +Piece, -Named) is det.
+%
+%   Named is Name-Shapes, the name of Piece and a handle with its faces, on which
+%   nothing that is Width deep may lie (shapes_add/2).
 
 piece_shapes(Width, piece(Name,Faces,_), Name-Shapes) :-
     Cell is max(Width, 0.1),

@@ -1,13 +1,16 @@
+:- encoding(utf8).
 :- module(sg_pattern_title,
           [ pattern_title/2,            % +D, -Title
             pattern_titles/2,           % +Ds, -Titles
             piece_title/3               % +Titles, +Piece, -Title
           ]).
+:- use_module('../language', [language/1]).
 :- use_module('../development/polygon_name', [segment_title/2]).
 :- use_module('../primitive/primitive', [primitive/1]).
 :- use_module('../solid/trimmed', [part_named/2, part_named/4]).
 :- use_module('../store', [piece/3, segment/3]).
 :- use_module('../unfolding/unfold', [pattern_of/2]).
+:- use_module('../unfolding/unfold_mirror', [is_mirrored/1]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [member/2]).
 /** <module> What patterns and their pieces are called.
@@ -19,9 +22,21 @@ of true lengths, has the name that the report has.
 %!  pattern_title(+D, -Title) is det.
 %
 %   Title, a string, is what the segment is called that pattern D is of, and the
-%   part or the leaf of it that D is of alone.
+%   part or the leaf of it that D is of alone; and that it is mirrored.
 
 pattern_title(D, Title) :-
+    (   is_mirrored(D)
+    ->  plain_title(D, Plain),
+        language(Language),
+        mirrored_word(Language, Word),
+        format(string(Title), '~s, ~w', [Plain,Word])
+    ;   plain_title(D, Title)
+    ).
+
+mirrored_word(en, mirrored).
+mirrored_word(ko, 좌우대칭).
+
+plain_title(D, Title) :-
     pattern_of(D, T),
     part_named(T, S),
     segment_title(S, Whole),

@@ -4,6 +4,7 @@
             unfoldable/1,               % ?S
             pattern_of/2,               % +D, -T
             wanted_of/3,                % +S, +Wishes, -Wanted
+            pattern_row/2,              % +D, -Row
             unfolded_part/4,            % +S, +Wanted, +Options, -D
             trimmed_part/3,             % +S, +Options, -T
             other_parts/3,              % +S, +Options, -Others
@@ -254,6 +255,10 @@ part_named(D, E, E0) :-
     ->  assert_fact(origin(D, e(E), e(E0)))
     ;   true
     ).
+
+%!  pattern_row(+D, -Row) is nondet.
+%
+%   Row is a fact of pattern D, in an order in which they can be asserted.
 
 pattern_row(D, segment(D, Kind, Term)) :-
     segment(D, Kind, Term).
