@@ -83,7 +83,7 @@ needs(Name, true) :-
 needs(Name, trim) :-
     member(Name, ['set-in','other-thickness']).
 needs(Name, thickness) :-
-    member(Name, [ size,kfactor,'bend-radius',relief,material,'set-in',
+    member(Name, [ size,kfactor,'bend-radius',relief,material,bends,'set-in',
                    'other-thickness' ]).
 needs(overlap, tile).
 needs('open-slits', tabs).

@@ -19,7 +19,7 @@
 :- use_module('../unrolling/true_parts', [polygon_drawn/4]).
 :- use_module('../unfolding/unfold', [pattern_of/2]).
 :- use_module('../unfolding/unfold_how', [how_wished/3]).
-:- use_module(unfold_plate, [plate_measures/4]).
+:- use_module('../pattern/pattern_plate', [plate_measures/4]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [maplist/2, maplist/3]).
 :- use_module(library(http/json), [json_write_dict/3]).

@@ -96,6 +96,9 @@ unfold_option(option(material, '',
     one_of([steel, stainless, aluminium, copper, brass, zinc, titanium]),
     'NAME',
     'with --thickness: the report has the weight of each pattern')).
+unfold_option(option(bends, '', flag, '',
+    'with --thickness: the bends are numbered on the sheets in their \c
+     sequence, with a table of them')).
 unfold_option(option('set-in', '', flag, '',
     'with --true, --trim and --thickness: a branch goes through the wall of \c
      the header; without it, it is set on')).
@@ -233,6 +236,8 @@ unfold_option_ko(relief,
     '--thickness와 함께: 두 굽힘이 만나는 모퉁이를 어떻게 따낼지: square(네모, \c
 기본값), round(둥글게), none(그대로)').
 unfold_option_ko(material, '--thickness와 함께: 전개도마다 무게를 알린다').
+unfold_option_ko(bends,
+    '--thickness와 함께: 굽힘의 차례를 용지에 쓰고, 굽힘표를 넣는다').
 unfold_option_ko('set-in',
     '--true, --trim, --thickness와 함께: 지관이 주관의 벽을 뚫고 들어간다. \c
 없으면 위에 얹힌다').

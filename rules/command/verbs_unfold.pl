@@ -20,6 +20,9 @@
 :- use_module('../output', [when_written/1]).
 :- use_module('../pattern/pattern_drawing', [pattern_drawing/3]).
 :- use_module('../pattern/pattern_file', [numbered_files/3, write_pattern/4]).
+:- use_module('../development/seam_measure', [pattern_area/2]).
+:- use_module('../pattern/pattern_plate', [plate_measures/4]).
+:- use_module('../solid/trimmed', [part_named/2]).
 :- use_module('../pattern/pattern_paper', [paper_checked/1]).
 :- use_module('../penetration/penetration', [penetrate/2]).
 :- use_module('../development/polygon_name',
@@ -590,7 +593,7 @@ sheets_once(Options0, Ds, Outputs, Options) :-
     ).
 
 sheets_laid(Options, Ds, [drawings(Drawings)|Options]) :-
-    drawing_options(Options, DrawingOptions),
+    sheet_options(Options, Ds, DrawingOptions),
     stage(write, pattern_drawing(Ds, DrawingOptions, Drawings)).
 
 on_sheets(Format) :-
@@ -614,8 +617,29 @@ is_drawing(Format) :-
     \+ memberchk(Format, [pl,obj,off]).
 
 drawn(Options, Ds, File, Files) :-
-    drawing_options(Options, DrawingOptions),
+    sheet_options(Options, Ds, DrawingOptions),
     stage(write, write_pattern(File, Ds, DrawingOptions, Files)).
+
+%   sheet_options(Options, Ds, DrawingOptions): with --bends also the measures of
+%   what of Ds is of plate.
+
+sheet_options(Options, Ds, DrawingOptions) :-
+    drawing_options(Options, DrawingOptions0),
+    (   option(bends(true), Options)
+    ->  findall(D-Plate, plate_of(Options, Ds, D, Plate), Plates),
+        DrawingOptions = [plates(Plates)|DrawingOptions0]
+    ;   DrawingOptions = DrawingOptions0
+    ).
+
+plate_of(Options0, Ds, D, Plate) :-
+    member(D, Ds),
+    pattern_of(D, T),
+    part_named(T, S),
+    how_wished(S, Options0, Options),
+    option(thickness(Thickness), Options),
+    Thickness > 0,
+    pattern_area(D, Area),
+    plate_measures(D, Area, Options, Plate).
 
 %   pattern_output(Options, Ds, File): of the several sheets of a drawing,
 %   standard output can have the first only.

@@ -67,6 +67,7 @@ role_en(face_name, 'names').
 role_en(angle, 'bend angles').
 role_en(generator_number, 'numbers of generators').
 role_en(table, 'tables of true lengths').
+role_en(bends, 'tables of bends').
 
 %!  some_numbers(+Numbers, -Text) is det.
 %

@@ -66,6 +66,7 @@ role_ko(face_name, '이름').
 role_ko(angle, '꺾는 각').
 role_ko(generator_number, '면소 번호').
 role_ko(table, '실장(실제 길이)표').
+role_ko(bends, '굽힘표').
 
 %!  pattern_fault_ko(+What)// is det.
 %

@@ -80,6 +80,8 @@ those of pattern_look.pl.
 %     - inside(Bool): seen from inside: mirrored, texts are not
 %     - grid(Step): a grid of Step mm
 %     - title(Text): beside the check bar
+%     - plates(Plates): D-Measures of plate_measures/4: bends have numbers, and
+%       tables
 %     - table(Bool): of true lengths, for patterns with generators; default true
 %
 %   Of several patterns each piece and each table has its name
@@ -193,10 +195,10 @@ table_pages(Ds, Options0, Drawings) :-
     page_sheet(Options0, Sheet),
     option(gap(Gap), Options0, 3),
     page_room(Sheet, Gap, Paper),
-    pattern_tables(Ds, Options0, Paper, Tables),
+    factor(Options0, Factor),
+    pattern_tables(Ds, [factor(Factor)|Options0], Paper, Tables),
     maplist(named_table, Tables, Loops),
     nested(Loops, Paper, nested(_,Places)),
-    factor(Options0, Factor),
     maplist(laid, Tables, Tables, Places, Laid),
     laid_sheets(Laid, Sheets),
     empty_assoc(None),
@@ -238,7 +240,7 @@ pattern_layout(Ds, Options,
     maplist(fitted_parts, Fitted, Pieces, Outlines),
     seam_numbers(Pieces, Numbers),
     maplist(named_loops, Pieces, Outlines, Loops0),
-    layout_tables(Ds, Options, Paper, Tables),
+    layout_tables(Ds, [factor(Factor)|Options], Paper, Tables),
     maplist(named_table, Tables, TableLoops),
     append(Loops0, TableLoops, Loops),
     nested(Loops, Paper, nested(Size,Places0)),

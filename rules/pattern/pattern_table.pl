@@ -7,6 +7,7 @@
           ]).
 :- use_module('../unrolling/true_table',
               [row_height/2, true_length_marks/4, true_length_rows/2]).
+:- use_module(pattern_plate, [bend_table/4]).
 :- use_module(library(apply), [convlist/3]).
 :- use_module(library(lists), [append/2, member/2]).
 :- use_module(library(option), [option/2, option/3]).
@@ -36,7 +37,8 @@ least_share(0.7).
 %   Tables are those of the patterns Ds that have generators, in parts that
 %   Paper (pattern_nest.pl) has room for; none if Options say table(false). With
 %   titles(Titles), of pattern_titles/2, each part has the title of its pattern.
-%   Those with too many columns for it are left out, and counted in a message.
+%   With plates(Plates), D-Measures of plate_measures/4, there are tables of bends
+%   too, table(D,bends,Marks,Size). Those with too many columns for it are left out, and counted in a message.
 
 pattern_tables(Ds, Options, Paper, Tables) :-
     (   option(table(true), Options, true)
@@ -49,13 +51,42 @@ pattern_tables(Ds, Options, Paper, Tables) :-
                 Trues),
         option(titles(Titles), Options, []),
         convlist(table_parts(Titles, Paper), Trues, Partss),
-        append(Partss, Tables),
+        append(Partss, Tables0),
         (   option(told(false), Options)
         ->  true
         ;   told_left_out(Trues, Partss)
         )
-    ;   Tables = []
+    ;   Tables0 = []
+    ),
+    findall(Table, bends(Ds, Options, Paper, Table), Bends),
+    append(Tables0, Bends, Tables).
+
+%   bends(Ds, Options, Paper, Table) is nondet: with letters as large as the paper
+%   has room for.
+
+bends(Ds, Options, Paper, table(D,bends,Marks,Size)) :-
+    option(plates(Plates), Options, []),
+    option(titles(Titles), Options, []),
+    member(D, Ds),
+    memberchk(D-Plate, Plates),
+    (   memberchk(D-Title, Titles)
+    ->  Named = [title(Title)|Options]
+    ;   Named = Options
+    ),
+    (   member(H, [2.5,2.0,1.6,1.25]),
+        bend_table(Plate, [height(H)|Named], Marks, Size),
+        table_fits(Paper, Size)
+    ->  true
+    ;   Plate.bends = [_|_],
+        \+ option(told(false), Options),
+        print_message(informational, sanggwan(pattern(no_room(bends,1)))),
+        fail
     ).
+
+table_fits(roll(_), _).
+table_fits(room(RoomW,RoomH,_), Size) :-
+    whole_share(RoomW-RoomH, Size, Share),
+    Share >= 1.
 
 told_left_out(All, Shown) :-
     length(All, N0),
@@ -131,6 +162,9 @@ table_part(D, Rows, Most, Options, table(D,I,Marks,Size)) :-
 %
 %   Name, an atom, is that of its view: table2, or table2-1 for a part.
 
+table_name(table(D,bends,_,_), Name) :-
+    !,
+    format(atom(Name), 'bends~d', [D]).
 table_name(table(D,0,_,_), Name) :-
     !,
     format(atom(Name), 'table~d', [D]).

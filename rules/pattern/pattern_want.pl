@@ -4,6 +4,7 @@
           ]).
 :- use_module('../near', [is_straight/2, below_zero/2]).
 :- use_module(pattern_number, [reads_turned/1]).
+:- use_module(pattern_plate, [bend_numbers/2]).
 :- use_module(pattern_text, [first_of/3]).
 :- use_module(pattern_title, [piece_title/3]).
 :- use_module('../development/polygon_name', [polygon_name/3]).
@@ -113,6 +114,16 @@ face_or_angle_text(placed(Name,Faces,_,_,_), Options,
     Name = name(D, _, _),
     member(face(P,Shapes), Faces),
     face_text(What, D, P, Text).
+face_or_angle_text(placed(Name,_,_,_,Sides), Options,
+                   want(angle,Name,Text,[3.2,2.5,2.0,1.6],
+                        over_lines(along(A,B)))) :-
+    option(plates(Plates), Options, []),
+    Name = name(D, _, _),
+    memberchk(D-Plate, Plates),
+    bend_numbers(Plate, Numbers),
+    member(side(_,_,_-A,_-B,fold(J,_,1)), Sides),
+    get_assoc(J, Numbers, N),
+    format(string(Text), 'B~d', [N]).
 face_or_angle_text(placed(Name,_,_,_,Sides), Options,
                    want(angle,Name,Text,[2.5,2.0,1.6],along(A,B))) :-
     option(angles(true), Options, false),

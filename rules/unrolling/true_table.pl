@@ -5,6 +5,7 @@
             write_true_lengths/2,       % +D, +File
             write_true_lengths/3,       % +D, +File, +Options
             true_length_marks/4,        % +D, +Options, -Marks, -Size
+            table_marks/4,              % +Table, +Options, -Marks, -Size
             row_height/2                % +Height, -Row
           ]).
 :- use_module('../csg/placed_surface', [placed_surface/3]).
@@ -234,8 +235,15 @@ number_text(Decimals, F, Value0, Text) :-
 %   rows are drawn.
 
 true_length_marks(D, Options, Marks, Width-High) :-
+    table(D, Options, 2, Table),
+    table_marks(Table, Options, Marks, Width-High).
+
+%!  table_marks(+Table, +Options, -Marks, -Size) is det.
+%
+%   The same of a Table of lists of texts, the first the names of its columns.
+
+table_marks([Columns|Rows], Options, Marks, Width-High) :-
     option(height(H), Options, 2.5),
-    table(D, Options, 2, [Columns|Rows]),
     columns_width([Columns|Rows], H, Widths),
     sum_list(Widths, Width),
     length(Rows, Last),

@@ -1,8 +1,10 @@
-:- module(test_unfold_plate, []).
+:- module(test_pattern_plate, []).
 :- use_module(library(plunit)).
 :- use_module(library(lists)).
+:- use_module(library(pairs)).
+:- use_module(rules(language), [with_result_language/2]).
 :- use_module(rules(store)).
-:- use_module(rules(command/unfold_plate)).
+:- use_module(rules(pattern/pattern_plate)).
 :- use_module(rules(development/seam_measure), [pattern_area/2]).
 :- use_module(rules(primitive/primitive_rows), [add_primitive/2]).
 :- use_module(rules(unfolding/unfold), [unfold/3]).
@@ -18,7 +20,7 @@ measured(Removed, Options, Measures) :-
                pattern_area(D, Area),
                plate_measures(D, Area, All, Measures) )).
 
-:- begin_tests(unfold_plate).
+:- begin_tests(pattern_plate).
 
 % One face: 0.1 m x 0.06 m x 0.002 m x 7850 kg/m3; in inches 25.4^3 as much.
 test(weight, [forall(member(Unit-Times, [mm-1,cm-1000,inch-16387.064]))]) :-
@@ -46,5 +48,29 @@ test(radius_is_the_thickness) :-
     measured([top,side(2),side(3),side(4)], [thickness(2.5)], M),
     M.bends = [Bend],
     assertion(Bend.radius == 2.5).
+% From the outside in: of a closed box the lid goes before the wall it hangs on.
+test(sequence) :-
+    measured([], [thickness(1),relief(none)], M),
+    findall(N-Ps, ( member(B, M.bends), N = B.sequence, Ps = B.polygons ),
+            Numbered0),
+    keysort(Numbered0, Numbered),
+    pairs_keys_values(Numbered, Ns, [First|Others]),
+    assertion(Ns == [1,2,3,4,5]),
+    findall(P, ( member(P, First), \+ ( member(O, Others), memberchk(P, O) ) ),
+            Lids),
+    assertion(Lids = [_]),
+    member(P, First),
+    \+ memberchk(P, Lids),
+    once(( member(Wall, Others), memberchk(P, Wall) )).
+test(table, Texts == [ 'B1','90.0\u00B0',down,'2.00','54.00' ]) :-
+    Plate = _{bends:[_{fold:7, angle:90.0, direction:down, radius:1.0,
+                       length:27.0, sequence:1}], thickness:1},
+    with_result_language(en, bend_table(Plate, [factor(2)], Marks, W-H)),
+    assertion(( W > 0, H > 0 )),
+    findall(Y, member(text(_,Y,_,_), Marks), Ys),
+    min_list(Ys, Lowest),
+    findall(Text, member(text(_,Lowest,_,Text), Marks), Texts).
+test(no_table, fail) :-
+    bend_table(_{bends:[], thickness:1}, [], _, _).
 
-:- end_tests(unfold_plate).
+:- end_tests(pattern_plate).
