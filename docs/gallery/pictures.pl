@@ -272,6 +272,9 @@ picture(pattern_house, 'A house of cardboard',
 picture(pattern_bird, 'A bird of paper',
         'Two balls and two cones, in 160 triangles instead of 4,234.',
         [unfold,'facts/patterns/bird.pl','--faces','160','--tabs','6']).
+picture(pattern_lock_seam, 'Lock seams',
+        'A tray and a duct of sheet metal with allowances for lock seams.',
+        [unfold,'facts/patterns/sheet_metal.pl','--lock-seam','6']).
 
 % The figures of H.-C. Chae and I.-S. Chung, Constructing the Development of
 % Solids by Personal Computer, KSME Journal, 1989: docs/unfolding.md.

@@ -1,6 +1,8 @@
 % A bird of paper: two balls, a bill and a tail, one solid in many facets.
-% `--faces 160` makes of it what can be folded in an evening. Millimetres; it
-% looks along x.
+% `--faces 160` makes of it what can be folded in an evening.
+%
+% Source: made up.
+% Units:  millimetres, right-handed; it looks along x, and z is up.
 %
 %     sanggwan unfold facts/patterns/bird.pl --faces 160 --tabs 6 -o bird.svg
 

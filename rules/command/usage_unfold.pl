@@ -147,8 +147,9 @@ unfold_option(option('open-slits', '', flag, '',
 unfold_option(option(numbers, '', flag, '',
     'numbers of partners on both sides of each seam, as is usual; \c
      --no-numbers: none')).
-unfold_option(option(names, '', one_of([numbers, words]), 'HOW',
-    'name the faces: by their numbers, or by words such as base')).
+unfold_option(option(names, '', one_of([numbers, words, pieces]), 'HOW',
+    'name the faces, by their numbers or by words such as base; or each piece \c
+     (as is usual of several patterns)')).
 unfold_option(option(angles, '', flag, '', 'how far each fold bends')).
 unfold_option(option('fold-threshold', '', number(0), 'DEGREES',
     'folds that bend less are not drawn; default 0.5')).
@@ -268,7 +269,7 @@ unfold_option_ko('open-slits',
      --no-open-slits: 나누지 않는다. 둘 다 없으면 접합선의 10분의 1 넘게 풀칠면이 없을 때만').
 unfold_option_ko(numbers,
     '접합선 양쪽에 짝의 번호를 쓴다(기본값). --no-numbers: 쓰지 않는다').
-unfold_option_ko(names, '면의 이름: numbers(번호)나 words(base 같은 말)').
+unfold_option_ko(names, '면의 이름: numbers(번호)나 words(base 같은 말); pieces: 조각의 이름').
 unfold_option_ko(angles, '접는 각도를 쓴다').
 unfold_option_ko('fold-threshold', '이보다 적게 꺾이는 곳은 그리지 않는다. 기본값 0.5').
 unfold_option_ko(inside, '안쪽에서 본 전개도').

@@ -620,8 +620,8 @@ drawn(Options, Ds, File, Files) :-
     sheet_options(Options, Ds, DrawingOptions),
     stage(write, write_pattern(File, Ds, DrawingOptions, Files)).
 
-%   sheet_options(Options, Ds, DrawingOptions): with --bends also the measures of
-%   what of Ds is of plate.
+%   sheet_options(Options, Ds, DrawingOptions): with --bends also the measures
+%   of what of Ds is of plate.
 
 sheet_options(Options, Ds, DrawingOptions) :-
     drawing_options(Options, DrawingOptions0),

@@ -1,7 +1,7 @@
 :- module(sg_pattern_allowance,
           [ allowances/5                % +Seam, +Width, +Pieces, -Strips, -Bare
           ]).
-:- use_module('../near', [tolerance/2]).
+:- use_module('../near', [less_part/2, tolerance/2]).
 :- use_module('../kernel', [shapes_add/2, shapes_free/3]).
 :- use_module(pattern_outline, [cut_loops/2]).
 :- use_module(pattern_tab, [piece_shapes/3]).
@@ -27,10 +27,10 @@ goes_on_cosine(0.5).
 %!  allowances(+Seam, +Width, +Pieces, -Strips, -Bare) is det.
 %
 %   Seam is `lap` or `lock`; Width in millimetres is that of the lap, or of a
-%   pocket. Strips are tab(D,E,A,B)-allowance(Points, Folds), for the side E of a
-%   piece from vertex A to vertex B, as of tabs/5: Points are its part of the
-%   outline, Folds are fold(Role,P,Q) within the strip. Bare lists the seams that
-%   have no room on either side, or not on both, as (D-J)-E.
+%   pocket. Strips are tab(D,E,A,B)-allowance(Points, Folds), for the side E of
+%   a piece from vertex A to vertex B, as of tabs/5: Points are its part of the
+%   outline, Folds are fold(Role,P,Q) within the strip. Bare lists the seams
+%   that have no room on either side, or not on both, as (D-J)-E.
 
 allowances(Seam, Width, Pieces, Strips, Bare) :-
     maplist(piece_shapes(Width), Pieces, Named),
@@ -112,8 +112,8 @@ way(side(_,_,_-(XA-YA),_-(XB-YB),_), U, V, Length) :-
 
 /* - - - strips - - - */
 
-%   chain_strip(Seam, Width, Named, Chain, Strips0-Left0, Strips-Left): one strip
-%   for all, or one for each side that has room.
+%   chain_strip(Seam, Width, Named, Chain, Strips0-Left0, Strips-Left): one
+%   strip for all, or one for each side that has room.
 
 chain_strip(Seam, Width, Named, chain(Name,Loop,Sides), Strips0-Left0,
             Strips-Left) :-
@@ -177,9 +177,9 @@ end_slope(Seam, Side1, Side2, Other, Slope) :-
     ->  Open is Open0/2
     ;   Open is Open0
     ),
-    (   Open >= pi/2 - 1.0e-9
+    (   \+ less_part(Open, pi/2)
     ->  Slope = 0.0
-    ;   Open > 1.0e-3,
+    ;   less_part(0.0, Open),
         Slope is 1/tan(Open)
     ).
 

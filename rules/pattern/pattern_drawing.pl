@@ -22,7 +22,7 @@
 :- use_module(pattern_scale,
               [fitting_scale/4, height_scale/3, pages_scale/4, scale_text/2]).
 :- use_module(pattern_tile, [tiled/4]).
-:- use_module(pattern_title, [pattern_titles/2]).
+:- use_module(pattern_title, [pattern_title/2, pattern_titles/2]).
 :- use_module(pattern_parted, [parted_segments/2]).
 :- use_module(pattern_yield, [pattern_yield/2]).
 :- use_module(pattern_want, [wanted_texts/4]).
@@ -74,7 +74,8 @@ those of pattern_look.pl.
 %       pieces are parted until each seam has room for one (true), not (false),
 %       or if more than a tenth of the seam had none (auto, as is usual)
 %     - numbers(Bool): of partners, on both sides of each seam, default true
-%     - names(What): of faces: false (default), true (their numbers), or `words`
+%     - names(What): of faces: false (default), true (their numbers), or `words`;
+%       or `pieces`: each piece has the name of its pattern
 %     - angles(Bool): of folds, default false
 %     - fold_threshold(Degrees): flatter folds are not drawn, default 0.5
 %     - inside(Bool): seen from inside: mirrored, texts are not
@@ -93,7 +94,7 @@ those of pattern_look.pl.
 
 pattern_drawing(Ds, Options0, Drawings) :-
     paper_checked(Options0),
-    pattern_titles(Ds, Titles),
+    titles(Ds, Options0, Titles),
     scale_found(Ds, [titles(Titles)|Options0], Options),
     pattern_layout(Ds, Options, Layout),
     layout_drawings(Layout, Options, Drawings0),
@@ -106,8 +107,18 @@ pattern_drawing(Ds, Options0, Drawings) :-
         told_yield(Options, Drawings)
     ).
 
-%   told_yield(Options, Drawings): of sheets that are as large as they are, not as
-%   large as needed.
+%   titles(Ds, Options, Titles): one pattern alone has one if that is asked for.
+
+titles(Ds, Options, Titles) :-
+    pattern_titles(Ds, Titles0),
+    (   Titles0 == [],
+        option(names(pieces), Options)
+    ->  findall(D-Title, ( member(D, Ds), pattern_title(D, Title) ), Titles)
+    ;   Titles = Titles0
+    ).
+
+%   told_yield(Options, Drawings): of sheets that are as large as they are, not
+%   as large as needed.
 
 told_yield(Options, Drawings) :-
     (   ( option(page(_), Options) ; option(pages(_), Options) )

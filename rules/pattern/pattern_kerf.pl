@@ -7,9 +7,9 @@
 /** <module> Outlines with an allowance for the kerf.
 
 A laser, a plasma or a water jet takes away a kerf as wide as its beam. So that
-the piece has its true size the beam goes half a kerf outside of the outline, and
-half a kerf inside of each hole. A slit whose sides lie on each other stays as it
-is: the beam takes half a kerf from each.
+the piece has its true size the beam goes half a kerf outside of the outline,
+and half a kerf inside of each hole. A slit whose sides lie on each other stays
+as it is: the beam takes half a kerf from each.
 */
 
 :- set_prolog_flag(optimise, true).
@@ -24,9 +24,9 @@ most_mitre(4.0).
 
 %!  kerf_strokes(+Kerf, +Piece, +Strokes0, -Strokes) is det.
 %
-%   Strokes are Strokes0 (stroke.pl), what is cut of Piece, where the rings among
-%   them are moved outwards by half of Kerf, in millimetres. Each side stays
-%   parallel to what it was.
+%   Strokes are Strokes0 (stroke.pl), what is cut of Piece, where the rings
+%   among them are moved outwards by half of Kerf, in millimetres. Each side
+%   stays parallel to what it was.
 %
 %   @error usage_error(pattern(kerf(Kerf, Piece))): something is narrower than
 %          that, so that sides would vanish, or cross

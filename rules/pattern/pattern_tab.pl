@@ -144,8 +144,8 @@ points_apart(XA-YA, XB-YB, Length) :-
 
 %!  piece_shapes(+Width, +Piece, -Named) is det.
 %
-%   Named is Name-Shapes, the name of Piece and a handle with its faces, on which
-%   nothing that is Width deep may lie (shapes_add/2).
+%   Named is Name-Shapes, the name of Piece and a handle with its faces, on
+%   which nothing that is Width deep may lie (shapes_add/2).
 
 piece_shapes(Width, piece(Name,Faces,_), Name-Shapes) :-
     Cell is max(Width, 0.1),

@@ -37,8 +37,9 @@ least_share(0.7).
 %   Tables are those of the patterns Ds that have generators, in parts that
 %   Paper (pattern_nest.pl) has room for; none if Options say table(false). With
 %   titles(Titles), of pattern_titles/2, each part has the title of its pattern.
-%   With plates(Plates), D-Measures of plate_measures/4, there are tables of bends
-%   too, table(D,bends,Marks,Size). Those with too many columns for it are left out, and counted in a message.
+%   With plates(Plates), D-Measures of plate_measures/4, there are tables of
+%   bends too, table(D,bends,Marks,Size). Those with too many columns for it are
+%   left out, and counted in a message.
 
 pattern_tables(Ds, Options, Paper, Tables) :-
     (   option(table(true), Options, true)
@@ -61,8 +62,8 @@ pattern_tables(Ds, Options, Paper, Tables) :-
     findall(Table, bends(Ds, Options, Paper, Table), Bends),
     append(Tables0, Bends, Tables).
 
-%   bends(Ds, Options, Paper, Table) is nondet: with letters as large as the paper
-%   has room for.
+%   bends(Ds, Options, Paper, Table) is nondet: with letters as large as the
+%   paper has room for.
 
 bends(Ds, Options, Paper, table(D,bends,Marks,Size)) :-
     option(plates(Plates), Options, []),

@@ -21,6 +21,8 @@ What is wanted is
                            across, if it is short
     want(Role, D, Text, Heights, end_of(A,B,Shapes))
                            on either side, near an end, within Shapes
+    want(Role, D, Text, Heights, middle_of(ABs,Shapes))
+                           the same, about the middle of one of these
     want(Role, D, Text, Heights, within(Shapes))   in a face
     want(Role, D, Text, Heights, within_any(Shapes))
                            the same, also across its longest side
@@ -158,8 +160,7 @@ simple_place(Simple, drawn(All,_), Simple, All, inf).
 
 clear_at_ends(Place, Height, Clear) :-
     clear(Clear0),
-    (   Place = within(_),
-        Height > 2.5
+    (   ( Place = within(_), Height > 2.5 ; Place = middle_of(_, _) )
     ->  Clear is 0.5*Height
     ;   Clear = Clear0
     ).
@@ -228,16 +229,15 @@ place_at(beside(Places), Width, Height, At, Way, Reach) :-
 place_at(end_of(XA-YA,XB-YB,Shapes), Width, Height, At, Way, none) :-
     Length is sqrt((XB-XA)**2 + (YB-YA)**2),
     2*Width+4 < Length,
-    U is (XB-XA)/Length,
-    V is (YB-YA)/Length,
-    Left is 0.45 + 0.25*Height,
-    Right is -0.45 - 1.25*Height,
     member(Along, [1.5+Width/2, Length-1.5-Width/2, 4+Width/2]),
-    member(Off, [Left,Right]),
-    X is XA + Along*U - Off*V,
-    Y is YA + Along*V + Off*U,
-    in_face(Shapes, X-Y),
-    upright(U-V, X-Y, Height, Way, At).
+    place_within_beside(XA-YA, XB-YB, Along/Length, Shapes, Height, At, Way).
+place_at(middle_of(Places,Shapes), Width, Height, At, Way, none) :-
+    member((XA-YA)-(XB-YB), Places),
+    Length is sqrt((XB-XA)**2 + (YB-YA)**2),
+    Width+4 < Length,
+    member(Share, [0.5,0.4,0.6,0.3,0.7]),
+    min(Share, 1-Share)*Length > Width/2+1,
+    place_within_beside(XA-YA, XB-YB, Share, Shapes, Height, At, Way).
 place_at(within(Shapes), Width, Height, At, Way, none) :-
     face_way(Shapes, Long),
     place_within(Shapes, [1.0-0.0,Long], Width, Height, At, Way).
@@ -254,6 +254,21 @@ place_within(Shapes, Ways, Width, Height, At, Way) :-
     below(Middle, Way, Height/2, At),
     text_ends(At, Way, Width, Height, Ends),
     \+ ( member(End, Ends), \+ in_face(Shapes, End) ).
+
+%   place_within_beside(A, B, Share, Shapes, Height, At, Way) is nondet: on
+%   either side of A to B, Share of the way, within Shapes.
+
+place_within_beside(XA-YA, XB-YB, Share, Shapes, Height, At, Way) :-
+    Length is sqrt((XB-XA)**2 + (YB-YA)**2),
+    U is (XB-XA)/Length,
+    V is (YB-YA)/Length,
+    Left is 0.45 + 0.25*Height,
+    Right is -0.45 - 1.25*Height,
+    member(Off, [Left,Right]),
+    X is XA + Share*Length*U - Off*V,
+    Y is YA + Share*Length*V + Off*U,
+    in_face(Shapes, X-Y),
+    upright(U-V, X-Y, Height, Way, At).
 
 %   From the middle of a short line into the face.
 

@@ -1,7 +1,7 @@
 :- encoding(utf8).
 :- module(sg_pattern_title,
           [ pattern_title/2,            % +D, -Title
-            pattern_titles/2,           % +Ds, -Titles
+            pattern_titles/2,          % +Ds, -Titles
             piece_title/3               % +Titles, +Piece, -Title
           ]).
 :- use_module('../language', [language/1]).

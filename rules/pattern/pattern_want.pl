@@ -2,13 +2,14 @@
 :- module(sg_pattern_want,
           [ wanted_texts/4              % +Options, +Numbers, +Placed, -Wanted
           ]).
-:- use_module('../near', [is_straight/2, below_zero/2]).
+:- use_module('../near', [is_straight/2, below_zero/2, same_direction/2]).
 :- use_module(pattern_number, [reads_turned/1]).
 :- use_module(pattern_plate, [bend_numbers/2]).
 :- use_module(pattern_text, [first_of/3]).
 :- use_module(pattern_title, [piece_title/3]).
 :- use_module('../development/polygon_name', [polygon_name/3]).
-:- use_module('../store', [segment/3]).
+:- use_module('../language', [language/1]).
+:- use_module('../store', [origin/3, segment/3]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
@@ -22,8 +23,8 @@
 %
 %   Wanted, as of written/5 (pattern_text.pl), are the texts of the piece Placed
 %   (pattern_drawing.pl): numbers of seams first, then of generators, the name
-%   of the piece, names of faces, and angles, as Options say; Numbers are those
-%   of seam_numbers/2.
+%   of the piece, quarter turns, names of faces, and angles, as Options say;
+%   Numbers are those of seam_numbers/2.
 
 wanted_texts(Options, Numbers, Placed, Wanted) :-
     findall(Length-Want, seam_text(Placed, Options, Numbers, Length, Want),
@@ -33,7 +34,8 @@ wanted_texts(Options, Numbers, Placed, Wanted) :-
     generator_texts(Placed, Generators),
     findall(Want, face_or_angle_text(Placed, Options, Want), Others),
     findall(Want, title_text(Placed, Options, Want), Titles),
-    append([Seams,Generators,Titles,Others], Wanted).
+    findall(Want, quarter_text(Placed, Want), Quarters),
+    append([Seams,Generators,Titles,Quarters,Others], Wanted).
 
 %   seam_text(Placed, Options, Numbers, Length, Want): Length is that of the
 %   longest place. Short ones, which leave less choice, come first.
@@ -101,6 +103,55 @@ generator_texts(placed(Name,Faces,_,_,Sides), Wanted) :-
         maplist(generator_text(Name, Shapes), Generators, Wanted)
     ).
 
+%   quarter_text(Placed, Want) is nondet: the generators at quarter turns have
+%   their degrees along them; of an elbow also which is its throat, and its
+%   heel.
+
+quarter_text(placed(Name,Faces,_,_,Sides),
+             want(generator_number,Name,Text,[3.2,2.5,2.0,1.6],
+                  middle_of(Places,Shapes))) :-
+    Name = name(D, _, _),
+    once(( member(side(E0,_,_,_,generator(_)), Sides),
+           origin(D, e(E0), _) )),
+    findall(Shape, ( member(face(_,Own), Faces), member(Shape, Own) ), Shapes),
+    member(Quarter, [0,90,180,270]),
+    findall(A-B,
+            ( member(side(E,_,_-A,_-B,generator(_)), Sides),
+              once(origin(D, e(E), generator(_, Degrees, _, _, _))),
+              same_direction(Degrees, Quarter) ),
+            Places),
+    Places \== [],
+    quarter_words(D, Quarter, Text).
+
+quarter_words(D, Quarter, Text) :-
+    format(string(Degrees), '~d°', [Quarter]),
+    (   of_elbow(D),
+        language(Language),
+        elbow_word(Quarter, Language, Word)
+    ->  format(string(Long), '~s ~w', [Degrees,Word]),
+        Text = either(Long, Degrees)
+    ;   Text = Degrees
+    ).
+
+of_elbow(D) :-
+    segment(D, _, true_development(S, _)),
+    segment(S, _, Term),
+    named_term(Term, Inner),
+    functor(Inner, elbow, _).
+
+named_term(named(_, Term), Inner) :-
+    !,
+    named_term(Term, Inner).
+named_term(at(_, Term), Inner) :-
+    !,
+    named_term(Term, Inner).
+named_term(Term, Term).
+
+elbow_word(0,   en, throat).
+elbow_word(180, en, heel).
+elbow_word(0,   ko, '안쪽(목)').
+elbow_word(180, ko, '바깥쪽(등)').
+
 generator_text(Name, Shapes, generator(N,A,B),
                want(generator_number,Name,Text,[2.5,2.0,1.6],
                     end_of(A,B,Shapes))) :-
@@ -110,7 +161,7 @@ face_or_angle_text(placed(Name,Faces,_,_,_), Options,
                    want(face_name,Name,Text,[6.0,4.5,3.2,2.5,2.0],
                         within(Shapes))) :-
     option(names(What), Options, false),
-    What \== false,
+    \+ memberchk(What, [false,pieces]),
     Name = name(D, _, _),
     member(face(P,Shapes), Faces),
     face_text(What, D, P, Text).

@@ -34,10 +34,10 @@ matters_more(16.0).
 
 %!  simplified_roots(+Faces) is det.
 %
-%   The roots of the world become plain segments (roots_alone/0), and those
-%   with polygons meshes of at most Faces triangles together. If they have no
-%   more than that they stay as they are. What a face was of a primitive is
-%   not known afterwards. One transaction. A message says how many there are; warnings
+%   The roots of the world become plain segments (roots_alone/0), and those with
+%   polygons meshes of at most Faces triangles together. If they have no more
+%   than that they stay as they are. What a face was of a primitive is not known
+%   afterwards. One transaction. A message says how many there are; warnings
 %   that it could not be so few, and that a part goes through itself that did
 %   not before.
 

@@ -234,6 +234,8 @@ command(simplify(not_fewer(_,_)), [convert, @('ring.pl'), '--faces', '4',
                                    '-o', @('a.off')]).
 command(simplify(meets_itself(_,_)),
         [convert, @('hollow.pl'), '--faces', '40', '-o', @('a.off')]).
+command(pattern(yield(_,_)), [unfold, @('cube.pl'), '--page', 'A4',
+                              '-o', @('a.svg')]).
 command(pattern(scale(_)), [unfold, @('cube.pl'), '--height', '100',
         '-o', @('x.svg')]).
 command(pattern(without_tab(_,_,_,_,_)),

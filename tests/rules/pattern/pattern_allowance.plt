@@ -37,7 +37,8 @@ folds(Drawings, Role, N) :-
 
 :- begin_tests(pattern_allowance).
 
-% An open duct has one seam of 50: a strip of 8, or one and a half pockets twice.
+% An open duct has one seam of 50: a strip of 8, or one and a half pockets
+% twice.
 test(lap, true(abs(Grown-8*50) < 0.1)) :-
     pipe(Pipe),
     grown(Pipe, [1,2], [lap(8)], Grown).
@@ -47,8 +48,8 @@ test(lock, true(abs(Grown-3*6*50) < 0.1)) :-
 test(none, Grown =:= 0.0) :-
     pipe(Pipe),
     grown(Pipe, [1,2], [lap(0)], Grown).
-% A tray of 60 x 40 x 30 without its top has four seams of 30, in corners: strips
-% of 9 on both sides that meet at 45 degrees.
+% A tray of 60 x 40 x 30 without its top has four seams of 30, in corners:
+% strips of 9 on both sides that meet at 45 degrees.
 test(tray, true(abs(Grown-8*(30*9-9*9/2)) < 0.1)) :-
     grown(box(size(60,40,30)), [2], [lock(6)], Grown).
 % One edge is folded up, the other down; the seams of the tray bend down too.

@@ -66,8 +66,8 @@ test(yield, true(abs(Yield-2400/(297*210)) < 1.0e-9)) :-
     pattern_yield(Drawings, Measures),
     Yield = Measures.yield.
 
-%   perimeter(Drawings, Length, Turns): of all rings; corners outwards less those
-%   inwards.
+%   perimeter(Drawings, Length, Turns): of all rings; corners outwards less
+%   those inwards.
 
 perimeter(Drawings, Length, Turns) :-
     findall(L-4,
