@@ -74,7 +74,7 @@ those of pattern_look.pl.
 %       pieces are parted until each seam has room for one (true), not (false),
 %       or if more than a tenth of the seam had none (auto, as is usual)
 %     - numbers(Bool): of partners, on both sides of each seam, default true
-%     - names(What): of faces: false (default), true (their numbers), or `words`;
+%     - names(What): of faces: false (default), true (their numbers), `words`;
 %       or `pieces`: each piece has the name of its pattern
 %     - angles(Bool): of folds, default false
 %     - fold_threshold(Degrees): flatter folds are not drawn, default 0.5

@@ -8,7 +8,8 @@
 :- use_module(pattern_slit, [opened_slits/3]).
 :- use_module(pattern_split, [split_piece/4]).
 :- use_module(pattern_tab, [deepest_tab/3, side_length/2, tabs/5]).
-:- use_module(library(apply), [foldl/4, foldl/5, include/3, maplist/3, maplist/4]).
+:- use_module(library(apply),
+              [foldl/4, foldl/5, include/3, maplist/3, maplist/4]).
 :- use_module(library(assoc),
               [gen_assoc/3, get_assoc/3, list_to_assoc/2, put_assoc/4]).
 :- use_module(library(error), [must_be/2]).
