@@ -1,0 +1,198 @@
+/* Glue in one place, against what the fused glue counts, in place and turned.
+   covers: face_glue */
+:- module(test_local_glue, []).
+:- use_module(library(apply)).
+:- use_module(library(lists)).
+:- use_module(library(plunit)).
+:- use_module(library(random)).
+:- use_module(rules(gluing/cycle)).
+:- use_module(rules(gluing/local_glue)).
+:- use_module(rules(gluing/regions)).
+:- use_module(rules(store)).
+:- use_module(tests(rules/gluing/cells_rows)).
+:- use_module(tests(rules/gluing/face_soup)).
+:- use_module(tests(rules/gluing/turned_soup)).
+:- use_module(tests(rules/polyhedron), [in_new_world/1]).
+
+%   soup(Turned, Faces): cells with these faces; vertices in one place are one,
+%   but those of the faces after `apart`, which are added as they are.
+
+two(Turned, Faces0, Others0) :-
+    (   Turned == true
+    ->  append(Faces0, Others0, All0),
+        turned_faces(All0, All),
+        length(Faces0, N),
+        length(Faces, N),
+        append(Faces, Others, All)
+    ;   Faces = Faces0,
+        Others = Others0
+    ),
+    made_soup(Faces, []),
+    regions_made(1, _),
+    added(Others).
+
+%   added(Faces): with vertices of their own.
+
+added(Faces) :-
+    findall(Point, ( member(Loops, Faces), member(Loop, Loops),
+                     member(Point, Loop) ), Points0),
+    sort(Points0, Points),
+    findall(Point-V,
+            ( member(Point, Points), fresh_id(v, 1, V),
+              maplist(coordinate, Point, [X,Y,Z]),
+              assert_fact(v(1, V, X, Y, Z)) ),
+            Vs),
+    forall(member(Loops, Faces),
+           ( maplist(loop_added(Vs), Loops, Lists),
+             append(Lists, Es),
+             fresh_id(p, 1, P),
+             assert_fact(p(1, P, Es)) )).
+
+coordinate(X0, X) :-
+    X is float(X0)+0.0.
+
+loop_added(Vs, Loop, Es) :-
+    Loop = [First|_],
+    append(Loop, [First], Path),
+    findall(E,
+            ( append(_, [A,B|_], Path), memberchk(A-V, Vs), memberchk(B-W, Vs),
+              fresh_id(e, 1, E), assert_fact(e(1, E, V, W, 1)) ),
+            Es).
+
+counts(Counts) :-
+    regions_report(1, Report),
+    \+ law_fault(Report, _, _),
+    report_counts(Report, Counts).
+
+%   twins(Pairs): vertices in one place, the older first.
+
+twins(Pairs) :-
+    findall(V-W, ( v(1, V, X, Y, Z), v(1, W, X, Y, Z), V < W ), Pairs).
+
+pyramid(Apex, Points, Faces) :-
+    append(Points, [First], Round),
+    Points = [First|_],
+    findall([[Apex,A,B]], append(_, [A,B|_], Round), Sides),
+    reverse(Points, Base),
+    append(Sides, [[Base]], Faces).
+
+page(Low, High, X, Y, [[[0,0,Low],[0,0,High],[X,Y,High],[X,Y,Low]]]).
+
+plate([ [[[-4,4,0],[4,4,0],[4,-4,0],[-4,-4,0]]],
+        [[[-4,-4,1],[4,-4,1],[4,4,1],[-4,4,1]]],
+        [[[-4,-4,0],[4,-4,0],[4,-4,1],[-4,-4,1]]],
+        [[[4,-4,0],[4,4,0],[4,4,1],[4,-4,1]]],
+        [[[4,4,0],[-4,4,0],[-4,4,1],[4,4,1]]],
+        [[[-4,4,0],[-4,-4,0],[-4,-4,1],[-4,4,1]]] ]).
+
+:- begin_tests(local_glue, [setup(set_random(seed(4)))]).
+
+%   Two cubes at a vertex.
+
+test(vertices, [forall(member(Turned, [false,true])),
+                true(C-Change == [15,24,12,12,1,3,3,0]
+                                 -change(-1,0,0,0,-1,0,-1,0))]) :-
+    cube_faces([0,0,0], One),
+    cube_faces([1,1,1], Two),
+    in_new_world(( two(Turned, One, Two),
+                   twins([V-W]),
+                   glue_vertices(1, V, W, Change0),
+                   Change = Change0,
+                   counts(C) )).
+
+%   Figure 4: D2 into D3, both at the origin.
+
+test(in_each_other, C == [9,16,10,10,1,3,3,0]) :-
+    pyramid([0,0,0], [[-1,-1,3],[-1,1,3],[1,1,3],[1,-1,3]], D2),
+    pyramid([0,0,0], [[-4,-4,6],[-4,4,6],[4,4,6],[4,-4,6]], D3),
+    in_new_world(( two(false, D3, D2), twins([V-W]),
+                   glue_vertices(1, V, W, _), counts(C) )).
+test(one_step_of_undo, Rows1 == Rows) :-
+    cube_faces([0,0,0], One),
+    cube_faces([1,1,1], Two),
+    in_new_world(( two(true, One, Two), twins([V-W]), cells_rows(1, Rows),
+                   glue_vertices(1, V, W, _),
+                   facts_undo,
+                   cells_rows(1, Rows1) )).
+test(crossing, error(geometry_error(not_glued(1, v(_), v(_), crossing)))) :-
+    pyramid([0,0,0], [[10,-1,-10],[10,-1,10],[10,1,10],[10,1,-10]], D1),
+    pyramid([0,0,0], [[10,-10,-1],[10,-10,1],[10,10,1],[10,10,-1]], D2),
+    in_new_world(( two(false, D1, D2), twins([V-W]),
+                   glue_vertices(1, V, W, _) )).
+test(touching, error(geometry_error(not_glued(1, v(_), v(_), touching)))) :-
+    cube_faces([0,0,0], One),
+    cube_faces([1,1,0], Two),
+    in_new_world(( two(false, One, Two), twins([V-W|_]),
+                   glue_vertices(1, V, W, _) )).
+test(apart, error(geometry_error(not_glued(1, v(1), v(2), apart)))) :-
+    cube_faces([0,0,0], One),
+    in_new_world(( two(false, One, []), glue_vertices(1, 1, 2, _) )).
+test(no_vertex, error(existence_error(vertex, 99))) :-
+    cube_faces([0,0,0], One),
+    in_new_world(( two(false, One, []), glue_vertices(1, 1, 99, _) )).
+
+%   Figure 6: three pages and two, which have the middle in common.
+
+test(edges, [forall(member(Turned, [false,true])),
+             true(C-Pages == [14,18,5,5,1,1,1,0]-[2,3,5])]) :-
+    findall(Page, ( member(X-Y, [2-0,1-2,(-1)-2]), page(0, 3, X, Y, Page) ),
+            One),
+    findall(Page, ( member(X-Y, [(-2)-(-1),1-(-2)]), page(1, 4, X, Y, Page) ),
+            Two),
+    in_new_world(( two(Turned, One, Two),
+                   once(crowded(3, A-B)),
+                   once(crowded(2, D-E)),
+                   glue_edges(1, A-B, D-E, _),
+                   counts(C),
+                   findall(N, ( radial_cycle(1, _, _, Round),
+                                length(Round, N), N > 1 ), Ns) )),
+    msort(Ns, Pages).
+
+crowded(N, A-B) :-
+    radial_cycle(1, A, B, Pages),
+    length(Pages, N).
+
+test(cubes_at_an_edge, [forall(member(Turned, [false,true])),
+                        true(C == [14,23,12,12,1,3,3,0])]) :-
+    cube_faces([0,0,0], One),
+    cube_faces([1,1,0], Two),
+    in_new_world(( two(Turned, One, Two), twins([V-W,X-Y]),
+                   glue_edges(1, V-X, W-Y, _), counts(C) )).
+test(edges_apart, error(geometry_error(not_glued(1, e(_), e(_), apart)))) :-
+    cube_faces([0,0,0], One),
+    in_new_world(( two(false, One, []), e(1, _, A, B, _),
+                   e(1, _, B, D, _), D \== A,
+                   glue_edges(1, A-B, D-B, _) )).
+
+%   Figure 8: a vertex on an edge, on a face, an edge on a face.
+
+test(vertex_on_edge, C-L == [13,21,11,11,1,3,3,0]-0) :-
+    plate(Plate),
+    pyramid([4,1,1], [[3,0,3],[3,2,3],[5,2,3],[5,0,3]], Tip),
+    in_new_world(( two(false, Plate, Tip), vertex_at([4,1,1], V),
+                   e(1, E, A, B, _), v(1, A, 4.0, _, 1.0), v(1, B, 4.0, _, 1.0),
+                   glue_mixed(1, v(V), e(E), _), counts(C),
+                   aggregate_all(count, lies_in(1, _, _), L) )).
+test(vertex_on_face, C-L == [13,20,11,12,1,3,3,0]-1) :-
+    plate(Plate),
+    pyramid([0,1,1], [[-1,0,3],[-1,2,3],[1,2,3],[1,0,3]], Tip),
+    in_new_world(( two(false, Plate, Tip), vertex_at([0,1,1], V),
+                   glue_mixed(1, v(V), p(2), _), counts(C),
+                   aggregate_all(count, lies_in(1, _, p(_)), L) )).
+test(edge_on_face, C == [14,21,11,12,1,3,3,0]) :-
+    plate(Plate),
+    A = [-1,0,1],
+    B = [1,0,1],
+    Roof = [ [[A,B,[2,1,3],[-2,1,3]]], [[B,A,[-2,-1,3],[2,-1,3]]],
+             [[A,[-2,1,3],[-2,-1,3]]], [[B,[2,-1,3],[2,1,3]]],
+             [[[-2,1,3],[2,1,3],[2,-1,3],[-2,-1,3]]] ],
+    in_new_world(( two(false, Plate, Roof), vertex_at(A, V), vertex_at(B, W),
+                   once(e(1, E, V, W, _)),
+                   glue_mixed(1, e(E), p(2), _), counts(C) )).
+test(beside, error(geometry_error(not_glued(1, v(_), p(2), beside)))) :-
+    plate(Plate),
+    pyramid([0,1,9], [[-1,0,11],[-1,2,11],[1,2,11],[1,0,11]], Tip),
+    in_new_world(( two(false, Plate, Tip), vertex_at([0,1,9], V),
+                   glue_mixed(1, v(V), p(2), _) )).
+
+:- end_tests(local_glue).
