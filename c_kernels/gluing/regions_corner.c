@@ -231,20 +231,42 @@ count_loops(bench *b)
   return true;
 }
 
-/* Which way round it is, as polygons with the same edges see it too. */
+static int
+compare_places(const sg_dense *d, int32_t a, int32_t b)
+{
+  for (int k = 0; k < 3; k++) {
+    if (d->at[a][k] != d->at[b][k]) {
+      return d->at[a][k] < d->at[b][k] ? -1 : 1;
+    }
+  }
+  return 0;
+}
+
+/* The lower of two vertices, by place; a may be -1, none. */
+static int32_t
+lower_of(const sg_dense *d, int32_t a, int32_t b)
+{
+  return a < 0 || compare_places(d, b, a) < 0 ? b : a;
+}
+
+/* Which way round it is, as polygons in the same place see it too: some of
+ * their vertices may be others. */
 static signed char
 way_of(const bench *b)
 {
   const sg_dense *d = b->m->d;
-  int32_t v = b->into[0].from, next = -1, before = b->into[0].to;
+  int32_t v = -1, next = -1, before = -1;
 
   for (size_t i = b->begin; i < b->end; i++) {
-    int32_t to = d->to[d->list[i]];
-    if (d->from[d->list[i]] == v && (next < 0 || to < next)) {
-      next = to;
-    }
+    v = lower_of(d, v, d->from[d->list[i]]);
   }
-  return next < before ? 1 : -1;
+  for (size_t i = b->begin; i < b->end; i++) {
+    int32_t from = d->from[d->list[i]], to = d->to[d->list[i]];
+
+    next = compare_places(d, from, v) == 0 ? lower_of(d, next, to) : next;
+    before = compare_places(d, to, v) == 0 ? lower_of(d, before, from) : before;
+  }
+  return compare_places(d, next, before) < 0 ? 1 : -1;
 }
 
 static bool

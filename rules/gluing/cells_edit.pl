@@ -1,5 +1,6 @@
 :- module(sg_cells_edit,
           [ cells_edited/3,             % +S, :Goal, -Change
+            regions_again/2,            % +S, -Report
             edge_there/3,               % +S, +A, +B
             vertices_renamed/3,         % +S, +V, +W
             edge_divided/4,             % +S, +A, +B, +V
@@ -59,6 +60,13 @@ edited(S, Goal, Change) :-
 
 more(Before, After, Key, More) :-
     More is After.Key - Before.Key.
+
+%!  regions_again(+S, -Report) is det.
+%
+%   Find the regions of the cells S again, in an edit; Report is as of
+%   regions_report/2.
+%
+%   @error geometry_error(glue_law(S, Faults))
 
 regions_again(S, Report) :-
     retractall_facts(sides(S, _, _, _)),

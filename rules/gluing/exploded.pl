@@ -3,7 +3,8 @@
             cells_parted/0,
             cells_parted/1,             % +S
             faces_once/0,
-            segment_exploded/3          % +S, +Factor, -Parts
+            segment_exploded/3,         % +S, +Factor, -Parts
+            region_copied/3             % +S, +R, -Ns
           ]).
 :- use_module('../csg/csg_rows', [drop_boundary/1]).
 :- use_module('../csg/known_surface',
@@ -101,6 +102,18 @@ segment_exploded(S, Factor, Parts) :-
     maplist(region_moved(S, Factor, Middle), Regions, Lists),
     wires_kept(S, Wires),
     append([Wires|Lists], Parts),
+    findall(N, member(part(N,_,_), Parts), Ns),
+    complete_segments(Ns).
+
+%!  region_copied(+S, +R, -Ns:list) is det.
+%
+%   The cell R of segment S once more: the first of the new segments Ns is a
+%   solid, another one the surface of the sheets in it. Call it in a transaction.
+
+region_copied(S, R, Ns) :-
+    findall(V, v(S, V, _, _, _), Vs),
+    middle(S, Vs, Middle),
+    region_moved(S, 0.0, Middle, R-cell, Parts),
     findall(N, member(part(N,_,_), Parts), Ns),
     complete_segments(Ns).
 

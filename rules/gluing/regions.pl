@@ -14,7 +14,7 @@
 :- use_module('../polygon/triangulation', [complete_segments/1]).
 :- use_module(vertex_zone, [zones_told/2]).
 :- use_module('../store',
-              [ segment/3, sides/4, lies_in/3, assert_fact/1,
+              [ segment/3, origin/3, sides/4, lies_in/3, assert_fact/1,
                 retractall_facts/1, facts_transaction/1 ]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(error), [existence_error/2, must_be/2]).
@@ -65,7 +65,10 @@ regions_made_now(S, Report) :-
     retractall_facts(region(S, _, _)),
     retractall_facts(lies_in(S, _, r(_))),
     complete_segments([S]),
-    segment_welded(S, Doubles),
+    (   origin(S, p(_), slit(_))
+    ->  Doubles = 0
+    ;   segment_welded(S, Doubles)
+    ),
     (   Doubles =:= 0
     ->  true
     ;   print_message(warning,
