@@ -69,8 +69,10 @@ module that has it.
 :- reexport(gluing/cycle, [ loop_cycle/4, radial_cycle/4, disk/4 ]).
 :- reexport(gluing/region_border, [zone/4, shell/4]).
 :- reexport(gluing/vertex_disk,
-            [ disk_arcs/2, disk_direction/2, zone_at/3, disks_touch/2,
-              disk_relation/3 ]).
+            [ disk_arcs/2, disk_direction/2, zone_at/3, disk_relation/3 ]).
+:- reexport(gluing/euler, [euler/3]).
+:- reexport(gluing/contact_glue, [glue_vertices/4, glue_edges/4, glue_mixed/4]).
+:- reexport(gluing/unglue, [unglued_polygons/3, unglued_region/4]).
 :- reexport(csg/provenance,
             [ vertex_from/4, edge_from/3, polygon_from/5, operand_face/3,
               operand_edge/3 ]).

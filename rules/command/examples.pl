@@ -225,8 +225,25 @@ example(disk_direction/2, 'facts/figures/glue_vertex.pl',
         "disk_direction(disk(5, 1, 4), Direction).", "Direction = p(0,0,-3)").
 example(zone_at/3, 'facts/figures/glue_vertex.pl',
         "zone_at(disk(5, 1, 2), p(0,0,1), Zone).", "Zone = 1").
-example(disks_touch/2, 'facts/figures/glue_vertex.pl',
-        "\\+ disks_touch(disk(5, 1, 2), disk(5, 1, 3)).", "true").
+example(euler/3, 'facts/two_rooms.pl',
+        "regions_made(1, _), euler(1, make(vertex(_, p(99,0,0))), Change).",
+        "Change = change(1,0,0,0,1,0,1,0)").
+example(glue_vertices/4, 'facts/two_rooms.pl',
+        "regions_made(1, _), v(1, V, X, Y, Z), !, \c
+         euler(1, make(vertex(W, p(99,0,0))), _), \c
+         retractall_facts(v(1, W, _, _, _)), assert_fact(v(1, W, X, Y, Z)), \c
+         glue_vertices(1, V, W, Change), arg(1, Change, N).", "N = -1").
+example(glue_edges/4, 'facts/two_rooms.pl',
+        "regions_made(1, _), e(1, _, A, B, _), !, \c
+         glue_edges(1, A-B, B-A, Change).", "Change = change(0,0,0,0,0,0,0,0)").
+example(glue_mixed/4, 'facts/two_rooms.pl',
+        "regions_made(1, _), \c
+         catch(glue_mixed(1, v(1), p(1), _), error(_, _), true).", "true").
+example(unglued_polygons/3, 'facts/two_rooms.pl',
+        "regions_made(1, _), unglued_polygons(1, [6], Change), \c
+         arg(3, Change, Faces).", "Faces = 1").
+example(unglued_region/4, 'facts/two_rooms.pl',
+        "regions_made(1, _), unglued_region(1, 1, N, _).", "N = 2").
 example(disk_relation/3, 'facts/figures/glue_vertex.pl',
         "disk_relation(disk(5, 1, 2), disk(5, 1, 3), Relation).",
         "Relation = within").

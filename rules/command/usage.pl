@@ -125,6 +125,13 @@ verb_option(glue, option(repair, '', flag, '', 'mend the operands first')).
 verb_option(glue, option(neighbours, '', flag, '',
     'also which regions have faces between them, how many and of what area')).
 verb_option(glue, option(json, '', flag, '', 'the report as JSON')).
+verb_option(unglue, option(region, '', whole(1, 2147483647), 'R',
+    'only cell R: it is a solid of its own; the rest stays glued, without \c
+     its operands')).
+verb_option(unglue, option(face, '', whole(1, 2147483647), 'P',
+    'only polygon P, which is there twice then')).
+verb_option(unglue, option(between, '', value, 'R1,R2',
+    'only the polygons between two regions')).
 verb_option(unglue, option(output, o, each, 'FILE',
     'where to (.pl); may be repeated')).
 verb_option(unglue, option(format, '', one_of([pl]), 'FORMAT',
@@ -408,6 +415,10 @@ option_ko(json, '보고를 JSON으로').
 option_ko(each,
     '파일마다 따로, 결과도 파일마다. 실패한 파일이 있어도 나머지를 계속한다. \c
 -o FILE의 %는 폴더와 확장자를 뺀 파일 이름').
+option_ko(region,
+    '영역 R만 떼어 입체 하나로. 나머지는 피연산자 없이 붙은 채로 둔다').
+option_ko(face, '다각형 P만 떼어 둘로').
+option_ko(between, '두 영역 사이의 다각형들만 뗀다').
 option_ko(neighbours, '사이에 면이 있는 영역들, 그 면의 수와 넓이도').
 option_ko(stdio,
     '페이지 없이 표준 입력과 표준 출력의 프레임 (docs/protocol.md)').
@@ -525,6 +536,7 @@ example(check, 'sanggwan check --json part.stl').
 example(cells, 'sanggwan cells facts/two_rooms.pl --neighbours').
 example(glue, 'sanggwan glue facts/cube.pl facts/pipe_tee.pl -o glued.pl').
 example(unglue, 'sanggwan unglue glued.pl -o parts.pl').
+example(unglue, 'sanggwan unglue glued.pl --region 1 -o parts.pl').
 example(convert, 'sanggwan convert part.stl -o part.pl -o part.off').
 example(convert, 'sanggwan convert --from off --format pl -o - - < part.off').
 example(penetrate, 'sanggwan penetrate facts/figures/fig13.pl -o lines.csv').

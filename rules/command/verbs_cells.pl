@@ -9,7 +9,7 @@
 :- use_module('../csg/csg_roots', [roots_alone/0]).
 :- use_module('../gluing/exploded', [cells_exploded/1]).
 :- use_module('../gluing/regions', [regions_made/2, law_fault/3]).
-:- use_module('../kernel', [self_meetings/2]).
+:- use_module('../gluing/unglue', [meetings_unmeant/2]).
 :- use_module('../language', [language/1]).
 :- use_module('../model/cells_file', [cells_format/1, write_cells/2]).
 :- use_module('../model/model', [load_model/2, save_model/1, save_model/2]).
@@ -89,7 +89,7 @@ segment_report(Glues, S-Term, Report) :-
 %   together. Of Glues it is known where.
 
 apart_warned(Glues) :-
-    self_meetings(1, Segments),
+    meetings_unmeant(1, Segments),
     forall(( member(self(S, Counts, [meeting(_, P1, P2, _, _, _)]), Segments),
              \+ memberchk(S-_, Glues),
              findall(N, member(_-N, Counts), Ns),

@@ -5,15 +5,18 @@
             glue_misses_told/0
           ]).
 :- use_module('../csg/csg', [node/4, root_segment/1]).
+:- use_module('../csg/csg_roots', [roots_alone/0]).
 :- use_module('../gluing/exploded', [cells_parted/1]).
-:- use_module('../gluing/regions', [regions_report/2]).
+:- use_module('../gluing/regions', [regions_made/2, regions_report/2]).
+:- use_module('../gluing/unglue',
+              [unglued_between/4, unglued_polygons/3, unglued_region/4]).
 :- use_module('../model/model', [load_model/2, save_model/1]).
 :- use_module('../plain', [plain_json/2]).
 :- use_module('../language', [language/1]).
 :- use_module('../solid/glue',
               [unglue/1, glue_report/2, glue_operands/2, glue_misses/2]).
 :- use_module('../store',
-              [v/5, segment/3, facts_snapshot/1, facts_transaction/1]).
+              [ v/5, segment/3, region/3, facts_snapshot/1, facts_transaction/1 ]).
 :- use_module(solid_verbs, [operands_loaded/4, operands_evaluated/2]).
 :- use_module(verb_output,
               [ some_files/2, outputs/3, some_outputs/1, no_model_replaced/2,
@@ -129,13 +132,68 @@ printed(Options, Report) :-
 %
 %   As verb_run/4: the roots that are glues are taken away, so their operands
 %   are roots again, as they were. Of cells that have no operands, as those of a
-%   file of rows, each becomes a solid.
+%   file of rows, each becomes a solid. With the options region(R), face(P) and
+%   between(Text) the only cells are unglued in part, and stay without operands.
 
 unglue_run(Files, Options, 0) :-
     some_files(Files, 'MODEL'),
     outputs(Options, [pl], Outputs),
     some_outputs(Outputs),
     no_model_replaced(Files, Outputs),
+    findall(Part, part_asked(Options, Part), Parts),
+    (   Parts = [Part1,Part2|_]
+    ->  arg(1, Part1, Option1),
+        arg(1, Part2, Option2),
+        usage_error(both_options(Option1, Option2))
+    ;   Parts = [part(_,Part)]
+    ->  part_unglued(Files, Options, Part)
+    ;   all_unglued(Files, Options)
+    ),
+    maplist(output_written(save_model), Outputs).
+
+part_asked(Options, part('--region',region(R))) :-
+    option(region(R), Options).
+part_asked(Options, part('--face',face(P))) :-
+    option(face(P), Options).
+part_asked(Options, part('--between',between(R1,R2))) :-
+    option(between(Text), Options),
+    (   split_string(Text, ",", " ", [Text1,Text2]),
+        number_string(R1, Text1),
+        number_string(R2, Text2),
+        integer(R1),
+        integer(R2)
+    ->  true
+    ;   usage_error(bad_value('--between', Text, 'R1,R2'))
+    ).
+
+usage_error(What) :-
+    throw(error(usage_error(What), _)).
+
+part_unglued(Files, Options, Part) :-
+    load_model(Files, Options),
+    roots_alone,
+    findall(S, segment(S, cells, _), Ss),
+    (   Ss = [S]
+    ->  facts_transaction(sg_verbs_glue:unglued_part(Part, S))
+    ;   length(Ss, N),
+        throw(error(geometry_error(part_glue(one_cells(N))), _))
+    ).
+
+unglued_part(Part, S) :-
+    (   region(S, _, _)
+    ->  true
+    ;   regions_made(S, _)
+    ),
+    part_parted(Part, S).
+
+part_parted(region(R), S) :-
+    unglued_region(S, R, _, _).
+part_parted(face(P), S) :-
+    unglued_polygons(S, [P], _).
+part_parted(between(R1,R2), S) :-
+    unglued_between(S, R1, R2, _).
+
+all_unglued(Files, Options) :-
     load_model(Files, [evaluate(false),triangles(false)|Options]),
     findall(S, ( root_segment(S), node(S, glue, _, _) ), Glues),
     findall(S, ( segment(S, cells, _), v(S, _, _, _, _),
@@ -147,8 +205,7 @@ unglue_run(Files, Options, 0) :-
     ->  print_message(warning, sanggwan(nothing_glued))
     ;   facts_transaction(( maplist(unglue, Glues),
                             maplist(sg_verbs_glue:parted, Alone) ))
-    ),
-    maplist(output_written(save_model), Outputs).
+    ).
 
 parted(S) :-
     cells_parted(S),

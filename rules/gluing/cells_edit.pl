@@ -24,10 +24,9 @@
 :- use_module(library(lists), [append/2, append/3, last/2, member/2]).
 /** <module> Edits of cells: rows, then regions and laws.
 
-One edit is one transaction. After it regions are found again, and both laws are
-counted; if one does not hold, everything is as it was. What operands a region was
-inside stays with its sides.
-*/
+One edit is one transaction. After it regions are found again, and both laws
+are counted; if one does not hold, everything is as it was. What operands a
+region was inside stays with its sides. */
 
 :- meta_predicate cells_edited(+, 0, -).
 
@@ -81,8 +80,8 @@ regions_again(S, Report) :-
     ;   throw(error(geometry_error(glue_law(S, Faults)), _))
     ).
 
-%   contents(S, Contents): for each side, P-below or P-above, what its region was
-%   inside, and whether it was a void.
+%   contents(S, Contents): for each side, P-below or P-above, what its region
+%   was inside, and whether it was a void.
 
 contents(S, Contents) :-
     findall((P-Side)-in(Role,Inside),

@@ -47,15 +47,16 @@ out nothing is changed.
 %
 %   @error domain_error(euler_operation, Operation): it is none, or what it
 %          names is not so; geometry_error(glue_law(S, Faults));
-%          geometry_error(euler_change(S, Operation, Change)): it was counted, and
-%          is not that of the operation
+%          geometry_error(part_glue(euler_change(S, Operation, Change))): it
+%          was counted, and is not that of the operation
 
 euler(S, Operation, Change) :-
     must_be(nonvar, Operation),
     cells_edited(S, sg_euler:done(S, Operation), Change0),
     (   row(Operation, Change0)
     ->  Change = Change0
-    ;   throw(error(geometry_error(euler_change(S, Operation, Change0)), _))
+    ;   Fault = euler_change(S, Operation, Change0),
+        throw(error(geometry_error(part_glue(Fault)), _))
     ).
 
 done(S, Operation) :-

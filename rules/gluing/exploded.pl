@@ -108,7 +108,8 @@ segment_exploded(S, Factor, Parts) :-
 %!  region_copied(+S, +R, -Ns:list) is det.
 %
 %   The cell R of segment S once more: the first of the new segments Ns is a
-%   solid, another one the surface of the sheets in it. Call it in a transaction.
+%   solid, another one the surface of the sheets in it. Call it in a
+%   transaction.
 
 region_copied(S, R, Ns) :-
     findall(V, v(S, V, _, _, _), Vs),

@@ -17,8 +17,8 @@ kernel for the default is c_kernels/gluing/sphere_map.h. */
 %   at a vertex have in common, by disk_relation/3: those in which they see
 %   each other, if no third disk sees them in different ones.
 %
-%   @error geometry_error(disks_cross(S, V, D1, D2)): two disks go through each
-%          other, as disk_relation/3 has it
+%   @error geometry_error(part_glue(disks_cross(S, V, D1, D2))): two disks go
+%          through each other, as disk_relation/3 has it
 
 zones_told(S, Meetings) :-
     findall(Meeting, ( crowded(S, V, Ds), meeting(S, V, Ds, Meeting) ),
@@ -88,7 +88,7 @@ sees(S, V, Ds, D1, D2, Zone) :-
 met(S, V, D1, D2, Zone1, Zone2) :-
     (   disks_meet(disk(S,V,D1), disk(S,V,D2), Zone1, Zone2)
     ->  true
-    ;   throw(error(geometry_error(disks_cross(S, V, D1, D2)), _))
+    ;   throw(error(geometry_error(part_glue(disks_cross(S, V, D1, D2))), _))
     ).
 
 %   zone_side(Disk, Zone, E, Above): one of its sides; -P of a polygon inside of

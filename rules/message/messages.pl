@@ -13,6 +13,7 @@
 :- use_module(development_en,
               [ development_en//2, development_notice_en//2 ]).
 :- use_module(mesh_en, [mesh_en//1, simplify_en//1]).
+:- use_module(part_glue_en, [part_glue_en//1]).
 :- use_module(message_parts,
               [ counted//3, dots_that_fit/5, loading_fault//2, located//1,
                 manual_page//1, shown_names/2
@@ -416,10 +417,8 @@ fault_en(glue_law(S, Faults0)) -->
       [S, Text], nl,
       '  Give another --tolerance, --repair the operands, or mend the \c
        --rules.' ].
-fault_en(disks_cross(S, V, D1, D2)) -->
-    [ 'segment ~d: disks ~d and ~d at vertex ~d go through each other, by \c
-       disk_relation/3'-[S, D1, D2, V], nl,
-      '  Cut them first, or use other --rules.' ].
+fault_en(part_glue(What)) -->
+    part_glue_en(What).
 fault_en(glue_meets(S, P1, P2, X, Y, Z)) -->
     [ 'segment ~d: polygons ~d and ~d would meet at ~6g ~6g ~6g and share \c
        nothing, so nothing was glued'-[S, P1, P2, X, Y, Z], nl,

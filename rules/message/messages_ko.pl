@@ -19,6 +19,7 @@
 :- use_module(development_ko,
               [ development_ko//2, development_notice_ko//2 ]).
 :- use_module(mesh_ko, [mesh_ko//1, simplify_ko//1]).
+:- use_module(part_glue_ko, [part_glue_ko//1]).
 :- use_module(message_parts,
               [ dots_that_fit/5, loading_fault//2, located//1, manual_page//1,
                 shown_names/2
@@ -430,10 +431,8 @@ fault_ko(glue_law(S, Faults0)) -->
     [ '세그먼트 ~d: 붙인 것이 법칙에 어긋나(~w) 아무것도 붙이지 않았습니다'-
       [S, Text], nl,
       '  --tolerance를 바꾸거나 --repair로 피연산자를 고치거나 --rules를 고치십시오.' ].
-fault_ko(disks_cross(S, V, D1, D2)) -->
-    [ '세그먼트 ~d: disk_relation/3에 따르면 꼭짓점 ~d번의 원반 ~d번과 ~d번이 \c
-       서로를 뚫고 지나갑니다'-[S, V, D1, D2], nl,
-      '  먼저 자르거나 다른 --rules를 쓰십시오.' ].
+fault_ko(part_glue(What)) -->
+    part_glue_ko(What).
 fault_ko(glue_meets(S, P1, P2, X, Y, Z)) -->
     [ '세그먼트 ~d: 다각형 ~d번과 ~d번이 ~6g ~6g ~6g에서 공통 요소 없이 \c
        만나게 되어 아무것도 붙이지 않았습니다'-[S, P1, P2, X, Y, Z], nl,

@@ -1,5 +1,5 @@
-/* Euler operators: each change is counted, each has its inverse, and is one step
-   of undo. covers: cells_edit */
+/* Euler operators: each change is counted, each has its inverse, and is one
+   step of undo. covers: cells_edit */
 :- module(test_euler, []).
 :- use_module(library(apply)).
 :- use_module(library(lists)).
@@ -126,7 +126,8 @@ test(refused, [forall(member(Operation, [ kill(wire(_, 1, 2)),
 
 %   A vertex on a face, and not told to be: nothing is left of it.
 
-test(rolled_back, Rows1-E == Rows-geometry_error(glue_law(1,[unsure_part-1]))) :-
+test(rolled_back,
+     Rows1-E == Rows-geometry_error(glue_law(1,[unsure_part-1]))) :-
     in_new_world(( cube_faces([0,0,0], Faces), made_soup(Faces, []),
                    regions_made(1, _), cells_rows(1, Rows),
                    catch(made(make(vertex(_, p(0.5,0.5,0)))), error(E, _),

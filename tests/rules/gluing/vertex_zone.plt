@@ -114,7 +114,8 @@ test(wrong_rule, Faults = [broken_law-_]) :-
                    rule_file("disk_relation(_, _, disjoint)",
                              regions_made(1, Report)) )),
     findall(Fault-N, law_fault(Report, Fault, N), Faults).
-test(rule_that_crosses, error(geometry_error(disks_cross(1, _, 1, 2)))) :-
+test(rule_that_crosses,
+     error(geometry_error(part_glue(disks_cross(1, _, 1, 2))))) :-
     figure4(Faces, Wires),
     in_new_world(( made_soup(Faces, Wires),
                    rule_file("disk_relation(_, _, cross)",

@@ -13,6 +13,8 @@ unsaid(messages, notice_en(greeting)).
 unsaid(messages, notice_en(no_end)).
 unsaid(messages, fault_en(result_open)).
 unsaid(explain_glue_en, role_en(slit)).
+unsaid(part_glue_en, not_glued_en(crossing)).
+unsaid(part_glue_en, not_glued_en(touching)).
 unsaid(messages, notice_en(opened(contacts))).
 unsaid(messages, notice_en(opened(faces))).
 unsaid(messages, notice_en(contacts(_))).

@@ -1,12 +1,12 @@
 /* Glue in one place, against what the fused glue counts, in place and turned.
-   covers: face_glue */
-:- module(test_local_glue, []).
+   */
+:- module(test_contact_glue, []).
 :- use_module(library(apply)).
 :- use_module(library(lists)).
 :- use_module(library(plunit)).
 :- use_module(library(random)).
 :- use_module(rules(gluing/cycle)).
-:- use_module(rules(gluing/local_glue)).
+:- use_module(rules(gluing/contact_glue)).
 :- use_module(rules(gluing/regions)).
 :- use_module(rules(store)).
 :- use_module(tests(rules/gluing/cells_rows)).
@@ -85,7 +85,7 @@ plate([ [[[-4,4,0],[4,4,0],[4,-4,0],[-4,-4,0]]],
         [[[4,4,0],[-4,4,0],[-4,4,1],[4,4,1]]],
         [[[-4,4,0],[-4,-4,0],[-4,-4,1],[-4,4,1]]] ]).
 
-:- begin_tests(local_glue, [setup(set_random(seed(4)))]).
+:- begin_tests(contact_glue, [setup(set_random(seed(4)))]).
 
 %   Two cubes at a vertex.
 
@@ -114,17 +114,20 @@ test(one_step_of_undo, Rows1 == Rows) :-
                    glue_vertices(1, V, W, _),
                    facts_undo,
                    cells_rows(1, Rows1) )).
-test(crossing, error(geometry_error(not_glued(1, v(_), v(_), crossing)))) :-
+test(crossing,
+     error(geometry_error(part_glue(not_glued(1, v(_), v(_), crossing))))) :-
     pyramid([0,0,0], [[10,-1,-10],[10,-1,10],[10,1,10],[10,1,-10]], D1),
     pyramid([0,0,0], [[10,-10,-1],[10,-10,1],[10,10,1],[10,10,-1]], D2),
     in_new_world(( two(false, D1, D2), twins([V-W]),
                    glue_vertices(1, V, W, _) )).
-test(touching, error(geometry_error(not_glued(1, v(_), v(_), touching)))) :-
+test(touching,
+     error(geometry_error(part_glue(not_glued(1, v(_), v(_), touching))))) :-
     cube_faces([0,0,0], One),
     cube_faces([1,1,0], Two),
     in_new_world(( two(false, One, Two), twins([V-W|_]),
                    glue_vertices(1, V, W, _) )).
-test(apart, error(geometry_error(not_glued(1, v(1), v(2), apart)))) :-
+test(apart,
+     error(geometry_error(part_glue(not_glued(1, v(1), v(2), apart))))) :-
     cube_faces([0,0,0], One),
     in_new_world(( two(false, One, []), glue_vertices(1, 1, 2, _) )).
 test(no_vertex, error(existence_error(vertex, 99))) :-
@@ -158,7 +161,8 @@ test(cubes_at_an_edge, [forall(member(Turned, [false,true])),
     cube_faces([1,1,0], Two),
     in_new_world(( two(Turned, One, Two), twins([V-W,X-Y]),
                    glue_edges(1, V-X, W-Y, _), counts(C) )).
-test(edges_apart, error(geometry_error(not_glued(1, e(_), e(_), apart)))) :-
+test(edges_apart,
+     error(geometry_error(part_glue(not_glued(1, e(_), e(_), apart))))) :-
     cube_faces([0,0,0], One),
     in_new_world(( two(false, One, []), e(1, _, A, B, _),
                    e(1, _, B, D, _), D \== A,
@@ -189,10 +193,11 @@ test(edge_on_face, C == [14,21,11,12,1,3,3,0]) :-
     in_new_world(( two(false, Plate, Roof), vertex_at(A, V), vertex_at(B, W),
                    once(e(1, E, V, W, _)),
                    glue_mixed(1, e(E), p(2), _), counts(C) )).
-test(beside, error(geometry_error(not_glued(1, v(_), p(2), beside)))) :-
+test(beside,
+     error(geometry_error(part_glue(not_glued(1, v(_), p(2), beside))))) :-
     plate(Plate),
     pyramid([0,1,9], [[-1,0,11],[-1,2,11],[1,2,11],[1,0,11]], Tip),
     in_new_world(( two(false, Plate, Tip), vertex_at([0,1,9], V),
                    glue_mixed(1, v(V), p(2), _) )).
 
-:- end_tests(local_glue).
+:- end_tests(contact_glue).

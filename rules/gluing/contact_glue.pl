@@ -1,4 +1,4 @@
-:- module(sg_local_glue,
+:- module(sg_contact_glue,
           [ glue_vertices/4,            % +S, +V1, +V2, -Change
             glue_mixed/4,               % +S, +Item1, +Item2, -Change
             glue_edges/4                % +S, +Edge1, +Edge2, -Change
@@ -17,8 +17,8 @@
 :- use_module(library(error), [existence_error/2]).
 :- use_module(library(lists), [append/2, append/3, member/2]).
 :- use_module(library(pairs), [pairs_values/2]).
-/** <module> Glue in one place: vertices, edges, and vertices and edges with what
-is larger (NG-2, NG-3, NG-5).
+/** <module> Glue in one place: vertices, edges, and vertices and edges with
+what is larger (NG-2, NG-3, NG-5).
 
 Each is one transaction on cells, after which regions are found again and both
 laws are counted (cells_edit.pl). What coincides has one vertex or edge then.
@@ -30,13 +30,14 @@ Nothing else is looked for: `glue` finds all that meets.
 %   Vertex V2 of the cells S becomes V1, which is in exactly the same place.
 %   Change is as of cells_edited/3.
 %
-%   @error existence_error(vertex, V); geometry_error(not_glued(S, v(V1), v(V2),
-%          Why)): Why is `apart`, `crossing` (disk_relation/3 says that disks go
-%          through each other) or `touching` (edges of both have one direction:
-%          these are to be glued, or faces); those of cells_edited/3
+%   @error existence_error(vertex, V); geometry_error(part_glue(not_glued(S,
+%          v(V1), v(V2), Why))): Why is `apart`, `crossing` (disk_relation/3
+%          says that disks go through each other) or `touching` (edges of both
+%          have one direction: these are to be glued, or faces); those of
+%          cells_edited/3
 
 glue_vertices(S, V1, V2, Change) :-
-    cells_edited(S, sg_local_glue:vertices_glued(S, V1, V2), Change).
+    cells_edited(S, sg_contact_glue:vertices_glued(S, V1, V2), Change).
 
 vertices_glued(S, V1, V2) :-
     vertex_place(S, V1, Place1),
@@ -67,20 +68,21 @@ disks_free(S, V1, D1, V2, D2) :-
     ).
 
 not_glued(S, Item1, Item2, Why) :-
-    throw(error(geometry_error(not_glued(S, Item1, Item2, Why)), _)).
+    Fault = not_glued(S, Item1, Item2, Why),
+    throw(error(geometry_error(part_glue(Fault)), _)).
 
 %!  glue_mixed(+S, +Item1, +Item2, -Change) is det.
 %
-%   Glue a vertex to an edge, v(V) and e(E): the edge is divided there; a vertex
-%   to a polygon, v(V) and p(P): it is a point loop of P; or an edge to a polygon,
-%   e(E) and p(P): it is a seam of P, and its ends, where they are in P, are of
-%   the seam. In this order. Change is as of cells_edited/3.
+%   Glue a vertex to an edge, v(V) and e(E): the edge is divided there; a
+%   vertex to a polygon, v(V) and p(P): it is a point loop of P; or an edge to
+%   a polygon, e(E) and p(P): it is a seam of P, and its ends, where they are
+%   in P, are of the seam. In this order. Change is as of cells_edited/3.
 %
 %   @error as glue_vertices/4; Why is also `beside`: the vertex is not in the
 %          edge, or not inside the polygon
 
 glue_mixed(S, Item1, Item2, Change) :-
-    cells_edited(S, sg_local_glue:mixed_glued(Item1, Item2, S), Change).
+    cells_edited(S, sg_contact_glue:mixed_glued(Item1, Item2, S), Change).
 
 mixed_glued(v(V), e(E), S) :-
     !,
@@ -186,17 +188,17 @@ between(S, A, B, V, At) :-
 
 %!  glue_edges(+S, +Edge1, +Edge2, -Change) is det.
 %
-%   Glue the edges Edge1 and Edge2 of the cells S, A-B of two vertices, in what
-%   they have in common: each is divided at the ends of the other one, ends in one
-%   place are one vertex, and then there is one edge there, with the pages of
-%   both. Change is as of cells_edited/3.
+%   Glue the edges Edge1 and Edge2 of the cells S, A-B of two vertices, in
+%   what they have in common: each is divided at the ends of the other one,
+%   ends in one place are one vertex, and then there is one edge there, with
+%   the pages of both. Change is as of cells_edited/3.
 %
-%   @error existence_error(edge, Edge); geometry_error(not_glued(S, e(Edge1),
-%          e(Edge2), apart)): they have no line in common; those of
+%   @error existence_error(edge, Edge); geometry_error(part_glue(not_glued(S,
+%          e(Edge1), e(Edge2), apart))): they have no line in common; those of
 %          cells_edited/3
 
 glue_edges(S, Edge1, Edge2, Change) :-
-    cells_edited(S, sg_local_glue:edges_glued(S, Edge1, Edge2), Change).
+    cells_edited(S, sg_contact_glue:edges_glued(S, Edge1, Edge2), Change).
 
 edges_glued(S, A-B, C-D) :-
     an_edge(S, A, B),

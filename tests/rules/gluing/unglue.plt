@@ -1,12 +1,13 @@
-/* Unglue in part: slits, cuts that open, regions by themselves; counts by hand. */
-:- module(test_unglued, []).
+/* Unglue in part: slits, cuts that open, regions by themselves; counts by
+   hand. */
+:- module(test_unglue, []).
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
 :- use_module(library(lists)).
 :- use_module(library(plunit)).
 :- use_module(library(random)).
 :- use_module(rules(gluing/regions)).
-:- use_module(rules(gluing/unglued)).
+:- use_module(rules(gluing/unglue)).
 :- use_module(rules(model/integrity)).
 :- use_module(rules(store)).
 :- use_module(tests(rules/gluing/cells_rows)).
@@ -49,7 +50,7 @@ level(P, Z) :-
     p(1, P, Es),
     forall(member(E, Es), ( e(1, E, V, _, _), v(1, V, _, _, Z) )).
 
-:- begin_tests(unglued, [setup(set_random(seed(8)))]).
+:- begin_tests(unglue, [setup(set_random(seed(8)))]).
 
 %   Of the cube in the middle: a slit inside.
 
@@ -122,14 +123,14 @@ test(region, [forall(member(Turned, [false,true])),
                    counts(C),
                    aggregate_all(count, p(N, _, _), F),
                    findall(Defect, model_defect(Defect), D) )).
-test(outside_is_no_cell, error(domain_error(cell, 9))) :-
+test(outside_is_no_cell, error(geometry_error(part_glue(unglued(1, r(9)))))) :-
     in_new_world(( cubes(2, false), unglued_region(1, 9, _, _) )).
-test(no_region, error(existence_error(region, 77))) :-
+test(no_region, error(geometry_error(part_glue(unglued(1, r(77)))))) :-
     in_new_world(( cubes(2, false), unglued_region(1, 77, _, _) )).
-test(not_glued, error(domain_error(glued_polygon, P))) :-
+test(not_glued, error(geometry_error(part_glue(unglued(1, p(P)))))) :-
     in_new_world(( cubes(2, false), p(1, P, _), \+ inner(P),
                    unglued_polygons(1, [P], _) )).
-test(no_neighbours, error(domain_error(region_neighbour, 1-1))) :-
+test(no_neighbours, error(geometry_error(part_glue(unglued(1, 1-1))))) :-
     in_new_world(( cubes(2, false), unglued_between(1, 1, 1, _) )).
 
-:- end_tests(unglued).
+:- end_tests(unglue).

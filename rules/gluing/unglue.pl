@@ -1,66 +1,58 @@
-:- module(sg_unglued,
+:- module(sg_unglue,
           [ unglued_polygons/3,         % +S, +Ps, -Change
             unglued_between/4,          % +S, +R1, +R2, -Change
             unglued_region/4,           % +S, +R, -N, -Change
-            stays_apart/1               % +S
+            meetings_unmeant/2          % +Most, -Selves
           ]).
 :- use_module(cells_edit,
               [ cells_edited/3, polygon_gone/2, regions_again/2 ]).
 :- use_module(cycle, [disk/4, radial_cycle/4]).
 :- use_module('../disjoint_sets', [set_root/3, sets_joined/4]).
 :- use_module(exploded, [region_copied/3]).
+:- use_module('../kernel', [self_meetings/2, segment_meetings/3]).
+:- use_module('../limits', [limit_value/2]).
 :- use_module(regions, [region_neighbour/4]).
 :- use_module('../store',
               [ v/5, e/5, p/3, t/6, edge_polygon/3, origin/3, from_p/5,
                 from_v/4, region/3, sides/4, lies_in/3, assert_fact/1,
                 retractall_facts/1, fresh_id/3 ]).
-:- use_module(library(apply), [foldl/4, maplist/3]).
-:- use_module(library(assoc), [empty_assoc/1, get_assoc/3, put_assoc/4]).
-:- use_module(library(error), [existence_error/2, domain_error/2]).
-:- use_module(library(lists), [append/3, list_to_set/2, member/2]).
+:- use_module(library(apply), [convlist/3, foldl/4, maplist/3]).
+:- use_module(library(assoc), [empty_assoc/1]).
+:- use_module(library(lists), [append/3, list_to_set/2, member/2, nth1/3]).
 :- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> Unglue in part: faces that are parted, a region by itself.
 
-A face that is unglued is there twice, with a slit between. Where slits, voids or
-the outside divide the pages round an edge of it, the edge parts, and so its ends
-do: a cut that reaches the surface opens, and one inside stays a slit, whose border
-is shared. An edge both of whose ends are shared stays one.
+A face that is unglued is there twice, with a slit between. Where slits, voids
+or the outside divide the pages round an edge of it, the edge parts, and so
+its ends do: a cut that reaches the surface opens, and one inside stays a
+slit, whose border is shared. An edge both of whose ends are shared stays one.
 
-origin(S, p(Q), slit(P)) remembers that Q lies on P and is to stay apart from it,
-so vertices of S in one place are not made one again (regions_made/2).
-*/
-
-%!  stays_apart(+S) is semidet.
-%
-%   True when something of segment S was parted.
-
-stays_apart(S) :-
-    origin(S, p(_), slit(_)),
-    !.
+origin(S, p(Q), slit(P)) remembers that Q lies on P and is to stay apart from
+it, so vertices of S in one place are not made one again (regions_made/2). */
 
 %!  unglued_polygons(+S, +Ps:list, -Change) is det.
 %
-%   Polygons Ps of the cells S, with different regions on their sides, become two
-%   each. Change is as of cells_edited/3; one transaction.
+%   Polygons Ps of the cells S, with different regions on their sides, become
+%   two each. Change is as of cells_edited/3; one transaction.
 %
-%   @error existence_error(polygon, P); domain_error(glued_polygon, P): it has one
-%          region on both sides, or the outside; those of cells_edited/3
+%   @error geometry_error(part_glue(unglued(S, p(P)))): there is none, or a
+%          side of it is no cell, or both are one; those of cells_edited/3
 
 unglued_polygons(S, Ps, Change) :-
-    cells_edited(S, sg_unglued:polygons_parted(S, Ps), Change).
+    cells_edited(S, sg_unglue:polygons_parted(S, Ps), Change).
 
 %!  unglued_between(+S, +R1, +R2, -Change) is det.
 %
 %   The same of all polygons between the regions R1 and R2.
 %
-%   @error domain_error(region_neighbour, R1-R2): there are none
+%   @error geometry_error(part_glue(unglued(S, R1-R2))): there are none
 
 unglued_between(S, R1, R2, Change) :-
     findall(P, region_neighbour(S, R1, R2, P), Ps0),
     sort(Ps0, Ps),
     (   Ps \== []
     ->  unglued_polygons(S, Ps, Change)
-    ;   domain_error(region_neighbour, R1-R2)
+    ;   geometry_error(part_glue(unglued(S, R1-R2)))
     ).
 
 polygons_parted(S, Ps) :-
@@ -77,16 +69,16 @@ polygons_parted(S, Ps) :-
            forall(member(Class, Classes), vertex_parted(S, V, Class))).
 
 glued_polygon(S, P) :-
-    (   sides(S, P, Below, Above)
-    ->  true
-    ;   existence_error(polygon, P)
-    ),
-    (   Below =\= Above,
+    (   sides(S, P, Below, Above),
+        Below =\= Above,
         \+ gap(S, Below),
         \+ gap(S, Above)
     ->  true
-    ;   domain_error(glued_polygon, P)
+    ;   geometry_error(part_glue(unglued(S, p(P))))
     ).
+
+geometry_error(What) :-
+    throw(error(geometry_error(What), _)).
 
 gap(S, R) :-
     region(S, R, Role),
@@ -115,8 +107,9 @@ vertices_of(S, Ps, Vs) :-
             Vs0),
     sort(Vs0, Vs).
 
-%   classes_at(S, V, Faces, Classes): lists of polygons at V that hang together
-%   by edges as they part; the first also has the disks that none of Faces is in.
+%   classes_at(S, V, Faces, Classes): lists of polygons at V that hang
+%   together by edges as they part; the first also has the disks that none of
+%   Faces is in.
 
 classes_at(S, V, Faces, Classes) :-
     findall(Items, ( disk(S, V, _, Items0), polygons(Items0, Items),
@@ -192,26 +185,24 @@ other(V, W, A0, A) :-
 
 %!  unglued_region(+S, +R, -N, -Change) is det.
 %
-%   Cell R of the cells S is the solid N then, and sheets in it are surfaces; the
-%   rest of S stays glued. Change is that of S; one transaction.
+%   Cell R of the cells S is the solid N then, and sheets in it are surfaces;
+%   the rest of S stays glued. Change is that of S; one transaction.
 %
-%   @error existence_error(region, R); domain_error(cell, R): it is no cell; those
-%          of cells_edited/3
+%   @error geometry_error(part_glue(unglued(S, r(R)))): there is no such cell;
+%          those of cells_edited/3
 
 unglued_region(S, R, N, Change) :-
-    cells_edited(S, sg_unglued:region_parted(S, R, N), Change).
+    cells_edited(S, sg_unglue:region_parted(S, R, N), Change).
 
 region_parted(S, R, N) :-
-    (   region(S, R, Role)
+    (   region(S, R, cell)
     ->  true
-    ;   existence_error(region, R)
-    ),
-    (   Role == cell
-    ->  true
-    ;   domain_error(cell, R)
+    ;   geometry_error(part_glue(unglued(S, r(R))))
     ),
     region_copied(S, R, [N|_]),
-    findall(P, ( sides(S, P, Below, Above), of_region_alone(S, R, Below, Above) ),
+    findall(P,
+            ( sides(S, P, Below, Above),
+              of_region_alone(S, R, Below, Above) ),
             Ps),
     vertices_of(S, Ps, Vs),
     findall(E, lies_in(S, e(E), r(R)), Wires),
@@ -234,3 +225,47 @@ of_region_alone(S, R, R, Above) :-
 of_region_alone(S, R, Below, R) :-
     Below =\= R,
     gap(S, Below).
+
+%!  meetings_unmeant(+Most, -Selves:list) is det.
+%
+%   Selves are as of self_meetings/2, without what lies on each other, or
+%   touches in corners, because it was unglued.
+
+meetings_unmeant(Most, Selves) :-
+    self_meetings(Most, Selves0),
+    convlist(without_slits(Most), Selves0, Selves).
+
+without_slits(Most, self(S, Counts0, Meetings0), self(S, Counts, Meetings)) :-
+    (   origin(S, p(_), slit(_))
+    ->  limit_value(facets, All),
+        segment_meetings(S, All, Segments),
+        findall(Kind-Meeting,
+                ( member(self(S, _, Meetings1), Segments),
+                  member(Meeting, Meetings1),
+                  \+ slit_meeting(S, Meeting),
+                  arg(1, Meeting, Kind) ),
+                Pairs0),
+        keysort(Pairs0, Pairs),
+        group_pairs_by_key(Pairs, Groups),
+        findall(Kind-N, ( member(Kind-List, Groups), length(List, N) ), Counts),
+        findall(Meeting, ( nth1(I, Pairs, _-Meeting), I =< Most ), Meetings),
+        Counts \== []
+    ;   Counts = Counts0,
+        Meetings = Meetings0
+    ).
+
+slit_meeting(S, meeting(self_overlap, P, Q, _, _, _)) :-
+    (   origin(S, p(Q), slit(P))
+    ;   origin(S, p(P), slit(Q))
+    ),
+    !.
+slit_meeting(S, meeting(self_touching, P, Q, _, _, _)) :-
+    corner(S, P, X, Y, Z),
+    corner(S, Q, X, Y, Z),
+    !.
+
+corner(S, P, X, Y, Z) :-
+    p(S, P, Es),
+    member(E, Es),
+    e(S, E, V, _, _),
+    v(S, V, X, Y, Z).
