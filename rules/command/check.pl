@@ -6,7 +6,7 @@
 :- use_module('../model/integrity',
               [defect_weight/2, no_defect/2, shell_defect/3]).
 :- use_module('../gluing/unglue', [meetings_unmeant/2]).
-:- use_module('../kernel', [census/1]).
+:- use_module('../kernel', [census/1, self_meetings/2]).
 :- use_module('../model/formula_rows', [default_of/2, written_fact/2]).
 :- use_module('../model/parameter_about', [about_text/3, range_of/4]).
 :- use_module('../store', [segment/3, param/2]).
@@ -42,7 +42,10 @@ cells; broken_law and unsure_part are faults of theirs. Model units.
 
 check_report(Report) :-
     census(Parts),
-    meetings_unmeant(3, Selves),
+    (   segment(_, cells, _)
+    ->  meetings_unmeant(3, Selves)
+    ;   self_meetings(3, Selves)
+    ),
     maplist(part_report(Selves), Parts, Segments),
     sum_of(fault_count, Segments, Faults),
     sum_of(remark_count, Segments, Remarks),

@@ -16,7 +16,8 @@
 :- use_module('../solid/glue',
               [unglue/1, glue_report/2, glue_operands/2, glue_misses/2]).
 :- use_module('../store',
-              [ v/5, segment/3, region/3, facts_snapshot/1, facts_transaction/1 ]).
+              [ v/5, segment/3, region/3, facts_snapshot/1,
+                facts_transaction/1 ]).
 :- use_module(solid_verbs, [operands_loaded/4, operands_evaluated/2]).
 :- use_module(verb_output,
               [ some_files/2, outputs/3, some_outputs/1, no_model_replaced/2,

@@ -16,7 +16,7 @@
               [ v/5, e/5, p/3, t/6, edge_polygon/3, origin/3, from_p/5,
                 from_v/4, region/3, sides/4, lies_in/3, assert_fact/1,
                 retractall_facts/1, fresh_id/3 ]).
-:- use_module(library(apply), [convlist/3, foldl/4, maplist/3]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(assoc), [empty_assoc/1]).
 :- use_module(library(lists), [append/3, list_to_set/2, member/2, nth1/3]).
 :- use_module(library(pairs), [group_pairs_by_key/2]).
@@ -233,7 +233,7 @@ of_region_alone(S, R, Below, R) :-
 
 meetings_unmeant(Most, Selves) :-
     self_meetings(Most, Selves0),
-    convlist(without_slits(Most), Selves0, Selves).
+    maplist(without_slits(Most), Selves0, Selves).
 
 without_slits(Most, self(S, Counts0, Meetings0), self(S, Counts, Meetings)) :-
     (   origin(S, p(_), slit(_))
@@ -248,8 +248,7 @@ without_slits(Most, self(S, Counts0, Meetings0), self(S, Counts, Meetings)) :-
         keysort(Pairs0, Pairs),
         group_pairs_by_key(Pairs, Groups),
         findall(Kind-N, ( member(Kind-List, Groups), length(List, N) ), Counts),
-        findall(Meeting, ( nth1(I, Pairs, _-Meeting), I =< Most ), Meetings),
-        Counts \== []
+        findall(Meeting, ( nth1(I, Pairs, _-Meeting), I =< Most ), Meetings)
     ;   Counts = Counts0,
         Meetings = Meetings0
     ).

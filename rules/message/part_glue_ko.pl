@@ -16,7 +16,7 @@ part_glue_ko(disks_cross(S, V, D1, D2)) -->
 part_glue_ko(unglued(S, Item)) -->
     unglued_ko(Item, S).
 part_glue_ko(one_cells(N)) -->
-    [ '뗄 모델에 세포이 ~D개 있습니다'-[N], nl,
+    [ '뗄 모델에 세포가 ~D개 있습니다'-[N], nl,
       '  --region, --face, --between은 하나의 것입니다: 그 파일만 주십시오.' ].
 part_glue_ko(not_glued(S, Item1, Item2, Why)) -->
     [ '세그먼트 ~d: ~p와(과) ~p을(를) 붙이지 않았습니다: '-[S, Item1, Item2] ],
@@ -31,8 +31,8 @@ unglued_ko(p(P), S) -->
       [S, P], nl,
       '  cells --neighbours로 어느 영역들 사이에 면이 있는지 보십시오.' ].
 unglued_ko(r(R), S) -->
-    [ '세그먼트 ~d의 영역 ~d번은 세포이 아니어서 뗄 수 없습니다'-[S, R], nl,
-      '  cells로 세포을 보십시오.' ].
+    [ '세그먼트 ~d의 영역 ~d번은 세포가 아니어서 뗄 수 없습니다'-[S, R], nl,
+      '  cells로 세포를 보십시오.' ].
 unglued_ko(R1-R2, S) -->
     [ '세그먼트 ~d에는 영역 ~d번과 ~d번 사이에 다각형이 없습니다'-
       [S, R1, R2], nl,
