@@ -5,7 +5,8 @@
           ]).
 :- use_module('../csg/csg_rows', [segment_box/2]).
 :- use_module('../near', [tolerance/2]).
-:- use_module('../store', [v/5, e/5, t/6]).
+:- use_module('../store', [e/5, t/6]).
+:- use_module(triangle_corners, [triangle_corners/5, vertex_place/3]).
 :- use_module('../vector',
               [ cross_product/3, difference/3, dot_product/3, scaled/3,
                 vector_sum/3 ]).
@@ -33,13 +34,7 @@ polygon_gap(S1-P1, S2-P2, Most, Gap, Ends) :-
     nearest(Pieces1, Pieces2, Most, miss(Gap,_,_,Ends)).
 
 polygon_piece(S, P, piece(P,A,B,C)) :-
-    t(S, P, _, V1, V2, V3),
-    place(S, V1, A),
-    place(S, V2, B),
-    place(S, V3, C).
-
-place(S, V, p(X,Y,Z)) :-
-    once(v(S, V, X, Y, Z)).
+    triangle_corners(S, P, A, B, C).
 
 %   nearest(Pieces1, Pieces2, Most, Miss): the first of the nearest.
 
@@ -193,8 +188,8 @@ segment_piece(S, Piece) :-
     ->  polygon_piece(S, _, Piece)
     ;   Piece = piece(E,A,B),
         e(S, E, V1, V2, _),
-        place(S, V1, A),
-        place(S, V2, B)
+        vertex_place(S, V1, A),
+        vertex_place(S, V2, B)
     ).
 
 near_box(box(X1,Y1,Z1,X2,Y2,Z2), Reach, Piece) :-

@@ -2,7 +2,8 @@
           [ region_point/3              % +S, +R, -Point
           ]).
 :- use_module('../near', [tolerance/2]).
-:- use_module('../store', [v/5, t/6, sides/4]).
+:- use_module('../store', [sides/4]).
+:- use_module(triangle_corners, [triangle_corners/5]).
 :- use_module('../vector',
               [ cross_product/3, difference/3, dot_product/3, scaled/3,
                 vector_sum/3 ]).
@@ -50,30 +51,18 @@ region_triangle(S, R, A, B, C) :-
     ;   sides(S, P, Below, R),
         Below =\= R
     ),
-    t(S, P, _, V1, V2, V3),
-    place(S, V1, A),
-    place(S, V2, B),
-    place(S, V3, C).
+    triangle_corners(S, P, A, B, C).
 
 %   border_triangle(S, R, Corners): so turned that its normal points into R.
 
 border_triangle(S, R, c(A,C,B)) :-
     sides(S, P, R, Above),
     Above =\= R,
-    t(S, P, _, V1, V2, V3),
-    place(S, V1, A),
-    place(S, V2, B),
-    place(S, V3, C).
+    triangle_corners(S, P, A, B, C).
 border_triangle(S, R, c(A,B,C)) :-
     sides(S, P, Below, R),
     Below =\= R,
-    t(S, P, _, V1, V2, V3),
-    place(S, V1, A),
-    place(S, V2, B),
-    place(S, V3, C).
-
-place(S, V, p(X,Y,Z)) :-
-    once(v(S, V, X, Y, Z)).
+    triangle_corners(S, P, A, B, C).
 
 %   middle(Corners, Middle, Normal, Square): Square grows with the area; none of
 %   a triangle without area.

@@ -6,9 +6,10 @@
             has_vertex/3                % +S, +P, +V
           ]).
 :- use_module('../polygon/triangulation', [complete_segments/1]).
+:- use_module('../gluing/triangle_corners', [rational_place/3]).
 :- use_module('../store',
               [ e/5, p/3, t/6, plane/6, edge_polygon/3, from_p/5, lies_in/3,
-                v/5, assert_fact/1, fresh_id/3, retract_fact/1,
+                assert_fact/1, fresh_id/3, retract_fact/1,
                 retractall_facts/1
               ]).
 :- use_module('../vector', [cross_product/3, difference/3, dot_product/3]).
@@ -200,12 +201,12 @@ part_taken(S, P, Border, Part) :-
              assert_fact(lies_in(S, v(V), p(New))) )).
 
 in_part(S, V, Part) :-
-    place(S, V, At),
+    rational_place(S, V, At),
     member(_-Corners, Part),
     Corners = [A,B,C],
-    place(S, A, From),
-    place(S, B, To),
-    place(S, C, Last),
+    rational_place(S, A, From),
+    rational_place(S, B, To),
+    rational_place(S, C, Last),
     difference(To, From, U),
     difference(Last, From, W),
     cross_product(U, W, N),
@@ -213,16 +214,10 @@ in_part(S, V, Part) :-
     !.
 
 is_right(S, N, V1, V2, At) :-
-    place(S, V1, From),
-    place(S, V2, To),
+    rational_place(S, V1, From),
+    rational_place(S, V2, To),
     difference(To, From, U),
     difference(At, From, W),
     cross_product(U, W, X),
     dot_product(N, X, Side),
     Side < 0.
-
-place(S, V, p(X,Y,Z)) :-
-    once(v(S, V, X0, Y0, Z0)),
-    X is rational(X0),
-    Y is rational(Y0),
-    Z is rational(Z0).

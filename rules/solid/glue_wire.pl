@@ -4,6 +4,7 @@
 :- use_module(glue_divide,
               [ edge_divided/5, seam_added/4, polygons_divided/2, is_edge/3,
                 has_vertex/3 ]).
+:- use_module('../gluing/triangle_corners', [rational_place/3]).
 :- use_module('../store',
               [ v/5, e/5, t/6, lies_in/3, assert_fact/1, fresh_id/3 ]).
 :- use_module('../vector',
@@ -37,21 +38,15 @@ wires_written(S, Curves, Reach0) :-
     Reach is rational(Reach0),
     findall(triangle(P, A, B, C, Box),
             ( t(S, P, _, V1, V2, V3),
-              maplist(place(S), [V1,V2,V3], [A,B,C]),
+              maplist(rational_place(S), [V1,V2,V3], [A,B,C]),
               points_box([A,B,C], Box) ),
             Triangles),
     foldl(curve_written(S, Reach, Triangles), Curves, [], Changed0),
     sort(Changed0, Changed),
     polygons_divided(S, Changed).
 
-place(S, V, p(X,Y,Z)) :-
-    once(v(S, V, X0, Y0, Z0)),
-    X is rational(X0),
-    Y is rational(Y0),
-    Z is rational(Z0).
-
 curve_written(S, Reach, Triangles, S0, Changed0, Changed) :-
-    findall(V0-At, ( v(S0, V0, _, _, _), place(S0, V0, At) ), Places),
+    findall(V0-At, ( v(S0, V0, _, _, _), rational_place(S0, V0, At) ), Places),
     foldl(vertex_taken(S, Reach, Triangles, S0), Places, []-Changed0,
           Known-Changed1),
     findall(V1-V2,
@@ -78,7 +73,7 @@ vertex_taken(S, Reach, Triangles, S0, V0-At, Known-Changed0,
 near_vertex(S, Reach, At, V) :-
     findall(Square-V1,
             ( v(S, V1, _, _, _),
-              place(S, V1, Place),
+              rational_place(S, V1, Place),
               square_between(At, Place, Square),
               Square =< Reach*Reach ),
             Near0),
@@ -103,8 +98,8 @@ point_noted(S, Reach, Triangles, V, At, Changed0, Changed) :-
             ( an_edge(S, V1, V2),
               V1 =\= V,
               V2 =\= V,
-              place(S, V1, A),
-              place(S, V2, B),
+              rational_place(S, V1, A),
+              rational_place(S, V2, B),
               on_way(A, B, At, Reach, _) ),
             Edges0),
     sort(Edges0, Edges),
@@ -201,15 +196,15 @@ boxes_near(box(X1,Y1,Z1,X2,Y2,Z2), box(A1,B1,C1,A2,B2,C2), Reach) :-
 %   divided where it crosses edges, which it divides, then at all vertices.
 
 edge_written(S, Reach, Triangles, V1-V2, Changed0, Changed) :-
-    place(S, V1, A),
-    place(S, V2, B),
+    rational_place(S, V1, A),
+    rational_place(S, V2, B),
     findall(At-edges(Edge), crossed(S, Reach, A, B, Edge, At), Crossed),
     foldl(crossing_divided(S, Reach), Crossed, Changed0, Changed1),
     findall(Along-V,
             ( v(S, V, _, _, _),
               V =\= V1,
               V =\= V2,
-              place(S, V, Q),
+              rational_place(S, V, Q),
               on_way(A, B, Q, Reach, Along) ),
             Pairs0),
     keysort(Pairs0, Pairs),
@@ -225,8 +220,8 @@ crossed(S, Reach, A, B, V1-V2, At) :-
     findall(V1-V2, an_edge(S, V1, V2), Edges0),
     sort(Edges0, Edges),
     member(V1-V2, Edges),
-    place(S, V1, C),
-    place(S, V2, D),
+    rational_place(S, V1, C),
+    rational_place(S, V2, D),
     points_box([C,D], Around),
     boxes_near(Box, Around, Reach),
     passing(A, B, C, D, At1, At2),
@@ -270,8 +265,8 @@ crossing_divided(S, Reach, At-edges(Edge), Changed0, Changed) :-
 %   V2, if that is no edge.
 
 part_written(S, Reach, Triangles, V2, V1-Changed0, V2-Changed) :-
-    place(S, V1, A),
-    place(S, V2, B),
+    rational_place(S, V1, A),
+    rational_place(S, V2, B),
     (   ( V1 =:= V2 ; is_edge(S, V1, V2) )
     ->  Changed = Changed0
     ;   runs_in(Triangles, Reach, A, B, P)

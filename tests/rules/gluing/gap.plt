@@ -1,5 +1,6 @@
 /* How far faces are apart that were not glued: against distances known by
-   construction, in place and turned. */
+   construction, in place and turned.
+   covers: triangle_corners */
 :- module(test_gap, []).
 :- use_module(library(lists)).
 :- use_module(library(plunit)).
