@@ -11,6 +11,7 @@
                 drawn/7, origin/3, line/9
               ]).
 :- use_module(library(apply), [maplist/3]).
+:- use_module('../sheet/dash', [plain_end/2]).
 :- use_module(library(lists), [member/2, nth1/3]).
 :- use_module(library(option), [option/2]).
 :- use_module(library(ordsets), [ord_memberchk/2]).
@@ -131,7 +132,9 @@ style_fact(N, Ink, style(N,Width,Colour,Dashes,Pen,Layer)) :-
 drawing_row(Views, Inks, stroke(N,View,Visibility,Role,S,Edges,Points,
                                 Start,End)) :-
     member(view(View,Lines,_), Views),
-    member(line(Ink,stroke(Visibility,Role,S,Edges,Points0,Start,End)), Lines),
+    member(line(Ink,stroke(Visibility,Role,S,Edges,Points0,Start,End0)),
+           Lines),
+    plain_end(End0, End),
     once(nth1(N, Inks, Ink)),
     maplist(place, Points0, Points).
 drawing_row(Views, Inks, text(N,View,X,Y,Height,Anchor,Text)) :-

@@ -8,6 +8,7 @@
 :- use_module('../plain', [plain_json/2]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(http/json), [json_write/3]).
+:- use_module('../sheet/dash', [plain_end/2]).
 :- use_module(library(lists), [member/2, nth0/3]).
 :- use_module(library(option), [option/3]).
 /** <module> JSON: the same lines as the SVG has, for programs.
@@ -83,7 +84,8 @@ view_member(Name, View) :-
     format(string(View), '"view":~s, ', [Text]).
 
 line_written(Out, Inks, View, line(Ink,Stroke), Before, ",\n    ") :-
-    Stroke = stroke(Visibility,Role,S,Edges,Points,Start,End),
+    Stroke = stroke(Visibility,Role,S,Edges,Points,Start,End0),
+    plain_end(End0, End),
     once(nth0(Style, Inks, Ink)),
     format(Out, '~w {~w"visibility":"~w", "role":"~w", "segment":~d, \c
                  "edges": [', [Before,View,Visibility,Role,S]),

@@ -12,6 +12,7 @@
             ink_layer/2,                % +Ink, -Layer
             ink_lines/4                 % +How, +Ink, +Stroke, -Lines
           ]).
+:- use_module('../sheet/crossing', [strokes_crossed/2]).
 :- use_module('../sheet/dash', [stroke_dashes/3]).
 :- use_module('../colour', [colour_rgb/2]).
 :- use_module('../decision', [decided_at/2, default/1]).
@@ -22,7 +23,7 @@
                 paper_style/1
               ]).
 :- use_module(style_file, [style_rows/2, restyled/6, rows_paper/2]).
-:- use_module(library(apply), [exclude/3, foldl/4, maplist/3]).
+:- use_module(library(apply), [convlist/3, exclude/3, foldl/4, maplist/3]).
 :- use_module(library(error), [domain_error/2]).
 :- use_module('../plain', [plain_text/2]).
 :- use_module(library(lists), [append/2, append/3, list_to_set/2, member/2]).
@@ -74,8 +75,36 @@ inked(drawing(Sheet,Views1), Options, inked(Sheet,Paper,Views)) :-
 
 inked_view(Words, How, view(Name,Strokes0,Texts0), view(Name,Lines,Written)) :-
     worded(Words, Strokes0, Texts0, Strokes, Texts),
-    inked_items(Strokes, How, none-none, Lines),
+    inked_items(Strokes, How, none-none, Lines0),
+    lines_crossed(Lines0, Lines),
     inked_items(Texts, How, none-none, Written).
+
+%   lines_crossed(Lines0, Lines): dashed hidden lines know where others of these
+%   cross them.
+
+lines_crossed(Lines0, Lines) :-
+    convlist(dashed_line, Lines0, Strokes0),
+    (   Strokes0 = [_,_|_],
+        strokes_crossed(Strokes0, Strokes),
+        \+ same_term(Strokes0, Strokes)
+    ->  lines_marked(Lines0, Strokes, Lines)
+    ;   Lines = Lines0
+    ).
+
+dashed_line(line(Ink,Stroke), Stroke) :-
+    Stroke = stroke(hidden, _, _, _, _, _, _),
+    ink_runs(Ink, [_,_]).
+
+lines_marked([], _, []).
+lines_marked([Line0|Lines0], Strokes0, [Line|Lines]) :-
+    (   dashed_line(Line0, _)
+    ->  Line0 = line(Ink, _),
+        Strokes0 = [Stroke|Strokes],
+        Line = line(Ink, Stroke)
+    ;   Line = Line0,
+        Strokes = Strokes0
+    ),
+    lines_marked(Lines0, Strokes, Lines).
 
 worded(kept, Strokes0, Texts, Strokes, Texts) :-
     !,

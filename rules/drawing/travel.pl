@@ -4,7 +4,7 @@
           ]).
 :- use_module('../kernel', [travel_order/3]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
-:- use_module(library(lists), [last/2, reverse/2]).
+:- use_module(library(lists), [last/2, member/2, reverse/2]).
 /** <module> Travel: strokes in an order that a lifted pen likes.
 
 From where a stroke ends the pen goes to the nearest end of those not yet
@@ -55,6 +55,13 @@ way(XA-YA, XB-YB, Way) :-
     Y is float(YB-YA),
     Way is X*X + Y*Y.
 
+backwards(stroke(Visibility,Role,S,Es0,Points0,Start,crossed(End,Marks0,L)),
+          Stroke) :-
+    !,
+    findall(Mark, ( member(Mark0, Marks0), Mark is L-Mark0 ), Marks1),
+    reverse(Marks1, Marks),
+    backwards(stroke(Visibility,Role,S,Es0,Points0,crossed(Start,Marks,L),End),
+              Stroke).
 backwards(stroke(Visibility,Role,S,Es0,Points0,Start,End),
           stroke(Visibility,Role,S,Es,Points,End,Start)) :-
     reverse(Es0, Es),

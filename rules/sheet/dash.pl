@@ -1,16 +1,18 @@
 :- module(sg_dash,
           [ stroke_runs/4,              % +Stroke, +Runs, -Fitted, -Offset
-            stroke_dashes/3             % +Stroke, +Runs, -Dashes
+            stroke_dashes/3,            % +Stroke, +Runs, -Dashes
+            plain_end/2                 % +End0, -End
           ]).
 :- use_module(stroke, [stroke_length/2]).
-:- use_module(library(apply), [maplist/3]).
-:- use_module(library(lists), [last/2, reverse/2, sum_list/2]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(lists), [append/3, last/2, reverse/2, sum_list/2]).
 /** <module> Dashes that fit the line.
 
 A dashed line begins and ends with a dash, so that corners are closed; where
 it goes on as a visible line it begins with a gap, so that one sees where it
 is hidden (ISO 128). So its runs are stretched or shrunk a little for each
-stroke.
+stroke. Where others cross it (crossing.pl) it has the middle of a dash; its
+runs are then those of its whole way, one by one.
 
 Runs are lengths of a dash, a gap, a dash, a gap, ... in the unit of the
 points of a stroke, positive, an even number of them: [3000,900] is a dashed
@@ -31,13 +33,29 @@ stroke_runs(Stroke, Runs, Fitted, Offset) :-
     first_run(Stroke, Fitted, _, Offset).
 
 whole_run(Run, Whole) :-
-    Whole is max(1, round(Run)).
+    (   Run =:= 0                       % of crossed_runs/6, the first
+    ->  Whole = 0
+    ;   Whole is max(1, round(Run))
+    ).
+
+%!  plain_end(+End0, -End) is det.
+%
+%   End is the End0 of a stroke without what crossing.pl has added.
+
+plain_end(crossed(End,_,_), End) :-
+    !.
+plain_end(End, End).
 
 %   A number of periods and the first dash once more, and a gap at each cut
 %   end; in a ring a number of periods.
 
+fitted_runs(stroke(_,_,_,_,_,Start,crossed(End,Marks,Length)), [Dash,Gap],
+            Fitted) :-
+    !,
+    crossed_runs(Start, End, Marks, Length, Dash-Gap, Fitted).
 fitted_runs(Stroke, Runs, Fitted) :-
-    Stroke = stroke(_, _, _, _, _, Start, End),
+    Stroke = stroke(_, _, _, _, _, Start, End0),
+    plain_end(End0, End),
     stroke_length(Stroke, Length),
     sum_list(Runs, Period),
     ends_length(Start, End, Runs, Ends, Least),
@@ -63,6 +81,12 @@ stretched(Stretch, Run0, Run) :-
 %   first_run(Stroke, Runs, Index, Offset): the stroke begins with the run of
 %   that Index, from 0, which begins Offset after the first dash.
 
+first_run(stroke(_,_,_,_,_,_,crossed(_,_,_)), [First|_], Index, 0) :-
+    !,
+    (   First =:= 0
+    ->  Index = 1
+    ;   Index = 0
+    ).
 first_run(stroke(_,_,_,_,_,cut,_), Runs, Index, Offset) :-
     !,
     length(Runs, N),
@@ -71,6 +95,122 @@ first_run(stroke(_,_,_,_,_,cut,_), Runs, Index, Offset) :-
     sum_list(Runs, Period),
     Offset is Period-Gap.
 first_run(_, _, 0, 0).
+
+%   crossed_runs(Start, End, Marks, Length, Dash-Gap, Runs): Runs are those of a
+%   stroke of that Length which is crossed at Marks, a dash first, which may be 0,
+%   and a gap last. Between two marks, or a mark and an end, is a span.
+
+crossed_runs(ring, _, [First|Marks], Length, Run, Runs) :-
+    !,
+    Round is First+Length,
+    append(Marks, [Round], Ends),
+    foldl(span_added(Run), Ends, at(mark,First,Items,mark),
+          at(_,_,[],_)),
+    Before is Length-First,
+    items_split(Items, Before, Head, Tail),
+    append(Tail, Head, Around),
+    items_runs(Around, Run, Runs).
+crossed_runs(Start, End, Marks0, Length, Run, Runs) :-
+    Run = Dash-_,
+    Least is Dash/2,
+    Most is Length-Least,
+    inner_marks(Marks0, Least, Most, Marks),
+    foldl(span_added(Run), Marks, at(Start,0.0,Items,mark),
+          at(Last,From,Items1,_)),
+    span_added(Run, Length, at(Last,From,Items1,End), at(_,_,[],_)),
+    items_runs(Items, Run, Runs).
+
+inner_marks([], _, _, []).
+inner_marks([Mark|Marks0], Least, Most, Marks) :-
+    (   Mark > Least,
+        Mark < Most
+    ->  Marks = [Mark|Marks1]
+    ;   Marks = Marks1
+    ),
+    inner_marks(Marks0, Least, Most, Marks1).
+
+%   span_added(Run, To, At0, At): At is at(Left, From, Items, Right): a span from
+%   From, where there is Left, a `mark` or as in a stroke, to To, where there is
+%   Right. Items, dash(Length) and gap(Length), follow.
+
+span_added(Run, To, at(Left,From,Items0,Right), at(mark,To,Items,Right)) :-
+    Length is To-From,
+    span_items(Left, Right, Length, Run, Own),
+    append(Own, Items, Items0).
+
+%   From the middle of a dash to the middle of one is a number of periods.
+
+span_items(Left, Right, Length, Dash-Gap, Items) :-
+    before_middle(Left, Dash, Gap, DashA, GapA),
+    before_middle(Right, Dash, Gap, DashB, GapB),
+    Fixed is DashA+GapA+DashB+GapB,
+    N is max(0, round((Length-Fixed)/(Dash+Gap))),
+    Total is Fixed + N*(Dash+Gap),
+    (   (   Total =:= 0
+        ;   Length < Total/2
+        )
+    ->  Items = [dash(Length)]
+    ;   S is Length/Total,
+        SA is S*GapA,
+        SB is S*GapB,
+        dash_items(N, S, DashA, DashB, Dash, Gap, Dashes),
+        append([gap(SA)|Dashes], [gap(SB)], Items)
+    ).
+
+before_middle(mark, _, _, 0, 0).
+before_middle(joint, Dash, _, Half, 0) :-
+    Half is Dash/2.
+before_middle(cut, Dash, Gap, Half, Gap) :-
+    Half is Dash/2.
+
+dash_items(0, S, DashA, DashB, _, _, [dash(D)]) :-
+    !,
+    D is S*(DashA+DashB).
+dash_items(N, S, DashA, DashB, Dash, Gap, [dash(D),gap(G)|Items]) :-
+    D is S*(DashA+Dash/2),
+    G is S*Gap,
+    N1 is N-1,
+    HalfDash is Dash/2,
+    dash_items(N1, S, HalfDash, DashB, Dash, Gap, Items).
+
+%   items_split(Items, Length, Head, Tail): Head is so long.
+
+items_split([Item|Items], Left, Head, Tail) :-
+    Item =.. [Kind,Length],
+    (   Length =< Left
+    ->  Head = [Item|Head1],
+        Left1 is Left-Length,
+        items_split(Items, Left1, Head1, Tail)
+    ;   Rest is Length-Left,
+        First =.. [Kind,Left],
+        Second =.. [Kind,Rest],
+        Head = [First],
+        Tail = [Second|Items]
+    ).
+items_split([], _, [], []).
+
+%   items_runs(Items, Run, Runs): neighbours of a kind are one; a dash is first,
+%   a gap last.
+
+items_runs(Items0, _-Gap, Runs) :-
+    items_joined(Items0, dash, 0, Runs0),
+    length(Runs0, N),
+    (   N mod 2 =:= 0
+    ->  Runs = Runs0
+    ;   append(Runs0, [Gap], Runs)
+    ).
+
+items_joined([], _, Length, [Length]).
+items_joined([Item|Items], Kind, Length0, Runs) :-
+    Item =.. [Kind1,Length1],
+    (   Length1 =:= 0
+    ->  items_joined(Items, Kind, Length0, Runs)
+    ;   Kind1 == Kind
+    ->  Length is Length0+Length1,
+        items_joined(Items, Kind, Length, Runs)
+    ;   Runs = [Length0|Runs1],
+        items_joined(Items, Kind1, Length1, Runs1)
+    ).
 
 %!  stroke_dashes(+Stroke, +Runs, -Dashes) is det.
 %

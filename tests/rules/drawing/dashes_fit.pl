@@ -10,8 +10,30 @@
 %
 %   True when Fitted are Runs, all longer or shorter alike, and the line begins
 %   and ends with a whole dash, or with a gap where it is cut; the number of
-%   periods is the one that changes them least.
+%   periods is the one that changes them least. Of a line that others cross
+%   (crossing.plt) Fitted may be all of its dashes and gaps instead, as long as
+%   the line, perhaps with a gap more.
 
+dashes_fit(stroke(_,_,_,_,Points,Start,End), Runs, Fitted, Offset) :-
+    Offset =:= 0,
+    \+ same_length(Runs, Fitted),
+    Runs = [_,Gap],
+    !,
+    way(Points, Length),
+    length(Fitted, N),
+    N mod 2 =:= 0,
+    sum_list(Fitted, Sum),
+    Fitted = [First|_],
+    (   Start == joint
+    ->  First > 0
+    ;   Start == cut
+    ->  First =:= 0
+    ;   true
+    ),
+    (   End == cut
+    ->  near(Sum, Length, N)
+    ;   near(Sum, Length, Gap+N)
+    ).
 dashes_fit(stroke(_,_,_,_,Points,Start,End), Runs, Fitted, Offset) :-
     same_length(Runs, Fitted),
     way(Points, Length),
