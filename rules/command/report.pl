@@ -11,7 +11,7 @@
 /** <module> How the report of check.pl is printed.
 
 As text in the language of the messages, or as JSON, which has none. The names
-of faults are those of model_defect/1 in every language.
+of faults are those of model_defect/1; in Korean words stand before them.
 */
 
 %!  print_report(+Format, +Report) is det.
@@ -136,12 +136,48 @@ print_defects(Language, Weight, Dict) :-
     dict_pairs(Dict, _, Pairs),
     word(Language, Weight, Word),
     forall(member(Name-N, Pairs),
-           format("  ~w~t~8| ~w: ~D~n", [Word, Name, N])).
+           ( defect_text(Language, Name, Text),
+             format("  ~w~t~8| ~w: ~D~n", [Word, Text, N]) )).
 
 print_meeting(Language, Meeting) :-
     [P1,P2] = Meeting.polygons,
     [X,Y,Z] = Meeting.at,
-    say(Language, meeting, [Meeting.kind, P1, P2, X, Y, Z]).
+    defect_text(Language, Meeting.kind, Text),
+    say(Language, meeting, [Text, P1, P2, X, Y, Z]).
+
+%   defect_text(Language, Name, Text): in Korean with the name that queries have.
+
+defect_text(Language, Name0, Text) :-
+    atom_string(Name, Name0),
+    (   Language == ko,
+        defect_ko(Name, Word)
+    ->  format(string(Text), "~w(~w)", [Word, Name])
+    ;   Text = Name
+    ).
+
+defect_ko(open_edge,        '열린 모서리').
+defect_ko(turned_edge,      '방향이 어긋난 모서리').
+defect_ko(nonmanifold_edge, '셋 이상의 면이 만나는 모서리').
+defect_ko(shared_half_edge, '두 면이 함께 쓰는 모서리').
+defect_ko(open_polygon,     '닫히지 않은 다각형').
+defect_ko(duplicate_face,   '두 번 있는 면').
+defect_ko(inside_out,       '안팎이 뒤집힌 입체').
+defect_ko(self_penetration, '자기 관통').
+defect_ko(wrong_plane,      '맞지 않는 평면').
+defect_ko(wrong_triangles,  '맞지 않는 삼각형').
+defect_ko(self_overlap,     '자기 겹침').
+defect_ko(broken_law,       '어긋난 법칙').
+defect_ko(unsure_part,      '자리를 알 수 없는 부분').
+defect_ko(touching_edge,    '맞닿은 모서리').
+defect_ko(nested_shell,     '안에 든 껍질').
+defect_ko(turned_shell,     '뒤집힌 껍질').
+defect_ko(pinched_vertex,   '면들이 한 점에서만 만나는 꼭짓점').
+defect_ko(degenerate_face,  '넓이가 없는 면').
+defect_ko(bent_face,        '평평하지 않은 면').
+defect_ko(short_edge,       '짧은 모서리').
+defect_ko(twin_vertices,    '같은 자리의 꼭짓점').
+defect_ko(unused_vertex,    '쓰이지 않는 꼭짓점').
+defect_ko(self_touching,    '자기 접촉').
 
 say(Language, Line, Arguments) :-
     text(Language, Line, Format),

@@ -8,6 +8,7 @@
             print_usage/2               % +Verb, +Language
           ]).
 :- encoding(utf8).
+:- use_module('../message/placeholder', [placeholder_ko/2]).
 :- use_module('../picture/role', [usual_crease/1]).
 :- use_module(usage_render,
               [ render_option/1, shown_option/1, render_option_ko/2,
@@ -15,7 +16,7 @@
 :- use_module(usage_unfold,
               [ unfold_option/1, wish_option/1, unfold_option_ko/2,
                 unfold_example/1 ]).
-:- use_module(library(apply), [exclude/3, foldl/4]).
+:- use_module(library(apply), [exclude/3]).
 :- use_module(library(lists), [append/3, member/2]).
 /** <module> What the program can do: verbs, options, examples.
 
@@ -663,31 +664,18 @@ print_option(Language, Verb, option(Name, Short, _, Meta, Help)) :-
     ),
     (   Language == ko,
         help_ko(Verb, Name, HelpKo)
-    ->  Text = HelpKo
+    ->  placeholder_ko(HelpKo, Text)
     ;   Text = Help
     ),
-    format("  ~w--~w~w~w ~t~28|~w~n", [Letter, Name, Value, Meta, Text]).
+    in_words(Language, Meta, Form),
+    format("  ~w--~w~w~w ~t~28|~w~n", [Letter, Name, Value, Form, Text]).
 
 %   in_words(Language, Form0, Form): what stands for a word, in Language.
 
 in_words(ko, Form0, Form) :-
     !,
-    findall(Word-Korean, placeholder_ko(Word, Korean), Pairs),
-    foldl(replaced_word, Pairs, Form0, Form).
+    placeholder_ko(Form0, Form).
 in_words(_, Form, Form).
-
-replaced_word(Word-Korean, Form0, Form) :-
-    atomic_list_concat(Parts, Word, Form0),
-    atomic_list_concat(Parts, Korean, Form).
-
-placeholder_ko('VERB', '명령').
-placeholder_ko('OPTION', '옵션').
-placeholder_ko('MODEL', '모델').
-placeholder_ko('GOAL', '목표').
-placeholder_ko('ITEM', '항목').
-placeholder_ko('MANIFEST', '작업목록').
-placeholder_ko('FOLDER', '폴더').
-placeholder_ko('FILE', '파일').
 
 %   help_ko(Verb, Name, Help): where verbs share an option, what it says is that
 %   of the table which the verb has it from.

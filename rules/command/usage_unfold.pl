@@ -244,6 +244,7 @@ unfold_option_ko('set-in',
 없으면 위에 얹힌다').
 unfold_option_ko('other-thickness',
     '--true, --trim, --thickness와 함께: 다른 세그먼트의 두께').
+unfold_option_ko(scale, '도면의 척도. 1:2, 5:1 등. 기본값 1:1').
 unfold_option_ko(height, '모델의 높이가 이만큼 되는 척도').
 unfold_option_ko(pages,
     '모두 N쪽에 들어가는 가장 큰 척도. --page가 없으면 A4').

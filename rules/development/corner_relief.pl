@@ -267,18 +267,12 @@ moved_to(D, A, V) :-
 
 %!  outline_crossings(+D, -Count) is det.
 %
-%   Count says how often sides of pattern D that are no folds cross others of
-%   the same piece.
+%   Count says how often sides of pattern D that are no folds, and the steps at
+%   the ends of folds, cross others of the same piece.
 
 outline_crossings(D, Count) :-
     findall(side(K, X1, X2, A, B),
-            ( p(D, P, Es),
-              piece(D, P, K),
-              member(E, Es),
-              e(D, E, V, W, 1),
-              kind_of_end(D, E, _),
-              place(D, V, A),
-              place(D, W, B),
+            ( cut_side(D, K, A, B),
               A = XA-_,
               B = XB-_,
               X1 is min(XA, XB),
@@ -286,6 +280,26 @@ outline_crossings(D, Count) :-
             Sides0),
     msort(Sides0, Sides),
     crossings(Sides, 0, Count).
+
+cut_side(D, K, A, B) :-
+    p(D, P, Es),
+    piece(D, P, K),
+    member(E, Es),
+    e(D, E, V, W, 1),
+    kind_of_end(D, E, _),
+    place(D, V, A),
+    place(D, W, B).
+cut_side(D, K, A, B) :-
+    joint(D, _, E, F, fold, _),
+    once(e(D, E, V1, W1, _)),
+    once(e(D, F, V2, W2, _)),
+    ( V = V1, W = W2 ; V = V2, W = W1 ),
+    V \== W,
+    place(D, V, A),
+    place(D, W, B),
+    \+ same_place(A, B),
+    polygon_of_edge(D, E, P),
+    piece(D, P, K).
 
 crossings([], Count, Count).
 crossings([side(K, _, X2, A, B)|Sides], Count0, Count) :-

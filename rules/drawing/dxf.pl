@@ -6,6 +6,7 @@
             application_table/1,        % +Out
             line_type/4                 % +Out, +Name, +Text, +Runs
           ]).
+:- use_module(dxf_arc, [arcs_found/3, ring_circle/2]).
 :- use_module(dxf_colour, [dxf_colour/2]).
 :- use_module(ink,
               [ inked_inks/2, inked_lines/3, inked_texts/2, dashes_option/3,
@@ -13,10 +14,12 @@
               ]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(lists), [member/2, memberchk/2, nth1/3]).
+:- use_module(library(option), [option/3]).
 /** <module> DXF: strokes as polylines on layers, for CAD programs.
 
 DXF R12 (AC1009), as text: every program reads it. A straight line is a LINE, a
-text a TEXT, also one that stands aslant; what has bends is a POLYLINE. One unit
+text a TEXT, also one that stands aslant; what has bends is a POLYLINE, a circle
+of a true pattern a CIRCLE, and arcs of such a one are arcs of its polyline. One unit
 is one millimetre of the sheet, the origin its lower left corner. A layer for
 each visibility and role, in capitals (`HIDDEN_OUTLINE`), with its colour and
 line type, by the style (style.pl); a line of another look says so itself.
@@ -28,7 +31,8 @@ which segment and edge it belongs to.
 %
 %   Write Inked (ink.pl) to stream Out. Options: dashes(How), line types as is
 %   usual, or `geometry`: a polyline for each dash, and drawn letters in place
-%   of texts.
+%   of texts; smooth(Segments): outlines of these stand for smooth ones, so that
+%   a circle is a CIRCLE, and arcs in a polyline are arcs (dxf_arc.pl).
 
 write_dxf(Out, Inked, Options) :-
     Inked = inked(sheet(W,H,_), _, _),
@@ -40,7 +44,8 @@ write_dxf(Out, Inked, Options) :-
     header(Out, W, H),
     tables(Out, Types, Layers),
     section(Out, 'ENTITIES'),
-    DXF = dxf(Out, H, Looks, Layers),
+    option(smooth(Smooth), Options, []),
+    DXF = dxf(Out, H, Looks, Layers, Smooth),
     forall(member(Line, Lines), line(DXF, How, Line)),
     forall(member(Text, Texts), text(DXF, Text)),
     group(Out, 0, 'ENDSEC'),
@@ -224,8 +229,8 @@ layer(Out, layer(Name,Colour,Type)) :-
 
 /* - - - entities - - -
 
-dxf(Out, H, Looks, Layers): the stream, the height of the sheet, what inks look
-like and what layers do.
+dxf(Out, H, Looks, Layers, Smooth): the stream, the height of the sheet, what inks look
+like and what layers do, and which segments are smooth.
 */
 
 line(DXF, How, line(Ink,Stroke)) :-
@@ -242,27 +247,42 @@ dash(DXF, Ink, stroke(Visibility,Role,S,_,_,_,_), Points) :-
 polyline(DXF, Ink, stroke(_,_,S,Edges,[A,B],Start,_)) :-
     Start \== ring,
     !,
-    DXF = dxf(Out, H, _, _),
+    DXF = dxf(Out, H, _, _, _),
     group(Out, 0, 'LINE'),
     look(DXF, Ink, _),
     point(Out, H, A),
     end_point(Out, H, B),
     edge_data(Out, S, Edges).
+polyline(DXF, Ink, stroke(_,_,S,Edges,Points,ring,_)) :-
+    DXF = dxf(Out, H, _, _, Smooth),
+    memberchk(S, Smooth),
+    ring_circle(Points, circle(X-Y, R)),
+    !,
+    group(Out, 0, 'CIRCLE'),
+    look(DXF, Ink, _),
+    point(Out, H, X-Y),
+    real(Out, 40, R),
+    edge_data(Out, S, Edges).
 polyline(DXF, Ink, stroke(_,_,S,Edges,Points,Start,_)) :-
-    DXF = dxf(Out, H, _, _),
+    DXF = dxf(Out, H, _, _, Smooth),
     group(Out, 0, 'POLYLINE'),
     look(DXF, Ink, Layer),
     group(Out, 66, 1),
     point(Out, H, 0-H),
     flags(Start, Flags),
     group(Out, 70, Flags),
-    vertices(Points, Edges, vertex(Out,H,Layer,S,Start)),
+    How = vertex(Out, H, Layer, S, Start),
+    (   memberchk(S, Smooth)
+    ->  arcs_found(Points, Edges, Corners),
+        forall(member(Corner, Corners), arc_vertex(How, Corner))
+    ;   vertices(Points, Edges, How)
+    ),
     group(Out, 0, 'SEQEND'),
     group(Out, 8, Layer).
 
 %   On its layer, and what of its look is not as the layer's.
 
-look(dxf(Out,_,Looks,Layers), Ink, Layer) :-
+look(dxf(Out,_,Looks,Layers,_), Ink, Layer) :-
     memberchk(Ink-look(Layer,Colour,Type), Looks),
     memberchk(layer(Layer,LayerColour,LayerType), Layers),
     group(Out, 8, Layer),
@@ -300,10 +320,23 @@ vertices([Point], [], How) :-
     ).
 
 vertex(vertex(Out,H,Layer,S,_), Point, Edge) :-
+    vertex_point(Out, H, Layer, Point),
+    edge_data(Out, S, Edge).
+
+vertex_point(Out, H, Layer, Point) :-
     group(Out, 0, 'VERTEX'),
     group(Out, 8, Layer),
-    point(Out, H, Point),
+    point(Out, H, Point).
+
+arc_vertex(vertex(Out,H,Layer,S,_), corner(Point, Edge, Bulge)) :-
+    vertex_point(Out, H, Layer, Point),
+    (   Bulge =:= 0
+    ->  true
+    ;   format(Out, ' 42~n~9f~n', [Bulge])
+    ),
     edge_data(Out, S, Edge).
+arc_vertex(How, end(Point)) :-
+    vertices([Point], [], How).
 
 edge_data(Out, S, Edges) :-
     (   Edges = [E|_]
@@ -328,7 +361,7 @@ text(DXF, word(Ink,Angle,Text)) :-
     turned_text(DXF, Ink, Angle, Text).
 
 turned_text(DXF, Ink, Angle, text(X,Y,Height,Anchor,Text)) :-
-    DXF = dxf(Out, H, _, _),
+    DXF = dxf(Out, H, _, _, _),
     group(Out, 0, 'TEXT'),
     look(DXF, Ink, _),
     point(Out, H, X-Y),

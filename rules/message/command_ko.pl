@@ -2,6 +2,7 @@
 :- module(sg_command_ko,
           [ command_ko//1               % +What
           ]).
+:- use_module(placeholder, [placeholder_ko/2]).
 :- use_module(batch_ko, [batch_usage_ko//1]).
 :- use_module(message_parts, [meant_ko//1]).
 :- use_module(prolog_ko, [korean_syntax//1]).
@@ -62,8 +63,10 @@ command_ko(bad_value(Text, Value, no_normal)) -->
       '  A,B,C,D는 평면 A*X + B*Y + C*Z + D = 0이고, A, B, C 가운데 하나는 \c
        0이 아니어야 합니다.' ].
 command_ko(bad_value(Text, Value, Form)) -->
-    { atom(Form) },
-    [ '~w: ~w 값은 ~w 꼴이어야 합니다'-[Text, Value, Form] ].
+    { atom(Form),
+      placeholder_ko(Form, Korean)
+    },
+    [ '~w: ~w 값은 ~w 꼴이어야 합니다'-[Text, Value, Korean] ].
 command_ko(one_model(Verb, File)) -->
     [ '~w 명령은 모델 하나를 보여 줍니다. 하나 더 있는 것: ~p'-[Verb, File] ].
 command_ko(port_taken(Port)) -->

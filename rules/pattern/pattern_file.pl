@@ -8,8 +8,8 @@
 :- use_module('../output', [files_together/1, writing/3]).
 :- use_module(pattern_drawing, [pattern_drawing/3]).
 :- use_module('../drawing/pdf', [write_pdf_pages/3]).
-:- use_module('../store', [joint/6]).
-:- use_module(library(apply), [maplist/3]).
+:- use_module('../store', [joint/6, origin/3, segment/3]).
+:- use_module(library(apply), [include/3, maplist/3]).
 :- use_module(library(assoc), [list_to_assoc/2]).
 :- use_module(library(lists), [member/2, nth1/3]).
 :- use_module(library(option), [select_option/3]).
@@ -48,11 +48,20 @@ format_written(pdf, File, _, Drawings, Options, [File]) :-
     writing(File, text, pages_written(Inkeds, Options)).
 format_written(_, File, Ds, Drawings, Options, Files) :-
     edge_joints(Ds, Joints),
+    include(is_smooth, Ds, Smooth),
     numbered_files(Drawings, File, Files),
-    files_together(maplist(drawing_written([ joints(Joints), order(kept)
-                                           | Options
+    files_together(maplist(drawing_written([ joints(Joints), order(kept),
+                                             smooth(Smooth) | Options
                                            ]),
                            Drawings, Files)).
+
+%   is_smooth(D): rims and holes of pattern D were made of true curves.
+
+is_smooth(D) :-
+    (   segment(D, pattern, true_development(_, _))
+    ->  true
+    ;   once(origin(D, e(_), e(_)))
+    ).
 
 drawing_written(Options, Drawing, File) :-
     write_drawing(File, [drawing(Drawing)|Options]).

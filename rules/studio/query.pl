@@ -1,9 +1,11 @@
+:- encoding(utf8).
 :- module(sg_query,
           [ query/2,                    % :Goal, +Options
             read_goal/3,                % +Text, -Goal, -Bindings
             answer_json/2,              % +Value, -Json
             print_table/2               % +Names, +Rows
           ]).
+:- use_module('../language', [language/1]).
 :- use_module('../limits', [term_of_text/3, within_depth/1]).
 :- use_module('../part', [whole_program_for/1]).
 :- use_module('../plain', [plain_json/2, plain_text/2, shown_text/2]).
@@ -290,7 +292,7 @@ block_printed(State, Names, Rows) :-
     nb_setarg(1, State, Count),
     (   Names == []
     ->  (   Count0 =:= 0
-        ->  format("yes~n")
+        ->  affirmed
         ;   true
         )
     ;   Widths0 == none
@@ -298,6 +300,13 @@ block_printed(State, Names, Rows) :-
         nb_setarg(2, State, Widths)
     ;   maplist(row_texts, Rows, TextRows),
         forall(member(Row, TextRows), print_row(Row, Widths0))
+    ).
+
+affirmed :-
+    language(Language),
+    (   Language == ko
+    ->  format("예~n")
+    ;   format("yes~n")
     ).
 
 %!  print_table(+Names, +Rows) is det.
@@ -310,7 +319,7 @@ print_table([], Rows) :-
     !,
     (   Rows == []
     ->  true
-    ;   format("yes~n")
+    ;   affirmed
     ).
 print_table(_, []) :-
     !.
