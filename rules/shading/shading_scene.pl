@@ -35,6 +35,7 @@
 :- use_module('../picture/view', [current_view/4, view_matrix/3]).
 :- use_module('../primitive/primitive',
               [is_primitive/1, primitive_kind/2, primitive_shape/4]).
+:- use_module('../solid/operand', [checked_operand/1]).
 :- use_module('../store', [p/3, v/5, segment/3]).
 :- use_module(shading_half, [half_leaf/3]).
 :- use_module(shading_leaf, [known_leaf/4]).
@@ -67,7 +68,9 @@ is written into the world but triangles of polygons that lack them.
 %   Model is what the segments Roots show, from their terms; each is one root of
 %   the picture, in this order. Matrix (csg_matrix.pl) places all of it.
 %
-%   @error error(model_error(What), nodes(Ns)) as of complete_tree/1
+%   @error error(model_error(What), nodes(Ns)) as of complete_tree/1;
+%          geometry_error(operand(S, Faults)): the rows of S are not closed, and
+%          it is below a difference or an intersection
 
 shaded_model(Roots, Model) :-
     identity_matrix(Identity),
@@ -128,7 +131,12 @@ segment_in_tree(S, Kind, Term, At, Nodes0, Nodes, Built0, Built) :-
     right_kind(Kind, S, At),
     (   as_its_term(S, Term)
     ->  leaf_added(S, Term, At, Nodes0, Nodes, Built0, Built)
-    ;   leaf_added(S, rows, At, Nodes0, Nodes, Built0, Built)
+    ;   (   Kind == solid,
+            At = at(_, _, _, solid(_))
+        ->  checked_operand(S)          % what is open has no inside
+        ;   true
+        ),
+        leaf_added(S, rows, At, Nodes0, Nodes, Built0, Built)
     ).
 
 %   right_kind(Kind, Leaf, At): a solid may be anywhere, a surface only where it

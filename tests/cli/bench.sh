@@ -16,6 +16,7 @@ check "nesting" output '^50 ' bench/nesting 50
 "$SANGGWAN" convert -q facts/cube.pl -o "$TMP/cube.obj"
 check "hidden lines" output '^cube +feature' env NO_OCCT=1 ROUNDS=1 \
   VIEWED="$TMP/cube.obj" bench/hidden_lines "$TMP/cube.obj"
+check "redraw" output 'a second' swipl -p foreign="$B" bench/redraw.pl -- 64x48
 if [ -n "${TEST_ALL:-}" ]; then
   check "batch" output '1000000 . looked through' bench/batch 20
   check "serve" output '^undo, picture' bench/serve 1
@@ -23,5 +24,7 @@ if [ -n "${TEST_ALL:-}" ]; then
   check "curves" output '.' bench/curves cyl2 1
   check "booleans" output '.' bench/booleans degenerate
   check "render" output '.' bench/render 64x48
+  check "render difference" output '.' bench/render_difference.py 64x36
+  check "mesh picture" output '^4 ' bench/mesh_picture
 fi
 check_report

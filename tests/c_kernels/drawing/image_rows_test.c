@@ -256,6 +256,9 @@ again(void)
   sg_image_close(same);
   CHECK("a PGM", sg_door_image_pgm(&call, image, &to_pgm) &&
                      pgm.n == strlen("P5\n40 50\n255\n") + 2000);
+  size_t before = pgm.n;
+  CHECK("packed, it is smaller", sg_door_image_lzw(&call, image, &to_pgm) &&
+                                     pgm.n > before && pgm.n - before < 3000);
   how.shadows = (sg_shading_list){&light, 1, 0};
   CHECK("a ball has no shadow on itself where it is lit",
         sg_door_image_shade(&call, scene, &how, &looks, &leaves, &same));
