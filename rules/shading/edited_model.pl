@@ -38,8 +38,8 @@ shaded_state(state(World,Order,Segments,Stamps,dress(Looks,Lights))) :-
 %
 %   Model is that of State, now, if Model0 is that of State0; their looks are
 %   the same. Changed are the facts of the leaves that differ, before and after.
-%   Fails if more has changed than primitives that are leaves, or may have: roots
-%   are in the order of their facts.
+%   Fails if more has changed than primitives that are leaves, or may have:
+%   roots are in the order of their facts.
 
 edited_model(state(World,Order0,Segments0,Stamps0,Dress0),
              state(World,Order,Segments,Stamps,Dress),

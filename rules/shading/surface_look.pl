@@ -123,8 +123,8 @@ body_way(N, [N|Way]) :-
 %   places in Looks, from 0: the leaf's, then those of its faces, where a rule
 %   tells them apart. Colours is `root` or `leaf`: by what the palette goes.
 %
-%   @error model_error(look(no_face(S, Face, Names))): a fact look/2 is of a Face
-%          that the leaf S has not; Names are those that it has
+%   @error model_error(look(no_face(S, Face, Names))): a fact look/2 is of a
+%          Face that the leaf S has not; Names are those that it has
 
 scene_looks(Scene, Colours, Looks, Leaves) :-
     findall(R, scene_root(Scene, root(R,_)), Roots),
