@@ -323,8 +323,13 @@ picture(glue_section, '1996, figure 1, cut open',
         'Each cell is cut as a solid; neighbours are hatched differently.',
         ['facts/figures/glue_materials.pl','--sheet','A4',
          '--views',isometric,'--section','y=0.3','--section','z=1']).
+picture(glue_cycles, '1996, figure 2',
+        'The three cycles: three disks at a vertex, three pages round an edge, \c
+         the two loops of a face with a hole.',
+        ['facts/figures/glue_cycles.pl']).
 picture(glue_vertex, '1996, figure 4',
-        'Vertex glue: three pyramids with one apex, one in another, a wire.',
+        'Vertex glue: three pyramids with one apex, one in another, a wire. \c
+         The formulas that the paper prints here are mended in docs/rules.md.',
         ['facts/figures/glue_vertex.pl']).
 picture(glue_crossing, '1996, figure 5, where one plane fails',
         'Seen in the plane z = 0 one pyramid is inside the other, in the \c
