@@ -22,7 +22,8 @@ export class Asking {
     this.box.dataset.label = "question";
     this.words = h("datalist", { id: "words" });
     this.count = h("span", { class: "remark", role: "status" });
-    this.table = h("div", { class: "answers", tabindex: 0 });
+    this.table = h("div", { class: "answers", tabindex: 0, role: "region" });
+    this.table.dataset.label = "answers_here";
     this.element = h("form", { class: "panel ask", onsubmit: (event) => { event.preventDefault(); this.ask(); } },
       h("h2", { "data-word": "ask" }),
       h("div", { class: "line" }, h("span", { class: "prompt", "aria-hidden": "true" }, "?-"), this.box, this.words,
@@ -98,7 +99,7 @@ export class Asking {
       this.table.append(this.rest);
     }
     this.count.textContent = this.total === 0 ? w("no_answers")
-      : head.names.length === 0 ? w("yes") : w("answers", this.total);
+      : head.names.length === 0 ? w("yes") : this.total === 1 ? w("one_answer") : w("answers", this.total);
     say(this.count.textContent);
     this.studio.lightAll("lit", this.shows).catch((error) => this.studio.failed(error));
   }
@@ -116,8 +117,9 @@ export class Asking {
 export class Why {
   constructor(studio) {
     this.studio = studio;
-    this.inner = h("div", { class: "inner", tabindex: 0, "aria-live": "polite" },
+    this.inner = h("div", { class: "inner", tabindex: 0, role: "region", "aria-live": "polite" },
       h("p", { class: "quiet", "data-word": "no_why" }));
+    this.inner.dataset.label = "why";
     this.element = h("div", { class: "panel why" }, h("h2", { "data-word": "why" }), this.inner);
   }
 

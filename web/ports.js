@@ -80,6 +80,7 @@ class Port {
     this.element.dataset.kind = this.kind;
     this.choice.hidden = this.kind === "problem";
     this.canvas.classList.add("empty");
+    this.canvas.setAttribute("aria-label", w(this.kind));
   }
 
   set(key, value) {

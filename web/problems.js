@@ -11,7 +11,8 @@ export class Problems {
     this.studio = studio;
     this.list = h("ul", { class: "problems" });
     this.task = h("form", { class: "task", onsubmit: (event) => { event.preventDefault(); this.check(); } });
-    this.book = h("div", { class: "book", tabindex: 0 });
+    this.book = h("div", { class: "book", tabindex: 0, role: "region" });
+    this.book.dataset.label = "pupils";
     this.who = h("form", { class: "line who", onsubmit: (event) => { event.preventDefault(); this.join(); } });
     this.element = h("div", { class: "panel" }, h("h2", { "data-word": "problems" }),
       this.who, this.list, this.task, this.book);

@@ -33,7 +33,7 @@ export function reworded(root) {
   }
   for (const element of root.querySelectorAll("[data-label]")) {
     element.setAttribute("aria-label", w(element.dataset.label));
-    element.setAttribute("title", w(element.dataset.label));
+    if (element.getAttribute("role") !== "region") element.setAttribute("title", w(element.dataset.label));
   }
 }
 

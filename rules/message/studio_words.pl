@@ -45,6 +45,8 @@ studio_word(nothing_why, 'There is no more to say of it.', '더 설명할 것이
 studio_word(goal, 'its goal: {0}', '목표: {0}').
 studio_word(shows, 'seen with it', '함께 보이는 것').
 studio_word(answers, '{0} answers', '답 {0}개').
+studio_word(answers_here, 'Answers', '답').
+studio_word(one_answer, '1 answer', '답 1개').
 studio_word(no_answers, 'no', '답이 없습니다').
 studio_word(yes, 'yes', '예').
 studio_word(more, '{0} more', '{0}개 더').

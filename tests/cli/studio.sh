@@ -20,6 +20,7 @@ asked() {
 
 asked front_test.py
 asked class_test.py
+asked kill_test.py
 if command -v chromedriver >/dev/null && command -v chromium >/dev/null; then
   asked browser_test.py
 else

@@ -130,6 +130,16 @@ class Browser:
         with open(path, "wb") as out:
             out.write(base64.b64decode(self.ask("GET", "/screenshot")))
 
+    def emulate(self, command, **given):
+        """As the developer tools do: Emulation.setEmulatedMedia, ..."""
+        self.ask("POST", "/goog/cdp/execute", {"cmd": "Emulation." + command,
+                                               "params": given})
+
+    def media(self, **features):
+        self.emulate("setEmulatedMedia", features=[
+            {"name": name.replace("_", "-"), "value": value}
+            for name, value in features.items()])
+
     def log(self):
         """What the page complained of."""
         return [entry["message"] for entry in

@@ -219,6 +219,86 @@ def file_changed(language):
         time.sleep(0.02)
 
 
+# Where the keyboard goes by Tab: of each place its tag, what it is called, and
+# whether one sees that it is there.
+PLACE = """
+  const e = document.activeElement, style = getComputedStyle(e);
+  const outlined = e.matches("[role=treeitem]") ? getComputedStyle(e.firstElementChild) : style;
+  const label = e.getAttribute("aria-label") || (e.labels && e.labels[0] && e.labels[0].textContent) || e.textContent;
+  return [e.tagName, e.className + " " + e.id, label.trim(), outlined.outlineStyle !== "none"];"""
+
+
+def by_keyboard():
+    browser.open("about:blank")
+    browser.open(front.address)
+    browser.wait("studio.ready && studio.ports.ports[0].picture.shown")
+    places = []
+    for _ in range(60):
+        browser.chord("\ue004")
+        place = browser.script(PLACE)
+        if place[0] == "BODY":
+            break
+        places.append(place)
+    check("Tab goes through the page", len(places) > 20 and all(
+        any(part in " ".join(place[:2]) for place in places)
+        for part in ("canvas", "goal", "SELECT", "large")), places)
+    check("each place has a name", all(place[2] for place in places),
+          [place for place in places if not place[2]])
+    check("one sees where the keyboard is", all(place[3] for place in places),
+          [place for place in places if not place[3]])
+    browser.script("studio.ports.ports[0].canvas.focus()")
+    browser.keys(ENTER)
+    check("lines are walked, and said", browser.wait(
+        "document.getElementById('spoken').textContent.includes('s1e')"))
+    browser.keys(ENTER)
+    check("Enter asks why", browser.wait("document.querySelector('.why pre')"))
+    browser.keys(ESCAPE)
+    browser.keys("/")
+    check("/ goes to the question", browser.script(
+        "return document.activeElement.id") == "goal")
+    browser.script("document.querySelector('#bar [data-word=export]').focus()")
+    browser.keys(ENTER)
+    check("a menu by the keyboard", browser.script(
+        "return document.activeElement.closest('.menu') !== null"))
+    browser.keys(ESCAPE)
+    check("and out of it", browser.script(
+        "return document.activeElement.dataset.word") == "export")
+
+
+def screens():
+    """320 px, forced colours, reduced motion."""
+    browser.emulate("setDeviceMetricsOverride", width=320, height=640,
+                    deviceScaleFactor=1, mobile=True)
+    for pane in ("ports", "left", "asking"):
+        browser.script("studio.paneTo(arguments[0])", pane)
+        check("320 px: " + pane, browser.wait(
+            "document.documentElement.scrollWidth <= 320 && [...document."
+            "querySelectorAll('#bar button, .tabs button, #panes button')]."
+            "filter(e => e.offsetParent).every(e => e.getBoundingClientRect()"
+            ".right <= 321)"))
+    browser.script("studio.paneTo('ports')")
+    browser.emulate("clearDeviceMetricsOverride")
+    browser.media(forced_colors="active")
+    colours = browser.script("""
+      const of = (css) => getComputedStyle(document.querySelector(css)).stroke;
+      const probe = document.body.appendChild(document.createElement("i"));
+      probe.style.color = "CanvasText";
+      const found = [getComputedStyle(probe).color, of(".lines path"), of(".canvas .chosen"), of(".canvas .lit")];
+      probe.remove();
+      return found;""")
+    check("forced colours", colours[0] == colours[1] and
+          len(set(colours[1:])) == 3, colours)
+    browser.media(prefers_reduced_motion="reduce")
+    check("reduced motion", browser.script("""
+      document.querySelector(".port").classList.add("late");
+      const style = getComputedStyle(document.querySelector(".late figcaption"), "::after");
+      const still = style.animationName === "none" &&
+        parseFloat(getComputedStyle(document.querySelector(".canvas svg")).transitionDuration) === 0;
+      document.querySelector(".port").classList.remove("late");
+      return still;"""))
+    browser.media()
+
+
 class Proxy(threading.Thread):
     """A reverse proxy: /folder/x at its own port is /x there."""
 
@@ -603,6 +683,8 @@ for language in ("en", "ko"):
                 "return document.documentElement.scrollWidth <= innerWidth"))
         browser.size(1440, 900)
         if language == "en":
+            by_keyboard()
+            screens()
             behind_a_proxy()
         a_class(language)
         browser.open(front.address)
