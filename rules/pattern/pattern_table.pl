@@ -9,7 +9,7 @@
               [row_height/2, true_length_marks/4, true_length_rows/2]).
 :- use_module(pattern_plate, [bend_table/4]).
 :- use_module(library(apply), [convlist/3]).
-:- use_module(library(lists), [append/2, member/2]).
+:- use_module(library(lists), [append/2, append/3, member/2]).
 :- use_module(library(option), [option/2, option/3]).
 /** <module> Tables of true lengths on the sheets of a pattern.
 
