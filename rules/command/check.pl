@@ -12,6 +12,7 @@
 :- use_module('../store', [segment/3, param/2]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [maplist/3]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- use_module(library(lists),
               [append/2, max_list/2, member/2, min_list/2, sum_list/2]).
 /** <module> The report of `check`: what a model holds, and its faults.
@@ -43,9 +44,11 @@ cells; broken_law and unsure_part are faults of theirs. Model units.
 check_report(Report) :-
     census(Parts),
     (   segment(_, cells, _)
-    ->  meetings_unmeant(3, Selves)
-    ;   self_meetings(3, Selves)
+    ->  meetings_unmeant(3, Selves0)
+    ;   self_meetings(3, Selves0)
     ),
+    findall(S-Self, ( member(Self, Selves0), arg(1, Self, S) ), Pairs),
+    list_to_assoc(Pairs, Selves),
     maplist(part_report(Selves), Parts, Segments),
     sum_of(fault_count, Segments, Faults),
     sum_of(remark_count, Segments, Remarks),
@@ -118,7 +121,7 @@ part_report(Selves,
             part(S, counts(Vs, Hs, Es, Ps, Ts, Cs), box(X1,Y1,Z1,X2,Y2,Z2),
                  Area, Volume0, Length, Shells0, Defects0), Report) :-
     segment_kind(S, Kind, Name),
-    memberchk(self(S, SelfCounts, Meetings0), Selves),
+    get_assoc(S, Selves, self(_, SelfCounts, Meetings0)),
     maplist(meeting_report, Meetings0, Meetings),
     (   memberchk(border_edge-Border, Defects0)
     ->  true
