@@ -12,6 +12,7 @@ check "load" output 'triangles: read' bench/load 2000
 check "scale" output '^1,056' bench/scale 500
 check "growth" output 'kB  n.-*[0-9]' env RUNS=1 bench/growth apexes
 check "faces" output '^cube, all threads' bench/faces 1
+check "gluing" output '^1000 ' bench/gluing 3
 check "nesting" output '^50 ' bench/nesting 50
 "$SANGGWAN" convert -q facts/cube.pl -o "$TMP/cube.obj"
 check "hidden lines" output '^cube +feature' env NO_OCCT=1 ROUNDS=1 \

@@ -58,7 +58,7 @@ model(book(K), Pages, c(V,E,K,K,1,1,1,0)) :-
     V is 2+2*K,
     E is 1+3*K.
 model(cubes(N), Boxes, c(V,E,F,F,1,R,R,0)) :-
-    member(N, [1,2,3]),
+    member(N, [1,2,3,4]),
     M is N-1,
     findall(box(1,[X,Y,Z]),
             ( between(0, M, X), between(0, M, Y), between(0, M, Z) ), Boxes),
@@ -141,6 +141,15 @@ model(wire(near_edge), [box(2,[0,0,0]),
 model(wire(in_shared), [box(1,[0,0,0]),box(1,[1,0,0]),
                         wire([0.5,-0.5,0.5], [0.5,0.5,0.5])],
       c(14,23,12,12,1,3,3,0)).
+model(wire(triangle), Wires, c(3,3,0,0,1,1,1,1)) :-
+    wires([[0,0,0],[1,0,0],[0,1,0]], [1-2,2-3,3-1], Wires).
+model(wire(tetrahedron), Wires, c(4,6,0,0,1,1,1,3)) :-
+    wires([[0,0,0],[1,0,0],[0,1,0],[0,0,1]], [1-2,2-3,3-1,1-4,2-4,3-4],
+          Wires).
+model(wire(cube), Wires, c(8,12,0,0,1,1,1,5)) :-
+    findall([X,Y,Z], ( member(X, [0,1]), member(Y, [0,1]), member(Z, [0,1]) ),
+            Points),
+    wires(Points, [1-2,3-4,5-6,7-8,1-3,2-4,5-7,6-8,1-5,2-6,3-7,4-8], Wires).
 model(wire(only), [wire([4,0,0], [5,0,0])], c(2,1,0,0,1,1,1,0)).
 
 %   A closed book of K wedges about an axis; cubes of six tetrahedra each; a box
@@ -277,6 +286,11 @@ orientation(O, A, B, C, Sign) :-
     maplist(maplist([X,Y,Z]>>(Z is X-Y)), [A,B,C], [O,O,O],
             [[A1,A2,A3],[B1,B2,B3],[C1,C2,C3]]),
     Sign is A1*(B2*C3-B3*C2)-A2*(B1*C3-B3*C1)+A3*(B1*C2-B2*C1).
+
+wires(Points, Pairs, Wires) :-
+    findall(wire(A, B),
+            ( member(I-K, Pairs), nth1(I, Points, A), nth1(K, Points, B) ),
+            Wires).
 
 %   glue_made(Parts, Steps, S): Parts, each placed by Steps, and the glue S.
 
