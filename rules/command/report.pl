@@ -145,7 +145,8 @@ print_meeting(Language, Meeting) :-
     defect_text(Language, Meeting.kind, Text),
     say(Language, meeting, [Text, P1, P2, X, Y, Z]).
 
-%   defect_text(Language, Name, Text): in Korean with the name that queries have.
+%   defect_text(Language, Name, Text): in Korean with the name that queries
+%   have.
 
 defect_text(Language, Name0, Text) :-
     atom_string(Name, Name0),

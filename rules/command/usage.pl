@@ -8,7 +8,7 @@
             print_usage/2               % +Verb, +Language
           ]).
 :- encoding(utf8).
-:- use_module('../message/placeholder', [placeholder_ko/2]).
+:- use_module('../message/usage_word', [placeholder_ko/2]).
 :- use_module('../picture/role', [usual_crease/1]).
 :- use_module(usage_render,
               [ render_option/1, shown_option/1, render_option_ko/2,

@@ -30,7 +30,7 @@
 :- use_module(sheet_options, [scale_option/2]).
 :- use_module(solid_verbs, [empty_roots_warned/0]).
 :- use_module('../solid/simplify', [simplified_roots/1]).
-:- use_module('../stack_limit', [with_stack_for/3]).
+:- use_module('../space_limit', [with_stack_for/3]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
               [ p/3, segment/3, unfolding/2, retractall_facts/1,

@@ -19,8 +19,8 @@
 
 DXF R12 (AC1009), as text: every program reads it. A straight line is a LINE, a
 text a TEXT, also one that stands aslant; what has bends is a POLYLINE, a circle
-of a true pattern a CIRCLE, and arcs of such a one are arcs of its polyline. One unit
-is one millimetre of the sheet, the origin its lower left corner. A layer for
+of a true pattern a CIRCLE, and arcs of such a one are arcs of its polyline. One
+unit is one millimetre of the sheet, the origin its lower left corner. A layer for
 each visibility and role, in capitals (`HIDDEN_OUTLINE`), with its colour and
 line type, by the style (style.pl); a line of another look says so itself.
 Extended data of application SANGGWAN says at the start of each straight piece
@@ -229,8 +229,8 @@ layer(Out, layer(Name,Colour,Type)) :-
 
 /* - - - entities - - -
 
-dxf(Out, H, Looks, Layers, Smooth): the stream, the height of the sheet, what inks look
-like and what layers do, and which segments are smooth.
+dxf(Out, H, Looks, Layers, Smooth): the stream, the height of the sheet, what
+inks look like and what layers do, and which segments are smooth.
 */
 
 line(DXF, How, line(Ink,Stroke)) :-

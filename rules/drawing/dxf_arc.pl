@@ -5,9 +5,9 @@
 :- use_module(library(lists), [append/3]).
 /** <module> Arcs among the sides of a smooth outline.
 
-The outline of a true pattern is a polyline within the chord tolerance. Where its
-corners lie on a circle, up to the thousandths to which a sheet is rounded, and
-are as close as such corners are, a circle is what was meant.
+The outline of a true pattern is a polyline within the chord tolerance. Where
+its corners lie on a circle, up to the thousandths to which a sheet is rounded,
+and are as close as such corners are, a circle is what was meant.
 
 Points are X-Y, thousandths, y down.
 */
@@ -175,8 +175,8 @@ near_circle(Term, I, c(X0, Y0, R)) :-
     most_off(Most),
     abs(sqrt((X-X0)**2 + (Y-Y0)**2) - R) =< Most.
 
-%   close_sides(Term, I, J, Circle, Length): all sides are short, and go the same
-%   way round; Length is that of all.
+%   close_sides(Term, I, J, Circle, Length): all sides are short, and go the
+%   same way round; Length is that of all.
 
 close_sides(Term, I, J, Circle, Length) :-
     way_round(Term, I, Circle, Way),

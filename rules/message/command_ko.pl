@@ -2,7 +2,7 @@
 :- module(sg_command_ko,
           [ command_ko//1               % +What
           ]).
-:- use_module(placeholder, [placeholder_ko/2]).
+:- use_module(usage_word, [placeholder_ko/2]).
 :- use_module(batch_ko, [batch_usage_ko//1]).
 :- use_module(message_parts, [meant_ko//1]).
 :- use_module(prolog_ko, [korean_syntax//1]).

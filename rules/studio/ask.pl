@@ -4,7 +4,7 @@
             next_answers/2,             % +Head, -Reply
             asks_forgotten/0
           ]).
-:- use_module('../stack_limit', [with_stack_limit/2]).
+:- use_module('../space_limit', [with_stack_limit/2]).
 :- use_module('../store', [facts_snapshot/1]).
 :- use_module(ask_hidden, [asks_of_picture/1, hides/2]).
 :- use_module(query, [answer_json/2, read_goal/3]).

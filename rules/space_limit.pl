@@ -1,4 +1,4 @@
-:- module(sg_stack_limit,
+:- module(sg_space_limit,
           [ with_stack_limit/2,         % +Octets, :Goal
             with_stack_for/3            % +Count, +Octets, :Goal
           ]).

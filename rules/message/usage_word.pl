@@ -1,5 +1,5 @@
 :- encoding(utf8).
-:- module(sg_placeholder,
+:- module(sg_usage_word,
           [ placeholder_ko/2            % +Form, -Korean
           ]).
 :- use_module(library(apply), [foldl/4]).
@@ -47,6 +47,7 @@ word_ko('PLANE', '평면').
 word_ko('SHADE', '음영').
 word_ko('SIDE', '쪽').
 word_ko('UNIT', '단위').
+word_ko('URL', '주소').
 word_ko('VIEWS', '투상도,...').
 word_ko('VIEW', '투상도').
 word_ko('WHAT', '대상').
