@@ -73,6 +73,7 @@ module that has it.
 :- reexport(gluing/euler, [euler/3]).
 :- reexport(gluing/contact_glue, [glue_vertices/4, glue_edges/4, glue_mixed/4]).
 :- reexport(gluing/unglue, [unglued_polygons/3, unglued_region/4]).
+:- reexport(solid/face_glue, [glue_faces/4]).
 :- reexport(csg/provenance,
             [ vertex_from/4, edge_from/3, polygon_from/5, operand_face/3,
               operand_edge/3 ]).

@@ -324,8 +324,8 @@ picture(glue_section, '1996, figure 1, cut open',
         ['facts/figures/glue_materials.pl','--sheet','A4',
          '--views',isometric,'--section','y=0.3','--section','z=1']).
 picture(glue_cycles, '1996, figure 2',
-        'The three cycles: three disks at a vertex, three pages round an edge, \c
-         the two loops of a face with a hole.',
+        'The three cycles: three disks at a vertex, three pages round an \c
+         edge, the two loops of a face with a hole.',
         ['facts/figures/glue_cycles.pl']).
 picture(glue_vertex, '1996, figure 4',
         'Vertex glue: three pyramids with one apex, one in another, a wire. \c

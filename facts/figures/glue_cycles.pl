@@ -1,6 +1,6 @@
-% The three cycles of what is no manifold: what hangs together round a vertex, a
-% cube, another one and a wire; three pages round an edge; and the two loops of a
-% face with a hole.
+% The three cycles of what is no manifold: what hangs together round a vertex,
+% a cube, another one and a wire; three pages round an edge; and the two loops
+% of a face with a hole.
 %
 % Source: S.-H. Park, A Study on Geometrical Glue Operation between Non-manifold
 %         Models, 1996, Fig. 2; sizes chosen for this file.

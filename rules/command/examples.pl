@@ -239,6 +239,10 @@ example(glue_edges/4, 'facts/two_rooms.pl',
 example(glue_mixed/4, 'facts/two_rooms.pl',
         "regions_made(1, _), \c
          catch(glue_mixed(1, v(1), p(1), _), error(_, _), true).", "true").
+example(glue_faces/4, 'facts/two_rooms.pl',
+        "regions_made(1, _), unglued_polygons(1, [6], _), \c
+         origin(1, p(Q), slit(6)), glue_faces(1, 6, Q, Change), \c
+         arg(3, Change, Faces).", "Faces = -1").
 example(unglued_polygons/3, 'facts/two_rooms.pl',
         "regions_made(1, _), unglued_polygons(1, [6], Change), \c
          arg(3, Change, Faces).", "Faces = 1").

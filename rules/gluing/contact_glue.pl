@@ -1,7 +1,8 @@
 :- module(sg_contact_glue,
           [ glue_vertices/4,            % +S, +V1, +V2, -Change
             glue_mixed/4,               % +S, +Item1, +Item2, -Change
-            glue_edges/4                % +S, +Edge1, +Edge2, -Change
+            glue_edges/4,               % +S, +Edge1, +Edge2, -Change
+            vertices_between/5          % +S, +A, +B, +Vs, -Inner
           ]).
 :- use_module(cells_edit,
               [ cells_edited/3, edge_there/3, edge_divided/4,
@@ -203,8 +204,8 @@ glue_edges(S, Edge1, Edge2, Change) :-
 edges_glued(S, A-B, C-D) :-
     an_edge(S, A, B),
     an_edge(S, C, D),
-    inner_ends(S, A, B, [C,D], Inner1),
-    inner_ends(S, C, D, [A,B], Inner2),
+    vertices_between(S, A, B, [C,D], Inner1),
+    vertices_between(S, C, D, [A,B], Inner2),
     findall(V-W,
             ( member(V, [A,B]), member(W, [C,D]), V \== W,
               place_of(S, V, Place), place_of(S, W, Place) ),
@@ -227,10 +228,12 @@ an_edge(S, A, B) :-
     ;   existence_error(edge, A-B)
     ).
 
-%   inner_ends(S, A, B, Vs, Inner): those of Vs that are between A and B, in
-%   order from A.
+%!  vertices_between(+S, +A, +B, +Vs:list, -Inner:list) is det.
+%
+%   Inner are those of the vertices Vs that lie between A and B, in line within
+%   rounding, in order from A.
 
-inner_ends(S, A, B, Vs, Inner) :-
+vertices_between(S, A, B, Vs, Inner) :-
     findall(At-V, ( member(V, Vs), between(S, A, B, V, At) ), Pairs0),
     keysort(Pairs0, Pairs),
     pairs_values(Pairs, Inner).
