@@ -11,7 +11,7 @@
                                         % -Because
             side_normal/7,              % +Scene, +X, +Y, +At, +Part, +Walk,
                                         % -Normal
-            tone_because/3              % +Normal, +Look, -Because
+            tone_because/4              % +Normal, +Look, +Stops, -Because
           ]).
 :- use_module(explain_pair, [decided_by/2]).
 :- use_module(explain_tree, [tree_way/3, false_reason/4, takes_away/1]).
@@ -25,8 +25,10 @@
 :- use_module('../shading/surface_tone',
               [look_shine/2, picture_normal/2, tone/3, tone_sum/3]).
 :- use_module('../store', [segment/3]).
+:- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
-:- use_module(library(lists), [append/2, append/3, member/2, sum_list/2]).
+:- use_module(library(lists),
+              [append/2, append/3, member/2, nth1/3, sum_list/2]).
 :- use_module(library(ordsets), [ord_symdiff/3]).
 
 /** <module> Explain: what is said of a face in a dot (explain_pixel.pl).
@@ -309,12 +311,14 @@ unit_against(vector(A,B,C), vector(X0,Y0,Z0), vector(X,Y,Z)) :-
     Y is Factor*Y0,
     Z is Factor*Z0.
 
-%!  tone_because(+Normal, +Look, -Because) is det.
+%!  tone_because(+Normal, +Look, +Stops, -Because) is det.
 %
-%   How light it is, and which colour that has.
+%   How light it is, and which colour that has. Stops has for each light in turn
+%   stops(Come, Because): Come, 0 to 1, of it comes there, and why; [] if there
+%   are no shadows.
 
-tone_because(unknown, _, []).
-tone_because(Normal, Look, Because) :-
+tone_because(unknown, _, _, []).
+tone_because(Normal, Look, Stops, Because) :-
     Normal = vector(_, _, _),
     Because = [because(normal(Right,Up,Towards), []),
                because(tone(Tone,ToneBy), Shares),
@@ -323,35 +327,53 @@ tone_because(Normal, Look, Because) :-
     Seen = vector(Right0,Up0,Towards0),
     maplist(rounded, [Right0,Up0,Towards0], [Right,Up,Towards]),
     Look = [shade(Shade)|_],
-    tone_of(Look, Seen, Tone),
     decided_by(tone/3, ToneBy),
     (   ToneBy == default
     ->  tone_sum(Shade, Constant, Ways),
-        findall(because(Share, []),
+        findall(because(Share, Why),
                 ( Constant > 0,
-                  Share = light_from_everywhere(Constant)
-                ; member(Way, Ways),
-                  light_share(Way, Seen, Share) ),
+                  Share = light_from_everywhere(Constant),
+                  Why = []
+                ; nth1(I, Ways, Way),
+                  light_stops(Stops, I, Come, Why),
+                  light_share(Way, Seen, Come, Share) ),
                 Shares)
     ;   Shares = []
     ),
+    (   Stops == []
+    ->  tone_of(Look, Seen, Tone)
+    ;   aggregate_all(sum(S), ( member(because(Share,_), Shares),
+                                functor(Share, _, N), arg(N, Share, S) ),
+                      Tone0),
+        Tone is max(0.0, min(1.0, Tone0))
+    ),
     decided_by(ramp/3, RampBy),
     ramp_bytes(Look, Tone, RGB),
-    findall(because(Statement, []), more_light(Look, Normal, Statement),
-            More).
+    findall(because(Statement, []),
+            more_light(Look, Normal, Stops, Statement), More).
 
-%   more_light(Look, Normal, Statement): what is added to the light of the tone.
+light_stops(Stops, I, Come, Why) :-
+    (   nth1(I, Stops, stops(Come0,Why0))
+    ->  Come = Come0,
+        Why = Why0
+    ;   Come = 1.0,
+        Why = []
+    ).
 
-more_light(Look, vector(X,Y,Z), shine(F,N,Added)) :-
+%   more_light(Look, Normal, Stops, Statement): what is added to the light of
+%   the tone.
+
+more_light(Look, vector(X,Y,Z), Stops, shine(F,N,Added)) :-
     memberchk(shine(F,N), Look),
     look_shine(Look, shine(Power,Ways)),
     Ways = [_|_],
     findall(Light,
-            ( member(way(A,B,C,Factor,_), Ways),
-              Light is Factor*max(0.0, A*X+B*Y+C*Z)**Power ),
+            ( nth1(I, Ways, way(A,B,C,Factor,_)),
+              light_stops(Stops, I, Come, _),
+              Light is Come*Factor*max(0.0, A*X+B*Y+C*Z)**Power ),
             Lights),
     sum_list(Lights, Added).
-more_light(Look, _, hatched) :-
+more_light(Look, _, _, hatched) :-
     memberchk(hatched(_), Look).
 
 rounded(X0, X) :-
@@ -364,9 +386,9 @@ tone_of(Look, Seen, Tone) :-
     ;   Tone = 0.0
     ).
 
-light_share(way(A,B,C,Factor,Least), vector(X,Y,Z),
+light_share(way(A,B,C,Factor,Least), vector(X,Y,Z), Come,
             light_from(A,B,C,Factor,Share)) :-
-    Share is max(Least, Factor*(A*X + B*Y + C*Z)).
+    Share is max(Least, Come*Factor*(A*X + B*Y + C*Z)).
 
 ramp_bytes(Look, Tone, RGB) :-
     (   ramp(Look, Tone, Colour),

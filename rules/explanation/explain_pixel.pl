@@ -5,21 +5,24 @@
 :- use_module(explain_face,
               [ before_because/5, behind_because/6, leaf_names/6,
                 look_because/6, passed/3, place_because/5, reason_because/4,
-                side_normal/7, tone_because/3, tree_because/4, walked/5 ]).
+                side_normal/7, tone_because/4, tree_because/4, walked/5 ]).
 :- use_module(explain_pair, [decided_by/2]).
 :- use_module(explain_tree, [tree_way/3, false_reason/4]).
 :- use_module('../csg/csg', [root_segment/1]).
-:- use_module('../kernel', [image_dot/4, shading_layers/5]).
+:- use_module('../kernel', [image_dot/4, shading_layers/5, shading_place/5]).
 :- use_module('../picture/view', [current_view/4]).
 :- use_module('../shading/seen', [met/4, seen_layers/4, slice/3]).
 :- use_module('../shading/shaded_picture',
-              [picture_image/3, shaded_picture/4]).
+              [picture_image/3, shade_has_shadows/1, shaded_picture/4]).
+:- use_module('../shading/shading_light', [light_layers/4]).
 :- use_module('../shading/shading_scene',
-              [ is_shaded/1, scene_handle/2, scene_leaf/2, scene_place/2,
-                scene_size/2, shaded_eye/3, shaded_model/2 ]).
+              [ is_shaded/1, scene_handle/2, scene_leaf/2, scene_model/2,
+                scene_place/2, scene_scale/2, scene_size/2, shaded_eye/3,
+                shaded_model/2 ]).
 :- use_module('../shading/surface_look', [scene_looks/4, scene_opacities/2]).
+:- use_module('../shading/surface_tone', [light_ways/1]).
 :- use_module('../store', [segment/3]).
-:- use_module(library(apply), [maplist/3]).
+:- use_module(library(apply), [maplist/3, maplist/4]).
 :- use_module(library(lists),
               [append/2, append/3, member/2, nth0/3, nth1/3, sum_list/2]).
 :- use_module(library(option), [option/2, option/3]).
@@ -194,8 +197,64 @@ part_because(seen(Scene,X,Y,All,Options,Looks,Leaves),
     look_because(R, S, Face, Colours, Look, LookWhy),
     option(shade(Shade), Options, lambert),
     side_normal(Scene, X, Y, X1-Y1, part(R,Leaf,F), Walk, Normal),
-    tone_because(Normal, [shade(Shade)|Look], ToneWhy),
+    light_stops(Scene, X1-Y1, Z, Leaf, Normal, Look, Options, Stops),
+    tone_because(Normal, [shade(Shade)|Look], Stops, ToneWhy),
     append([Place,Tree,Before,Behind,LookWhy,ToneWhy], Because).
+
+
+%   light_stops(Scene, At, Z, Leaf, Normal, Look, Options, Stops): what is
+%   between each light and the place, as of tone_because/4. The place is let
+%   out along its normal, as shadow.c does; cuts have no shadows.
+
+light_stops(Scene, X-Y, Z, Leaf, vector(A,B,C), Look, Options, Stops) :-
+    option(shadows(true), Options),
+    option(shade(Shade), Options, lambert),
+    shade_has_shadows(Shade),
+    decided_by(tone/3, default),
+    \+ memberchk(hatched(_), Look),
+    !,
+    scene_handle(Scene, Handle),
+    shading_place(Handle, X, Y, Z, point(X0,Y0,Z0)),
+    scene_scale(Scene, Scale),
+    leaf_out(Scene, Leaf, Out0),
+    Out is Out0/Scale,
+    maplist(let_out(Out), [X0,Y0,Z0], [A,B,C], Point),
+    light_ways(Ways),
+    scene_opacities(Scene, Opaque),
+    maplist(way_stops(Scene, Opaque, Point, vector(A,B,C)), Ways, Stops).
+light_stops(_, _, _, _, _, _, _, []).
+
+let_out(Out, X0, A, X) :-
+    X is X0 + Out*A.
+
+%   leaf_out(Scene, Leaf, Out): facets are in front of what they stand for, or
+%   behind it.
+
+leaf_out(Scene, Leaf, Out) :-
+    scene_model(Scene, model(_, Facts, _)),
+    (   member(Fact, Facts),
+        arg(1, Fact, Leaf),
+        ( Fact = ring(_,_,_,_) ; Fact = flat(_,_,[_|_],_) )
+    ->  Out = 0.5
+    ;   Out is 1/32
+    ).
+
+way_stops(Scene, Opaque, Point, vector(A,B,C), Way, stops(Come,Because)) :-
+    Way = [X,Y,Z],
+    (   A*X + B*Y + C*Z > 0
+    ->  light_layers(Scene, Way, Point, Layers),
+        layer_shares(Layers, Opaque, 1.0, [], Shares),
+        findall(Part, member(share(_,_,_,_,_,Part), Shares), Parts),
+        sum_list(Parts, Stopped),
+        Come is 1.0-Stopped,
+        findall(because(light_stopped(Percent,What,Leaf,S,Name,R), []),
+                ( member(share(_,R,Leaf,F,_,Part), Shares),
+                  Percent is 100.0*Part,
+                  leaf_names(Scene, Leaf, F, What, S, Name) ),
+                Because)
+    ;   Come = 1.0,
+        Because = []
+    ).
 
 
                 /*******************************

@@ -90,6 +90,10 @@ pixel_statement_en(light_from_everywhere(Strength)) -->
 pixel_statement_en(light_from(Right, Up, Towards, Factor, Share)) -->
     [ '~5g from light from (~4g, ~4g, ~4g), right, up and towards the eye, \c
        of ~4g'-[Share, Right, Up, Towards, Factor] ].
+pixel_statement_en(light_stopped(Percent, Face, Leaf, S, Name, R)) -->
+    { leaf(Leaf, S, Name, Word), root(R, Root) },
+    [ '~4g % of it is stopped by ~p of ~w, of ~w'-
+      [Percent, Face, Word, Root] ].
 pixel_statement_en(ramp(Shade, By, Bytes)) -->
     { bytes_word(Bytes, Word) },
     [ 'in that tone it is ~w, by the shade ~p'-[Word, Shade] ],

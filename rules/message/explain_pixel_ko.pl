@@ -89,6 +89,9 @@ pixel_statement_ko(light_from_everywhere(Strength)) -->
 pixel_statement_ko(light_from(Right, Up, Towards, Factor, Share)) -->
     [ '(~4g, ~4g, ~4g) (오른쪽, 위, 눈 쪽)에서 오는 세기 ~4g의 빛 ~5g'-
       [Right, Up, Towards, Factor, Share] ].
+pixel_statement_ko(light_stopped(Percent, Face, Leaf, S, Name, R)) -->
+    { leaf(Leaf, S, Name, Word), root(R, Root) },
+    [ '그 ~4g %는 ~w의 ~w의 ~p에 막힌다'-[Percent, Root, Word, Face] ].
 pixel_statement_ko(ramp(Shade, By, Bytes)) -->
     { bytes_word(Bytes, Word) },
     [ '그 명암에서 ~w, 음영 ~p'-[Word, Shade] ],

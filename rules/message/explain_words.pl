@@ -157,6 +157,7 @@ statement_keys(look_of_palette, [colour, by]).
 statement_keys(normal, [right, up, towards]).
 statement_keys(tone, [tone, rules]).
 statement_keys(light_from_everywhere, [strength]).
+statement_keys(light_stopped, [percent, face, leaf, segment, name, root]).
 statement_keys(light_from, [right, up, towards, factor, share]).
 statement_keys(ramp, [shade, rules, colour]).
 statement_keys(not_in_picture, [segment, kind]).

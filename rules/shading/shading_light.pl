@@ -1,11 +1,13 @@
 :- module(sg_shading_light,
-          [ light_scene/3               % +Scene, +Way, -Handle
+          [ light_scene/3,              % +Scene, +Way, -Handle
+            light_layers/4              % +Scene, +Way, +Point, -Layers
           ]).
 :- use_module('../kernel', [shading_box/3, shading_open/4]).
+:- use_module(seen, [seen_layers/4]).
 :- use_module(shading_scene,
-              [depth_tolerance/3, scene_model/2, scene_scale/2]).
+              [depth_tolerance/3, other_sight/4, scene_model/2, scene_scale/2]).
 :- use_module(library(apply), [maplist/3, maplist/4]).
-:- use_module(library(lists), [append/2, append/3]).
+:- use_module(library(lists), [append/2, append/3, member/2]).
 /** <module> What a light sees of a shaded picture: for shadows.
 */
 
@@ -16,6 +18,30 @@
 %   as large as those of Scene, or larger. Fails if there is nothing.
 
 light_scene(Scene, Way, Handle) :-
+    light_picture(Scene, Way, _, _, Handle).
+
+%!  light_layers(+Scene, +Way, +Point, -Layers) is det.
+%
+%   Layers (seen_layers/4) are what of Scene is between the light of
+%   light_scene/3 and Point = [X,Y,Z], the first one what the light meets first.
+
+light_layers(Scene, Way, [X,Y,Z], Layers) :-
+    light_picture(Scene, Way, Matrix, Tolerance, Handle),
+    other_sight(Scene, Handle, Tolerance, Seen),
+    length(Rows, 12),
+    append(Rows, _, Matrix),
+    places(Rows, [X,Y,Z], [XL,YL,ZL]),
+    seen_layers(Seen, XL, YL, All),
+    findall(layer(Depth,R,Leaf,F),
+            ( member(layer(Depth,R,Leaf,F), All), Depth < ZL ),
+            Layers).
+
+places([], _, []).
+places([A,B,C,D|Rows], [X,Y,Z], [Place|Places]) :-
+    Place is A*X + B*Y + C*Z + D,
+    places(Rows, [X,Y,Z], Places).
+
+light_picture(Scene, Way, Matrix, Tolerance, Handle) :-
     scene_model(Scene, model(_, Facts, Roots)),
     scene_scale(Scene, Scale0),
     maplist(negative, Way, Away),

@@ -11,6 +11,7 @@
             without_picture/2,          % +Model, -Scene
             scene_handle/2,             % +Scene, -Handle
             scene_tolerance/2,          % +Scene, -Tolerance
+            other_sight/4,              % +Scene0, +Handle, +Tolerance, -Scene
             scene_depth/2,              % +Scene, -Plane
             scene_model/2,              % +Scene, -Model
             scene_scale/2,              % +Scene, -Scale
@@ -32,14 +33,15 @@
 :- use_module('../kernel',
               [kept_leaves/2, shading_box/3, shading_open/4, shading_size/3]).
 :- use_module('../limits', [limit_value/2]).
-:- use_module('../picture/view', [current_view/4, view_matrix/3]).
+:- use_module('../picture/view', [current_view/4]).
 :- use_module('../primitive/primitive',
               [is_primitive/1, primitive_kind/2, primitive_shape/4]).
 :- use_module('../solid/operand', [checked_operand/1]).
 :- use_module('../store', [p/3, v/5, segment/3]).
+:- use_module(shading_eye, [eye_axes/3, eye_rows/3]).
 :- use_module(shading_half, [half_leaf/3]).
 :- use_module(shading_leaf, [known_leaf/4]).
-:- use_module(library(apply), [foldl/4, include/3, maplist/3, maplist/4]).
+:- use_module(library(apply), [foldl/4, include/3, maplist/3]).
 :- use_module(library(error), [must_be/2]).
 :- use_module(library(lists),
               [append/2, append/3, member/2, nth1/3, reverse/2, same_length/2]).
@@ -472,6 +474,13 @@ without_picture(Model, scene(none,Model,none)).
 %
 %   Tolerance, in dots: slices nearer in depth are in one place.
 
+%!  other_sight(+Scene0, +Handle, +Tolerance, -Scene) is det.
+%
+%   Scene is another picture, Handle for the kernel, of the model of Scene0.
+
+other_sight(scene(_, Model, _), Handle, Tolerance,
+            scene(Handle,Model,sight(Tolerance,none,none))).
+
 scene_handle(scene(Handle, _, _), Handle).
 scene_tolerance(scene(_, _, sight(Tolerance,_,_)), Tolerance).
 
@@ -528,65 +537,6 @@ scene_place(scene(_, model(Leaves, Facts, _), _), place(I,R,Number)) :-
 
 scene_leaf(scene(_, model(Leaves, _, _), _), Leaf) :-
     member(Leaf, Leaves).
-
-%   eye_rows(Eye, Place, Matrix): as of kernel/shading.pl. In a central picture
-%   depth is linear along lines of the picture, and near the nearest point as
-%   large as in a parallel one.
-
-eye_rows(Eye, place(Scale,Left,Top), Matrix) :-
-    eye_axes(Eye, eye(_,_,Rho,Kind,Nearest),
-             [[RX,RY,RZ,RD],[UX,UY,UZ,UD],[AX,AY,AZ,AD]]),
-    (   Kind == parallel
-    ->  W = [0.0,0.0,0.0,1.0],
-        Depth = AD
-    ;   W = [WX,WY,WZ,WD],
-        WD0 is AD+Rho,
-        maplist(divided(Nearest), [AX,AY,AZ,WD0], [WX,WY,WZ,WD]),
-        Depth is WD0-Nearest
-    ),
-    row(W, Scale, [RX,RY,RZ,RD], -Scale*Left, Row1),
-    row(W, -Scale, [UX,UY,UZ,UD], Scale*Top, Row2),
-    row(W, Scale, [AX,AY,AZ,Depth], 0, Row3),
-    append([Row1,Row2,Row3,W], Matrix).
-
-%   eye_axes(Eye, Level, Axes): what is to the right, up and away of where the
-%   eye looks at, [A,B,C,D] each: A*X + B*Y + C*Z + D. Level is the eye alone.
-
-eye_axes(rolled(Eye,Cos,Sin), Level, [Right,Up,Away]) :-
-    !,
-    eye_axes(Eye, Level, [Right0,Up0,Away]),
-    maplist(rolled(Cos, Sin), Right0, Up0, Right),
-    Back is -Sin,
-    maplist(rolled(Cos, Back), Up0, Right0, Up).
-eye_axes(at(Eye,Point), Level, Axes) :-
-    !,
-    eye_axes(Eye, Level, Axes0),
-    maplist(looking_at(Point), Axes0, Axes).
-eye_axes(Level, Level, Axes) :-
-    Level = eye(Theta,Phi,_,_,_),
-    view_matrix(Theta, Phi, Rows),
-    maplist(axis, Rows, Axes).
-
-rolled(Cos, Sin, A, B, C) :-
-    C is Cos*A + Sin*B + 0.0.
-
-looking_at([X,Y,Z], [A,B,C,D0], [A,B,C,D]) :-
-    D is D0 - (A*X + B*Y + C*Z) + 0.0.
-
-axis(r(A0,B0,C0), [A,B,C,0.0]) :-
-    maplist(float_of, [A0,B0,C0], [A,B,C]).
-
-float_of(X, F) :-
-    F is float(X) + 0.0.
-
-divided(Divisor, X, Quotient) :-
-    Quotient is X/Divisor + 0.0.
-
-row([A2,B2,C2,D2], F, [A1,B1,C1,D1], G, [A,B,C,D]) :-
-    A is F*A1 + G*A2 + 0.0,
-    B is F*B1 + G*B2 + 0.0,
-    C is F*C1 + G*C2 + 0.0,
-    D is F*D1 + G*D2 + 0.0.
 
 %!  facts_dots(+Eye, +Place, +Size, +Facts, -Box) is semidet.
 %

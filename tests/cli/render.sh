@@ -112,6 +112,12 @@ for after in 0.05 0.3 0.6; do
     --size 8000x8000 -o "$work/to/x.png" >"$work/out" 2>&1 </dev/null
   check "interrupted after $after s" holds "$work/to"
 done
+for after in 0.1 0.4 0.8; do
+  timeout -s INT $after "$sanggwan" render facts/pipe_tee.pl --size 4000x4000 \
+    --buffer depth="$work/to/x.pfm" --buffer id="$work/to/x.csv" \
+    --spans "$work/to/s.csv" -o "$work/to/x.pl" >"$work/out" 2>&1 </dev/null
+  check "buffers, interrupted after $after s" holds "$work/to"
+done
 shade facts/pipe_tee.pl -o "$work/nowhere/x.png"
 check "no folder" status_is 2
 shade facts/two_cubes.pl nothing.pl -o "$work/to/x.png"

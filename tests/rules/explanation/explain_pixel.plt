@@ -302,8 +302,13 @@ test(out_of_the_picture, All == [unseen(4),out_of_the_picture]) :-
     in_text(Text, findall(S, said(why_not(seen(4)),
                                   [size(50-50), window(b(7.0,7.0,8.0,8.0))],
                                   S), All)).
-test(surface, All == [not_in_picture(1,surface)]) :-
+test(surface, All = [unseen(1),unseen_where(_,_,_),
+                     hidden_by_leaf(2,2,box,2)]) :-
     in_text("segment(1, surface, rectangle(size(1,1))).
+             segment(2, solid, box(size(1,1,1))).",
+            findall(S, said(why_not(seen(1)), [size(50-50)], S), All)).
+test(curve, All == [not_in_picture(1,curve)]) :-
+    in_text("segment(1, curve, line(from(0,0,0),to(1,1,1))).
              segment(2, solid, box(size(1,1,1))).",
             findall(S, said(why_not(seen(1)), [size(50-50)], S), All)).
 test(no_such_segment, All == []) :-

@@ -1,6 +1,6 @@
 % covers: shading_leaf, shading_half, shading, shading_rows, span, shading_ring,
 % covers: shading_segment_rows, slice, sweep, walk, crossing, flush,
-% covers: shading_body, shading_point, primitive_facets
+% covers: shading_eye, shading_body, shading_point, primitive_facets
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
 :- use_module(library(lists)).
