@@ -66,6 +66,7 @@ module that has it.
 :- reexport(solid/repair, [repair_operand/1]).
 :- reexport(gluing/regions, [regions_made/2, region_neighbour/4]).
 :- reexport(solid/glue, [unglue/1, glue_report/2]).
+:- reexport(solid/glue_contact, [contact/4]).
 :- reexport(gluing/cycle, [ loop_cycle/4, radial_cycle/4, disk/4 ]).
 :- reexport(gluing/region_border, [zone/4, shell/4]).
 :- reexport(gluing/vertex_disk,

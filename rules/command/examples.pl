@@ -212,6 +212,9 @@ example(radial_cycle/4, 'facts/two_rooms.pl',
         "Pages = [page(1,_,_),page(6,_,2),page(7,_,_)]").
 example(disk/4, 'facts/two_rooms.pl', "disk(1, 13, D, Items).",
         "D = 1, Items = [e(_)]").
+example(contact/4, 'facts/figures/glue_face.pl',
+        "contact(3, 'face-face', Seat1, Seat2).",
+        "Seat1 = seat(1,p(_),face(_,none)), Seat2 = seat(2,_,_)").
 example(zone/4, 'facts/two_rooms.pl',
         "regions_made(1, _), zone(1, 1, R, Cycles).",
         "R = 3, Cycles = [[above(_)|_]]").
