@@ -29,6 +29,7 @@
               [polygons_named/3, segment_title/2, segments_named/2]).
 :- use_module(sheet_options, [scale_option/2]).
 :- use_module(solid_verbs, [empty_roots_warned/0]).
+:- use_module('../sheet/sheet_paper', [unit_millimetres/2]).
 :- use_module('../solid/simplify', [simplified_roots/1]).
 :- use_module('../space_limit', [with_stack_for/3]).
 :- use_module('../stage', [stage/2]).
@@ -639,7 +640,10 @@ plate_of(Options0, Ds, D, Plate) :-
     option(thickness(Thickness), Options),
     Thickness > 0,
     pattern_area(D, Area),
-    plate_measures(D, Area, Options, Plate).
+    plate_measures(D, Area, Options, Plate0),
+    option(unit(Unit), Options, mm),
+    unit_millimetres(Unit, Millimetres),
+    Plate = Plate0.put(millimetres, Millimetres).
 
 %   pattern_output(Options, Ds, File): of the several sheets of a drawing,
 %   standard output can have the first only.

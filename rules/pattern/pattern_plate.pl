@@ -194,13 +194,28 @@ bend_numbers(Plate, Numbers) :-
 %
 %   Marks and Size, as of table_marks/4, are the table of the bends of Plate, in
 %   their sequence, with the weight in its title. Options are those of
-%   table_marks/4, and factor(F): millimetres of the sheet for a unit. Fails if
-%   it has no bends.
+%   table_marks/4. Lengths are true ones, in millimetres: of Plate, millimetres
+%   says what a unit of the model is, if it is there. Without
+%   bends the table has the weight alone; it fails if that is not known.
 
 bend_table(Plate, Options, Marks, Size) :-
-    Plate.bends = [_|_],
+    Plate.bends == [],
+    !,
+    get_dict(weight, Plate, Weight),
     result_language(Language),
-    option(factor(F), Options, 1),
+    millimetres(Plate, F),
+    findall(Word,
+            ( member(Column, [thickness,weight,material]),
+              column(Column, Language, Word) ),
+            Columns),
+    Thick is Plate.thickness*F,
+    format(atom(Thickness), '~2f', [Thick]),
+    format(atom(Weighs), '~4g', [Weight]),
+    material_word(Language, Plate.material, Material),
+    table_marks([Columns,[Thickness,Weighs,Material]], Options, Marks, Size).
+bend_table(Plate, Options, Marks, Size) :-
+    result_language(Language),
+    millimetres(Plate, F),
     findall(N-Line,
             ( member(Bend, Plate.bends),
               N = Bend.sequence,
@@ -212,6 +227,12 @@ bend_table(Plate, Options, Marks, Size) :-
     option(title(Name), Options, ""),
     plate_title(Language, Name, Plate, Title),
     table_marks([Columns|Lines], [title(Title)|Options], Marks, Size).
+
+millimetres(Plate, F) :-
+    (   get_dict(millimetres, Plate, F)
+    ->  true
+    ;   F = 1
+    ).
 
 bend_line(Language, F, Bend, [Name,Degrees,Direction,Radius,Length]) :-
     format(atom(Name), 'B~d', [Bend.sequence]),
@@ -231,11 +252,17 @@ column(angle, en, angle).
 column(direction, en, direction).
 column(radius, en, 'radius (mm)').
 column(length, en, 'length (mm)').
+column(thickness, en, 'thickness (mm)').
+column(weight, en, 'weight (kg)').
+column(material, en, material).
 column(bend, ko, '굽힘').
 column(angle, ko, '각도').
 column(direction, ko, '방향').
 column(radius, ko, '반지름 (mm)').
 column(length, ko, '길이 (mm)').
+column(thickness, ko, '두께 (mm)').
+column(weight, ko, '무게 (kg)').
+column(material, ko, '재료').
 
 direction_word(en, Word, Word).
 direction_word(ko, down, '아래').

@@ -78,7 +78,7 @@ bends(Ds, Options, Paper, table(D,bends,Marks,Size)) :-
         bend_table(Plate, [height(H)|Named], Marks, Size),
         table_fits(Paper, Size)
     ->  true
-    ;   Plate.bends = [_|_],
+    ;   Plate.bends \== [],
         \+ option(told(false), Options),
         print_message(informational, sanggwan(pattern(no_room(bends,1)))),
         fail

@@ -113,8 +113,9 @@ quarter_text(placed(Name,Faces,_,_,Sides),
     Name = name(D, _, _),
     once(( member(side(E0,_,_,_,generator(_)), Sides),
            origin(D, e(E0), _) )),
+    quarters(D, Quarters),
     findall(Shape, ( member(face(_,Own), Faces), member(Shape, Own) ), Shapes),
-    member(Quarter, [0,90,180,270]),
+    member(Quarter, Quarters),
     findall(A-B,
             ( member(side(E,_,_-A,_-B,generator(_)), Sides),
               once(origin(D, e(E), generator(_, Degrees, _, _, _))),
@@ -122,6 +123,16 @@ quarter_text(placed(Name,Faces,_,_,Sides),
             Places),
     Places \== [],
     quarter_words(D, Quarter, Text).
+
+%   quarters(D, Quarters): those at which D has generators; one alone is chance.
+
+quarters(D, Quarters) :-
+    findall(Quarter,
+            ( member(Quarter, [0,90,180,270]),
+              once(( origin(D, e(_), generator(_, Degrees, _, _, _)),
+                     same_direction(Degrees, Quarter) )) ),
+            Quarters),
+    Quarters = [_,_|_].
 
 quarter_words(D, Quarter, Text) :-
     format(string(Degrees), '~d°', [Quarter]),

@@ -64,9 +64,15 @@ test(sequence) :-
     once(( member(Wall, Others), memberchk(P, Wall) )).
 test(table, Texts == [ 'B1','90.0\u00B0',down,'2.00','54.00' ]) :-
     Plate = _{bends:[_{fold:7, angle:90.0, direction:down, radius:1.0,
-                       length:27.0, sequence:1}], thickness:1},
-    with_result_language(en, bend_table(Plate, [factor(2)], Marks, W-H)),
+                       length:27.0, sequence:1}], thickness:1, millimetres:2},
+    with_result_language(en, bend_table(Plate, [], Marks, W-H)),
     assertion(( W > 0, H > 0 )),
+    findall(Y, member(text(_,Y,_,_), Marks), Ys),
+    min_list(Ys, Lowest),
+    findall(Text, member(text(_,Lowest,_,Text), Marks), Texts).
+test(weight_alone, Texts == ['1.50','0.25',steel]) :-
+    Plate = _{bends:[], thickness:1.5, material:steel, weight:0.25},
+    with_result_language(en, bend_table(Plate, [], Marks, _)),
     findall(Y, member(text(_,Y,_,_), Marks), Ys),
     min_list(Ys, Lowest),
     findall(Text, member(text(_,Lowest,_,Text), Marks), Texts).
