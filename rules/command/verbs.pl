@@ -36,23 +36,20 @@
 :- use_module('../problem/problem_sheet', [problem_sheets/3]).
 :- use_module('../studio/query', [query/2, read_goal/3]).
 :- use_module(repl, [repl/1]).
+:- use_module(picture_points, [picture_numbered/4]).
 :- use_module(report, [print_report/2]).
 :- use_module(sheet_options,
               [ sheet_wanted/1, sheet_request/3, request_facts/4,
-                request_title/2, looking/2,
-                points_wanted/2, scale_option/2 ]).
-:- use_module('../sheet/line_point', [line_points/2, points_added/5]).
-:- use_module('../sheet/sheet', [sheet_strokes/5]).
+                request_title/2, looking/2, scale_option/2 ]).
 :- use_module('../sheet/sheet_plan', [views_drawing/5]).
 :- use_module(solid_verbs,
               [ solid_verb/1, solid_verb_run/4, solids_written/3,
                 empty_roots_warned/0 ]).
+:- use_module('../stack_limit', [with_stack_for/3]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
-              [ segment/3, line/9, origin/3, facts_snapshot/1,
-                facts_transaction/1, new_world/1,
-                in_world/2
-              ]).
+              [ drawn/7, segment/3, line/9, origin/3, facts_snapshot/1,
+                facts_transaction/1, new_world/1, in_world/2 ]).
 :- use_module('../drawing/style_file', [style_rows/2, segment_in_vain/2]).
 :- use_module(verb_output,
               [ some_files/2, outputs/3, some_outputs/1, no_model_replaced/2,
@@ -70,7 +67,7 @@
 :- use_module('../picture/view',
               [ set_view/1, set_view/3, set_projection/1, turn_up/1, with_up/2
               ]).
-:- use_module(library(apply), [exclude/3, maplist/2, maplist/3, partition/4]).
+:- use_module(library(apply), [maplist/2, maplist/3, partition/4]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(http/json), [json_write_dict/2]).
 :- use_module(library(lists), [append/3, member/2]).
@@ -373,29 +370,6 @@ draw(File, Options) :-
     drawing_output(WriteOptions, File),
     when_written(print_message(informational, sanggwan(wrote(File)))).
 
-%   picture_numbered(Options, Lines, Options0, Options1): options of
-%   write_drawing/2 for the picture of the current world with numbered points,
-%   where Options ask for them. Lines are those of operands.
-
-picture_numbered(Options, Lines, Options0, Options1) :-
-    (   points_wanted(Options, Most)
-    ->  (   option(png(dots), Options)
-        ->  usage_error(both_options('--points', '--png dots'))
-        ;   true
-        ),
-        with_operand_lines(Lines, line_points(Most, Points)),
-        sheet_strokes(210-148, Options0, Sheet, Place, Strokes),
-        option(drawing(Drawing0), Options0,
-               drawing(Sheet,[view('',Strokes,[])])),
-        option(hidden(Hidden), Options0, dashed),
-        points_added(Hidden, Points, Place, Drawing0, Drawing),
-        exclude(is_drawing, Options0, Rest),
-        Options1 = [drawing(Drawing)|Rest]
-    ;   Options1 = Options0
-    ).
-
-is_drawing(drawing(_)).
-
 view_goal(view(Name), set_view(Name)).
 view_goal(view(Theta, Phi), set_view(Theta, Phi, 0)).
 view_goal(view(Theta, Phi, Rho), set_view(Theta, Phi, Rho)).
@@ -571,8 +545,15 @@ exact_outputs(Options, Outputs) :-
     ;   true
     ).
 
+%   drawing_output(Options, File): as much of the stacks as the parts of the
+%   picture take.
+
 drawing_output(Options, File) :-
-    stage(write, write_drawing(File, Options)).
+    aggregate_all(count, drawn(_,_,_,_,_,_,_), Parts),
+    part_octets(Octets),
+    with_stack_for(Parts, Octets, stage(write, write_drawing(File, Options))).
+
+part_octets(1000).
 
 
                 /*******************************

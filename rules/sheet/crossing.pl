@@ -32,8 +32,8 @@ least_sine(0.17).
 %!  strokes_crossed(+Strokes0, -Strokes) is det.
 %
 %   Strokes are Strokes0 (stroke.pl), in order, with marks where one crosses
-%   another one, or itself, or ends on it. Those that nothing crosses, and all of
-%   more than 3,000 pieces, stay as they are.
+%   another one, or itself, or ends on it. Those that nothing crosses, and all
+%   of more than 3,000 pieces, stay as they are.
 
 strokes_crossed(Strokes0, Strokes) :-
     most_pieces(Most),

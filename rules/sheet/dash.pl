@@ -97,8 +97,8 @@ first_run(stroke(_,_,_,_,_,cut,_), Runs, Index, Offset) :-
 first_run(_, _, 0, 0).
 
 %   crossed_runs(Start, End, Marks, Length, Dash-Gap, Runs): Runs are those of a
-%   stroke of that Length which is crossed at Marks, a dash first, which may be 0,
-%   and a gap last. Between two marks, or a mark and an end, is a span.
+%   stroke of that Length which is crossed at Marks, a dash first, which may be
+%   0, and a gap last. Between two marks, or a mark and an end, is a span.
 
 crossed_runs(ring, _, [First|Marks], Length, Run, Runs) :-
     !,
@@ -129,9 +129,9 @@ inner_marks([Mark|Marks0], Least, Most, Marks) :-
     ),
     inner_marks(Marks0, Least, Most, Marks1).
 
-%   span_added(Run, To, At0, At): At is at(Left, From, Items, Right): a span from
-%   From, where there is Left, a `mark` or as in a stroke, to To, where there is
-%   Right. Items, dash(Length) and gap(Length), follow.
+%   span_added(Run, To, At0, At): At is at(Left, From, Items, Right): a span
+%   from From, where there is Left, a `mark` or as in a stroke, to To, where
+%   there is Right. Items, dash(Length) and gap(Length), follow.
 
 span_added(Run, To, at(Left,From,Items0,Right), at(mark,To,Items,Right)) :-
     Length is To-From,
