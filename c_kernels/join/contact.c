@@ -193,6 +193,14 @@ corner(finder *find, int k, int i)
 
 /* ---- edges ---- */
 
+/* Whether |off| is more than reach * sqrt(square), whatever rounding does: most
+ * pairs end here, without a root. */
+static bool
+is_far(double off, double reach, double square)
+{
+  return off * off > 1e-280 && off * off > reach * reach * square * (1 + 1e-9);
+}
+
 /* Edge i of the first against edge j of the second: contact if they pass each
  * other within reach, and no end of either is within reach of the other (then
  * that is the contact). */
@@ -207,11 +215,15 @@ edges(finder *find, int i, int j)
   sg_minus(d, c, w);
   sg_minus(c, a, from);
   sg_cross(u, w, n);
-  double square = sg_dot(n, n);
+  double square = sg_dot(n, n), off = sg_dot(from, n);
+
+  if (is_far(off, find->reach, square)) {
+    return;
+  }
   double parallel = sg_length(u) * sg_length(w) * 16 * DBL_EPSILON;
 
   if (!(square > parallel * parallel) ||
-      fabs(sg_dot(from, n)) > find->reach * sqrt(square)) {
+      fabs(off) > find->reach * sqrt(square)) {
     return;
   }
   sg_cross(from, w, m);

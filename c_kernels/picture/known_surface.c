@@ -106,17 +106,17 @@ static bool
 tapered_gradient(const sg_known_surface *s, const double p[3], double out[3])
 {
   double a = 1.0 - p[2] + p[2] * s->a, b = 1.0 - p[2] + p[2] * s->b;
-  double x = p[0] / a, y = p[1] / b;
+  double x = p[0] / a, y = p[1] / b, radius = hypot(x, y);
 
-  if (a < NO_RADIUS || b < NO_RADIUS || hypot(x, y) < NO_RADIUS) {
+  if (a < NO_RADIUS || b < NO_RADIUS || radius < NO_RADIUS) {
     return false;
   }
   out[0] = x / a;
   out[1] = y / b;
   out[2] = -(x * x * (s->a - 1.0) / a + y * y * (s->b - 1.0) / b);
   /* the facet is a chord: the slope is that of the surface above it */
-  out[0] *= hypot(x, y);
-  out[1] *= hypot(x, y);
+  out[0] *= radius;
+  out[1] *= radius;
   return true;
 }
 
