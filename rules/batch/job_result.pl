@@ -21,7 +21,7 @@
 :- use_module(run_state, [counted/1, stop_begun/0]).
 :- use_module('../language', [language/1]).
 :- use_module('../message/message_object', [message_object/3]).
-:- use_module(library(apply), [exclude/3, maplist/3]).
+:- use_module(library(apply), [maplist/3]).
 :- use_module(library(filesex), [delete_directory_and_contents/1]).
 :- use_module(library(http/json), [atom_json_dict/3]).
 :- use_module(library(lists), [append/3, member/2]).
@@ -170,7 +170,7 @@ job_ended(Job, Key, Inputs, Folder, Start, Head, Body, Run, Out) :-
     Run = run(Store, Base, _, _),
     (   get_dict(status, Head, Status)
     ->  Usage = usage(Head.seconds, Head.cpu, Head.rss_kb),
-        exclude(of_no_interest, Head.messages, Messages)
+        Messages = Head.messages
     ;   Status = 2,
         Usage = usage(0, 0, 0),
         Messages = []
@@ -183,7 +183,7 @@ job_ended(Job, Key, Inputs, Folder, Start, Head, Body, Run, Out) :-
     (   \+ job_inputs(Job, Base, Inputs)
     ->  Unchanged = false
     ;   also_read(Files, Inputs, Base, Start, Read0)
-    ->  json_text(Read0, Read)
+    ->  ( Read0 == [] -> Read = '[]' ; json_text(Read0, Read) )
     ;   Unchanged = false
     ),
     (   Status > 1
@@ -211,12 +211,6 @@ job_ended(Job, Key, Inputs, Folder, Start, Head, Body, Run, Out) :-
         ;   true
         )
     ).
-
-%   That a file was written is no news.
-
-of_no_interest(Message) :-
-    get_dict(code, Message, Code),
-    memberchk(Code, ["wrote", wrote]).
 
 %   without_folder(Folder, Value, Text): Value as JSON, files without the folder
 %   that they were made in.

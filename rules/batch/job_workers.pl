@@ -137,7 +137,7 @@ folders_made(Options, Folder) :-
              make_directory_path(Path) )).
 
 request(Id, Argv, Limits, Head) :-
-    Head0 = _{id:Id, do:run, argv:Argv},
+    Head0 = _{id:Id, do:run, argv:Argv, wrote:false},
     (   memberchk(memory-Megabytes, Limits)
     ->  Head1 = Head0.put(memory_mb, Megabytes)
     ;   Head1 = Head0

@@ -1,6 +1,7 @@
 :- module(sg_message_object,
           [ message_object/3,           % +Kind, +Term, -Object
             objects_heard/2,            % :Goal, -Objects
+            files_untold/1,             % :Goal
             message_said/2              % +Kind, +Term
           ]).
 :- use_module(spoken, [spoken_lines/4]).
@@ -12,7 +13,7 @@ A program tells messages apart by their code, and shows people their words in
 the language that these want, whatever the language of the process is.
 */
 
-:- meta_predicate objects_heard(0, -).
+:- meta_predicate objects_heard(0, -), files_untold(0).
 
 %!  message_object(+Kind, +Term, -Object) is det.
 %
@@ -142,8 +143,20 @@ objects_heard(Goal, Objects) :-
           )
         )).
 
-% hearing: of this thread; heard(Object): what was said since.
-:- thread_local hearing/0, heard/1.
+% hearing: of this thread; heard(Object): what was said since. untold: not that
+% files were written.
+:- thread_local hearing/0, heard/1, untold/0.
+
+%!  files_untold(:Goal) is semidet.
+%
+%   Call Goal once. That a file was written, objects_heard/2 does not hear: who
+%   knows the files already need not wait for words about them.
+
+files_untold(Goal) :-
+    setup_call_cleanup(
+        asserta(untold, Untold),
+        once(Goal),
+        erase(Untold)).
 
 %!  message_said(+Kind, +Term) is det.
 %
@@ -152,6 +165,8 @@ objects_heard(Goal, Objects) :-
 
 message_said(Kind, Term) :-
     (   hearing,
+        \+ ( untold,
+             subsumes_term(sanggwan(wrote(_)), Term) ),
         \+ subsumes_term(sanggwan(progress(_, _)), Term),
         \+ subsumes_term(sanggwan(progress(_, _, _, _, _)), Term)
     ->  message_object(Kind, Term, Object),

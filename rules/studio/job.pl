@@ -7,7 +7,8 @@
             worlds_collected/0
           ]).
 :- use_module('../limits', [with_usual_limits/1]).
-:- use_module('../message/message_object', [message_object/3, objects_heard/2]).
+:- use_module('../message/message_object',
+              [message_object/3, objects_heard/2, files_untold/1]).
 :- use_module('../output', [files_recorded/2]).
 :- use_module(files_read, [files_read/2]).
 :- use_module(process_state, [runs_users_code/1, with_process_kept/3]).
@@ -47,6 +48,7 @@ verb_job(Run, Head, Body, Reply, Out) :-
     job_folder(Head, Folder),
     job_language(Head, Language),
     job_limits(Head, Limits),
+    job_told(Head, Told),
     peak_reset,
     get_time(T0),
     statistics(process_cputime, C0),
@@ -54,7 +56,7 @@ verb_job(Run, Head, Body, Reply, Out) :-
         new_memory_file(OutFile),
         setup_call_cleanup(
             new_memory_file(ErrorFile),
-            ( job_ran(job(Run, Arguments, Folder, Language, Limits, Body),
+            ( job_ran(job(Run, Arguments, Folder, Language, Limits, Told, Body),
                       OutFile, ErrorFile,
                       result(Status0, Files, Objects0, Read), Kept),
               printed(OutFile, ErrorFile, Status0, Objects0, Printed)
@@ -134,6 +136,17 @@ job_limits(Head, limits(Octets, Seconds)) :-
         room_checked(Octets)
     ).
 
+%   job_told(Head, Told): whether messages say which files were written.
+
+job_told(Head, Told) :-
+    (   get_dict(wrote, Head, Told0)
+    ->  (   memberchk(Told0, [true,false])
+        ->  Told = Told0
+        ;   request_error(bad_key(wrote, boolean))
+        )
+    ;   Told = true
+    ).
+
 %   room_checked(Octets): the process does not have more already. Below that
 %   nothing could be done, not even a reply be written.
 
@@ -163,7 +176,7 @@ positive(Head, Key, Value) :-
                 *******************************/
 
 job_ran(Job, OutFile, ErrorFile, Result, Kept) :-
-    Job = job(_, Arguments, Folder, Language, Limits, Body),
+    Job = job(_, Arguments, Folder, Language, Limits, _, Body),
     with_process_kept(
         Arguments,
         in_folder(Folder,
@@ -174,11 +187,19 @@ job_ran(Job, OutFile, ErrorFile, Result, Kept) :-
                             sg_job:heard(Job, Result)))))),
         Kept).
 
-heard(job(Run, Arguments, _, _, _, _),
+heard(job(Run, Arguments, _, _, _, Told, _),
       result(Status, Files, Objects, Read)) :-
-    files_recorded(objects_heard(verb_done(Arguments, Run, Status, Read),
+    files_recorded(objects_heard(told(Told, verb_done(Arguments, Run, Status,
+                                                      Read)),
                                  Objects),
                    Files).
+
+:- meta_predicate told(+, 0).
+
+told(true, Goal) :-
+    call(Goal).
+told(false, Goal) :-
+    files_untold(Goal).
 
 :- meta_predicate verb_done(+, 2, -, -).
 

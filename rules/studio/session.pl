@@ -74,11 +74,19 @@ session(Run, _:Makers, _:Help, Status) :-
     retractall(stopped_before(_)),
     retractall(newest(_, _)),
     limits_forgotten,
+    few_collections,
     stdio_apart(In, Out),
     message_queue_create(Queue, [max_size(256)]),
     thread_self(Worker),
     thread_create(reading(In, Out, Worker, Queue, 1), _, [detached(true)]),
     served(session(Run, Makers, Help, Out), Queue, Status).
+
+%   few_collections: most requests are over before they have left so many octets
+%   on a stack; what is left then costs nothing to give back.
+
+few_collections :-
+    set_prolog_stack(global, low(2 000 000)),
+    set_prolog_stack(trail, low(500 000)).
 
 session_run(session(Run, _, _, _), Run).
 session_makers(session(_, Makers, _, _), Makers).
