@@ -45,7 +45,6 @@ with_store(Out0, store(Out, Own), Goal) :-
     made_folder(Out0),
     absolute_file_name(Out0, Out),
     atomic_list_concat([Out, '/store/.tmp'], Tmp),
-    made_folder(Tmp),
     setup_call_cleanup(
         own_folder(Tmp, Own, Lock),
         ( dead_removed(Tmp, Own),
