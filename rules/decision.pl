@@ -80,7 +80,7 @@ decision(Decision, _) :-
     throw(error(permission_error(call, directive, decision(Decision)), _)).
 
 :- thread_local watching/0, first_error/1.
-:- public decision_clauses/4, default_clause/3.
+:- public decision_clauses/4, default_clause/3, clause_of/2.
 
 system:term_expansion((:- decision(Decision, Doc)), Clauses) :-
     prolog_load_context(module, Module),
