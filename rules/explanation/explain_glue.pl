@@ -5,7 +5,9 @@
           ]).
 :- use_module('../csg/csg', [node/4]).
 :- use_module('../gluing/cycle', [loop_cycle/4, radial_cycle/4, disk/4]).
+:- use_module('../decision', [decision/4]).
 :- use_module('../gluing/gap', [polygon_gap/5]).
+:- use_module('../gluing/vertex_disk', [disk_relation/3]).
 :- use_module('../gluing/region_point', [region_point/3]).
 :- use_module('../solid/glue', [glue_operands/2, glue_report/2]).
 :- use_module('../store',
@@ -66,7 +68,9 @@ item_because(v(V), S, glued_vertex(S, V, Point), Because) :-
               findall(E, member(e(E), Items), Es),
               findall(P, member(p(P), Items), Ps) ),
             Disks),
-    append([From, Cut, Loops, Regions, Disks], Because).
+    findall(because(disks_lie(D1, D2, Relation, By), []),
+            disks_lie(S, V, D1, D2, Relation, By), Lie),
+    append([From, Cut, Loops, Regions, Disks, Lie], Because).
 item_because(e(E), S, glued_edge(S, E, V1, V2), Because) :-
     once(e(S, E, V1, V2, _)),
     A is min(V1, V2),
@@ -85,6 +89,18 @@ item_because(p(P), S, glued_polygon(S, P), Because) :-
             Between),
     findall(because(inner_loop(Vs), []), inner_loop(S, P, Vs), Loops),
     append([Sources, Between, Loops], Because).
+
+%   disks_lie(S, V, D1, D2, Relation, By) is nondet: how the disks at V lie to
+%   each other, and who says so; of more than twenty this is not told.
+
+disks_lie(S, V, D1, D2, Relation, By) :-
+    findall(D, disk(S, V, D, _), Ds),
+    \+ memberchk(21, Ds),
+    decision(disk_relation/3, _, _, By),
+    member(D1, Ds),
+    member(D2, Ds),
+    D1 < D2,
+    once(disk_relation(disk(S,V,D1), disk(S,V,D2), Relation)).
 
 moved(S0, V0, point(X,Y,Z), Moved) :-
     once(v(S0, V0, X0, Y0, Z0)),

@@ -40,6 +40,12 @@ glue_statement_en(point_loop(P)) -->
     [ 'it lies inside polygon ~d, as a loop of its own'-[P] ].
 glue_statement_en(in_region(R)) -->
     [ 'it lies in region ~d'-[R] ].
+glue_statement_en(disks_lie(D1, D2, Relation, By)) -->
+    disks_lie_en(Relation, D1, D2),
+    (   { By == default }
+    ->  []
+    ;   [ ', by the rules of ~w (disk_relation/3)'-[By] ]
+    ).
 glue_statement_en(disk(D, Es, Ps)) -->
     { atomic_list_concat(Es, ', ', Edges),
       atomic_list_concat(Ps, ', ', Polygons) },
@@ -136,3 +142,14 @@ glue_nothing_en(Item) -->
       '  glued(S, v(V)), glued(S, e(E)) and glued(S, p(P)) are of a glue S; \c
        region(S, R) of a segment with regions; \c
        why_not(glued(S1-P1, S2-P2)) of polygons of its operands.' ].
+
+disks_lie_en(disjoint, D1, D2) -->
+    [ 'disks ~d and ~d are outside each other'-[D1, D2] ].
+disks_lie_en(cover, D1, D2) -->
+    [ 'disks ~d and ~d together have all of space in them'-[D1, D2] ].
+disks_lie_en(within, D1, D2) -->
+    [ 'disk ~d is in disk ~d'-[D1, D2] ].
+disks_lie_en(around, D1, D2) -->
+    [ 'disk ~d is in disk ~d'-[D2, D1] ].
+disks_lie_en(cross, D1, D2) -->
+    [ 'disks ~d and ~d go through each other'-[D1, D2] ].

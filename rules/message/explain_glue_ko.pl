@@ -40,10 +40,16 @@ glue_statement_ko(point_loop(P)) -->
     [ '다각형 ~d번 안에 있으며 그 자체가 루프이다'-[P] ].
 glue_statement_ko(in_region(R)) -->
     [ '영역 ~d 안에 있다'-[R] ].
+glue_statement_ko(disks_lie(D1, D2, Relation, By)) -->
+    disks_lie_ko(Relation, D1, D2),
+    (   { By == default }
+    ->  []
+    ;   [ ', ~w의 규칙에 따라 (disk_relation/3)'-[By] ]
+    ).
 glue_statement_ko(disk(D, Es, Ps)) -->
     { atomic_list_concat(Es, ', ', Edges),
       atomic_list_concat(Ps, ', ', Polygons) },
-    [ '디스크 ~d: '-[D] ],
+    [ '원반 ~d: '-[D] ],
     (   { Es == [] }
     ->  [ '다각형 ~w, 사방으로 이어진다'-[Polygons] ]
     ;   { Ps == [] }
@@ -133,3 +139,14 @@ glue_nothing_ko(Item) -->
       '  glued(S, v(V)), glued(S, e(E)), glued(S, p(P))는 붙인 것 S의 것, \c
        region(S, R)은 영역이 있는 세그먼트의 것, \c
        why_not(glued(S1-P1, S2-P2))는 피연산자의 다각형입니다.' ].
+
+disks_lie_ko(disjoint, D1, D2) -->
+    [ '원반 ~d번과 ~d번은 서로의 바깥에 있다'-[D1, D2] ].
+disks_lie_ko(cover, D1, D2) -->
+    [ '원반 ~d번과 ~d번의 안을 합하면 공간 전체이다'-[D1, D2] ].
+disks_lie_ko(within, D1, D2) -->
+    [ '원반 ~d번은 원반 ~d번 안에 있다'-[D1, D2] ].
+disks_lie_ko(around, D1, D2) -->
+    [ '원반 ~d번은 원반 ~d번 안에 있다'-[D2, D1] ].
+disks_lie_ko(cross, D1, D2) -->
+    [ '원반 ~d번과 ~d번은 서로를 뚫고 지나간다'-[D1, D2] ].

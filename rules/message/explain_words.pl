@@ -191,6 +191,7 @@ statement_keys(cut_vertex, [segments]).
 statement_keys(point_loop, [polygon]).
 statement_keys(in_region, [region]).
 statement_keys(disk, [disk, edges, polygons]).
+statement_keys(disks_lie, [disk1, disk2, relation, by]).
 statement_keys(page, [polygon, region]).
 statement_keys(between, [below, above]).
 statement_keys(inner_loop, [vertices]).

@@ -102,6 +102,9 @@ said(in_region(2)).
 said(disk(1,[2,3],[4])).
 said(disk(1,[2],[])).
 said(disk(1,[],[4])).
+said(disks_lie(1,2,Relation,By)) :-
+    member(Relation, [disjoint,cover,within,around,cross]),
+    member(By, [default,'rules.pl']).
 said(page(2,3)).
 said(between(1,2)).
 said(between(2,2)).
