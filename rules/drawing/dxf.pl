@@ -19,12 +19,12 @@
 
 DXF R12 (AC1009), as text: every program reads it. A straight line is a LINE, a
 text a TEXT, also one that stands aslant; what has bends is a POLYLINE, a circle
-of a true pattern a CIRCLE, and arcs of such a one are arcs of its polyline. One
-unit is one millimetre of the sheet, the origin its lower left corner. A layer for
-each visibility and role, in capitals (`HIDDEN_OUTLINE`), with its colour and
-line type, by the style (style.pl); a line of another look says so itself.
-Extended data of application SANGGWAN says at the start of each straight piece
-which segment and edge it belongs to.
+of a true pattern a CIRCLE, and arcs of such a one are arcs of its polyline.
+One unit is one millimetre of the sheet, the origin its lower left corner. A
+layer for each visibility and role, in capitals (`HIDDEN_OUTLINE`), with its
+colour and line type, by the style (style.pl); a line of another look says so
+itself. Extended data of application SANGGWAN says at the start of each
+straight piece which segment and edge it belongs to.
 */
 
 %!  write_dxf(+Out, +Inked, +Options) is det.

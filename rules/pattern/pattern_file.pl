@@ -55,10 +55,14 @@ format_written(_, File, Ds, Drawings, Options, Files) :-
                                            ]),
                            Drawings, Files)).
 
-%   is_smooth(D): rims and holes of pattern D were made of true curves.
+%   is_smooth(D): rims and holes of pattern D were made of true curves: what is
+%   round was unrolled, of D or of the part that it is the rest of.
 
 is_smooth(D) :-
     (   segment(D, pattern, true_development(_, _))
+    ->  true
+    ;   segment(D, pattern, development(T)),
+        segment(_, pattern, true_development(T, _))
     ->  true
     ;   once(origin(D, e(_), e(_)))
     ).

@@ -260,8 +260,26 @@ fineness([S|Others], Options, Finers) :-
 first_finer(Options, S, Finer) :-
     finer_or_composed([first(true)|Options], S, Finer),
     (   Finer = composed(Finers)
-    ->  forall(member(Leaf-_, Finers), can_be_cut(Leaf))
+    ->  forall(member(Leaf-_, Finers), can_be_cut(Leaf)),
+        spheres_alone(S)
     ;   can_be_cut(S)
+    ).
+
+%   spheres_alone(S): beside a sphere nothing else that is round is plate in S,
+%   whose facets might meet those of its gores in slivers.
+
+spheres_alone(S) :-
+    flat_expression(S, Expression),
+    plate_leaves(Expression, Plates),
+    findall(Kind,
+            ( member(Leaf, Plates),
+              placed_surface(Leaf, _, Surface),
+              functor(Surface, Kind, _) ),
+            Kinds0),
+    sort(Kinds0, Kinds),
+    (   memberchk(sphere, Kinds)
+    ->  Kinds == [sphere]
+    ;   true
     ).
 
 can_be_cut(S) :-

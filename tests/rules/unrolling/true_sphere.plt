@@ -189,6 +189,40 @@ hole_area(Pipes, Seam, Area) :-
     patterns([sphere(radius(50))|Pipes], [gores(5),seam(Seam),trim(outside)],
              [D], pattern_area(D, Area)).
 
+%   A hole that a tool makes is no matter; but beside another round part that is
+%   plate the sphere stays in its facets: those of gores would not meet it.
+
+composed(Term, Ds, Goal) :-
+    new_world(World),
+    in_world(World,
+             ( assert_fact(segment(9, solid, Term)),
+               primitives_and_nodes,
+               true_patterns(9, wanted(none, [], [], []), [gores(6)], Ds),
+               call(Goal) )).
+
+:- meta_predicate composed(+, -, 0).
+
+primitives_and_nodes :-
+    complete_segments,
+    evaluate,
+    complete_segments.
+
+test(hole_of_a_tool, true(Ns == [1,1,6])) :-
+    composed(difference([ hemisphere(radius(50)),
+                          at([translate(10,20,0)],
+                             cylinder(radius(10), height(120))) ]),
+             Ds, ( maplist(pieces, Ds, Ns0), msort(Ns0, Ns) )).
+test(silo, true(Kinds == [development,true_development])) :-
+    composed(union([ cylinder(radius(50), height(120)),
+                     at([translate(0,0,120)], hemisphere(radius(50))) ]),
+             Ds,
+             ( findall(Kind,
+                       ( member(D, Ds), segment(D, pattern, Term),
+                         functor(Term, Kind, _) ),
+                       Kinds0),
+               sort(Kinds0, Kinds),
+               length(Ds, 2) )).
+
 %   The table says where to mark a gore: the widths of its parallels.
 
 test(table, true(N =:= 11)) :-
