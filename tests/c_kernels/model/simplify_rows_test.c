@@ -36,9 +36,8 @@ simplify(sg_world *world)
                         sg_world_retract_all(world, SG_V));
   CHECK("added", sg_door_simplified_add(&call, x, 1) &&
                      sg_door_simplified_add(&call, x, 2));
-  CHECK("two tetrahedra", rows_of(SG_V) == 8 &&
-                              rows_of(SG_E) == 24 &&
-                              rows_of(SG_P) == 8);
+  CHECK("two tetrahedra",
+        rows_of(SG_V) == 8 && rows_of(SG_E) == 24 && rows_of(SG_P) == 8);
   sg_simplifying_free(x);
 }
 
