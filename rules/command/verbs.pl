@@ -45,7 +45,7 @@
 :- use_module(solid_verbs,
               [ solid_verb/1, solid_verb_run/4, solids_written/3,
                 empty_roots_warned/0 ]).
-:- use_module('../stack_limit', [with_stack_for/3]).
+:- use_module('../space_limit', [with_stack_for/3]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
               [ drawn/7, segment/3, line/9, origin/3, facts_snapshot/1,
