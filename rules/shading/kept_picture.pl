@@ -16,7 +16,7 @@
                 shaded_eye/3, shaded_model/2, shaded_scene/5 ]).
 :- use_module(surface_look, [scene_looks/4]).
 :- use_module(library(apply),
-              [exclude/3, foldl/4, foldl/6, maplist/3, maplist/4]).
+              [exclude/3, foldl/4, foldl/5, maplist/3, maplist/4]).
 :- use_module(library(lists),
               [append/3, member/2, nth1/3, reverse/2, same_length/2]).
 :- use_module(library(option), [option/2, option/3]).
