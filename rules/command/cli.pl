@@ -386,7 +386,7 @@ measured(Options, Start) :-
         findall(Name-Seconds, timing(Name, Seconds), Pairs0),
         pairs_values(Pairs0, Parts),
         sum_list(Parts, Sum),
-        Other is Total-Sum,
+        Other is max(0.0, Total-Sum),
         append(Pairs0, [other-Other, total-Total], Pairs),
         json_line(Pairs)
     ;   true

@@ -159,8 +159,13 @@ check unknown-predicate-message has 'no_such_thing/1'
 
 run query facts/cube.pl 'v(1,1,_,_,_)' --timings
 check timings-json is "$(sed 's/[0-9.]\{1,\}/0/g' "$work/err")" \
-  '{"load":0, "tree":0, "resolve":0, "join":0, "chain":0, '\
-'"rules":0, "enter":0, "pieces":0, "faces":0, "develop":0, "write":0, "total":0}'
+  '{"load":0, "tree":0, "complete":0, "operands":0, "self":0, "resolve":0, '\
+'"join":0, "chain":0, "rules":0, "enter":0, "pieces":0, "faces":0, "regions":0, '\
+'"develop":0, "shade":0, "write":0, "other":0, "total":0}'
+check timings-add-up python3 -c 'import json, sys
+t = json.load(open(sys.argv[1]))
+total = t.pop("total")
+sys.exit(not abs(sum(t.values()) - total) < 1e-4)' "$work/err"
 run query facts/cube.pl 'v(1,1,_,_,_)' --stats
 check stats has '"rows":8'
 check stats has '"exact": {"along":'
