@@ -1,5 +1,6 @@
 :- module(sg_process_limit,
           [ limits_forgotten/0,
+            few_collections/0,
             memory_limited/1,           % +Head
             cpu_wanted/1,               % +Head
             cpu_limited/0
@@ -17,6 +18,15 @@
 
 limits_forgotten :-
     retractall(cpu_each(_)).
+
+%!  few_collections is det.
+%
+%   Most requests are over before they have left so many octets on a stack; what
+%   is left then costs nothing to give back.
+
+few_collections :-
+    set_prolog_stack(global, low(2 000 000)),
+    set_prolog_stack(trail, low(500 000)).
 
 %!  memory_limited(+Head:dict) is det.
 %

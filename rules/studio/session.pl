@@ -26,8 +26,8 @@
 :- use_module(model_tree, [text_tree/2]).
 :- use_module(port, [view_port/2, viewed/4, with_picture/3]).
 :- use_module(process_limit,
-              [ limits_forgotten/0, memory_limited/1, cpu_wanted/1,
-                cpu_limited/0 ]).
+              [ limits_forgotten/0, few_collections/0, memory_limited/1,
+                cpu_wanted/1, cpu_limited/0 ]).
 :- use_module(protocol, [frame_read/4, frame_write/3, octets_text/2,
                          text_octets/2]).
 :- use_module(request, [request_error/1, request_options/2]).
@@ -80,13 +80,6 @@ session(Run, _:Makers, _:Help, Status) :-
     thread_self(Worker),
     thread_create(reading(In, Out, Worker, Queue, 1), _, [detached(true)]),
     served(session(Run, Makers, Help, Out), Queue, Status).
-
-%   few_collections: most requests are over before they have left so many octets
-%   on a stack; what is left then costs nothing to give back.
-
-few_collections :-
-    set_prolog_stack(global, low(2 000 000)),
-    set_prolog_stack(trail, low(500 000)).
 
 session_run(session(Run, _, _, _), Run).
 session_makers(session(_, Makers, _, _), Makers).
