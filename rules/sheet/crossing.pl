@@ -70,8 +70,11 @@ point_piece([_|Points], I0, I, P, Q) :-
 %   its part T.
 
 crossings(Pieces, Marks) :-
+    foldl(farthest, Pieces, 0, Far),
+    cell_size(Least),
+    Size is max(Least, Far//20),
     findall(Cell-Piece,
-            ( member(Piece, Pieces), piece_cell(Piece, Cell) ),
+            ( member(Piece, Pieces), piece_cell(Piece, Size, Cell) ),
             Keyed0),
     keysort(Keyed0, Keyed),
     group_pairs_by_key(Keyed, Cells),
@@ -82,8 +85,14 @@ crossings(Pieces, Marks) :-
               piece_mark(A, B, Mark) ),
             Marks).
 
-piece_cell(piece(_,_,X1,Y1,X2,Y2), I/J) :-
-    cell_size(Size),
+%   farthest(Piece, Far0, Far): how far from the corner of the sheet.
+
+farthest(piece(_,_,X1,Y1,X2,Y2), Far0, Far) :-
+    Far is max(Far0, max(max(abs(X1), abs(X2)), max(abs(Y1), abs(Y2)))).
+
+%   piece_cell(Piece, Size, Cell) is nondet: on a large sheet cells are large.
+
+piece_cell(piece(_,_,X1,Y1,X2,Y2), Size, I/J) :-
     I1 is min(X1, X2)//Size,
     I2 is max(X1, X2)//Size,
     J1 is min(Y1, Y2)//Size,
