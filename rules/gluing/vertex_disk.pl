@@ -33,15 +33,14 @@ is there it has:
     below(p(P)), above(p(P))   of polygon P, inside of which the vertex lies
     e(E)                       of a wire
 
-Zone 0 is the outside of the disk: what no polygon has behind it. Exact:
-rationals decide. What it says of all disks at a vertex is said faster by the
-kernel, c_kernels/gluing/sphere_map.h; a test compares the two. */
+Zones are numbered from 0, those outside first; most disks have one outside, 0.
+Exact: rationals decide. What it says of all disks at a vertex is said faster
+by the kernel, c_kernels/gluing/sphere_map.h; a test compares the two. */
 
 %!  disk_zones(+Disk, -Zones:list) is det.
 %
-%   Zones are the zones of Disk, each a list of its sides; the first one is its
-%   outside. If each has a polygon behind it, or several have none, it is the
-%   one of these that comes first.
+%   Zones are the zones of Disk, each a list of its sides: first those outside,
+%   then the insides, which have nothing but below(_).
 
 disk_zones(disk(S,V,D), Zones) :-
     once(disk(S, V, D, Items)),
@@ -56,15 +55,24 @@ disk_zones(disk(S,V,D), Zones) :-
     group_pairs_by_key(Pairs, Groups),
     pairs_values(Groups, Lists),
     sort(Lists, Zones0),
-    partition(has_below, Zones0, Inner, Outer),
+    partition(is_inside, Zones0, Inner, Outer),
     append(Outer, Inner, Zones).
 
 link_joined(One-Other, Sets0, Sets) :-
     sets_joined(One, Other, Sets0, Sets).
 
-has_below(Zone) :-
-    member(below(_), Zone),
-    !.
+is_inside(Zone) :-
+    \+ ( member(Side, Zone), Side \= below(_) ).
+
+%   inside(Disk, Zone, Inside): 1 of an inside of Disk, else 0.
+
+inside(Disk, Zone, Inside) :-
+    disk_zones(Disk, Zones),
+    nth0(Zone, Zones, Sides),
+    (   is_inside(Sides)
+    ->  Inside = 1
+    ;   Inside = 0
+    ).
 
 %   item_side(S, V, Items, Corners, Side) is nondet.
 
@@ -407,8 +415,8 @@ on_disk(P, Disk, Arcs) :-
 
 %!  disk_relation(+Disk1, +Disk2, -Relation) is det.
 %
-%   A decision: how the insides of two disks at one place lie to each other. An
-%   inside is what a zone other than 0 has; a wire has none.
+%   A decision: how the insides of two disks at one place lie to each other, as
+%   of disk_zones/2; a wire has none.
 %
 %     - disjoint: neither is in the other
 %     - cover: together they are all of space
@@ -426,13 +434,13 @@ disk_relation(Disk1, Disk2, Relation) :-
     ->  Relation = cross
     ;   seen_in(Disk2, Disk1, Zone1),
         seen_in(Disk1, Disk2, Zone2),
-        Inside1 is sign(Zone1),
-        Inside2 is sign(Zone2),
+        inside(Disk1, Zone1, Inside1),
+        inside(Disk2, Zone2, Inside2),
         zones_relation(Inside1, Inside2, Relation)
     ).
 
-%   zones_relation(Zone1, Zone2, Relation): Disk2 lies in Zone1 of Disk1, Disk1
-%   in Zone2 of Disk2; 1 is an inside.
+%   zones_relation(Inside1, Inside2, Relation): 1: Disk2 lies in an inside of
+%   Disk1, Disk1 in one of Disk2.
 
 zones_relation(0, 0, disjoint).
 zones_relation(1, 1, cover).
@@ -454,10 +462,8 @@ disks_meet(Disk1, Disk2, Zone1, Zone2) :-
     zone_seen(Inside1, Disk2, Disk1, Zone1),
     zone_seen(Inside2, Disk1, Disk2, Zone2).
 
-zone_seen(0, _, _, 0).
-zone_seen(1, Disk1, Disk2, Zone) :-
-    disk_zones(Disk2, Zones),
-    (   Zones = [_,_]
-    ->  Zone = 1
+zone_seen(Inside, Disk1, Disk2, Zone) :-
+    (   findall(Zone0, inside(Disk2, Zone0, Inside), [One])
+    ->  Zone = One
     ;   seen_in(Disk1, Disk2, Zone)
     ).

@@ -259,7 +259,7 @@ edges_points(Edges, Points) :-
 
 test(random_sets, Wrong-Kinds == []-[around,cover,disjoint,within]) :-
     set_random(seed(5)),
-    few(60, 1000, N),
+    few(60, 300, N),
     findall(Right-Relation,
             ( between(1, N, _),
               two_sets(Cone1, Cone2, Wanted),
