@@ -153,7 +153,9 @@ roots_apart(Options) :-
     ;   roots_alone_named,
         (   option(cells(true), Options)
         ->  cells_parted
-        ;   faces_once
+        ;   segment(_, cells, _)
+        ->  faces_once
+        ;   true
         )
     ).
 

@@ -43,7 +43,7 @@
               [ append/2, append/3, max_list/2, member/2, memberchk/2,
                 min_list/2, selectchk/3
               ]).
-:- use_module(library(option), [option/3]).
+:- use_module(library(option), [option/2, option/3]).
 :- use_module(library(ordsets), [ord_memberchk/2]).
 :- use_module(library(pairs), [group_pairs_by_key/2, pairs_keys_values/3]).
 /** <module> The parts of a scene as they are cut for a true pattern.

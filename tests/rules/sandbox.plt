@@ -10,7 +10,8 @@
 :- use_module(rules(sanggwan)).
 :- use_module(tests(rules/polyhedron), [in_new_world/1]).
 
-reads([ area/2, bounding_box/3, chain/5, chain_length/2, chain_points/2,
+reads([ area/2, bounding_box/3, contact/4, zone/4, shell/4,
+        chain/5, chain_length/2, chain_points/2,
         contour/13, current_view/4, current_world/1, default/1,
         developable_part/3, development/2, development_measures/2,
         drawn/7, span/7, e/5, edge_facets/2, edge_from/3, edge_polygon/3,
@@ -40,7 +41,9 @@ reads([ area/2, bounding_box/3, chain/5, chain_length/2, chain_points/2,
         vertex_point/2, view/3, volume/2, winding/3
       ]).
 
-writes([ add_primitive/2, assert_fact/1, assert_fact/2, boolean/2, boolean/3,
+writes([ euler/3, glue_edges/4, glue_faces/4, glue_mixed/4,
+         glue_vertices/4, unglued_polygons/3, unglued_region/4,
+         add_primitive/2, assert_fact/1, assert_fact/2, boolean/2, boolean/3,
          complete_segments/0, convert/2, develop/2, develop/3,
          draw/1, draw/2, evaluate/0, evaluate/1, evaluate/2,
          evaluated/1, facts_redo/0, facts_transaction/1,
