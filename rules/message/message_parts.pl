@@ -205,7 +205,7 @@ loading_fault(_, Formal) -->
 %
 %   Whats are what the message Term of Prolog warns of while a rule file is
 %   loaded: once(Names) and often(Names), variables; branch(Name), one that only
-%   some branches know; always_same(Compared), apart(PI), redefined(PI),
+%   some branches know; always_same(Compared), apart(PI),
 %   failed(Directive).
 
 loading_warnings(singletons(_, Names), [once(Shown)]) :-
@@ -214,7 +214,6 @@ loading_warnings(multitons(_, Names), [often(Shown)]) :-
     atomic_list_concat(Names, ', ', Shown).
 loading_warnings(discontiguous(PI0, _), [apart(PI)]) :-
     strip_module(PI0, _, PI).
-loading_warnings(redefined_procedure(_, PI), [redefined(PI)]).
 loading_warnings(goal_failed(directive, Goal0), [failed(Goal)]) :-
     strip_module(Goal0, _, Goal).
 loading_warnings(compiler_warnings(_, Warnings), Whats) :-

@@ -69,7 +69,5 @@ prolog_en(warning(always_same(Compared)), _) -->
 prolog_en(warning(apart(PI)), _) -->
     [ 'the clauses of ~p are not together'-[PI], nl,
       '  Move them, or write :- discontiguous ~p.'-[PI] ].
-prolog_en(warning(redefined(PI)), _) -->
-    [ '~p is there already, and is defined again'-[PI] ].
 prolog_en(warning(failed(Goal)), _) -->
     [ 'this directive failed: ~p'-[Goal] ].

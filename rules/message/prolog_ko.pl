@@ -70,8 +70,6 @@ prolog_ko(warning(always_same(Compared)), _) -->
 prolog_ko(warning(apart(PI)), _) -->
     [ '~p의 절들이 떨어져 있습니다'-[PI], nl,
       '  모으거나 :- discontiguous ~p. 를 쓰십시오.'-[PI] ].
-prolog_ko(warning(redefined(PI)), _) -->
-    [ '이미 있는 ~p을(를) 다시 정의합니다'-[PI] ].
 prolog_ko(warning(failed(Goal)), _) -->
     [ '이 지시문이 실패했습니다: ~p'-[Goal] ].
 

@@ -15,7 +15,8 @@
 :- use_module(true_plate, [plate_layer/2]).
 :- use_module(true_surface,
               [generator_plane/3, level_plane/3, meeting_surfaces/4]).
-:- use_module(library(apply), [foldl/4, foldl/5, foldl/6, maplist/3, maplist/4]).
+:- use_module(library(apply),
+              [foldl/4, foldl/5, foldl/6, maplist/3, maplist/4]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- use_module(library(lists),
               [append/2, max_list/2, member/2, min_list/2, sum_list/2]).
