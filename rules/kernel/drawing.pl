@@ -207,6 +207,18 @@ Foreign predicates; see kernel.pl.
 %   Order has the numbers of Strokes, from 1, in the order of nearest ends that
 %   short_travel/3 of travel.pl has, those drawn backwards below zero.
 
+/* - - - stroke_crossing_rows.c - - - */
+
+%!  stroke_crossings(+Strokes:list(travelled_stroke),
+%!                   -Marks:list(stroke_mark)) is det.
+%
+%   Marks are K-Way, ascending: the K-th of Strokes (stroke.pl) is crossed by
+%   another one, or by itself, so far along it. Pieces that come within 0.02 mm
+%   of each other at an end cross too, those at less than 10 degrees never; marks
+%   are 0.2 mm apart. Rounded.
+%
+%   @error domain_error(sheet_coordinate, X): 2^52 or farther
+
 /* - - - raster_rows.c - - - */
 
 %!  raster_dots(+Width:int, +Height:int, +Strokes:list(dot_stroke),

@@ -151,6 +151,24 @@ travels(void)
             is_domain("stroke", 2));
 }
 
+static void
+crossings(void)
+{
+  sg_sheet_point along[] = {{0, 0}, {1000, 0}},
+                 up[] = {{400, -500}, {400, 500}};
+  sg_travelled_stroke stroke[] = {{{along, 2, 0}}, {{up, 2, 0}}};
+  sg_travelled_stroke_list strokes = {stroke, 2, 0};
+  sg_stroke_mark_list marks = {0};
+
+  CHECK("crossings", sg_door_stroke_crossings(&call, &strokes, &marks));
+  CHECK("one of each", marks.n == 2 && marks.at[0].stroke == 1 &&
+                           marks.at[0].way == 400 && marks.at[1].stroke == 2 &&
+                           marks.at[1].way == 500);
+  along[0].x = INT64_C(1) << 53;
+  CHECK("too far away", !sg_door_stroke_crossings(&call, &strokes, &marks) &&
+                            is_domain("sheet_coordinate", 0));
+}
+
 static bool
 is_text(const sg_sheet_point *point, size_t n, const char *wanted)
 {
@@ -235,6 +253,7 @@ main(void)
   drawn();
   chains();
   travels();
+  crossings();
   written();
   dots();
   smooth();
