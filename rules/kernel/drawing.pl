@@ -214,8 +214,8 @@ Foreign predicates; see kernel.pl.
 %
 %   Marks are K-Way, ascending: the K-th of Strokes (stroke.pl) is crossed by
 %   another one, or by itself, so far along it. Pieces that come within 0.02 mm
-%   of each other at an end cross too, those at less than 10 degrees never; marks
-%   are 0.2 mm apart. Rounded.
+%   of each other at an end cross too, those at less than 10 degrees never;
+%   marks are 0.2 mm apart. Rounded.
 %
 %   @error domain_error(sheet_coordinate, X): 2^52 or farther
 
