@@ -53,8 +53,8 @@ test(sharp, Ns == [4]) :-
     drawn(sheet(points([[0,0,0],[100,-5,0],[100,5,0]]), faces([[1,2,3]])),
           [kerf(2)], Drawings),
     corners(Drawings, Ns).
-% A step of 0.03 mm between sides that are not parallel goes: the beam is too wide
-% for it; the rest is as without it, but for less than the step.
+% A step of 0.03 mm between sides that are not parallel goes: the beam is too
+% wide for it; the rest is as without it, but for less than the step.
 test(step, true(abs(Area-Wanted) < 40*0.03 + 0.1)) :-
     area(sheet(points([ [0,0,0],[40,0,0],[40,30,0],[20,20,0],[20.0,20.03,0],
                         [0,30,0] ]),
