@@ -16,13 +16,13 @@ dashes to that.
 
 %   More pieces than that stay as they are: who would look at each crossing?
 
-most_pieces(30000).
+most_pieces(3000).
 
 %!  strokes_crossed(+Strokes0, -Strokes) is det.
 %
 %   Strokes are Strokes0 (stroke.pl), in order, with marks where one crosses
 %   another one, or itself, or ends on it (stroke_crossings/2). Those that
-%   nothing crosses, and all of more than 30,000 pieces, stay as they are.
+%   nothing crosses, and all of more than 3,000 pieces, stay as they are.
 
 strokes_crossed(Strokes0, Strokes) :-
     most_pieces(Most),

@@ -134,8 +134,8 @@ test(alone, true(Strokes == [A,B])) :-
     strokes_crossed([A,B], Strokes).
 test(too_many, true(Strokes == Strokes0)) :-
     findall(Stroke,
-            ( between(1, 10001, I),
-              X is 4*I,
+            ( between(1, 1001, I),
+              X is 40*I,
               hidden([X-0,X-50,X-90,X-120000], joint, joint, Stroke) ),
             Lines),
     hidden([0-60000,120000-60000], joint, joint, Across),
