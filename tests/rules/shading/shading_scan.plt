@@ -67,12 +67,14 @@ test(replaced_and_undone, N1-N2-N3 == N-0-N) :-
                            throw(back(N2)) )),
                      back(N2), true),
                aggregate_all(count, span(_,_,_,_,_,_,_), N3) )).
-test(stopped, N == 0) :-
+% On a busy machine the alarm may come when all is done.
+test(stopped, true(( Stopped == false ; N == 0 ))) :-
     in_model("segment(1, solid, sphere(radius(2), facets(48))).
               view(300, 60, 0).",
-             ( catch(call_with_time_limit(0.02,
-                         scan([size(4000-4000),smooth(16)])),
-                     time_limit_exceeded, true),
+             ( catch(( call_with_time_limit(0.02,
+                           scan([size(4000-4000),smooth(16)])),
+                       Stopped = false ),
+                     time_limit_exceeded, Stopped = true),
                aggregate_all(count, span(_,_,_,_,_,_,_), N) )).
 test(see_through, Parts == [1,1,1,1]) :-
     in_model("segment(1, solid, box(size(2,2,2))). look(1, opacity(0.5)).
