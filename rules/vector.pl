@@ -4,6 +4,7 @@
             difference/3,               % +P, +Q, -Vector
             vector_sum/3,               % +U, +V, -Sum
             scaled/3,                   % +Factor, +U, -V
+            left_of/4,                  % +Normal, +A, +B, +P
             unit/2,                     % +U, -Unit
             angle_between/3             % +U, +V, -Radians
           ]).
@@ -67,6 +68,18 @@ angle_between(U, V, Radians) :-
     dot_product(W, W, Square),
     dot_product(U, V, Dot),
     Radians is atan2(sqrt(Square), Dot).
+
+%!  left_of(+Normal, +A, +B, +P) is semidet.
+%
+%   P is to the left of the way from A to B, or on it, seen from where Normal
+%   points.
+
+left_of(Normal, A, B, P) :-
+    difference(B, A, U),
+    difference(P, A, W),
+    cross_product(U, W, Across),
+    dot_product(Across, Normal, Side),
+    Side >= 0.
 
 %!  unit(+U, -Unit) is det.
 %

@@ -8,7 +8,7 @@
             print_usage/2               % +Verb, +Language
           ]).
 :- encoding(utf8).
-:- use_module('../message/usage_word', [placeholder_ko/2]).
+:- use_module('../message/usage_word', [form_ko/2]).
 :- use_module('../picture/role', [usual_crease/1]).
 :- use_module(usage_render,
               [ render_option/1, shown_option/1, render_option_ko/2,
@@ -664,7 +664,7 @@ print_option(Language, Verb, option(Name, Short, _, Meta, Help)) :-
     ),
     (   Language == ko,
         help_ko(Verb, Name, HelpKo)
-    ->  placeholder_ko(HelpKo, Text)
+    ->  form_ko(HelpKo, Text)
     ;   Text = Help
     ),
     in_words(Language, Meta, Form),
@@ -674,7 +674,7 @@ print_option(Language, Verb, option(Name, Short, _, Meta, Help)) :-
 
 in_words(ko, Form0, Form) :-
     !,
-    placeholder_ko(Form0, Form).
+    form_ko(Form0, Form).
 in_words(_, Form, Form).
 
 %   help_ko(Verb, Name, Help): where verbs share an option, what it says is that

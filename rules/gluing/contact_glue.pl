@@ -13,7 +13,7 @@
               [ v/5, e/5, p/3, t/6, lies_in/3, assert_fact/1,
                 retractall_facts/1, fresh_id/3 ]).
 :- use_module('../vector',
-              [ cross_product/3, difference/3, dot_product/3 ]).
+              [ cross_product/3, difference/3, dot_product/3, left_of/4 ]).
 :- use_module(vertex_disk, [disks_meet/4, disks_touch/2]).
 :- use_module(library(error), [existence_error/2]).
 :- use_module(library(lists), [append/2, append/3, member/2]).
@@ -159,13 +159,6 @@ in_triangle(S, V, A, B, C) :-
     left_of(N, PA, PB, PV),
     left_of(N, PB, PC, PV),
     left_of(N, PC, PA, PV).
-
-left_of(N, A, B, P) :-
-    difference(B, A, U),
-    difference(P, A, W),
-    cross_product(U, W, C),
-    dot_product(C, N, Side),
-    Side >= 0.
 
 %   between(S, A, B, V, At): V lies in the edge from A to B within rounding, and
 %   is no end of it; At grows from A to B.

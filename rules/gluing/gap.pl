@@ -8,8 +8,8 @@
 :- use_module('../store', [e/5, t/6]).
 :- use_module(triangle_corners, [triangle_corners/5, vertex_place/3]).
 :- use_module('../vector',
-              [ cross_product/3, difference/3, dot_product/3, scaled/3,
-                vector_sum/3 ]).
+              [ cross_product/3, difference/3, dot_product/3, left_of/4,
+                scaled/3, vector_sum/3 ]).
 :- use_module(library(apply), [convlist/3, include/3]).
 :- use_module(library(lists), [member/2]).
 /** <module> How far apart faces are that were not glued.
@@ -111,17 +111,10 @@ over_triangle(piece(_,A,B,C), Point, Gap, Foot) :-
     Down is -Height/Square,
     scaled(Down, N, Way),
     vector_sum(Point, Way, Foot),
-    inner_side(N, A, B, Foot),
-    inner_side(N, B, C, Foot),
-    inner_side(N, C, A, Foot),
+    left_of(N, A, B, Foot),
+    left_of(N, B, C, Foot),
+    left_of(N, C, A, Foot),
     Gap is abs(Height)/sqrt(Square).
-
-inner_side(N, A, B, Point) :-
-    difference(B, A, U),
-    difference(Point, A, W),
-    cross_product(U, W, Across),
-    dot_product(Across, N, Side),
-    Side >= 0.
 
 %   sides_gap(A, B, C, D, Gap, Ends): of the sides A-B and C-D.
 

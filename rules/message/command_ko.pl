@@ -2,7 +2,7 @@
 :- module(sg_command_ko,
           [ command_ko//1               % +What
           ]).
-:- use_module(usage_word, [placeholder_ko/2]).
+:- use_module(usage_word, [form_ko/2]).
 :- use_module(batch_ko, [batch_usage_ko//1]).
 :- use_module(message_parts, [meant_ko//1]).
 :- use_module(prolog_ko, [korean_syntax//1]).
@@ -64,7 +64,7 @@ command_ko(bad_value(Text, Value, no_normal)) -->
        0이 아니어야 합니다.' ].
 command_ko(bad_value(Text, Value, Form)) -->
     { atom(Form),
-      placeholder_ko(Form, Korean)
+      form_ko(Form, Korean)
     },
     [ '~w: ~w 값은 ~w 꼴이어야 합니다'-[Text, Value, Korean] ].
 command_ko(one_model(Verb, File)) -->

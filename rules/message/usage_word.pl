@@ -1,17 +1,17 @@
 :- encoding(utf8).
 :- module(sg_usage_word,
-          [ placeholder_ko/2            % +Form, -Korean
+          [ form_ko/2                   % +Form, -Korean
           ]).
 :- use_module(library(apply), [foldl/4]).
 /** <module> What stands for a word in forms of options, in Korean.
 */
 
-%!  placeholder_ko(+Form, -Korean) is det.
+%!  form_ko(+Form, -Korean) is det.
 %
 %   Korean, an atom, is Form, such as `NAME=VALUE`, with Korean words for those
 %   in capitals. Single letters stay.
 
-placeholder_ko(Form, Korean) :-
+form_ko(Form, Korean) :-
     findall(Word-Ko, word_ko(Word, Ko), Pairs),
     foldl(word_replaced, Pairs, Form, Korean).
 

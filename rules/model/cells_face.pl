@@ -5,7 +5,7 @@
             region_shells/3             % +S, +R, -Shells
           ]).
 :- use_module('../store', [v/5, e/5, p/3, t/6, sides/4, lies_in/3]).
-:- use_module('../vector', [cross_product/3, difference/3, dot_product/3]).
+:- use_module('../vector', [cross_product/3, difference/3, left_of/4]).
 :- use_module('../vocabulary', [edge_loops/2]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [foldl/4, maplist/3, partition/4]).
@@ -75,13 +75,6 @@ in_triangle(S, Corners, V) :-
     left_of(Normal, A, B, Point),
     left_of(Normal, B, C, Point),
     left_of(Normal, C, A, Point).
-
-left_of(Normal, A, B, Point) :-
-    difference(B, A, U),
-    difference(Point, A, W),
-    cross_product(U, W, Across),
-    dot_product(Across, Normal, Side),
-    Side >= 0.
 
 exact_place(S, V, p(X,Y,Z)) :-
     once(v(S, V, X0, Y0, Z0)),

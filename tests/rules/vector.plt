@@ -28,4 +28,12 @@ test(angle, true(abs(Angle-pi/2) < 1.0e-15)) :-
 test(opposite, true(abs(Angle-pi) < 1.0e-15)) :-
     angle_between(p(2.0,0.0,0.0), p(-1.0,0.0,0.0), Angle).
 
+test(left_of) :-
+    left_of(p(0,0,1), p(0,0,0), p(2,0,0), p(1,1,5)).
+test(on_the_way) :-
+    left_of(p(0,0,1), p(0,0,0), p(2,0,0), p(3,0,0)).
+test(right_of, fail) :-
+    left_of(p(0,0,1), p(0,0,0), p(2,0,0), p(1,-1r100,0)).
+test(seen_from_behind, fail) :-
+    left_of(p(0,0,-1), p(0,0,0), p(2,0,0), p(1,1,0)).
 :- end_tests(vector).

@@ -11,7 +11,7 @@
 test(words, forall(member(Form-Korean, [ 'NAME=VALUE'-'이름=값',
                                          'FILE.csv'-'파일.csv',
                                          'N:M'-'N:M', ''-'' ]))) :-
-    placeholder_ko(Form, Found),
+    form_ko(Form, Found),
     assertion(Found == Korean).
 
 % No option of any verb has an English word left.
@@ -20,7 +20,7 @@ test(all, English == []) :-
             ( verb(Verb, _, _, _),
               verb_options(Verb, Specs),
               member(option(_, _, _, Form, _), Specs),
-              placeholder_ko(Form, Korean),
+              form_ko(Form, Korean),
               atom_chars(Korean, Chars),
               append(_, [A,B|_], Chars),
               char_type(A, upper), char_type(B, upper) ),
