@@ -13,7 +13,8 @@
 
 %   apart(Name, Terms, Gap): segments 1 and 2, and how far they are apart: a
 %   corner over a face, edges that pass each other, a corner beside a corner,
-%   faces that look at each other, a face beside an edge, a wire over a face.
+%   faces that look at each other, a face beside an edge, a wire over a face, along
+   it and upright.
 
 apart(corner, [box(size(2,2,2)),
                at([rotate(axis(1,-1,0),54.735610317245346),
@@ -26,6 +27,7 @@ apart(corners, [box(size(1,1,1)),at([translate(2,3,3)], box(size(1,1,1)))],
 apart(faces, [box(size(2,2,1)),at([translate(0.25,0.5,1.125)],
                                   box(size(2,2,1)))], 0.125).
 apart(wire, [box(size(2,2,1)),line(from(-9,0.1,1.5), to(9,0.1,1.5))], 0.5).
+apart(end, [box(size(2,2,1)),line(from(0.5,0.1,1.25), to(0.5,0.1,9))], 0.25).
 apart(wires, [line(from(-9,0,0), to(9,0,0)),line(from(0,-9,3), to(0,9,3))],
       3.0).
 
@@ -43,7 +45,7 @@ turned(Seed, [rotate(axis(X,Y,Z),Angle),translate(A,B,C)]) :-
 :- begin_tests(gap).
 
 test(known, [ forall(( apart(Name, Terms, Gap),
-                       member(Name, [corners,faces,wire,wires]),
+                       member(Name, [corners,faces,wire,end,wires]),
                        member(Steps, [[],turn(1),turn(2)]) )) ]) :-
     steps(Steps, Placing),
     gap(Terms, Placing, 5, [miss(1-_,2-_,Found,End1-End2)]),
