@@ -13,8 +13,8 @@
 
 %   apart(Name, Terms, Gap): segments 1 and 2, and how far they are apart: a
 %   corner over a face, edges that pass each other, a corner beside a corner,
-%   faces that look at each other, a face beside an edge, a wire over a face, its
-%   end over one.
+%   faces that look at each other, a face beside an edge, a wire over a face,
+%   its end over one.
 
 apart(corner, [box(size(2,2,2)),
                at([rotate(axis(1,-1,0),54.735610317245346),
