@@ -7,8 +7,8 @@
    The list takes what each file says of itself in its first lines: `<module>`
    of rules, `X.h -- ...` of C. A file of C that says nothing is told of by the
    header of its name. `check` fails for a file without such a line, for a door
-   that no test of C calls, and for a drawing that is not the one that would be
-   made.
+   that no test of C calls, for a drawing that is not the one that would be
+   made, and for what stands at the top of the tree by accident.
 */
 :- module(sg_house, []).
 :- use_module(folders).
@@ -55,6 +55,11 @@ fault(File, Fault) :-
          read_file_to_string(File, Text, [encoding(utf8)]) ),
     format(atom(Fault), "~w: not as the tree is; make docs", [File]).
 fault(_, Fault) :-
+    expand_file_name('*', Paths),
+    member(Name, Paths),
+    \+ at_top(Name),
+    format(atom(Fault), "~w: nothing of this name stands at the top", [Name]).
+fault(_, Fault) :-
     texts_of(['tests/c_kernels/*.[ch]','tests/c_kernels/*/*.[ch]'], Tests),
     untested_door(Tests, Door),
     format(atom(Fault), "~w: no test in tests/c_kernels calls it", [Door]).
@@ -68,6 +73,15 @@ fault(_, Fault) :-
     Name \== kernel,
     \+ folder(Top, Name, _),
     format(atom(Fault), "~w: not in tools/folders.pl", [Path]).
+
+%   What stands at the top: the folders of source, `build`, the program, and
+%   the documents.
+at_top(Name) :-
+    memberchk(Name, [engine,rules,facts,c_kernels,tests,'Makefile',bench,docs,
+                     tools,web,build,sanggwan,'LICENSE',
+                     'compile_commands.json']).
+at_top(Name) :-
+    file_name_extension(_, md, Name).
 
 
 %   untested_door(Tests, Door): the row layer has the function Door, and no test
