@@ -2,10 +2,14 @@
 /** <module> The facade: everything that a user or a rule file calls.
 
 `use_module(library(sanggwan))` loads this. It only re-exports, topic by topic;
-sanggwan_help/0 lists the topics. What is not here can be imported from the
-module that has it.
+sanggwan_help/0 lists the topics. topology.pl and spans.pl go on with what a
+first model does not need; goals of the command line, rule files and hosts see
+them too. What is in none can be imported from the module that has it.
 */
-:- use_module(command/topics, [topic/2]).
+:- use_module(topics, [topic/2]).
+:- use_module(topology, []).
+
+:- set_module(base(sanggwan_topology)).
 
 :- topic(relations, "The relations: rows that you can ask and change").
 :- reexport(store,
@@ -27,11 +31,6 @@ module that has it.
 :- reexport(model/integrity, [model_defect/1]).
 :- reexport(primitive/primitive_face, [face_of/3, smooth_surface/3]).
 :- reexport(studio/query, [query/2]).
-:- reexport(vocabulary,
-            [ half_edge/1, half_edge_ends/3, half_edge_twin/2,
-              half_edge_facet/2, facet/1, facet_loops/2, facet_plane/2,
-              facet_triangle/2, facet_neighbour/2, vertex_point/2,
-              vertex_half_edge/2, edge_facets/2, shell_facets/2 ]).
 
 :- topic(changing, "Changing worlds, reading and writing models").
 :- reexport(model/model,
@@ -64,17 +63,9 @@ module that has it.
 :- reexport(model/solid_file, [write_solid/2, write_solid/3]).
 :- reexport(solid/operand, [operand_faults/2]).
 :- reexport(solid/repair, [repair_operand/1]).
-:- reexport(gluing/regions, [regions_made/2, region_neighbour/4]).
+:- reexport(gluing/regions, [regions_made/2]).
 :- reexport(solid/glue, [unglue/1, glue_report/2]).
 :- reexport(solid/glue_contact, [contact/4]).
-:- reexport(gluing/cycle, [ loop_cycle/4, radial_cycle/4, disk/4 ]).
-:- reexport(gluing/region_border, [zone/4, shell/4]).
-:- reexport(gluing/vertex_disk,
-            [ disk_arcs/2, disk_direction/2, zone_at/3, disk_relation/3 ]).
-:- reexport(gluing/euler, [euler/3]).
-:- reexport(gluing/contact_glue, [glue_vertices/4, glue_edges/4, glue_mixed/4]).
-:- reexport(gluing/unglue, [unglued_polygons/3, unglued_region/4]).
-:- reexport(solid/face_glue, [glue_faces/4]).
 :- reexport(csg/provenance,
             [ vertex_from/4, edge_from/3, polygon_from/5, operand_face/3,
               operand_edge/3 ]).
@@ -87,13 +78,7 @@ module that has it.
 :- reexport(picture/view,
             [ set_view/1, set_view/3, set_direction/3, set_projection/1,
               current_view/4 ]).
-:- reexport(shading/shading_scene, [ shading_scene/2, scene_leaf/2 ]).
-:- reexport(shading/seen, 
-            [ slice/3, met/4, seen_at/4, seen_layers/4, line_spans/3,
-              seen_side/5
-            ]).
-:- reexport(shading/surface_look, [line_layers/3]).
-:- reexport(shading/shading_scan, [scan/1]).
+:- reexport(shading/seen, [seen_at/4]).
 :- reexport(shading/picture_file, [render/2]).
 
 :- topic(unfolding, "Unfolding: developments and patterns").

@@ -43,15 +43,14 @@ relation_written(Name, Arity, Doc) :-
            ;  format("| ~w | ~w | |~n", [Column, Type])
            )).
 
-%   public(-Module, -Name, -Arity): Module defines what the facade exports.
+%   public(-Module, -Name, -Arity): Module defines what users may call.
 
 public(Module, Name, Arity) :-
-    module_property(sanggwan, exports(Exports)),
-    member(Name/Arity, Exports),
+    sg_topics:offered(Name/Arity, Facade),
     functor(Head, Name, Arity),
-    (   predicate_property(sanggwan:Head, imported_from(Module))
+    (   predicate_property(Facade:Head, imported_from(Module))
     ->  true
-    ;   Module = sanggwan
+    ;   Module = Facade
     ),
     \+ sg_store:relation(Name, Arity, _).
 

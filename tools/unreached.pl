@@ -72,10 +72,9 @@ user_root(PI) :-
     member(Text, [Main,Engine]),
     called_of_c(Text, PI).
 user_root(PI) :-
-    module_property(sanggwan, exports(Exports)),
-    member(Name/Arity, Exports),
+    sg_topics:offered(Name/Arity, Facade),
     functor(Head, Name, Arity),
-    predicate_named(sanggwan:Head, PI).
+    predicate_named(Facade:Head, PI).
 user_root(PI) :-
     calls(PI, _),
     \+ rule_predicate(PI).

@@ -30,6 +30,8 @@
 :- use_module('../store', [new_world/1, in_world/2, facts_statistics/2]).
 :- use_module(usage, [verb/4, verb_options/2, print_usage/1, print_usage/2]).
 :- use_module(user:'../sanggwan').
+:- use_module(user:'../topology').
+:- use_module(user:'../spans').
 :- use_module(user:help, [help/0, help/1]).
 :- use_module('../studio/front', [front/3]).
 :- use_module(verb_session, [serve_run/3]).

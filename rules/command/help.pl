@@ -9,7 +9,7 @@
 :- use_module('../limits', [term_of_text/3]).
 :- use_module('../store', [relation/3, column_doc/3, relation_column/5]).
 :- use_module(examples, [example/4]).
-:- use_module(topics, [topic_predicates/3]).
+:- use_module('../topics', [topic_predicates/3, offered/2]).
 :- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(solution_sequences), [distinct/2]).
 /** <module> Help, and answers that read back, in Prolog's top level.
@@ -114,10 +114,9 @@ callable_summary(Name, Arity, Summary) :-
 %   called(?Name, ?Arity, -Module) is nondet: Module has it, users call it.
 
 called(Name, Arity, Module) :-
-    topic_predicates(_, _, Predicates),
-    member(Name/Arity, Predicates),
+    offered(Name/Arity, Facade),
     functor(Head, Name, Arity),
-    predicate_property(sanggwan:Head, imported_from(Module)).
+    predicate_property(Facade:Head, imported_from(Module)).
 
 %!  help(+What) is det.
 %!  sanggwan_help(+What) is det.

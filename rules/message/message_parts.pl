@@ -20,6 +20,7 @@
 :- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(uri), [uri_encoded/3]).
 :- use_module('../sheet/sheet_paper', [paper_size/3]).
+:- use_module('../topics', [offered/2]).
 :- use_module('../spelling', [near_words/3]).
 :- meta_predicate loading_fault(4, +, ?, ?).
 /** <module> Parts of messages that are the same in every language, or have none
@@ -98,17 +99,16 @@ near_text(Near, Text) :-
 
 %!  near_predicates(+PI, -Near:list) is det.
 %
-%   Near are the exports of the facade, Name/Arity, whose name is near to that
-%   of PI, near_words/3.
+%   Near are what users may call, Name/Arity, with a name near to that of PI,
+%   near_words/3.
 
 near_predicates(PI, Near) :-
     strip_module(PI, _, Word/_),
-    module_property(sanggwan, exports(Exports)),
-    findall(Name, member(Name/_, Exports), Names0),
+    findall(Name, offered(Name/_, _), Names0),
     sort(Names0, Names),
     near_words(Word, Names, Words),
     findall(Name/Arity,
-            ( member(Name, Words), member(Name/Arity, Exports) ),
+            ( member(Name, Words), offered(Name/Arity, _) ),
             Near0),
     sort(Near0, Near),
     !.

@@ -108,6 +108,8 @@ fi
 
 cat >ask.pl <<'PROLOG'
 :- use_module(library(sanggwan)).
+:- use_module(library(sanggwan/spans)).
+:- use_module(library(sanggwan/topology)).
 :- initialization(main, main).
 
 main :-
@@ -119,6 +121,8 @@ asked(Model) :-
     load_model(Model),
     penetrate,
     aggregate_all(count, line(_, _, _, _, _, _, _, _, _), Count),
+    once(half_edge(_)),
+    predicate_property(line_spans(_, _, _), defined),
     format("~d pieces~n", [Count]),
     forall(( module_property(Module, file(File)),
              sub_atom(Module, 0, _, _, sg_) ),

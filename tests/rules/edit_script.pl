@@ -23,6 +23,9 @@ edit_fuzz.plt runs scripts in processes of their own.
 :- use_module(library(readutil)).
 :- use_module(library(thread)).
 :- use_module(rules(sanggwan)).
+:- use_module(rules(spans)).
+:- use_module(rules(topology)).
+:- use_module(rules(topics), [offered/2]).
 :- use_module(rules(store), [column_domain/3]).  % not for users
 :- use_module(tests('rules/soup')).
 :- use_module(tests('rules/whole_world')).
@@ -464,13 +467,13 @@ asked(Goal) :-
 
 %!  exported(-All:list) is det.
 %
-%   Name/Arity of all that sanggwan.pl exports and a test can call.
+%   Name/Arity of all that users may call and a test can.
 
 exported(All) :-
     exported_(All),
     !.
 exported(All) :-
-    module_property(sanggwan, exports(Exports)),
+    findall(PI, offered(PI, _), Exports),
     exclude(unfit, Exports, All0),
     msort(All0, All),
     assertz(exported_(All)).

@@ -8,6 +8,9 @@
 :- use_module(library(sandbox), [safe_goal/1]).
 :- use_module(library(solution_sequences), [limit/2]).
 :- use_module(rules(sanggwan)).
+:- use_module(rules(spans)).
+:- use_module(rules(topology)).
+:- use_module(rules(topics), [offered/2]).
 :- use_module(tests(rules/polyhedron), [in_new_world/1]).
 
 reads([ area/2, bounding_box/3, contact/4, zone/4, shell/4,
@@ -78,8 +81,7 @@ with_goal(Goal, in_world(_, Goal)).
 with_goal(Goal, query(Goal, [])).
 
 facade_export(Name/Arity) :-
-    module_property(sanggwan, exports(PIs)),
-    member(Name/Arity, PIs).
+    offered(Name/Arity, _).
 
 %   What is printed on the way is no answer.
 

@@ -2,7 +2,7 @@
 :- module(test_help, []).
 :- use_module(library(plunit)).
 :- use_module(rules(command/help)).
-:- use_module(rules(command/topics), [topic_predicates/3]).
+:- use_module(rules(topics), [topic_predicates/3]).
 :- use_module(rules(sanggwan), []).
 :- use_module(rules(message/messages), []).
 
