@@ -6,7 +6,7 @@
             application_table/1,        % +Out
             line_type/4                 % +Out, +Name, +Text, +Runs
           ]).
-:- use_module(dxf_arc, [arcs_found/3, ring_circle/2]).
+:- use_module(dxf_arc, [arcs_found/4, ring_circle/2]).
 :- use_module(dxf_colour, [dxf_colour/2]).
 :- use_module(ink,
               [ inked_inks/2, inked_lines/3, inked_texts/2, dashes_option/3,
@@ -32,7 +32,8 @@ straight piece which segment and edge it belongs to.
 %   Write Inked (ink.pl) to stream Out. Options: dashes(How), line types as is
 %   usual, or `geometry`: a polyline for each dash, and drawn letters in place
 %   of texts; smooth(Segments): outlines of these stand for smooth ones, so that
-%   a circle is a CIRCLE, and arcs in a polyline are arcs (dxf_arc.pl).
+%   a circle is a CIRCLE, and arcs in a polyline are arcs (dxf_arc.pl); of
+%   S-Edges in place of S these edges alone.
 
 write_dxf(Out, Inked, Options) :-
     Inked = inked(sheet(W,H,_), _, _),
@@ -272,13 +273,19 @@ polyline(DXF, Ink, stroke(_,_,S,Edges,Points,Start,_)) :-
     flags(Start, Flags),
     group(Out, 70, Flags),
     How = vertex(Out, H, Layer, S, Start),
-    (   memberchk(S, Smooth)
-    ->  arcs_found(Points, Edges, Corners),
+    (   smooth_edges(S, Smooth, Among)
+    ->  arcs_found(Points, Edges, Among, Corners),
         forall(member(Corner, Corners), arc_vertex(How, Corner))
     ;   vertices(Points, Edges, How)
     ),
     group(Out, 0, 'SEQEND'),
     group(Out, 8, Layer).
+
+smooth_edges(S, Smooth, Among) :-
+    (   memberchk(S, Smooth)
+    ->  Among = all
+    ;   memberchk(S-Among, Smooth)
+    ).
 
 %   On its layer, and what of its look is not as the layer's.
 

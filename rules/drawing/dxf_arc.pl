@@ -1,25 +1,30 @@
 :- module(sg_dxf_arc,
           [ ring_circle/2,              % +Points, -Circle
-            arcs_found/3                % +Points, +Edges, -Corners
+            arcs_found/4                % +Points, +Edges, +Among, -Corners
           ]).
 :- use_module(library(lists), [append/3]).
+:- use_module(library(ordsets), [ord_memberchk/2]).
 /** <module> Arcs among the sides of a smooth outline.
 
 The outline of a true pattern is a polyline within the chord tolerance. Where
 its corners lie on a circle, up to the thousandths to which a sheet is rounded,
-and are as close as such corners are, a circle is what was meant.
+and are as close as such corners are, a circle is what was meant. Reliefs of plates
+that are folded along straight edges have corners farther apart; there it is
+known which edges may be part of an arc.
 
 Points are X-Y, thousandths, y down.
 */
 
 :- set_prolog_flag(optimise, true).
 
-%   So many sides at least; so far corners may be off, thousandths; and so long
-%   may a side be, over the radius.
+%   So far corners may be off, thousandths. Round says what may be an arc:
+%   round(Sides, Long), so many sides at least, each so long at most, over the
+%   radius. Reliefs have a corner each 5 degrees at least (corner_cut.pl).
 
-least_sides(12).
 most_off(2.0).
-most_side(0.063).
+
+smooth_round(round(12, 0.063)).
+relief_round(round(3, 0.09)).
 
 %!  ring_circle(+Points, -Circle) is semidet.
 %
@@ -38,32 +43,36 @@ ring_circle(Points, circle(X-Y, R)) :-
     \+ ( between(1, N, K), \+ near_circle(Corners, K, Circle) ),
     side_term(Points, Sides),
     N1 is N+1,
-    close_sides(Sides, 1, N1, Circle, Length),
+    smooth_round(round(_, Most)),
+    close_sides(Sides, 1, N1, Circle, Most, Length),
     Circle = c(X0, Y0, R0),
     Length < 6.3*R0,
     X is round(X0),
     Y is round(-Y0),
     R is round(R0).
 
-%!  arcs_found(+Points, +Edges, -Corners) is det.
+%!  arcs_found(+Points, +Edges, +Among, -Corners) is det.
 %
 %   Corners is a list of corner(Point, Edge, Bulge), one for the beginning of
 %   each straight side or arc, in order, then end(Point): Edge is a list with
 %   the edge that is there, or none; Bulge is 0, or of an arc the tangent of a
-%   quarter of its angle, above zero to the left, as DXF has it.
+%   quarter of its angle, above zero to the left, as DXF has it. Among is `all`,
+%   or the ordered set of the edges that may be sides of an arc.
 
-arcs_found(Points, Edges, Corners) :-
+arcs_found(Points, Edges, Among, Corners) :-
     corner_term(Points, Term, N),
-    parts(1, N, Term, Points, Edges, Corners).
+    parts(1, N, Term, Points, Edges, Among, Corners).
 
-parts(N, N, _, [Point], _, [end(Point)]) :-
+parts(N, N, _, [Point], _, _, [end(Point)]) :-
     !.
-parts(I, N, Term, [Point|Points], Edges, [corner(Point,Edge,Bulge)|Corners]) :-
+parts(I, N, Term, [Point|Points], Edges, Among,
+      [corner(Point,Edge,Bulge)|Corners]) :-
     (   Edges = [E|_]
     ->  Edge = [E]
     ;   Edge = []
     ),
-    (   arc_from(Term, I, N, J, Bulge)
+    (   may_be_round(Among, Edges, I, N, End, Round),
+        arc_from(Term, I, End, Round, J, Bulge)
     ->  true
     ;   J is I+1,
         Bulge = 0
@@ -72,7 +81,26 @@ parts(I, N, Term, [Point|Points], Edges, [corner(Point,Edge,Bulge)|Corners]) :-
     dropped(Sides, Points, Points1),
     By is J-I,
     dropped(By, Edges, Edges1),
-    parts(J, N, Term, Points1, Edges1, Corners).
+    parts(J, N, Term, Points1, Edges1, Among, Corners).
+
+%   may_be_round(Among, Edges, I, N, End, Round): from corner I to End.
+
+may_be_round(all, _, _, N, N, Round) :-
+    !,
+    smooth_round(Round).
+may_be_round(Among, [E|Edges], I, N, End, Round) :-
+    ord_memberchk(E, Among),
+    relief_round(Round),
+    I1 is I+1,
+    run_end(Edges, Among, I1, N, End).
+
+run_end([E|Edges], Among, I, N, End) :-
+    I < N,
+    ord_memberchk(E, Among),
+    !,
+    I1 is I+1,
+    run_end(Edges, Among, I1, N, End).
+run_end(_, _, I, _, I).
 
 dropped(0, List, List) :-
     !.
@@ -89,50 +117,49 @@ corner_term(Points, Term, N) :-
 side_term(Points, Term) :-
     compound_name_arguments(Term, corners, Points).
 
-%   arc_from(Term, I, N, J, Bulge): the longest arc from corner I; by doubling,
-%   and then by halves.
+%   arc_from(Term, I, N, Round, J, Bulge): the longest arc from corner I; by
+%   doubling, and then by halves.
 
-arc_from(Term, I, N, J, Bulge) :-
-    least_sides(Least),
+arc_from(Term, I, N, round(Least, Most), J, Bulge) :-
     J0 is I+Least,
     J0 =< N,
-    on_arc(Term, I, J0, _),
-    doubled(Term, I, N, Least, Good, Bad),
-    halved(Term, I, Good, Bad, Sides),
+    on_arc(Term, I, J0, Most, _),
+    doubled(Term, I, N, Most, Least, Good, Bad),
+    halved(Term, I, Most, Good, Bad, Sides),
     J is I+Sides,
-    on_arc(Term, I, J, Bulge).
+    on_arc(Term, I, J, Most, Bulge).
 
-doubled(Term, I, N, Good0, Good, Bad) :-
+doubled(Term, I, N, Long, Good0, Good, Bad) :-
     Most is N-I,
     Next is min(Most, 2*Good0),
     (   Good0 =:= Most
     ->  Good = Good0,
         Bad is Good0+1
     ;   J is I+Next,
-        on_arc(Term, I, J, _)
-    ->  doubled(Term, I, N, Next, Good, Bad)
+        on_arc(Term, I, J, Long, _)
+    ->  doubled(Term, I, N, Long, Next, Good, Bad)
     ;   Good = Good0,
         Bad = Next
     ).
 
-halved(_, _, Good, Bad, Good) :-
+halved(_, _, _, Good, Bad, Good) :-
     Bad =:= Good+1,
     !.
-halved(Term, I, Good0, Bad0, Good) :-
+halved(Term, I, Long, Good0, Bad0, Good) :-
     Middle is (Good0+Bad0)//2,
     J is I+Middle,
-    (   on_arc(Term, I, J, _)
-    ->  halved(Term, I, Middle, Bad0, Good)
-    ;   halved(Term, I, Good0, Middle, Good)
+    (   on_arc(Term, I, J, Long, _)
+    ->  halved(Term, I, Long, Middle, Bad0, Good)
+    ;   halved(Term, I, Long, Good0, Middle, Good)
     ).
 
-%   on_arc(Term, I, J, Bulge): the corners from I to J lie on one arc.
+%   on_arc(Term, I, J, Long, Bulge): the corners from I to J lie on one arc.
 
-on_arc(Term, I, J, Bulge) :-
+on_arc(Term, I, J, Long, Bulge) :-
     M is (I+J)//2,
     circle_through(Term, I, M, J, Circle),
     \+ ( between(I, J, K), \+ near_circle(Term, K, Circle) ),
-    close_sides(Term, I, J, Circle, Length),
+    close_sides(Term, I, J, Circle, Long, Length),
     Circle = c(_, _, R),
     Length < 6.0*R,
     corner(Term, I, XI, YI),
@@ -175,26 +202,26 @@ near_circle(Term, I, c(X0, Y0, R)) :-
     most_off(Most),
     abs(sqrt((X-X0)**2 + (Y-Y0)**2) - R) =< Most.
 
-%   close_sides(Term, I, J, Circle, Length): all sides are short, and go the
-%   same way round; Length is that of all.
+%   close_sides(Term, I, J, Circle, Long, Length): all sides are short, Long
+%   times the radius at most, and go the same way round; Length is that of all.
 
-close_sides(Term, I, J, Circle, Length) :-
+close_sides(Term, I, J, Circle, Long, Length) :-
     way_round(Term, I, Circle, Way),
-    close_sides(I, J, Term, Circle, Way, 0.0, Length).
+    Circle = c(_, _, R),
+    Most is Long*R,
+    close_sides(I, J, Term, Circle, Way-Most, 0.0, Length).
 
 close_sides(J, J, _, _, _, Length, Length) :-
     !.
-close_sides(I, J, Term, Circle, Way, Length0, Length) :-
+close_sides(I, J, Term, Circle, Way-Most, Length0, Length) :-
     way_round(Term, I, Circle, Way),
     I1 is I+1,
     corner(Term, I, X1, Y1),
     corner(Term, I1, X2, Y2),
     Side is sqrt((X2-X1)**2 + (Y2-Y1)**2),
-    Circle = c(_, _, R),
-    most_side(Most),
-    Side =< Most*R,
+    Side =< Most,
     Length1 is Length0+Side,
-    close_sides(I1, J, Term, Circle, Way, Length1, Length).
+    close_sides(I1, J, Term, Circle, Way-Most, Length1, Length).
 
 way_round(Term, I, c(X0, Y0, _), Way) :-
     corner(Term, I, X1, Y1),

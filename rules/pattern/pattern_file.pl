@@ -8,8 +8,8 @@
 :- use_module('../output', [files_together/1, writing/3]).
 :- use_module(pattern_drawing, [pattern_drawing/3]).
 :- use_module('../drawing/pdf', [write_pdf_pages/3]).
-:- use_module('../store', [joint/6, origin/3, segment/3]).
-:- use_module(library(apply), [include/3, maplist/3]).
+:- use_module('../store', [e/5, joint/6, origin/3, segment/3]).
+:- use_module(library(apply), [convlist/3, maplist/3]).
 :- use_module(library(assoc), [list_to_assoc/2]).
 :- use_module(library(lists), [member/2, nth1/3]).
 :- use_module(library(option), [select_option/3]).
@@ -48,12 +48,31 @@ format_written(pdf, File, _, Drawings, Options, [File]) :-
     writing(File, text, pages_written(Inkeds, Options)).
 format_written(_, File, Ds, Drawings, Options, Files) :-
     edge_joints(Ds, Joints),
-    include(is_smooth, Ds, Smooth),
+    convlist(smooth_outline, Ds, Smooth),
     numbered_files(Drawings, File, Files),
     files_together(maplist(drawing_written([ joints(Joints), order(kept),
                                              smooth(Smooth) | Options
                                            ]),
                            Drawings, Files)).
+
+%   smooth_outline(D, Smooth): Smooth as write_dxf/3 has it; of a pattern of flat
+%   facets its reliefs, whose edges are none of what was unfolded.
+
+smooth_outline(D, Smooth) :-
+    (   is_smooth(D)
+    ->  Smooth = D
+    ;   segment(D, pattern, development(S)),
+        findall(E, relief_edge(D, S, E), Es0),
+        sort(Es0, Es),
+        Es \== [],
+        Smooth = D-Es
+    ).
+
+relief_edge(D, S, E) :-
+    e(D, E, _, _, 1),
+    \+ e(S, E, _, _, _),
+    \+ joint(D, _, E, _, _, _),
+    \+ joint(D, _, _, E, _, _).
 
 %   is_smooth(D): rims and holes of pattern D were made of true curves: what is
 %   round was unrolled, of D or of the part that it is the rest of.

@@ -1,6 +1,6 @@
 :- module(sg_true_pipe,
-          [ pipe_met/3,                 % +Surface, +Other, -Pipe
-            pipe_near_touching/2,       % +Pipe, +Part
+          [ pipe_met/4,                 % +Kind, +Surface, +Other, -Pipe
+            pipe_near_touching/1,       % +Pipe
             pipe_interval/4,            % +Pipe, +T, -Low, -High
             pipe_height/4,              % +Pipe, +Line, +T, -H
             pipe_crossing/5,            % +Surface, +Other, +T, +H0, -H
@@ -8,70 +8,70 @@
             pipe_centers/2              % +Pipe, -Centers
           ]).
 :- use_module('../near', [is_exactly/2]).
-:- use_module(library(apply), [maplist/3, maplist/4]).
-:- use_module(library(lists), [append/2, member/2]).
-/** <module> Where the generators of a cylinder go through another cylinder.
+:- use_module(library(apply), [foldl/4, maplist/3, maplist/4]).
+:- use_module(library(lists), [append/2, member/2, min_list/2]).
+/** <module> Where generators of a cylinder or cone go through a convex solid.
 
-The generator at T of one cylinder is a line, and the other one with its two
-ends is convex; so it takes one interval of that line, or nothing. Both ends of
-the interval have a closed form: a foot, as far as the distance of the two lines
-is concerned, less and more a root. With linear trigonometric forms
-lin(A, B, C), A + B*cos(T) + C*sin(T), which the coordinates of the other
-cylinder are along a section of the first,
+The generator at T is a line; a cylinder, a cone, a sphere or a hemisphere with
+its ends is convex, so it takes one interval of that line, or nothing. In the
+coordinates X, Y, Z of the other surface it is X^2 + Y^2 + S*N^2 =< Const, with
+N linear in Z, and these are linear in H along the generator; so there
 
-    H = Foot(T) - or + sqrt((L-g(T))*(L+g(T)))/L^2
+    A*H^2 + 2*B*H + C =< 0,     H = (-B - or + sqrt(D))/A,   D = B^2 - A*C
 
-Nearly tangent, L-g is a small number that floating point would lose: the
-difference of numbers of the size of the radius. It is the sum of its least
-value, which is found exactly, in rational numbers, and of a square:
+with A, B, C polynomials of the cosine and sine of T. Nearly tangent, D is a
+small number that floating point would lose. Here it is exact: the tangent of
+half of T, which is a number of the machine, makes the cosine and sine rational,
+and a pair of them that is exactly on the circle.
 
-    L - g(T) = Least1 + 2*G*sin((T-Middle)/2)^2
-    L + g(T) = Least2 + 2*G*cos((T-Middle)/2)^2
+So tips, where a line begins and ends, are where D is 0: that is what tells one
+loop from two, and no facet is asked. An extreme of D that is 0 but for rounding
+of coordinates is a touch: D is taken less that, round it.
 
-So tips, where a line begins and ends, are where these are 0: that is what tells
-one loop from two, and no facet is asked.
-
-A pipe is pipe(Foot, L, G, Middle, Least1-Least2, Form1-Form2, Up), with Form
-and Up lin(A, B, C, PerH): the coordinates across and along the other cylinder.
-What bounds its interval is a Line: line(-1) or line(1), on its side, or cap(0)
-or cap(1), an end.
+A pipe is pipe(Rows, Other, Caps, Extremes): Rows are the coordinates X, Y and
+Z, each row(A0, A1, A2, A3, F) for A0 + A3*H + (1+F*H)*(A1*cos(T) + A2*sin(T));
+Other is quadric(S, N0, N1, Const), N being N0 + N1*Z; Caps are the Z at which
+it ends. An extreme is extreme(T, D, Foot, Near): D is exact there, and least or
+greatest; Near is true if the surfaces nearly touch, in parts of both. What
+bounds an interval is a Line: line(-1) or line(1), on the side, or cap(0) or
+cap(1), an end.
 */
 
-%!  pipe_met(+Surface, +Other, -Pipe) is semidet.
+%!  pipe_met(+Kind, +Surface, +Other, -Pipe) is semidet.
 %
-%   Pipe says where generators of the cylinder Surface go through the cylinder
-%   Other. Fails if they run along it.
+%   Pipe says where generators of Surface, a cylinder or cone, go through a
+%   solid of this Kind (cylinder, cone, sphere, hemisphere) with the side Other.
+%   Fails if they run along it.
 
-pipe_met(cylinder(C, U, V, W), cylinder(C2, U2, V2, W2),
-         pipe(Foot, L, G, Middle, Least, Form1-Form2, Up)) :-
+pipe_met(Kind, Surface, Other, pipe(Rows, Quadric, Caps, Extremes)) :-
+    own_frame(Surface, [C,U,V,W], F),
+    other_frame(Kind, Other, [C2,U2,V2,W2], Quadric, Caps),
     maplist(exact, [C,U,V,W,C2,U2,V2,W2], [QC,QU,QV,QW,QC2,QU2,QV2,QW2]),
     cross(QV2, QW2, Row1),
     cross(QW2, QU2, Row2),
     cross(QU2, QV2, Row3),
     dot(QU2, Row1, Volume),
     difference(QC, QC2, From),
-    maplist(row_form(Volume, [From,QU,QV,QW]), [Row1,Row2,Row3],
-            [A,B,H]),
-    A = [A0,A1,A2,A3],
-    B = [B0,B1,B2,B3],
-    L2 is A3*A3 + B3*B3,
-    L is sqrt(float(L2)),
-    Radii is float(A1*A1 + B1*B1 + A2*A2 + B2*B2 + L2),
-    \+ is_exactly(L2, Radii),
-    G0 is B3*A0 - A3*B0,
-    G1 is B3*A1 - A3*B1,
-    G2 is B3*A2 - A3*B2,
-    GG is G1*G1 + G2*G2,
-    G is sqrt(float(GG)),
-    G > 0.0,
-    Middle is atan2(float(G2), float(G1))*180.0/pi,
-    least(G0, GG, L2, L, G, Least1),
-    MinusG0 is -G0,
-    least(MinusG0, GG, L2, L, G, Least2),
-    Least = Least1-Least2,
-    maplist(foot_part(A3, B3, L2), [A0,A1,A2], [B0,B1,B2], [F0,F1,F2]),
-    Foot = lin(F0, F1, F2),
-    maplist(as_form, [A,B,H], [Form1,Form2,Up]).
+    maplist(row_form(Volume, F, [From,QU,QV,QW]), [Row1,Row2,Row3], Rows),
+    \+ runs_along(Rows, Quadric),
+    extremes(Rows, Quadric, Caps, Extremes).
+
+own_frame(cylinder(C,U,V,W), [C,U,V,W], 0).
+own_frame(cone(C,U,V,W,K), [C,U,V,W], F) :-
+    F is rational(K) - 1.
+
+other_frame(cylinder, cylinder(C,U,V,W), [C,U,V,W], quadric(0, 0, 0, 1),
+            [0,1]).
+other_frame(cone, cone(C,U,V,W,K), [C,U,V,W], quadric(-1, 1, F, 0), [0,1]) :-
+    F is rational(K) - 1.
+other_frame(sphere, sphere(C,U,V,W), [C,U,V,W], quadric(1, 0, 1, 1), []).
+other_frame(hemisphere, sphere(C,U,V,W), [C,U,V,W], quadric(1, 0, 1, 1), [0]).
+
+runs_along([row(_, A1, A2, A3, 0),row(_, B1, B2, B3, 0)|_],
+           quadric(0, _, _, _)) :-
+    Along is float(A3*A3 + B3*B3),
+    Radii is float(A1*A1 + B1*B1 + A2*A2 + B2*B2 + A3*A3 + B3*B3),
+    is_exactly(Along, Radii).
 
 exact(point(X0,Y0,Z0), v(X,Y,Z)) :-
     maplist(as_rational, [X0,Y0,Z0], [X,Y,Z]).
@@ -94,84 +94,199 @@ difference(v(X1,Y1,Z1), v(X2,Y2,Z2), v(X,Y,Z)) :-
     Y is Y1-Y2,
     Z is Z1-Z2.
 
-row_form(Volume, Vectors, Row, Form) :-
-    maplist(divided_dot(Volume, Row), Vectors, Form).
+row_form(Volume, F, Vectors, Row, row(A0, A1, A2, A3, F)) :-
+    maplist(divided_dot(Volume, Row), Vectors, [A0,A1,A2,A3]).
 
 divided_dot(Volume, Row, Vector, Q) :-
     dot(Row, Vector, Dot),
     Q is rdiv(Dot, Volume).
 
-as_form(List, Form) :-
-    maplist(as_float, List, Floats),
-    Form =.. [lin|Floats].
 
-as_float(Q, X) :-
-    X is float(Q).
+                /*******************************
+                *          GENERATORS          *
+                *******************************/
 
-foot_part(A3, B3, L2, A, B, F) :-
-    F is float(rdiv(-(A3*A + B3*B), L2)).
+%   on_circle(T, Cos, Sin): rational, and on the circle.
 
-%   least(G0, GG, L2, L, G, Least): Least is L - G0 - G, G the root of GG and L
-%   that of L2, all but G and L exact: it has the sign of, and is 0 with,
-%   (L-G0)^2 - GG, of which all but 2*G0*L is rational. What rounding of the
-%   coordinates leaves is 0.
+on_circle(T, Cos, Sin) :-
+    Half is rational(tan(T*pi/360.0)),
+    Square is Half*Half,
+    Cos is rdiv(1 - Square, 1 + Square),
+    Sin is rdiv(2*Half, 1 + Square).
 
-least(G0, GG, L2, L, G, Least) :-
-    Q is L2 + G0*G0 - GG,
-    Twice is 2.0*abs(G0)*L,
-    (   G0 =< 0
-    ->  Square is float(Q) + Twice
-    ;   Q > 0
-    ->  Square is float(Q*Q - 4*G0*G0*L2)/(float(Q) + Twice)
-    ;   Square is float(Q) - Twice
+%   coordinate(T, Row, c(X0, X1, D0, D1)): X0 + X1*H along the generator, and
+%   how these grow with T in radians.
+
+coordinate(Cos-Sin, row(A0, A1, A2, A3, F), c(X0, X1, D0, D1)) :-
+    Across is A1*Cos + A2*Sin,
+    X0 is A0 + Across,
+    X1 is A3 + F*Across,
+    D0 is A2*Cos - A1*Sin,
+    D1 is F*D0.
+
+%   quadratic(Rows, Quadric, T, abc(A, B, C), abc(DA, DB, DC)): exact, and how
+%   they grow with T.
+
+quadratic(Rows, quadric(S, N0, N1, Const), T, abc(A, B, C), abc(DA, DB, DC)) :-
+    on_circle(T, Cos, Sin),
+    maplist(coordinate(Cos-Sin), Rows,
+            [c(X0, X1, XD0, XD1), c(Y0, Y1, YD0, YD1), c(Z0, Z1, ZD0, ZD1)]),
+    M0 is N0 + N1*Z0,
+    M1 is N1*Z1,
+    MD0 is N1*ZD0,
+    MD1 is N1*ZD1,
+    A is X1*X1 + Y1*Y1 + S*M1*M1,
+    B is X0*X1 + Y0*Y1 + S*M0*M1,
+    C is X0*X0 + Y0*Y0 + S*M0*M0 - Const,
+    DA is 2*(X1*XD1 + Y1*YD1 + S*M1*MD1),
+    DB is XD0*X1 + X0*XD1 + YD0*Y1 + Y0*YD1 + S*(MD0*M1 + M0*MD1),
+    DC is 2*(X0*XD0 + Y0*YD0 + S*M0*MD0).
+
+discriminant(Rows, Quadric, T, D, Slope) :-
+    quadratic(Rows, Quadric, T, abc(A, B, C), abc(DA, DB, DC)),
+    D is B*B - A*C,
+    Slope is 2*B*DB - DA*C - A*DC.
+
+%   extremes(Rows, Quadric, Caps, Extremes): one in a degree at the most.
+
+extremes(Rows, Quadric, Caps, Extremes) :-
+    findall(Slope,
+            ( between(0, 360, T), discriminant(Rows, Quadric, T, _, Slope) ),
+            Slopes),
+    extremes_(Slopes, 0, Rows-Quadric, Caps, Extremes).
+
+extremes_([S1,S2|Slopes], T1, Form, Caps, Extremes) :-
+    !,
+    T2 is T1+1,
+    (   between_signs(S1, S2)
+    ->  bisected(slope(Form), T1, S1, T2, 52, T),
+        extreme(Form, Caps, T, Extreme),
+        Extremes = [Extreme|Extremes1]
+    ;   Extremes = Extremes1
     ),
-    Least0 is Square/(L - float(G0) + G),
-    (   is_exactly(Least0, L)
-    ->  Least = 0.0
-    ;   Least = Least0
+    extremes_([S2|Slopes], T2, Form, Caps, Extremes1).
+extremes_([_], _, _, _, []).
+
+between_signs(V1, V2) :-
+    (   V1 =:= 0
+    ->  true
+    ;   V2 =\= 0,
+        V1*V2 < 0
     ).
 
-%!  pipe_near_touching(+Pipe, +Part) is semidet.
-%
-%   True when the sides come nearer to being tangent than Part of the radius of
-%   the other cylinder.
+slope(Rows-Quadric, T, Slope) :-
+    discriminant(Rows, Quadric, T, _, Slope).
 
-pipe_near_touching(pipe(_, L, _, _, Least1-Least2, _, _), Part) :-
-    (   abs(Least1) < Part*L
-    ;   abs(Least2) < Part*L
-    ),
+%   extreme(Form, Caps, T, Extreme): where the line does not cross the surface,
+%   Off is how far, the radius of that 1 or so.
+
+extreme(Rows-Quadric, Caps, T, extreme(T, D, Foot, Near)) :-
+    quadratic(Rows, Quadric, T, abc(A, B, C), _),
+    D is B*B - A*C,
+    (   A > 0
+    ->  Foot is float(rdiv(-B, A)),
+        Off is float(rdiv(D, A)),
+        Size is 1.0 + float(abs(C)),
+        (   is_exactly(Off, Size)
+        ->  Near = touch
+        ;   abs(Off) < 0.1,
+            Foot > -0.1,
+            Foot < 1.1,
+            foot_in_reach(Caps, Rows, T, Foot)
+        ->  Near = true
+        ;   Near = false
+        )
+    ;   Foot = none,
+        Near = false
+    ).
+
+foot_in_reach([], _, _, _) :-
     !.
+foot_in_reach(_, [_,_,Up], T, Foot) :-
+    up_at(Up, T, U0, U1),
+    Z is U0 + U1*Foot,
+    Z > -0.1,
+    Z < 1.1.
+
+%!  pipe_near_touching(+Pipe) is semidet.
+%
+%   True when the sides come nearer to being tangent than a twentieth of the
+%   radius of the other surface, or touch.
+
+pipe_near_touching(pipe(_, _, _, Extremes)) :-
+    member(extreme(_, _, _, Near), Extremes),
+    Near \== false,
+    !.
+
+%   settled_root(Pipe, T, A, B, C, Root): Root is that of the discriminant, D, at
+%   T; round a touch D is taken less what it is there. Fails if it is negative.
+
+settled_root(pipe(Rows, Quadric, _, Extremes), T, A, B, C, Root) :-
+    quadratic(Rows, Quadric, T, abc(A, B, C), _),
+    (   member(extreme(T0, D0, _, touch), Extremes),
+        Off is T - T0 - 360.0*round((T-T0)/360.0),
+        abs(Off) < 0.5
+    ->  D is B*B - A*C - D0
+    ;   D is B*B - A*C
+    ),
+    D >= 0,
+    Root is sqrt(float(D)).
+
+%   root_height(A, B, C, Root, Sign, H): of the two numbers H where A*H^2 +
+%   2*B*H + C is 0, that where it falls (-1) or grows (1).
+
+root_height(A, B, C, Root, Sign, H) :-
+    FB is float(B),
+    (   Sign*FB > 0.0
+    ->  H is float(C)/(-FB - Sign*Root)
+    ;   A =:= 0
+    ->  H is Sign*1.0e300
+    ;   H is (Sign*Root - FB)/float(A)
+    ).
 
 %!  pipe_interval(+Pipe, +T, -Low, -High) is semidet.
 %
-%   The other cylinder takes the generator at T from Low to High, each H-Line.
+%   The other solid takes the generator at T from Low to High, each H-Line.
 %   Fails if it takes nothing.
 
 pipe_interval(Pipe, T, Low, High) :-
-    root(Pipe, T, Root),
+    settled_root(Pipe, T, A, B, C, Root),
     Root > 0.0,
-    foot(Pipe, T, Foot),
-    Low1 is Foot-Root,
-    High1 is Foot+Root,
-    Pipe = pipe(_, _, _, _, _, _, Up),
-    (   runs_level(Up)
-    ->  lin_at(Up, T, 0.0, At),
-        At >= 0.0,
-        At =< 1.0,
-        Low = Low1-line(-1),
-        High = High1-line(1)
-    ;   pipe_height(Pipe, cap(0), T, H0),
-        pipe_height(Pipe, cap(1), T, H1),
-        (   H0 < H1
-        ->  higher(Low1-line(-1), H0-cap(0), Low),
-            lower(High1-line(1), H1-cap(1), High)
-        ;   higher(Low1-line(-1), H1-cap(1), Low),
-            lower(High1-line(1), H0-cap(0), High)
-        )
+    maplist(root_height(A, B, C, Root), [-1,1], [H1,H2]),
+    Pipe = pipe([_,_,Up], Quadric, Caps, _),
+    up_at(Up, T, U0, U1),
+    (   A > 0
+    ->  Low0 = H1-line(-1),
+        High0 = H2-line(1)
+    ;   quadric_side(Quadric, U0, U1, H2)
+    ->  Low0 = -1.0e300-none,
+        High0 = H2-line(1)
+    ;   Low0 = H1-line(-1),
+        High0 = 1.0e300-none
     ),
+    foldl(cut_by_cap(U0, U1), Caps, Low0-High0, Low-High),
     Low = From-_,
     High = To-_,
     From < To.
+
+%   quadric_side(Quadric, U0, U1, H): that half of the cone which is meant.
+
+quadric_side(quadric(_, N0, N1, _), U0, U1, H) :-
+    N0 + float(N1)*(U0 + U1*H) >= 0.0.
+
+cut_by_cap(U0, U1, K, Low0-High0, Low-High) :-
+    (   is_exactly(U1, 1.0 + abs(U0))
+    ->  ( K =:= 0 -> U0 >= 0.0 ; U0 =< 1.0 ),
+        Low = Low0,
+        High = High0
+    ;   H is (K-U0)/U1,
+        (   (K-0.5)*U1 < 0.0
+        ->  higher(Low0, H-cap(K), Low),
+            High = High0
+        ;   Low = Low0,
+            lower(High0, H-cap(K), High)
+        )
+    ).
 
 higher(A-L, B-M, Which) :-
     ( B > A -> Which = B-M ; Which = A-L ).
@@ -179,33 +294,13 @@ higher(A-L, B-M, Which) :-
 lower(A-L, B-M, Which) :-
     ( B < A -> Which = B-M ; Which = A-L ).
 
-%   runs_level(Up): generators run along the ends of the other cylinder.
+%   up_at(Up, T, U0, U1): Z is U0 + U1*H along the generator at T.
 
-runs_level(lin(_, A, B, PerH)) :-
-    is_exactly(PerH, abs(A) + abs(B)).
-
-%   root(Pipe, T, Root): negative if the generator misses the other cylinder.
-
-root(pipe(_, L, G, Middle, Least1-Least2, _, _), T, Root) :-
-    Half is (T-Middle)*pi/360.0,
-    A is Least1 + 2.0*G*sin(Half)**2,
-    B is Least2 + 2.0*G*cos(Half)**2,
-    (   A >= 0.0,
-        B >= 0.0
-    ->  Root is sqrt(A*B)/(L*L)
-    ;   Root = -1.0
-    ).
-
-foot(pipe(Foot, _, _, _, _, _, _), T, H) :-
-    lin_at(Foot, T, H).
-
-lin_at(lin(A, B, C), T, Value) :-
+up_at(row(A0, A1, A2, A3, F), T, U0, U1) :-
     Radians is T*pi/180.0,
-    Value is A + B*cos(Radians) + C*sin(Radians).
-
-lin_at(lin(A, B, C, PerH), T, H, Value) :-
-    Radians is T*pi/180.0,
-    Value is A + B*cos(Radians) + C*sin(Radians) + PerH*H.
+    Across is float(A1)*cos(Radians) + float(A2)*sin(Radians),
+    U0 is float(A0) + Across,
+    U1 is float(A3) + float(F)*Across.
 
 %!  pipe_height(+Pipe, +Line, +T, -H) is det.
 %
@@ -213,23 +308,28 @@ lin_at(lin(A, B, C, PerH), T, H, Value) :-
 %   first or last point of the side (the foot beyond the tips), foot, or cap(K).
 
 pipe_height(Pipe, line(Sign), T, H) :-
-    root(Pipe, T, Root),
-    foot(Pipe, T, Foot),
-    H is Foot + Sign*max(0.0, Root).
-pipe_height(Pipe, foot, T, H) :-
-    foot(Pipe, T, H).
-pipe_height(pipe(_, _, _, _, _, _, Up), cap(K), T, H) :-
-    Up = lin(_, _, _, PerH),
-    lin_at(Up, T, 0.0, At),
-    H is (K-At)/PerH.
+    (   settled_root(Pipe, T, A, B, C, Root)
+    ->  root_height(A, B, C, Root, Sign, H)
+    ;   pipe_height(Pipe, foot, T, H)
+    ).
+pipe_height(pipe(Rows, Quadric, _, _), foot, T, H) :-
+    quadratic(Rows, Quadric, T, abc(A, B, _), _),
+    (   A =:= 0
+    ->  H = 0.0
+    ;   H is float(rdiv(-B, A))
+    ).
+pipe_height(pipe([_,_,Up], _, _, _), cap(K), T, H) :-
+    up_at(Up, T, U0, U1),
+    H is (K-U0)/U1.
 
 %!  pipe_crossing(+Surface, +Other, +T, +H0, -H) is semidet.
 %
-%   H, of the two near H0 the nearer one, is where the generator at T of the
-%   cylinder Surface goes through the side of the cylinder Other.
+%   H, of the two near H0 the nearer one, is where the generator at T of
+%   Surface, a cylinder or cone, goes through Other, a cylinder, cone or sphere.
 
 pipe_crossing(Surface, Other, T, H0, H) :-
-    pipe_met(Surface, Other, Pipe),
+    functor(Other, Kind, _),
+    pipe_met(Kind, Surface, Other, Pipe),
     maplist(pipe_line(Pipe, T), [-1,1], [H1,H2]),
     (   abs(H1-H0) =< abs(H2-H0)
     ->  H = H1
@@ -245,26 +345,51 @@ pipe_line(Pipe, T, Sign, H) :-
 %   that, the line turns faster than a circle does.
 
 pipe_centers(Pipe, Centers) :-
+    Pipe = pipe(_, _, _, Extremes),
     findall(T-Size,
-            ( extreme(Pipe, T0, Least, G),
-              tip_size(Least, G, Size0),
-              (   Least < 0.0
-              ->  ( T is T0-Size0 ; T is T0+Size0 ),
-                  Size is min(Size0, 1.0)*0.05
-              ;   Least > 0.0,
-                  T = T0,
-                  Size = Size0
-              ) ),
+            (   pipe_tip(Pipe, T),
+                from_extremes(Extremes, T, Off),
+                Size is min(Off, 1.0)*0.05
+            ;   member(extreme(T, D, _, true), Extremes),
+                D > 0,
+                bend_size(Pipe, T, D, Size)
+            ),
             Centers).
 
-extreme(pipe(_, _, G, Middle, Least-_, _, _), Middle, Least, G).
-extreme(pipe(_, _, G, Middle, _-Least, _, _), T, Least, G) :-
-    T is Middle + 180.0.
+from_extremes(Extremes, T, Off) :-
+    findall(Off1,
+            ( member(extreme(T0, _, _, _), Extremes),
+              Off1 is abs(T-T0 - 360.0*round((T-T0)/360.0)) ),
+            Offs),
+    min_list(Offs, Off).
 
-%   tip_size(Least, G, Degrees): how far from the middle the tip is.
+%   bend_size(Pipe, T, D, Degrees): so far from T, where it is least, the
+%   discriminant has grown as much as it is there.
 
-tip_size(Least, G, Degrees) :-
-    Degrees is 360.0/pi*asin(min(1.0, sqrt(abs(Least)/(2.0*G)))).
+bend_size(pipe(Rows, Quadric, _, _), T, D, Degrees) :-
+    Step = 0.0078125,
+    T1 is T-Step,
+    T2 is T+Step,
+    maplist(slope(Rows-Quadric), [T1,T2], [S1,S2]),
+    Bend is float(S2-S1)/(2.0*Step*pi/180.0),
+    Bend > 0.0,
+    Degrees is sqrt(2.0*float(D)/Bend)*180.0/pi.
+
+%   pipe_tip(Pipe, T) is nondet: D is 0 at T, between two extremes that have
+%   other signs.
+
+pipe_tip(pipe(Rows, Quadric, _, Extremes), T) :-
+    Extremes = [extreme(First, D, Foot, Near)|_],
+    Again is First+360.0,
+    append(Extremes, [extreme(Again, D, Foot, Near)], Round),
+    append(_, [extreme(T1, D1, _, Near1),extreme(T2, D2, _, Near2)|_], Round),
+    Near1 \== touch,
+    Near2 \== touch,
+    D1*D2 < 0,
+    bisected(value(Rows-Quadric), T1, D1, T2, 60, T).
+
+value(Rows-Quadric, T, D) :-
+    discriminant(Rows, Quadric, T, D, _).
 
 
                 /*******************************
@@ -276,63 +401,80 @@ tip_size(Least, G, Degrees) :-
 %   Events is a list of T-What, the generators at which lines change places:
 %   tip, both lines are in their foot; both(Line1, Line2), those have one
 %   point, Line2 being the plainer one: cap(K) or rim(K), that is H = K; or
-%   `side`, the generator lies in an end of the other cylinder.
+%   `side`, the generator lies in an end of the other solid.
 
 pipe_events(Pipe, Events) :-
     findall(T-What, event(Pipe, T, What), Events).
 
 event(Pipe, T, tip) :-
-    extreme(Pipe, T0, Least, G),
-    Least =< 0.0,
-    tip_size(Least, G, Size),
-    (   Least =:= 0.0
-    ->  T = T0
-    ;   ( T is T0-Size ; T is T0+Size )
+    pipe_tip(Pipe, T).
+event(pipe(_, _, _, Extremes), T, What) :-
+    member(extreme(T, D, _, Near), Extremes),
+    (   Near == touch
+    ->  What = tip
+    ;   Near == true,
+        D > 0,
+        What = none
     ).
-event(Pipe, T, none) :-
-    extreme(Pipe, T, Least, _),
-    Least > 0.0,
-    pipe_near_touching(Pipe, 0.1).
 event(Pipe, T, both(line(Sign), rim(K))) :-
-    Pipe = pipe(_, _, _, _, _, Form1-Form2, _),
     member(K, [0,1]),
-    maplist(at_height(lin(K, 0.0, 0.0)), [Form1,Form2], [A,B]),
-    circle_meets(A, B, T),
+    goes_to_zero(over_rim(Pipe, K), T),
     nearer_line(Pipe, T, K, Sign).
 event(Pipe, T, What) :-
-    Pipe = pipe(_, _, _, _, _, Form1-Form2, Up),
-    Up = lin(A, B, C, PerH),
-    member(K, [0,1]),
-    (   runs_level(Up)
+    Pipe = pipe([_,_,Up], _, Caps, _),
+    Up = row(A0, A1, A2, A3, F),
+    member(K, Caps),
+    (   runs_level(Up, K)
     ->  What = side,
-        A1 is K-A,
-        angle_of(B, C, A1, T)
-    ;   At = lin(H0, H1, H2),
-        H0 is (K-A)/PerH,
-        H1 is -B/PerH,
-        H2 is -C/PerH,
-        (   maplist(at_height(At), [Form1,Form2], [Across1,Across2]),
-            circle_meets(Across1, Across2, T),
-            lin_at(At, T, H),
-            What = both(line(Sign), cap(K)),
-            nearer_line(Pipe, T, H, Sign)
-        ;   member(Rim, [0,1]),
-            What = both(cap(K), rim(Rim)),
-            Rest is Rim-H0,
-            angle_of(H1, H2, Rest, T)
-        )
+        Rest is float(K-A0),
+        angle_of(A1, A2, Rest, T)
+    ;   goes_to_zero(over_cap(Pipe, K), T),
+        pipe_height(Pipe, cap(K), T, H),
+        abs(H) < 1.0e6,
+        What = both(line(Sign), cap(K)),
+        nearer_line(Pipe, T, H, Sign)
+    ;   member(Rim, [0,1]),
+        What = both(cap(K), rim(Rim)),
+        Rest is float(K - A0 - A3*Rim),
+        By is 1 + F*Rim,
+        By =\= 0,
+        B is By*A1,
+        C is By*A2,
+        angle_of(B, C, Rest, T)
     ).
 
-%   at_height(lin(H0, H1, H2), Form, Lin): Form on the surface at this H.
+%   runs_level(Up, K): generators run along that end of the other solid, or, of
+%   a cone, its apex lies in the plane of that.
 
-at_height(lin(H0, H1, H2), lin(A, B, C, PerH), lin(A1, B1, C1)) :-
-    A1 is A + PerH*H0,
-    B1 is B + PerH*H1,
-    C1 is C + PerH*H2.
+runs_level(row(A0, A1, A2, A3, F), K) :-
+    Off is float(A3 - F*(A0-K)),
+    is_exactly(Off, float(abs(A1) + abs(A2) + abs(A3))).
+
+%   over_rim(Pipe, K, T, Over, Slope): how far out the generator is at H = K.
+
+over_rim(pipe(Rows, Quadric, _, _), K, T, Over, Slope) :-
+    quadratic(Rows, Quadric, T, abc(A, B, C), abc(DA, DB, DC)),
+    Over is A*K*K + 2*B*K + C,
+    Slope is DA*K*K + 2*DB*K + DC.
+
+%   over_cap(Pipe, K, T, Over, Slope): how far out the generator is where it
+%   goes through an end, times the square of how steeply it does.
+
+over_cap(pipe(Rows, Quadric, _, _), K, T, Over, Slope) :-
+    quadratic(Rows, Quadric, T, abc(A, B, C), abc(DA, DB, DC)),
+    on_circle(T, Cos, Sin),
+    Rows = [_,_,Up],
+    coordinate(Cos-Sin, Up, c(U0, U1, D0, D1)),
+    R is K-U0,
+    Over is A*R*R + 2*B*R*U1 + C*U1*U1,
+    Slope is DA*R*R - 2*A*R*D0 + 2*DB*R*U1 - 2*B*D0*U1 + 2*B*R*D1
+           + DC*U1*U1 + 2*C*U1*D1.
 
 %   angle_of(B, C, A, T): B*cos(T) + C*sin(T) is A.
 
-angle_of(B, C, A, T) :-
+angle_of(B0, C0, A, T) :-
+    B is float(B0),
+    C is float(C0),
     Size is sqrt(B*B + C*C),
     Size > 0.0,
     abs(A) =< Size,
@@ -341,61 +483,62 @@ angle_of(B, C, A, T) :-
     ( T is Middle-Off ; T is Middle+Off ).
 
 nearer_line(Pipe, T, H, Sign) :-
-    foot(Pipe, T, Foot),
-    (   H < Foot
+    maplist(pipe_line(Pipe, T), [-1,1], [H1,H2]),
+    (   abs(H1-H) =< abs(H2-H)
     ->  Sign = -1
     ;   Sign = 1
     ).
 
-%   circle_meets(A, B, T) is nondet: A^2 + B^2 is 1 there. Between a whole
-%   degree, and where it is greatest or least, and the next one it is 1 once at
-%   the most. Where it just touches 1 is one of them.
+%   goes_to_zero(Over, T) is nondet: call(Over, T, 0, _). Between a whole degree,
+%   and where it is greatest or least, and the next one that is so once at the
+%   most. Where it just touches 0 is one of them.
 
-circle_meets(A, B, T) :-
-    findall(T0,
-            ( between(0, 359, T1),
-              T2 is T1+1,
-              slope(A, B, T1, D1),
-              slope(A, B, T2, D2),
-              (   D1*D2 < 0.0
-              ->  bisected(slope(A, B), T1, D1, T2, 60, Extreme),
-                  over(A, B, Extreme, Over),
-                  (   is_exactly(Over, 1.0)
-                  ->  T0 = Extreme
-                  ;   ( meets_between(A, B, T1, Extreme, T0)
-                      ; meets_between(A, B, Extreme, T2, T0)
+goes_to_zero(Over, T) :-
+    findall(V-S,
+            ( between(0, 360, T0),
+              call(Over, T0, V0, S),
+              ( is_exactly(float(V0), 1.0) -> V = 0 ; V = V0 ) ),
+            Values),
+    findall(T1,
+            ( nth0_pair(Values, T0, V1-S1, V2-S2),
+              T2 is T0+1,
+              (   S1*S2 < 0
+              ->  bisected(over_slope(Over), T0, S1, T2, 52, Extreme),
+                  call(Over, Extreme, V, _),
+                  (   is_exactly(float(V), 1.0)
+                  ->  T1 = Extreme
+                  ;   ( zero_between(Over, T0, V1, Extreme, V, T1)
+                      ; zero_between(Over, Extreme, V, T2, V2, T1)
                       )
                   )
-              ;   meets_between(A, B, T1, T2, T0)
+              ;   zero_between(Over, T0, V1, T2, V2, T1)
               ) ),
             Ts),
     member(T, Ts).
 
-meets_between(A, B, T1, T2, T) :-
-    over(A, B, T1, V1),
-    over(A, B, T2, V2),
-    (   V1 =:= 0.0
-    ->  T is float(T1)
-    ;   V1*V2 < 0.0
-    ->  bisected(over(A, B), T1, V1, T2, 60, T)
+nth0_pair(Values, I, V1, V2) :-
+    nth0_pair_(Values, 0, I, V1, V2).
+
+nth0_pair_([A,B|Values], I0, I, V1, V2) :-
+    (   I = I0,
+        V1 = A,
+        V2 = B
+    ;   I1 is I0+1,
+        nth0_pair_([B|Values], I1, I, V1, V2)
     ).
 
-over(A, B, T, Over) :-
-    lin_at(A, T, X),
-    lin_at(B, T, Y),
-    Over is X*X + Y*Y - 1.0.
+zero_between(Over, T1, V1, T2, V2, T) :-
+    (   V1 =:= 0
+    ->  T is float(T1)
+    ;   V1*V2 < 0
+    ->  bisected(over_value(Over), T1, V1, T2, 60, T)
+    ).
 
-slope(A, B, T, Slope) :-
-    lin_at(A, T, X),
-    lin_at(B, T, Y),
-    turned(A, A1),
-    turned(B, B1),
-    lin_at(A1, T, DX),
-    lin_at(B1, T, DY),
-    Slope is X*DX + Y*DY.
+over_value(Over, T, V) :-
+    call(Over, T, V, _).
 
-turned(lin(_, B, C), lin(0.0, C, MinusB)) :-
-    MinusB is -B.
+over_slope(Over, T, S) :-
+    call(Over, T, _, S).
 
 bisected(_, T1, _, T2, 0, T) :-
     !,
@@ -404,7 +547,7 @@ bisected(Function, T1, V1, T2, N, T) :-
     Middle is (T1+T2)/2.0,
     call(Function, Middle, V),
     N1 is N-1,
-    (   V1*V =< 0.0
+    (   V1*V =< 0
     ->  bisected(Function, T1, V1, Middle, N1, T)
     ;   bisected(Function, Middle, V, T2, N1, T)
     ).

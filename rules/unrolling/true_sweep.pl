@@ -12,7 +12,7 @@
 :- use_module(true_parts, [polygon_drawn/4]).
 :- use_module(true_pipe,
               [ pipe_centers/2, pipe_events/2, pipe_height/4, pipe_interval/4,
-                pipe_met/3, pipe_near_touching/2
+                pipe_met/4, pipe_near_touching/1
               ]).
 :- use_module(true_shape, [part_facet/5]).
 :- use_module(true_surface, [level_plane/3]).
@@ -23,10 +23,11 @@
 :- use_module(library(pairs), [pairs_keys_values/3]).
 /** <module> Pipes that nearly touch each other by their sides.
 
-Where the sides of two cylinders are nearly tangent, facets say nothing about
-how their surfaces meet: in one loop, two, or a figure of eight. What is left of
-a pipe is found there without them: a generator goes round the pipe, and what
-the others take of it has a closed form (true_pipe.pl). Between two *events*, as
+Where the side of a cylinder or cone is nearly tangent to that of a cylinder,
+cone or sphere, facets say nothing about how the surfaces meet: in one loop, two,
+or a figure of eight. What is left of the pipe is found there without them: a
+generator goes round it, and what the others take of it has a closed form
+(true_pipe.pl). Between two *events*, as
 a tip or a rim, the same lines bound what is left, one above another; so a facet
 is a row of cells, each between two lines and two generators.
 
@@ -37,16 +38,18 @@ rim(K), H = K, or J-Line, Line of true_pipe.pl of the Jth pipe.
 %!  facets_swept(+S, +Part, +Sense, +Shape0, -Facets, -Shape) is semidet.
 %
 %   Facets, those that are drawn, are what is left of Part of segment S, and
-%   Shape has their vertices. Fails unless S is a cylinder that was trimmed by
-%   solid cylinders, and nearly touches one of them.
+%   Shape has their vertices. Fails unless S is a cylinder or cone that was
+%   trimmed by solid cylinders, cones, spheres and hemispheres alone, and nearly
+%   touches one of them.
 
 facets_swept(S, Part, Sense, shape(Surface, Reach, _), Facets, Shape) :-
     Part = Leaf/Name,
     segment(S, _, trimmed(Leaf, Side, Others)),
     decision_is_default(stays_trimmed/4),
-    is_pipe(Leaf),
+    memberchk(Surface, [cylinder(_, _, _, _),cone(_, _, _, _, _)]),
+    solid_kind(Leaf, _),
     maplist(other_pipe(Surface), Others, Pipes),
-    once(( member(_-Pipe, Pipes), pipe_near_touching(Pipe, 0.05) )),
+    once(( member(_-Pipe, Pipes), pipe_near_touching(Pipe) )),
     drawn_facets(S, Part, Name, Drawn),
     events(Pipes, Drawn, Events),
     slabs(Events, Side, Pipes, Slabs),
@@ -62,11 +65,13 @@ parted(Shape, Facet, Facets) :-
     ;   facet_parted(Shape, Facet, Facets)
     ).
 
-is_pipe(S) :-
+%   solid_kind(S, Kind): S is a solid of this Kind.
+
+solid_kind(S, Kind) :-
     segment(S, solid, _),
     placed_term(S, Term),
     innermost(Term, Inner),
-    functor(Inner, cylinder, _).
+    functor(Inner, Kind, _).
 
 innermost(Term, Inner) :-
     (   ( Term = at(_, Term1) ; Term = named(_, Term1) )
@@ -75,9 +80,9 @@ innermost(Term, Inner) :-
     ).
 
 other_pipe(Surface, Other, OtherSurface-Pipe) :-
-    is_pipe(Other),
+    solid_kind(Other, Kind),
     placed_surface(Other, _, OtherSurface),
-    pipe_met(Surface, OtherSurface, Pipe).
+    pipe_met(Kind, Surface, OtherSurface, Pipe).
 
 %   drawn_facets(S, Part, Name, Drawn): drawn(P, T1, T2) in order, all round:
 %   the facets of what is drawn, with the first polygon of S that stands for

@@ -1,6 +1,6 @@
 /* Branches that are tangent to the side of their header, or nearly so, against
-   the closed form of where two cylinders meet: rules/unrolling/true_sweep.pl,
-   true_pipe.pl.
+   the closed form of where two cylinders meet, or a cylinder and a sphere or a
+   cone: rules/unrolling/true_sweep.pl, true_pipe.pl.
    TRUE_SWEEP_RANDOM=N: how many random scenes. */
 % covers: true_pipe
 :- use_module(library(plunit)).
@@ -32,6 +32,20 @@ in_scene(Terms, Goal) :-
 
 %   scene_terms(Pipes, Drawn, Counts, Terms): Drawn is of their radii.
 
+scene_terms(pipes(ball(R), B, _, Off, _-Branch), _, N1-N2,
+            [ sphere(radius(R), facets(N1)),
+              at([translate(0,Off,0)],
+                 cylinder(radius(B), height(Branch), facets(N2))) ]) :-
+    !.
+scene_terms(pipes(cone(R, Slope), B, _, Off, Long-Branch), _, N1-N2,
+            [ at([rotate(y,90),translate(X,0,0)],
+                 cone(radius(R1), top(R2), height(Long), facets(N1))),
+              at([translate(0,Off,0)],
+                 cylinder(radius(B), height(Branch), facets(N2))) ]) :-
+    !,
+    X is -Long/2,
+    R1 is R + Slope*X,
+    R2 is R - Slope*X.
 scene_terms(pipes(_, _, Lean, Off, Long-Branch), R-B, N1-N2,
             [ at([rotate(y,90),translate(X,0,0)],
                  cylinder(radius(R), height(Long), facets(N1))),
@@ -48,6 +62,16 @@ lengths(R, Lean, Long-Branch) :-
 %   generator there: from-to along the axis, none or one. Products, so that
 %   nothing cancels.
 
+removed(branch, Pipes, T, Removed) :-
+    Pipes = pipes(Header, B, _, Off, _),
+    compound(Header),
+    !,
+    header_square(Header, B, Off, T, Square),
+    (   Square > 0
+    ->  Z is sqrt(Square),
+        Removed = [0.0-Z]
+    ;   Removed = []
+    ).
 removed(branch, Pipes, T, Removed) :-
     Pipes = pipes(R, B, Lean, Off, _-Branch),
     gap(R, B, Off, Gap),
@@ -92,6 +116,27 @@ removed(header, Pipes, T, Removed) :-
 
 gap(R, B, Off, Gap) :-
     Gap is float(rational(R) - rational(B) - rational(Off)).
+
+%   header_square(Header, B, Off, T, Square): of how far above its middle the
+%   branch's generator leaves Header, a ball or cone.
+
+header_square(ball(R), B, Off, T, Square) :-
+    gap(R, B, Off, Gap),
+    Square is Gap*(R+B+Off) + 4*B*Off*sin((T - pi/2)/2)**2.
+header_square(cone(R, Slope), B, Off, T, Square) :-
+    Wide is B*sqrt(1 + Slope**2),
+    Least0 is R - Off - Wide,
+    ( abs(Least0) < 1.0e-12*R -> Least = 0.0 ; Least = Least0 ),
+    Middle is atan2(1, -Slope),
+    Within is Least + 2*Wide*sin((T-Middle)/2)**2,
+    Beyond is R + Off + B*sin(T) + Slope*B*cos(T),
+    Square is Within*Beyond.
+
+header_radius(Header, R) :-
+    (   number(Header)
+    ->  R = Header
+    ;   arg(1, Header, R)
+    ).
 
 height(branch, pipes(_, _, _, _, _-H), H).
 height(header, pipes(_, _, _, _, H-_), H).
@@ -146,7 +191,8 @@ told(Goal, What) :-
 %   is as small as wanted.
 
 on_border(Which, Pipes, T, Y) :-
-    Pipes = pipes(R, _, _, _, _),
+    Pipes = pipes(Header, _, _, _, _),
+    header_radius(Header, R),
     near_border(1.0e-9*R, Which, Pipes, T, Y).
 
 near_border(Near, Which, Pipes, T, Y) :-
@@ -180,7 +226,8 @@ within_change(Ends1, Ends2, Near, Y) :-
     Y =< max(E1, E2) + Near.
 
 all_rows_right(Which, Pipes, Base, D) :-
-    Pipes = pipes(R, _, _, _, _),
+    Pipes = pipes(Header, _, _, _, _),
+    header_radius(Header, R),
     true_length_rows(D, Rows),
     findall(Degrees, member(row(_, Degrees, _, _, _, _, _, _, _), Rows), All0),
     sort(All0, All),
@@ -257,6 +304,75 @@ test(near, [forall(( near_pipes(Pipes, Counts, Gap), which(Which, _) )),
             true(Gap-Which == Gap-Which)]) :-
     Pipes = pipes(R, B, _, _, _),
     checked(Pipes, R-B, Counts, Which, 0.0, 17.0, []).
+
+%   A ball or cone as the header.
+
+round_header(pipes(Header, B, 0, Off, 400-300), N1-N2) :-
+    member(B-(N1-N2), [20.0-(24-24),33.3-(7-37)]),
+    member(Gap, [0, 1.0e-9, -1.0e-9, 1.0e-4, -1.0e-4, 0.01, -1.0]),
+    (   Header = ball(100.0),
+        Off is 100.0-B-Gap
+    ;   member(Slope, [0.1,-0.3]),
+        Header = cone(100.0, Slope),
+        Off is 100.0 - B*sqrt(1 + Slope**2) - Gap
+    ).
+
+test(round_header, [forall(round_header(Pipes, Counts)),
+                    true(Pipes == Pipes)]) :-
+    checked(Pipes, none, Counts, branch, 0.0, 17.0, []).
+
+%   The cone's own pattern: how far the ends of its generators are from the apex.
+
+test(cone_header, [forall(( round_header(Pipes, Counts),
+                            Pipes = pipes(cone(_, _), _, _, _, _) )),
+                   true(Pipes == Pipes)]) :-
+    scene_terms(Pipes, none, Counts, Terms),
+    in_scene(Terms,
+             ( true_patterns(1, wanted(none,[],[],[]),
+                             [trim(outside),seam(17.0),generators(72)], Ds),
+               member(D, Ds),
+               segment(D, pattern, true_development(_, _)),
+               !,
+               true_length_rows(D, Rows),
+               findall(T-(A-B),
+                       ( member(row(_, T, _, A, B, _, _, _, _), Rows) ),
+                       All),
+               length(All, Count),
+               Count >= 72,
+               forall(( member(T, All), T = Degrees-_ ),
+                      ( findall(P, member(Degrees-P, All), Found0),
+                        sort(Found0, Found),
+                        cone_ends(Pipes, Degrees, Ends0),
+                        msort(Ends0, Ends),
+                        told(maplist(ends_alike, Found, Ends),
+                             row(Degrees, Found, Ends)) )) )).
+
+ends_alike(A0-B0, A-B) :-
+    abs(min(A0, B0) - min(A, B)) < 1.0e-6,
+    abs(max(A0, B0) - max(A, B)) < 1.0e-6.
+
+cone_ends(pipes(cone(R, Slope), B, _, Off, Long-_), Degrees, Ends) :-
+    T is Degrees*pi/180,
+    S is sin(T),
+    % x^2 + (R*S + Slope*S*x - Off)^2 = B^2
+    QA is 1 + Slope**2*S**2,
+    QB is Slope*S*(R*S - Off),
+    QC is (R*S - Off)**2 - B**2,
+    D is QB*QB - QA*QC,
+    Low is -Long/2,
+    High is Long/2,
+    (   D > 0,
+        cos(T) < 0
+    ->  X1 is (-QB - sqrt(D))/QA,
+        X2 is (-QB + sqrt(D))/QA,
+        Spans = [Low-X1,X2-High]
+    ;   Spans = [Low-High]
+    ),
+    findall(E1-E2,
+            ( member(A-C, Spans),
+              E1 is abs(A + R/Slope)*sqrt(1+Slope**2),
+              E2 is abs(C + R/Slope)*sqrt(1+Slope**2) ),
+            Ends).
 
 scenes(Most, N) :-
     (   getenv('TRUE_SWEEP_RANDOM', Text),
