@@ -11,6 +11,7 @@
           ]).
 :- use_module('../csg/csg_roots', [with_operand_lines/2]).
 :- use_module('../picture/hidden_lines', [picture/1]).
+:- use_module('../picture/section_curve', [section_on_surfaces/1]).
 :- use_module('../picture/section',
               [ cut_away/2, section_lines/3, section_edges/3,
                 section_region/5
@@ -164,6 +165,7 @@ seen(View, Lines0, Cut, Picture0, seen(View,Parts,Regions,Centres)) :-
     cut_away(Plane, Section),
     call(Cut),
     section_lines(Section, Lines0, Lines),
+    section_on_surfaces(Section),
     pieces_of_segments(Section, Picture0, Picture),
     pictured(Theta, Phi, Lines, Picture, Parts0),
     findall(N-Edges, section_edges(Section, N, Edges), InPlane),
