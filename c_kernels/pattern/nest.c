@@ -13,6 +13,9 @@ enum { MOST_SQUARES_A_SIDE = 32000, MOST_SQUARES = 1 << 27 };
  * refusals sheets are used about as well, and it takes nearly twice as long. */
 enum { PATIENCE = 8, KINDS = 64 * 64 };
 
+/* So many bytes of masks are kept. */
+enum { MASKS = 1 << 26 };
+
 /* A sheet, with a border of `gap` squares all round. */
 typedef struct page {
   uint16_t *next;   /* [h][w + 1]: the first taken square from here on, or w */
@@ -28,6 +31,7 @@ typedef struct nesting {
   size_t pages, room;
   size_t first[KINDS]; /* pages before this one refuse all of the kind */
   uint64_t work;
+  sg_nest_masks *masks;
   const sg_cancel *cancel;
   bool *memory;
 } nesting;
@@ -105,10 +109,10 @@ hindrance(nesting *n, const page *p, const sg_nest_runs *r, unsigned x,
 /* The lowest, then leftmost, place where the runs are free and reach up less
  * than `top` rows. False also when stopped: *n->memory is true then. */
 static bool
-find_place(nesting *n, const page *p, const sg_nest_mask *m,
-           const sg_nest_runs *r, unsigned top, unsigned *x_out,
-           unsigned *y_out)
+find_place(nesting *n, const page *p, const sg_nest_mask *m, unsigned top,
+           unsigned *x_out, unsigned *y_out)
 {
+  const sg_nest_runs *r = &m->needed;
   size_t first = 0;
 
   for (unsigned y = 0; y + m->h <= n->h && y + m->h < top; y++) {
@@ -179,17 +183,6 @@ typedef struct choice {
   unsigned x, y, top;
 } choice;
 
-static void
-clear_masks(sg_nest_mask *m, sg_nest_runs *r, size_t n)
-{
-  for (size_t i = 0; i < n; i++) {
-    free(m[i].square);
-    free(r[i].at);
-  }
-  free(m);
-  free(r);
-}
-
 /* The highest bit of a number that is not 0, and `more` of those below it. */
 static unsigned
 magnitude(size_t number, unsigned more)
@@ -206,14 +199,14 @@ magnitude(size_t number, unsigned more)
 /* Pieces of one kind are about as long, and about as large: to a fifth of
  * their length, and two fifths of their area. Less than KINDS. */
 static size_t
-kind_of(const sg_nest_mask *m, size_t angles)
+kind_of(const sg_nest_mask *const *m, size_t angles)
 {
-  while (angles > 1 && !m->square) {
+  while (angles > 1 && !*m) {
     m++;
     angles--;
   }
-  return 64 * magnitude(m->w > m->h ? m->w : m->h, 2) +
-         magnitude(m->covered, 1);
+  return 64 * magnitude((*m)->w > (*m)->h ? (*m)->w : (*m)->h, 2) +
+         magnitude((*m)->squares, 1);
 }
 
 static bool
@@ -234,57 +227,49 @@ note_refusal(nesting *n, size_t at, size_t kind)
 }
 
 static bool
-best_choice(nesting *n, const page *p, const sg_nest_mask *m,
-            const sg_nest_runs *r, size_t angles, choice *best)
+best_choice(nesting *n, const page *p, const sg_nest_mask *const *m,
+            size_t angles, choice *best)
 {
   unsigned x, y;
 
   best->top = UINT32_MAX;
   for (size_t i = 0; i < angles; i++) {
-    if (m[i].square && m[i].covered <= p->left &&
-        find_place(n, p, &m[i], &r[i], best->top, &x, &y)) {
-      *best = (choice){i, x, y, y + m[i].h};
+    if (m[i] && m[i]->squares <= p->left &&
+        find_place(n, p, m[i], best->top, &x, &y)) {
+      *best = (choice){i, x, y, y + m[i]->h};
     }
   }
   return best->top < UINT32_MAX;
 }
 
-static bool
-settle(nesting *n, page *p, const sg_nest_piece *piece, sg_nest_mask *m,
-       const choice *best, sg_nest_place *place)
+static void
+settle(nesting *n, page *p, const sg_nest_piece *piece,
+       const sg_nest_mask *const *m, const choice *best, sg_nest_place *place)
 {
-  sg_nest_runs covered;
+  const sg_nest_mask *at = m[best->angle];
   double square = n->paper->square;
-  bool ok = sg_nest_mask_runs(&m[best->angle], true, &covered);
 
-  if (ok) {
-    take_squares(n, p, &covered, best->x, best->y);
-    place->sheet = (uint32_t)(p - n->page) + 1;
-    place->degrees = piece->degrees[best->angle];
-    place->by[0] = best->x * square - m[best->angle].low[0];
-    place->by[1] = best->y * square - m[best->angle].low[1];
-  }
-  free(covered.at);
-  return ok;
+  take_squares(n, p, &at->covered, best->x, best->y);
+  place->sheet = (uint32_t)(p - n->page) + 1;
+  place->degrees = piece->degrees[best->angle];
+  place->by[0] = best->x * square - at->low[0];
+  place->by[1] = best->y * square - at->low[1];
 }
 
 static bool
-place_masks(nesting *n, const sg_nest_piece *piece, sg_nest_mask *m,
-            sg_nest_runs *r, sg_nest_place *place)
+place_masks(nesting *n, const sg_nest_piece *piece, const sg_nest_mask **m,
+            sg_nest_place *place)
 {
   bool fits = false;
   choice best;
 
   for (size_t i = 0; i < piece->angles; i++) {
-    if (!sg_nest_mask_make(n->paper, n->w, n->h, piece, piece->degrees[i],
-                           &m[i])) {
+    if (!sg_nest_masks_at(n->masks, n->paper, n->w, n->h, piece,
+                          piece->degrees[i], &m[i])) {
       return false;
     }
-    n->work += m[i].square ? (uint64_t)m[i].w * m[i].h : 0;
-    if ((m[i].square && !sg_nest_mask_runs(&m[i], false, &r[i]))) {
-      return false;
-    }
-    fits = fits || m[i].square;
+    n->work += m[i] ? (uint64_t)m[i]->w * m[i]->h : 0;
+    fits = fits || m[i];
   }
   size_t kind = fits ? kind_of(m, piece->angles) : 0;
 
@@ -299,45 +284,65 @@ place_masks(nesting *n, const sg_nest_piece *piece, sg_nest_mask *m,
     if (has_refused(n, i, kind)) {
       continue;
     }
-    bool found = best_choice(n, &n->page[i], m, r, piece->angles, &best);
+    bool found = best_choice(n, &n->page[i], m, piece->angles, &best);
     if (*n->memory) {
       return false;
     }
     if (found) {
-      return settle(n, &n->page[i], piece, m, &best, place);
+      settle(n, &n->page[i], piece, m, &best, place);
+      return true;
     }
     note_refusal(n, i, kind);
   }
   return true;
 }
 
+/* `kept`: masks are, as long as they are not too many. */
 static bool
-place_piece(nesting *n, const sg_nest_piece *piece, sg_nest_place *place)
+place_piece(nesting *n, const sg_nest_piece *piece, bool kept,
+            sg_nest_place *place)
 {
-  sg_nest_mask *m = calloc(piece->angles + 1, sizeof *m);
-  sg_nest_runs *r = calloc(piece->angles + 1, sizeof *r);
-  bool ok = m && r;
+  const sg_nest_mask **m = calloc(piece->angles + 1, sizeof *m);
+  bool ok = m != NULL;
 
   *place = (sg_nest_place){0, 0.0, {0.0, 0.0}};
-  ok = ok && place_masks(n, piece, m, r, place);
-  clear_masks(m, r, m && r ? piece->angles : 0);
+  ok = ok && place_masks(n, piece, m, place);
+  free(m);
+  sg_nest_masks_clear(n->masks, kept ? MASKS : 0);
+  return ok;
+}
+
+static bool
+place_pieces(nesting *n, const sg_nest_piece *piece, size_t count,
+             sg_nest_masks *masks, sg_nest_place *place)
+{
+  n->masks = masks ? masks : sg_nest_masks_open(1);
+  bool ok = n->masks != NULL;
+
+  for (size_t i = 0; i < count && ok; i++) {
+    sg_nest_piece one = piece[i];
+
+    one.number = masks ? one.number : 0;
+    ok = place_piece(n, &one, masks != NULL, &place[i]);
+  }
+  if (!masks) {
+    sg_nest_masks_close(n->masks);
+  }
   return ok;
 }
 
 bool
 sg_nest(const sg_nest_paper *paper, const sg_nest_piece *piece, size_t n,
-        sg_nest_place *place, uint64_t *work, const sg_cancel *cancel,
-        bool *memory)
+        sg_nest_masks *masks, sg_nest_place *place, uint64_t *work,
+        const sg_cancel *cancel, bool *memory)
 {
   nesting all = {.paper = paper, .cancel = cancel, .memory = memory};
-  bool ok = true;
 
   *memory = false;
   all.w = squares(paper->width, paper->square) + 2 * paper->gap;
   all.h = squares(paper->height, paper->square) + 2 * paper->gap;
-  for (size_t i = 0; i < n && ok; i++) {
-    ok = place_piece(&all, &piece[i], &place[i]);
-  }
+  bool ok = place_pieces(&all, piece, n, masks, place);
+
   for (size_t i = 0; i < all.pages; i++) {
     free(all.page[i].next);
     free(all.page[i].open);

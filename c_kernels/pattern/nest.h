@@ -25,7 +25,17 @@ typedef struct sg_nest_piece {
   size_t loops;
   const double *degrees; /* [angles]: how it may be turned, counterclockwise */
   size_t angles;
+  size_t number; /* in masks; not used without */
 } sg_nest_piece;
+
+/* Pieces as squares, which are made once for each angle and raster: many
+ * nestings of the same pieces, one after another, may share them. Pieces of
+ * one nesting with the same number have the same outline. */
+typedef struct sg_nest_masks sg_nest_masks;
+
+/* Of so many pieces, with numbers from 0. NULL: no memory. */
+sg_nest_masks *sg_nest_masks_open(size_t pieces);
+void sg_nest_masks_close(sg_nest_masks *masks);
 
 /* Point p of the piece comes to p turned by degrees, plus by, on a sheet, from
  * 1, whose lower left corner is 0, 0. Sheet 0: too large for any. */
@@ -37,16 +47,17 @@ typedef struct sg_nest_place {
 typedef struct sg_nest_paper {
   double width, height;
   double square; /* side of a square of the raster */
-  unsigned gap;  /* so many squares at least stay free between pieces */
+  unsigned gap;  /* so many squares, to 255, stay free between pieces */
   bool one;      /* a single sheet: what does not fit has no place */
 } sg_nest_paper;
 
 /* False: stopped by the cancellation, or no memory (then *memory is false).
  * *work, which may be NULL, grows by how many squares and runs of squares were
- * looked at: a measure of time that is the same on every machine. */
+ * looked at: a measure of time that is the same on every machine, whether masks
+ * were made already or not. `masks` may be NULL. */
 bool sg_nest(const sg_nest_paper *paper, const sg_nest_piece *piece, size_t n,
-             sg_nest_place *place, uint64_t *work, const sg_cancel *cancel,
-             bool *memory);
+             sg_nest_masks *masks, sg_nest_place *place, uint64_t *work,
+             const sg_cancel *cancel, bool *memory);
 
 /* True if the raster of a sheet has a sane number of squares. */
 bool sg_nest_paper_is_valid(const sg_nest_paper *paper);

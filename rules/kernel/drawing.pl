@@ -169,6 +169,24 @@ Foreign predicates; see kernel.pl.
 %   Text are Points, integers that are thousandths, as decimal fractions without
 %   zeros at the end: a comma between X and Y, a space between points.
 
+/* - - - letter_rows.c - - - */
+
+%!  letter_lines(+Glyphs:list(pen_glyph), +Start:number, +Base:number,
+%!               +Scale:number, -Lines:list(list(sheet_point))) is det.
+%
+%   Lines are the strokes of Glyphs, At-Strokes as letter/3 (letter.pl) has
+%   them, each At to the right of Start, y DOWN from Base, Scale times as large.
+%   A curve becomes four straight pieces.
+
+%!  laid_lines(+Lines0:list(list(sheet_point)), +At:paper_point,
+%!             +Way:paper_point, +Move:sheet_move, +Height:number,
+%!             -Lines:list(list(sheet_point))) is det.
+%
+%   Lines are Lines0, thousandths, from At and to the right along Way, a unit
+%   vector, both in millimetres, y up; then turned, and moved by X + Left, Y +
+%   Bottom: Move is move(Cos, Sin, X, Y, Left, Bottom). Lines are on a sheet of
+%   Height mm, thousandths, y down.
+
 /* - - - drawn_stroke_rows.c - - - */
 
 %!  drawn_box(-Box:paper_box) is semidet.

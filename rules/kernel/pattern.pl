@@ -225,15 +225,39 @@ the drawn surface. Degrees; see roll.h.
 %   True when no shape of Shapes overlaps Shape deeper than Tolerance, 0 or
 %   more; how deep is how far one of the two has to be moved to be free.
 
+%!  shape_map_open(+Shapes:list(list(paper_point)), +Near:number,
+%!                 -Map:shape_map) is det.
+%
+%   Map is a handle for convex Shapes on paper, each a list of points X-Y,
+%   counter-clockwise, of any number.
+
+%!  shape_at(+Map:shape_map, +Point:paper_point, -I:id) is semidet.
+%
+%   Shape I, from 1, is the first that has Point: it is right of none of its
+%   sides, or not farther than Near times that side. Fails if none has it.
+
+%!  turned_boxes(+Points:list(paper_point), +Degrees:list(number),
+%!               -Sizes:list(paper_point)) is det.
+%
+%   How wide and high, W-H, the box round Points is if they are turned by each
+%   of Degrees, counterclockwise.
+
+%!  nest_open(+Outlines:list(list(list(paper_point))), -Nest:nest_outlines)
+%!       is det.
+%
+%   Nest is a handle for pieces with these Outlines, each a list of loops, lists
+%   of X-Y. It keeps what nest/8 made of them for the next time.
+
 %!  nest(+Size:paper_point, +Square:number, +Gap:int, +One:bool,
-%!       +Pieces:list(nest_piece_fact), -Places:list(nest_place),
+%!       +Nest:nest_outlines, +Turns:list(nest_turn), -Places:list(nest_place),
 %!       -Work:integer) is det.
 %
-%   Lays Pieces, each piece(Degrees,Loops), on sheets of Size, W-H: one after
-%   the other, on the first sheet that takes it, as low and then as far left as
-%   can be, turned by one of the Degrees; on a raster of Square, Gap squares of
-%   which at least stay free between pieces. Loops are lists of X-Y. One: there
-%   is a single sheet. Each of Places is place(Sheet,Turn,DX,DY): the piece,
-%   turned counterclockwise, goes DX,DY; Sheet 0 if it fits on none. Work is how
-%   many squares were looked at: a measure of time that is the same everywhere.
-%   See c_kernels/pattern/nest.h.
+%   Lays pieces of Nest on sheets of Size, W-H: for each of Turns,
+%   turn(I,Degrees), piece I, from 1, one after the other, on the first sheet
+%   that takes it, as low and then as far left as can be, turned by one of the
+%   Degrees; on a raster of Square, Gap squares of which at least stay free
+%   between pieces.
+%   One: there is a single sheet. Each of Places is place(Sheet,Turn,DX,DY): the
+%   piece, turned counterclockwise, goes DX,DY; Sheet 0 if it fits on none. Work
+%   is how many squares were looked at: a measure of time that is the same
+%   everywhere. See c_kernels/pattern/nest.h.

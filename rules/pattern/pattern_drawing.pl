@@ -26,11 +26,11 @@
 :- use_module(pattern_parted, [parted_segments/2]).
 :- use_module(pattern_yield, [pattern_yield/2]).
 :- use_module(pattern_want, [wanted_texts/4]).
-:- use_module(pattern_word, [word_lines/2, word_text/6]).
+:- use_module(pattern_word, [word_lines/3, word_lines/4, word_text/6]).
 :- use_module('../sheet/sheet_paper', [unit_millimetres/2]).
 :- use_module(library(apply),
-              [ exclude/3, foldl/4, foldl/6, include/3, maplist/3, maplist/4,
-                maplist/5, partition/4 ]).
+              [ convlist/3, exclude/3, foldl/4, foldl/6, include/3, maplist/3,
+                maplist/4, maplist/5, partition/4 ]).
 :- use_module(library(assoc), 
               [empty_assoc/1, get_assoc/3, list_to_assoc/2]).
 :- use_module(library(error), [domain_error/2]).
@@ -425,7 +425,7 @@ is_laid_piece(laid(piece(_,_,_),_,_)).
 placed_piece(Sheet, Tabs, How, laid(Piece,Outline,Place),
              placed(Name,Faces,Loops,Lines,Sides)) :-
     Piece = piece(Name, Faces0, Sides0),
-    Move = move(Sheet, Place),
+    sheet_move(Sheet, Place, Move),
     findall(Loop, ( member(Ways, Outline),
                     findall(Edge, way_edge(Ways, Move, Edge), Loop) ),
             Loops0),
@@ -467,12 +467,15 @@ way_edge(Ways, Move, edge(E,A,B)) :-
     moved(Move, A0, A),
     moved(Move, B0, B).
 
-moved(move(sheet(_,_,Left,Bottom,_,_),place(_,Degrees,DX,DY)), X0-Y0, X-Y) :-
-    turning(Degrees, Cos, Sin),
+moved(move(Cos,Sin,DX,DY,Left,Bottom), X0-Y0, X-Y) :-
     X is X0*Cos - Y0*Sin + DX + Left,
     Y is X0*Sin + Y0*Cos + DY + Bottom.
 
-%   Right angles are exact.
+%   sheet_move(Sheet, Place, Move): right angles are exact.
+
+sheet_move(sheet(_,_,Left,Bottom,_,_), place(_,Degrees,DX,DY),
+           move(Cos,Sin,DX,DY,Left,Bottom)) :-
+    turning(Degrees, Cos, Sin).
 
 turning(Degrees, Cos, Sin) :-
     (   turn(Degrees, Cos0, Sin0)
@@ -574,30 +577,31 @@ table_view(Sheet, laid(Table,_,Place), view(Name,Strokes,Texts)) :-
     Sheet = sheet(_, Height, _, _, _, _),
     table_name(Table, Name),
     table_lines(Table, Lines),
-    Move = move(Sheet, Place),
-    maplist(table_stroke(Move, Height, D), Lines, Frame),
+    sheet_move(Sheet, Place, Move),
+    maplist(table_line(Move, Height), Lines, Framed),
+    maplist(table_stroke(D), Framed, Frame),
     findall(Word, table_word(Table, Word), Words),
     maplist(table_text(Move, Height, D), Words, Letters, Texts),
     append([Frame|Letters], Strokes).
 
 table_text(Move, Height, D, Word, Strokes, Text) :-
-    word_lines(Word, Lines),
-    maplist(table_stroke(Move, Height, D), Lines, Strokes),
+    word_lines(Height, Move, Word, Lines),
+    maplist(table_stroke(D), Lines, Strokes),
     moved_word(Move, Word, Moved),
     word_text(Height, table, D, Moved, Strokes, Text).
 
 moved_word(Move, word(At0,U0-V0,High,Anchor,String),
            word(At,U-V,High,Anchor,String)) :-
-    Move = move(_, place(_,Degrees,_,_)),
-    turning(Degrees, Cos, Sin),
+    Move = move(Cos, Sin, _, _, _, _),
     U is U0*Cos - V0*Sin,
     V is U0*Sin + V0*Cos,
     moved(Move, At0, At).
 
-table_stroke(Move, Height, D, Points0,
-             stroke(visible,table,D,[],Points,joint,joint)) :-
+table_line(Move, Height, Points0, Points) :-
     maplist(moved(Move), Points0, Points1),
     maplist(on_paper(Height), Points1, Points).
+
+table_stroke(D, Points, stroke(visible,table,D,[],Points,joint,joint)).
 
 letters_by_piece(Letters, ByPiece) :-
     findall(Name-letters(Role,Under,Word),
@@ -611,16 +615,14 @@ letters_by_piece(Letters, ByPiece) :-
 %   and what of it is a text.
 
 letters_drawn(Height, D, letters(Role,Under,Word), Strokes, [Text]) :-
-    word_lines(Word, Lines),
-    findall(Stroke, letter_stroke(Height, Role, Under, D, Stroke), Below),
-    findall(Stroke, letter_stroke(Height, Role, Lines, D, Stroke), Letters),
+    word_lines(Height, Word, Lines),
+    maplist(maplist(on_paper(Height)), Under, Under1),
+    convlist(letter_stroke(Role, D), Under1, Below),
+    convlist(letter_stroke(Role, D), Lines, Letters),
     append(Below, Letters, Strokes),
     word_text(Height, Role, D, Word, Letters, Text).
 
-letter_stroke(Height, Role, Lines, D,
-              stroke(visible,Role,D,[],Points,End,End)) :-
-    member(Line, Lines),
-    maplist(on_paper(Height), Line, Points),
+letter_stroke(Role, D, Points, stroke(visible,Role,D,[],Points,End,End)) :-
     Points = [First|Rest],
     Rest \== [],
     last(Rest, Last),

@@ -4,8 +4,8 @@
             least_box/4,                % +Points, -Degrees, -Width, -Height
             hull/2                      % +Points, -Hull
           ]).
-:- use_module('../kernel', [nest/7]).
-:- use_module(pattern_text, [first_of/3]).
+:- use_module('../kernel', [nest/8, nest_open/2, turned_boxes/3]).
+:- use_module(pattern_face, [first_of/3]).
 :- use_module(library(apply), [foldl/4, maplist/3, maplist/4]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2, put_assoc/4]).
 :- use_module(library(lists),
@@ -15,7 +15,7 @@
 :- use_module(library(pairs), [pairs_keys_values/3, pairs_values/2]).
 /** <module> Pieces laid on sheets: turned, close together, none on another.
 
-The kernel nest/7 places them one by one, as low as can be; here it is decided
+The kernel nest/8 places them one by one, as low as can be; here it is decided
 at which angles, in which order and from which side of the sheet: upright, lying
 and with the least box round them. Some usual orders are tried, large ones
 first, then exchanges in the best one, as many as there is time for: that is
@@ -30,7 +30,7 @@ in millimetres; Gap is how far apart pieces stay.
 
 :- set_prolog_flag(optimise, true).
 
-% What all trials together may look at, in squares and the like (nest/7): a
+% What all trials together may look at, in squares and the like (nest/8): a
 % second or so. The last one may take more.
 most_work(6.0e7).
 most_trials(200).
@@ -47,25 +47,27 @@ fine_sheets(6).
 %   needed of a roll.
 
 nested(Outlines, Paper, nested(Size,Places)) :-
-    maplist(outline_way(Paper), Outlines, Ways),
-    best_trial(Ways, Paper, trial(_,_,Pairs,Size)),
+    findall(Loops, member(_-Loops, Outlines), Loopss),
+    nest_open(Loopss, Nest),
+    findall(Way, ( nth1(I, Outlines, Outline),
+                   outline_way(Paper, I, Outline, Way) ), Ways),
+    best_trial(Ways, task(Paper,Nest), trial(_,_,Pairs,Size)),
     list_to_assoc(Pairs, ByName),
     findall(Name-Place,
             ( member(Name-_, Outlines), get_assoc(Name, ByName, Place) ),
             Places).
 
-%   way(Name,Loops,Hull,Angles,Width,Height): the hull of a piece, at which
-%   angles it is tried, and its box. A table, table(D,Part), is read from below
-%   or from the right.
+%   way(Name,I,Hull,Angles,Width,Height): piece I, its hull, at which angles it
+%   is tried, and its box. A table, table(D,Part), is read from below or from
+%   the right.
 
-outline_way(_, Name-Loops, way(Name,Loops,Hull,[0.0,90.0],W,H)) :-
+outline_way(_, I, Name-Loops, way(Name,I,Hull,[0.0,90.0],W,H)) :-
     Name = table(_, _),
     !,
     append(Loops, Points),
     hull(Points, Hull),
     points_box(Points, W, H).
-outline_way(Paper, Name-Loops,
-            way(Name,Loops,Hull,Angles,Width,Height)) :-
+outline_way(Paper, I, Name-Loops, way(Name,I,Hull,Angles,Width,Height)) :-
     append(Loops, Points),
     hull(Points, Hull),
     points_box(Points, W, H),
@@ -92,7 +94,8 @@ outline_way(Paper, Name-Loops,
 %   trial(Score,How,Pairs,Size): How is how(Ways,Side), in which order and from
 %   which side; Pairs are Name-Place.
 
-best_trial(Ways, Paper, Best) :-
+best_trial(Ways, Task, Best) :-
+    Task = task(Paper, _),
     findall(how(Sorted,Side),
             ( member(Key, [longest,area,higher,wider]),
               sorted_ways(Key, Ways, Sorted),
@@ -100,14 +103,14 @@ best_trial(Ways, Paper, Best) :-
             ),
             [First|Hows0]),
     most_work(Most),
-    tried(Paper, First, Trial, Work),
+    tried(Task, First, Trial, Work),
     note_tried(First, Work, left(Most,t), Left0),
     possible_trials(Ways, Paper, Possible),
     first_of(Possible, Hows0, Hows),
     length(Hows, N),
     Others is Possible-N,
-    better_trials(Hows, Paper, Trial, Better, Left0, Left),
-    exchanged(Others, Paper, 1, Better, Best, Left).
+    better_trials(Hows, Task, Trial, Better, Left0, Left),
+    exchanged(Others, Task, 1, Better, Best, Left).
 
 %   possible_trials(Ways, Paper, Count): after the first one; one piece needs
 %   none, and few pieces have few orders.
@@ -159,11 +162,11 @@ paper_side(roll(_), width(Share)) :-
     member(Share, [1.0,0.85,1.2]).
 
 better_trials([], _, Trial, Trial, Left, Left).
-better_trials([How|Hows], Paper, Trial0, Trial, Left0, Left) :-
-    better_trial(Paper, How, Trial0, Trial1, Left0, Left1),
-    better_trials(Hows, Paper, Trial1, Trial, Left1, Left).
+better_trials([How|Hows], Task, Trial0, Trial, Left0, Left) :-
+    better_trial(Task, How, Trial0, Trial1, Left0, Left1),
+    better_trials(Hows, Task, Trial1, Trial, Left1, Left).
 
-%   better_trial(Paper, How, Trial0, Trial, Left0, Left): Left is
+%   better_trial(Task, How, Trial0, Trial, Left0, Left): Left is
 %   left(Work,Tried): the work that may be done, and what was done already.
 %   Without any work Trial0 stays. What was tried before was not better than
 %   what was best then, so it is not better now: it counts, and is not done.
@@ -177,8 +180,8 @@ better_trial(_, How, Trial, Trial, Left0, Left) :-
     get_assoc(Name, Tried, Work),
     !,
     note_tried(How, Work, Left0, Left).
-better_trial(Paper, How, Trial0, Trial, Left0, Left) :-
-    tried(Paper, How, Trial1, Work),
+better_trial(Task, How, Trial0, Trial, Left0, Left) :-
+    tried(Task, How, Trial1, Work),
     note_tried(How, Work, Left0, Left),
     Trial0 = trial(Score0, _, _, _),
     Trial1 = trial(Score1, _, _, _),
@@ -209,14 +212,14 @@ score_less(score(Left1,Sheets1,Used1), score(Left0,Sheets0,Used0)) :-
         Used1 < 0.99*Used0
     ).
 
-%   exchanged(Count, Paper, Chance, Trial0, Trial, Left): Count times one piece
+%   exchanged(Count, Task, Chance, Trial0, Trial, Left): Count times one piece
 %   is put elsewhere in the order, as long as work is Left; what is better
 %   stays.
 
 exchanged(Count, _, _, Trial, Trial, Left) :-
     ( Count =< 0 ; no_work(Left) ),
     !.
-exchanged(Count, Paper, Chance0, Trial0, Trial, Left0) :-
+exchanged(Count, Task, Chance0, Trial0, Trial, Left0) :-
     Trial0 = trial(_, how(Ways0,Side), _, _),
     length(Ways0, N),
     next_chance(Chance0, Chance1),
@@ -229,10 +232,10 @@ exchanged(Count, Paper, Chance0, Trial0, Trial, Left0) :-
     (   From =:= To1
     ->  Trial1 = Trial0,
         Left = Left0
-    ;   better_trial(Paper, how(Ways,Side), Trial0, Trial1, Left0, Left)
+    ;   better_trial(Task, how(Ways,Side), Trial0, Trial1, Left0, Left)
     ),
     Count1 is Count-1,
-    exchanged(Count1, Paper, Chance2, Trial1, Trial, Left).
+    exchanged(Count1, Task, Chance2, Trial1, Trial, Left).
 
 %   The upper bits of a linear congruential generator (Knuth, TAOCP 2, 3.3.4).
 
@@ -240,15 +243,17 @@ next_chance(Chance0, Chance) :-
     Chance is (Chance0*6364136223846793005 + 1442695040888963407)
               /\ 0xffffffffffffffff >> 11.
 
-%   tried(Paper, How, Trial, Work): the pieces placed, at the cost of Work.
+%   tried(Task, How, Trial, Work): the pieces placed, at the cost of Work. Task
+%   is task(Paper,Nest), Nest of nest_open/2.
 
-tried(Paper, how(Ways,Side), trial(Score,how(Ways,Side),Pairs,Size), Work) :-
-    maplist(way_piece(Side), Ways, Names, Pieces),
+tried(task(Paper,Nest), How, trial(Score,How,Pairs,Size), Work) :-
+    How = how(Ways, Side),
+    maplist(way_turn(Side), Ways, Names, Turns),
     paper_nesting(Paper, Side, Ways, W-H, One, Gap),
     raster(Paper, Ways, Raster),
     square(W, H, Gap, Paper, Raster, Square),
     Squares is max(1, ceiling(Gap/Square)),
-    nest(W-H, Square, Squares, One, Pieces, Places0, Work),
+    nest(W-H, Square, Squares, One, Nest, Turns, Places0, Work),
     maplist(seen_place(Side, W), Places0, Places),
     pairs_keys_values(Pairs, Names, Places),
     used_size(Paper, Ways, Places, Size, Used),
@@ -258,7 +263,7 @@ tried(Paper, how(Ways,Side), trial(Score,how(Ways,Side),Pairs,Size), Work) :-
     max_list([0|Is], Sheets),
     Score = score(Unplaced, Sheets, Used).
 
-way_piece(Side, way(Name,Loops,_,Angles0,_,_), Name, piece(Angles,Loops)) :-
+way_turn(Side, way(Name,I,_,Angles0,_,_), Name, turn(I,Angles)) :-
     (   Side == left,
         Name = table(_, _)
     ->  Angles = [90.0,180.0]
@@ -403,18 +408,16 @@ least_box(Points, Degrees, Width, Height) :-
 
 hull_box(Hull, Degrees, Width, Height) :-
     hull_degrees(Hull, Angles),
-    findall(box(Area,Angle,W,H),
-            ( member(Angle, Angles),
-              maplist(turned(Angle), Hull, Turned),
-              points_box(Turned, W, H),
-              Area is round(W*H*1.0e6)
-            ),
-            Boxes),
+    turned_boxes(Hull, Angles, Sizes),
+    maplist(angle_box, Angles, Sizes, Boxes),
     msort(Boxes, [box(_,Degrees0,W0,H0)|_]),
     (   W0 >= H0
     ->  Degrees = Degrees0, Width = W0, Height = H0
     ;   Degrees is Degrees0+90, Width = H0, Height = W0
     ).
+
+angle_box(Angle, W-H, box(Area,Angle,W,H)) :-
+    Area is round(W*H*1.0e6).
 
 %   At most some hundred directions.
 

@@ -12,7 +12,7 @@
             sheet_window/2              % +Sheet, -Window
           ]).
 :- use_module('../near', [tolerance/2]).
-:- use_module(pattern_word, [word_lines/2, word_text/6]).
+:- use_module(pattern_word, [word_lines/3, word_text/6]).
 :- use_module('../sheet/sheet_paper', [paper/3, paper_size/3]).
 :- use_module(library(apply), [maplist/3, maplist/4]).
 :- use_module(library(error), [must_be/2]).
@@ -279,18 +279,17 @@ line_strokes(Lines, Height, Strokes, Texts) :-
 
 own_strokes(Height, line(Role,Line), Strokes, Texts) :-
     (   Line = word(_, _, _, _, _)
-    ->  word_lines(Line, Pointss),
-        maplist(line_stroke(Height, Role), Pointss, Strokes),
+    ->  word_lines(Height, Line, Pointss),
+        maplist(line_stroke(Role), Pointss, Strokes),
         word_text(Height, Role, 0, Line, Strokes, Text),
         Texts = [Text]
-    ;   line_stroke(Height, Role, Line, Stroke),
+    ;   maplist(on_paper(Height), Line, Points),
+        line_stroke(Role, Points, Stroke),
         Strokes = [Stroke],
         Texts = []
     ).
 
-line_stroke(Height, Role, Points0,
-            stroke(visible,Role,0,[],Points,joint,joint)) :-
-    maplist(on_paper(Height), Points0, Points).
+line_stroke(Role, Points, stroke(visible,Role,0,[],Points,joint,joint)).
 
 on_paper(Height, X0-Y0, X-Y) :-
     X is round(X0*1000),

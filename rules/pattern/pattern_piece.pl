@@ -1,14 +1,16 @@
 :- module(sg_pattern_piece,
           [ pattern_pieces/3,           % +D, +Look, -Pieces
             piece_points/2,             % +Piece, -Points
-            within_shapes/2             % +Point, +Shapes
+            corner_map/2                % +Shapes, -Map
           ]).
-:- use_module('../near', [below_zero/2]).
+:- use_module('../kernel', [shape_at/3, shape_map_open/3]).
+:- use_module('../near', [tolerance/2]).
 :- use_module('../store', [e/5, joint/6, origin/3, p/3, piece/3, t/6, v/5]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
-:- use_module(library(lists), [append/3, last/2, member/2, nth1/3, reverse/2]).
-:- use_module(library(pairs), [group_pairs_by_key/2]).
+:- use_module(library(lists), [append/3, member/2, nth1/3, reverse/2]).
+:- use_module(library(pairs),
+              [group_pairs_by_key/2, pairs_keys_values/3, pairs_values/2]).
 /** <module> The pieces of a pattern, in millimetres.
 
 A pattern is a segment of kind `pattern`: a solid laid flat (development.pl),
@@ -148,11 +150,17 @@ generator(D, Look, generator(E,A,B,N)) :-
 
 piece_generators(Generators, piece(Name,Faces,Sides0),
                  piece(Name,Faces,Sides)) :-
+    findall(P-Shape,
+            ( member(face(P,Shapes), Faces), member(Shape, Shapes) ),
+            Pairs),
+    pairs_keys_values(Pairs, Ps0, All),
+    corner_map(All, Map),
+    compound_name_arguments(Ps, polygons, Ps0),
     findall(side(E,P,A,B,generator(N)),
             ( member(generator(E,A,B,N), Generators),
               middle(A, B, Middle),
-              once(( member(face(P,Shapes), Faces),
-                     within_shapes(Middle, Shapes) ))
+              shape_at(Map, Middle, I),
+              arg(I, Ps, P)
             ),
             New),
     append(Sides0, New, Sides).
@@ -161,24 +169,14 @@ middle(_-(XA-YA), _-(XB-YB), X-Y) :-
     X is (XA+XB)/2,
     Y is (YA+YB)/2.
 
-%!  within_shapes(+Point, +Shapes) is semidet.
+%!  corner_map(+Shapes, -Map) is det.
 %
-%   True when Point, X-Y, lies in one of Shapes, lists of corners, or on its
-%   border, or as good as.
+%   Map, of shape_map_open/3, has Shapes, lists of corners.
 
-within_shapes(Point, Shapes) :-
-    member(Shape, Shapes),
-    last(Shape, Last),
-    within([Last|Shape], Point),
-    !.
-
-within([_], _).
-within([_-(XA-YA),B|Corners], X-Y) :-
-    B = _-(XB-YB),
-    Size is (XB-XA)**2 + (YB-YA)**2,
-    Cross is (XB-XA)*(Y-YA) - (YB-YA)*(X-XA),
-    \+ below_zero(Cross, Size),
-    within([B|Corners], X-Y).
+corner_map(Shapes, Map) :-
+    tolerance(paper, Near),
+    maplist(pairs_values, Shapes, Pointss),
+    shape_map_open(Pointss, Near, Map).
 
 %!  piece_points(+Piece, -Points) is det.
 %

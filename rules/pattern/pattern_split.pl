@@ -2,10 +2,11 @@
           [ split_piece/4,              % +Piece, +Paper, +Flat, -Parts
             parted_piece/3              % +Piece, +Folds, -Parts
           ]).
+:- use_module('../kernel', [shape_at/3]).
 :- use_module('../near', [tolerance/2, is_straight/2]).
 :- use_module(pattern_join, [joined_parts/4]).
 :- use_module(pattern_nest, [fits_on/2, least_box/4]).
-:- use_module(pattern_piece, [piece_points/2, within_shapes/2]).
+:- use_module(pattern_piece, [corner_map/2, piece_points/2]).
 :- use_module(library(apply), [exclude/3, foldl/4, include/3, maplist/3]).
 :- use_module(library(assoc),
               [ empty_assoc/1, get_assoc/3, list_to_assoc/2, put_assoc/4 ]).
@@ -518,13 +519,14 @@ shape_part(Shapes, Name, P, Sides, piece(Name,[face(P,Own)],Left)) :-
     findall(W-true, ( member(Shape, Own), member(W-_, Shape) ), Known0),
     sort(Known0, Known1),
     list_to_assoc(Known1, Known),
-    include(of_part(Known, Own), Sides, Left).
+    corner_map(Own, Map),
+    include(of_part(Known, Map), Sides, Left).
 
-of_part(_, Shapes, side(_,_,_-(XA-YA),_-(XB-YB),generator(_))) :-
+of_part(_, Map, side(_,_,_-(XA-YA),_-(XB-YB),generator(_))) :-
     !,
     X is (XA+XB)/2,
     Y is (YA+YB)/2,
-    within_shapes(X-Y, Shapes).
+    shape_at(Map, X-Y, _).
 of_part(Known, _, side(_,_,WA-_,WB-_,_)) :-
     get_assoc(WA, Known, _),
     get_assoc(WB, Known, _).

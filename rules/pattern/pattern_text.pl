@@ -1,10 +1,10 @@
 :- module(sg_pattern_text,
-          [ written/5,                  % +Cuts, +Folds, +Wanted, -Strokes,
+          [ written/5                   % +Cuts, +Folds, +Wanted, -Strokes,
                                         % -Skipped
-            first_of/3                  % +N, +List, -First
           ]).
-:- use_module('../near', [tolerance/2, points_left/2]).
+:- use_module('../near', [points_left/2]).
 :- use_module('../kernel', [shapes_add/2, shapes_free/3, shapes_open/2]).
+:- use_module(pattern_face, [face_point/2, text_faces/2, upright_way/3]).
 :- use_module('../sheet/lettering',
               [lettering_drop/3, lettering_width/3]).
 :- use_module(library(apply), [foldl/4, include/3]).
@@ -64,7 +64,8 @@ written(Cuts, Folds, Wanted, Strokes, Skipped) :-
     shapes_open(Cell, Cut),
     forall(member(Line, Lines), line_entered(Line, Drawn)),
     forall(member(Line, Cuts), line_entered(Line, Cut)),
-    foldl(text_written(drawn(Drawn,Cut)), Wanted, Found0-[], Found-Left),
+    text_faces(Wanted, Faced),
+    foldl(text_written(drawn(Drawn,Cut)), Faced, Found0-[], Found-Left),
     Found = [],
     Strokes = Found0,
     role_counts(Left, Skipped).
@@ -226,39 +227,39 @@ place_at(beside(Places), Width, Height, At, Way, Reach) :-
     (   place_at(along(A,B), Width, Height, At, Way, Reach)
     ;   place_across(A, B, Width, Height, At, Way, Reach)
     ).
-place_at(end_of(XA-YA,XB-YB,Shapes), Width, Height, At, Way, none) :-
+place_at(end_of(XA-YA,XB-YB,Face), Width, Height, At, Way, none) :-
     Length is sqrt((XB-XA)**2 + (YB-YA)**2),
     2*Width+4 < Length,
     member(Along, [1.5+Width/2, Length-1.5-Width/2, 4+Width/2]),
-    place_within_beside(XA-YA, XB-YB, Along/Length, Shapes, Height, At, Way).
-place_at(middle_of(Places,Shapes), Width, Height, At, Way, none) :-
+    place_within_beside(XA-YA, XB-YB, Along/Length, Face, Height, At, Way).
+place_at(middle_of(Places,Face), Width, Height, At, Way, none) :-
     member((XA-YA)-(XB-YB), Places),
     Length is sqrt((XB-XA)**2 + (YB-YA)**2),
     Width+4 < Length,
     member(Share, [0.5,0.4,0.6,0.3,0.7]),
     min(Share, 1-Share)*Length > Width/2+1,
-    place_within_beside(XA-YA, XB-YB, Share, Shapes, Height, At, Way).
-place_at(within(Shapes), Width, Height, At, Way, none) :-
-    face_way(Shapes, Long),
-    place_within(Shapes, [1.0-0.0,Long], Width, Height, At, Way).
-place_at(within_any(Shapes), Width, Height, At, Way, none) :-
-    face_way(Shapes, U-V),
+    place_within_beside(XA-YA, XB-YB, Share, Face, Height, At, Way).
+place_at(within(Face), Width, Height, At, Way, none) :-
+    Face = face(_, _, Long),
+    place_within(Face, [1.0-0.0,Long], Width, Height, At, Way).
+place_at(within_any(Face), Width, Height, At, Way, none) :-
+    Face = face(_, _, U-V),
     upright_way(V, -U, Across),
-    place_within(Shapes, [1.0-0.0,U-V,Across], Width, Height, At, Way).
+    place_within(Face, [1.0-0.0,U-V,Across], Width, Height, At, Way).
 
-place_within(Shapes, Ways, Width, Height, At, Way) :-
-    face_middles(Shapes, Middles),
+place_within(Face, Ways, Width, Height, At, Way) :-
+    Face = face(_, Middles, _),
     member(Middle, Middles),
     member(Way, Ways),
     Width > 0,
     below(Middle, Way, Height/2, At),
     text_ends(At, Way, Width, Height, Ends),
-    \+ ( member(End, Ends), \+ in_face(Shapes, End) ).
+    \+ ( member(End, Ends), \+ face_point(Face, End) ).
 
-%   place_within_beside(A, B, Share, Shapes, Height, At, Way) is nondet: on
-%   either side of A to B, Share of the way, within Shapes.
+%   place_within_beside(A, B, Share, Face, Height, At, Way) is nondet: on either
+%   side of A to B, Share of the way, within Face.
 
-place_within_beside(XA-YA, XB-YB, Share, Shapes, Height, At, Way) :-
+place_within_beside(XA-YA, XB-YB, Share, Face, Height, At, Way) :-
     Length is sqrt((XB-XA)**2 + (YB-YA)**2),
     U is (XB-XA)/Length,
     V is (YB-YA)/Length,
@@ -267,7 +268,7 @@ place_within_beside(XA-YA, XB-YB, Share, Shapes, Height, At, Way) :-
     member(Off, [Left,Right]),
     X is XA + Share*Length*U - Off*V,
     Y is YA + Share*Length*V + Off*U,
-    in_face(Shapes, X-Y),
+    face_point(Face, X-Y),
     upright(U-V, X-Y, Height, Way, At).
 
 %   From the middle of a short line into the face.
@@ -301,115 +302,6 @@ upright(U-V, At0, Height, Way, At) :-
 below(X0-Y0, U-V, Down, X-Y) :-
     X is X0 + Down*V,
     Y is Y0 - Down*U.
-
-%   Where a name may have its middle: in the middle of the face, then in that of
-%   its larger triangles.
-
-face_middles(Shapes, Middles) :-
-    findall(Less-(Area-Middle),
-            ( member(Shape, Shapes),
-              shape_middle(Shape, Area, Middle),
-              Less is -Area
-            ),
-            Ranked0),
-    keysort(Ranked0, Ranked),
-    pairs_values(Ranked, Sized),
-    foldl(weighed, Sized, w(0.0,0.0,0.0), w(X0,Y0,All)),
-    first_of(6, Sized, Some),
-    findall(M, member(_-M, Some), Own),
-    (   All > 0
-    ->  X is X0/All,
-        Y is Y0/All,
-        Middles = [X-Y|Own]
-    ;   Middles = Own
-    ).
-
-weighed(Area-(X-Y), w(X0,Y0,A0), w(X1,Y1,A1)) :-
-    X1 is X0+Area*X,
-    Y1 is Y0+Area*Y,
-    A1 is A0+Area.
-
-%!  first_of(+N, +List, -First:list) is det.
-%
-%   First are the first N of List, or all if it has no more.
-
-first_of(N, List, First) :-
-    (   N > 0,
-        List = [X|Xs]
-    ->  First = [X|Rest],
-        N1 is N-1,
-        first_of(N1, Xs, Rest)
-    ;   First = []
-    ).
-
-shape_middle([XA-YA,XB-YB,XC-YC|More], Area, X-Y) :-
-    Area is abs((XB-XA)*(YC-YA) - (XC-XA)*(YB-YA))/2,
-    (   More == []
-    ->  X is (XA+XB+XC)/3,
-        Y is (YA+YB+YC)/3
-    ;   findall(X1, member(X1-_, [XA-YA,XB-YB,XC-YC|More]), Xs),
-        findall(Y1, member(_-Y1, [XA-YA,XB-YB,XC-YC|More]), Ys),
-        length(Xs, N),
-        sum_list(Xs, SumX),
-        sum_list(Ys, SumY),
-        X is SumX/N,
-        Y is SumY/N
-    ).
-
-%   The direction of the longest side of its triangles, read from below or from
-%   the right.
-
-face_way(Shapes, U-V) :-
-    foldl(longest_side, Shapes, side(-1.0,0.0,0.0), side(Square,DX,DY)),
-    Square >= 0.0,
-    Length is sqrt(Square),
-    U0 is DX/Length,
-    V0 is DY/Length,
-    upright_way(U0, V0, U-V).
-
-longest_side(Shape, Side0, Side) :-
-    last(Shape, Last),
-    longest_side(Shape, Last, Side0, Side).
-
-%   longest_side(Points, Before, Side0, Side): of those that are as long as each
-%   other, the last one.
-
-longest_side([], _, Side, Side).
-longest_side([XB-YB|Points], XA-YA, Side0, Side) :-
-    DX is XB-XA,
-    DY is YB-YA,
-    Square is DX*DX+DY*DY,
-    (   arg(1, Side0, Square0),
-        Square < Square0
-    ->  Side1 = Side0
-    ;   Side1 = side(Square,DX,DY)
-    ),
-    longest_side(Points, XB-YB, Side1, Side).
-
-%   upright_way(U0, V0, Way): Way, to be read from below or from the right.
-
-upright_way(U0, V0, U-V) :-
-    (   points_left(U0, V0)
-    ->  U is -U0,
-        V is -V0
-    ;   U is U0,
-        V is V0
-    ).
-
-in_face(Shapes, X-Y) :-
-    tolerance(rounding, Near),
-    member([XA-YA|Points], Shapes),
-    left_of_all(Points, XA, YA, XA-YA, X, Y, Near),
-    !.
-
-%   left_of_all(Points, XA, YA, First, X, Y, Near): X-Y is not right of any side
-%   from XA-YA over Points back to First.
-
-left_of_all([], XA, YA, XB-YB, X, Y, Near) :-
-    (XB-XA)*(Y-YA) - (YB-YA)*(X-XA) >= -Near.
-left_of_all([XB-YB|Points], XA, YA, First, X, Y, Near) :-
-    (XB-XA)*(Y-YA) - (YB-YA)*(X-XA) >= -Near,
-    left_of_all(Points, XB, YB, First, X, Y, Near).
 
 %   The middles of the two ends of a text.
 

@@ -3,9 +3,9 @@
           [ wanted_texts/4              % +Options, +Numbers, +Placed, -Wanted
           ]).
 :- use_module('../near', [is_straight/2, below_zero/2, same_direction/2]).
+:- use_module(pattern_face, [first_of/3]).
 :- use_module(pattern_number, [reads_turned/1]).
 :- use_module(pattern_plate, [bend_numbers/2]).
-:- use_module(pattern_text, [first_of/3]).
 :- use_module(pattern_title, [piece_title/3]).
 :- use_module('../development/polygon_name', [polygon_name/3]).
 :- use_module('../language', [language/1]).

@@ -1,10 +1,11 @@
 :- module(sg_pattern_word,
-          [ word_lines/2,               % +Word, -Lines
+          [ word_lines/3,               % +Height, +Word, -Lines
+            word_lines/4,               % +Height, +Move, +Word, -Lines
             word_text/6                 % +Height, +Role, +S, +Word, +Strokes,
                                         % -Text
           ]).
+:- use_module('../kernel', [laid_lines/6]).
 :- use_module('../sheet/lettering', [lettering/2]).
-:- use_module(library(apply), [maplist/3]).
 /** <module> Words on the sheets of a pattern.
 
     word(At, Way, High, Anchor, String)
@@ -17,21 +18,20 @@ takes word_text/6 of them instead.
 
 :- set_prolog_flag(optimise, true).
 
-%!  word_lines(+Word, -Lines) is det.
+%!  word_lines(+Height, +Word, -Lines) is det.
+%!  word_lines(+Height, +Move, +Word, -Lines) is det.
 %
-%   Lines are the letters of Word, lists of points.
+%   Lines are the letters of Word on a sheet of Height mm: lists of points, in
+%   thousandths of a millimetre, y down. They are moved by Move, of
+%   laid_lines/6.
 
-word_lines(word(X0-Y0,U-V,High0,Anchor,String), Lines) :-
+word_lines(Height, Word, Lines) :-
+    word_lines(Height, move(1, 0, 0, 0, 0, 0), Word, Lines).
+
+word_lines(Height, Move, word(At,Way,High0,Anchor,String), Lines) :-
     High is round(High0*1000),
     lettering(text(0,0,High,Anchor,String), Lines0),
-    maplist(maplist_point(X0, Y0, U, V), Lines0, Lines).
-
-maplist_point(X0, Y0, U, V, Points0, Points) :-
-    maplist(letter_point(X0, Y0, U, V), Points0, Points).
-
-letter_point(X0, Y0, U, V, A-B, X-Y) :-
-    X is X0 + (A*U + B*V)/1000,
-    Y is Y0 + (A*V - B*U)/1000.
+    laid_lines(Lines0, At, Way, Move, Height, Lines).
 
 %!  word_text(+Height, +Role, +S, +Word, +Strokes, -Text) is det.
 %

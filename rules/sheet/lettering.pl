@@ -5,8 +5,8 @@
           ]).
 :- use_module(hangul, [syllable/3]).
 :- use_module(letter, [letter/3]).
-:- use_module(library(apply), [maplist/3]).
-:- use_module(library(lists), [append/2, append/3, max_list/2, member/2]).
+:- use_module('../kernel', [letter_lines/5]).
+:- use_module(library(lists), [max_list/2, member/2]).
 /** <module> Lettering: texts as lines of a pen.
 
 Where a format has no texts of its own (a plotter, a cutter), or only with
@@ -26,8 +26,7 @@ lettering(text(X,Y,Height,Anchor,String), Lines) :-
     Scale is Height/6,
     placed(String, Glyphs, Width),
     start(Anchor, X, Width*Scale, Start),
-    maplist(glyph_lines(place(Start,Y,Scale)), Glyphs, Liness),
-    append(Liness, Lines).
+    letter_lines(Glyphs, Start, Y, Scale, Lines).
 
 start(start, X, _, X).
 start(middle, X, Width, Start) :-
@@ -87,34 +86,3 @@ glyph(Code, Width, Strokes) :-
     ;   Width = 4,
         Strokes = [[0-0,0-6,4-6,4-0,0-0]]
     ).
-
-glyph_lines(Place, At-Strokes, Lines) :-
-    maplist(stroke_line(Place, At), Strokes, Lines).
-
-stroke_line(Place, At, [Point|Points], Line) :-
-    on_paper(Place, At, Point, First),
-    bent(Points, Point, Place, At, Rest),
-    Line = [First|Rest].
-
-%   A curve becomes four straight pieces.
-
-bent([], _, _, _, []).
-bent([c(CX,CY),B|Points], A, Place, At, Line) :-
-    !,
-    Control = CX-CY,
-    maplist(curve_point(A, Control, B), [0.25,0.5,0.75,1.0], Curve),
-    maplist(on_paper(Place, At), Curve, Line0),
-    append(Line0, Line1, Line),
-    bent(Points, B, Place, At, Line1).
-bent([Point|Points], _, Place, At, [First|Rest]) :-
-    on_paper(Place, At, Point, First),
-    bent(Points, Point, Place, At, Rest).
-
-curve_point(AX-AY, CX-CY, BX-BY, T, X-Y) :-
-    S is 1-T,
-    X is S*S*AX + 2*S*T*CX + T*T*BX,
-    Y is S*S*AY + 2*S*T*CY + T*T*BY.
-
-on_paper(place(Start,Base,Scale), At, X0-Y0, X-Y) :-
-    X is round(Start + (At+X0)*Scale),
-    Y is round(Base - Y0*Scale).

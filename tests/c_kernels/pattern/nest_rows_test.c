@@ -69,20 +69,60 @@ corners(void)
 }
 
 static bool
-nest(double width, int32_t gap, bool one, size_t loops,
-     sg_nest_place_list *places)
+nest_also(double width, int32_t gap, bool one, size_t loops, int32_t last,
+          sg_nest_place_list *places)
 {
   static double upright[] = {0};
   sg_paper_point at[4];
   sg_paper_point_list loop = square(at, 0);
-  sg_nest_piece_fact piece[2] = {{{upright, 1, 0}, {&loop, loops, 0}},
-                                 {{upright, 1, 0}, {&loop, 1, 0}}};
+  sg_list_paper_point_list outline[2] = {{&loop, loops, 0}, {&loop, 1, 0}};
+  sg_nest_turn turn[2] = {{1, {upright, 1, 0}}, {last, {upright, 1, 0}}};
   const sg_paper_point size = {width, 12};
+  sg_nest_outlines *outlines = NULL;
   int64_t work = 0;
+  bool ok = sg_door_nest_open(
+      &call, &(sg_list_list_paper_point_list){outline, 2, 0}, &outlines);
 
-  return sg_door_nest(&call, &size, 0.5, gap, one,
-                      &(sg_nest_piece_fact_list){piece, 2, 0}, places, &work) &&
-         work > 0;
+  ok = ok &&
+       sg_door_nest(&call, &size, 0.5, gap, one, outlines,
+                    &(sg_nest_turn_list){turn, 2, 0}, places, &work) &&
+       work > 0;
+  sg_nest_outlines_close(outlines);
+  return ok;
+}
+
+static bool
+nest(double width, int32_t gap, bool one, size_t loops,
+     sg_nest_place_list *places)
+{
+  return nest_also(width, gap, one, loops, 2, places);
+}
+
+/* Which of the shapes has a point. */
+static void
+maps(void)
+{
+  sg_paper_point a[4], b[4];
+  sg_paper_point_list shape[2] = {square(a, 0), square(b, 9)}, none = {a, 0, 0};
+  sg_mapped_shapes *map = NULL;
+  int32_t i = 0;
+
+  CHECK("map",
+        sg_door_shape_map_open(&call, &(sg_list_paper_point_list){shape, 2, 0},
+                               1e-6, &map));
+  CHECK("first",
+        sg_door_shape_at(&call, map, &(sg_paper_point){1, 1}, &i) && i == 1);
+  CHECK("both",
+        sg_door_shape_at(&call, map, &(sg_paper_point){9.5, 1}, &i) && i == 1);
+  CHECK("second",
+        sg_door_shape_at(&call, map, &(sg_paper_point){15, 1}, &i) && i == 2);
+  CHECK("none", !sg_door_shape_at(&call, map, &(sg_paper_point){20, 1}, &i) &&
+                    call.refusal.how == SG_REFUSED_NOTHING);
+  sg_mapped_shapes_close(map);
+  CHECK("no corners",
+        !sg_door_shape_map_open(&call, &(sg_list_paper_point_list){&none, 1, 0},
+                                1e-6, &map) &&
+            is_domain("convex_shape", 1));
 }
 
 static void
@@ -97,9 +137,29 @@ nests(void)
   CHECK("on two", p.at[0].sheet == 1 && p.at[1].sheet == 2);
   CHECK("one sheet", nest(12, 1, true, 1, &p));
   CHECK("does not take both", p.at[0].sheet == 1 && p.at[1].sheet == 0);
-  CHECK("no outline", !nest(30, 1, false, 0, &p) && is_domain("outline", 5));
+  CHECK("no outline", !nest(30, 1, false, 0, &p) && is_domain("outline", 1));
+  CHECK("no such piece",
+        !nest_also(30, 1, false, 1, 3, &p) && is_domain("nest_turn", 6));
   CHECK("no gap", !nest(30, -1, false, 1, &p) && is_domain("gap", 3));
   CHECK("no paper", !nest(-30, 1, false, 1, &p) && is_domain("paper", 1));
+}
+
+static void
+boxes(void)
+{
+  sg_paper_point at[4];
+  const sg_paper_point_list points = square(at, 3), none = {at, 0, 0};
+  double degrees[2] = {0, 45};
+  const sg_number_list turns = {degrees, 2, 0};
+  sg_paper_point_list sizes = {0};
+
+  CHECK("boxes",
+        sg_door_turned_boxes(&call, &points, &turns, &sizes) && sizes.n == 2);
+  CHECK("upright", sizes.at[0].x == 10 && sizes.at[0].y == 10);
+  CHECK("on a corner", fabs(sizes.at[1].x - 10 * sqrt(2)) < 1e-9 &&
+                           fabs(sizes.at[1].y - 10 * sqrt(2)) < 1e-9);
+  CHECK("no points", !sg_door_turned_boxes(&call, &none, &turns, &sizes) &&
+                         is_domain("points", 1));
 }
 
 int
@@ -108,7 +168,9 @@ main(void)
   sg_call_open(&call, NULL, NULL);
   shapes();
   corners();
+  maps();
   nests();
+  boxes();
   sg_call_close(&call);
   return check_report();
 }

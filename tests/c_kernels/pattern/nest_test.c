@@ -41,7 +41,7 @@ make_pieces(pieces *p, double size)
     memcpy(p->at[i], triangle, sizeof triangle);
     p->end[i] = 3;
     p->piece[i] = (sg_nest_piece){
-        (const double(*)[2])p->at[i], 3, &p->end[i], 1, turns, 4};
+        (const double(*)[2])p->at[i], 3, &p->end[i], 1, turns, 4, i};
   }
 }
 
@@ -83,9 +83,16 @@ check_random(const sg_nest_paper *paper, double size)
   make_pieces(&p, size);
   uint64_t work = 0, more = 0;
 
-  CHECK("nested", sg_nest(paper, p.piece, MANY, p.place, &work, NULL, &memory));
-  CHECK("again",
-        sg_nest(paper, p.piece, MANY, again.place, &more, NULL, &memory));
+  CHECK("nested",
+        sg_nest(paper, p.piece, MANY, NULL, p.place, &work, NULL, &memory));
+  sg_nest_masks *masks = sg_nest_masks_open(MANY);
+
+  for (int times = 0; times < 2; times++) { /* masks made, and kept ones */
+    more = 0;
+    CHECK("again", sg_nest(paper, p.piece, MANY, masks, again.place, &more,
+                           NULL, &memory));
+  }
+  sg_nest_masks_close(masks);
   CHECK("the same work", work > 0 && work == more);
   CHECK("the same", memcmp(p.place, again.place, sizeof p.place) == 0);
   for (unsigned i = 0; i < MANY; i++) {
@@ -116,21 +123,22 @@ check_by_hand(void)
   bool memory;
 
   for (int i = 0; i < 3; i++) {
-    piece[i] = (sg_nest_piece){plate, 4, &end, 1, turns, 1};
+    piece[i] = (sg_nest_piece){plate, 4, &end, 1, turns, 1, 0};
   }
-  CHECK("three", sg_nest(&paper, piece, 3, place, NULL, NULL, &memory));
+  CHECK("three", sg_nest(&paper, piece, 3, NULL, place, NULL, NULL, &memory));
   CHECK("the first in the corner",
         place[0].sheet == 1 && place[0].by[0] == 0 && place[0].by[1] == 0);
   CHECK("the second above it", place[1].sheet == 1 && place[1].by[1] >= 31);
   CHECK("three on it", place[2].sheet == 1);
   paper.height = 70;
-  CHECK("lower", sg_nest(&paper, piece, 3, place, NULL, NULL, &memory));
+  CHECK("lower", sg_nest(&paper, piece, 3, NULL, place, NULL, NULL, &memory));
   CHECK("the third on another", place[2].sheet == 2);
   paper.one = true;
-  CHECK("one", sg_nest(&paper, piece, 3, place, NULL, NULL, &memory));
+  CHECK("one", sg_nest(&paper, piece, 3, NULL, place, NULL, NULL, &memory));
   CHECK("no place", place[2].sheet == 0);
   paper.width = 59;
-  CHECK("too narrow", sg_nest(&paper, piece, 1, place, NULL, NULL, &memory));
+  CHECK("too narrow",
+        sg_nest(&paper, piece, 1, NULL, place, NULL, NULL, &memory));
   CHECK("no place at all", place[0].sheet == 0);
 }
 
@@ -143,12 +151,12 @@ check_hole(void)
   static const double plate[4][2] = {{0, 0}, {60, 0}, {60, 60}, {0, 60}};
   static const size_t end = 4;
   sg_nest_paper paper = {100, 100, 1, 1, false};
-  sg_nest_piece piece[2] = {{ring, 8, ends, 2, turns, 1},
-                            {plate, 4, &end, 1, turns, 1}};
+  sg_nest_piece piece[2] = {{ring, 8, ends, 2, turns, 1, 0},
+                            {plate, 4, &end, 1, turns, 1, 0}};
   sg_nest_place place[2];
   bool memory;
 
-  CHECK("ring", sg_nest(&paper, piece, 2, place, NULL, NULL, &memory));
+  CHECK("ring", sg_nest(&paper, piece, 2, NULL, place, NULL, NULL, &memory));
   CHECK("in the hole",
         place[1].sheet == 1 && place[1].by[0] > 10 && place[1].by[0] + 60 < 80);
 }
@@ -172,9 +180,9 @@ work_of_plates(unsigned n, sg_nest_place *place)
 
     memcpy(plate[i], around, sizeof around);
     piece[i] =
-        (sg_nest_piece){(const double(*)[2])plate[i], 4, &end, 1, turns, 2};
+        (sg_nest_piece){(const double(*)[2])plate[i], 4, &end, 1, turns, 2, 0};
   }
-  CHECK("plates", sg_nest(&paper, piece, n, place, &work, NULL, &memory));
+  CHECK("plates", sg_nest(&paper, piece, n, NULL, place, &work, NULL, &memory));
   return work;
 }
 
@@ -205,10 +213,10 @@ check_other_kind(double width, double height)
 
   for (unsigned i = 0; i < ALL; i++) {
     piece[i] =
-        (sg_nest_piece){i < PLATES ? plate : strip, 4, &end, 1, turns, 1};
+        (sg_nest_piece){i < PLATES ? plate : strip, 4, &end, 1, turns, 1, 0};
   }
   CHECK("plates and strips",
-        sg_nest(&paper, piece, ALL, place, NULL, NULL, &memory));
+        sg_nest(&paper, piece, ALL, NULL, place, NULL, NULL, &memory));
   for (unsigned i = 0; i < ALL; i++) {
     wrong += place[i].sheet > PLATES / 2;
   }
@@ -230,11 +238,12 @@ check_one_sheet(void)
   bool memory;
 
   for (unsigned i = 0; i < ALL; i++) {
-    piece[i] = (sg_nest_piece){wide, 4, &end, 1, turns, 1};
+    piece[i] = (sg_nest_piece){wide, 4, &end, 1, turns, 1, 0};
   }
   piece[0].at = first;
   piece[ALL - 1].at = high;
-  CHECK("one sheet", sg_nest(&paper, piece, ALL, place, NULL, NULL, &memory));
+  CHECK("one sheet",
+        sg_nest(&paper, piece, ALL, NULL, place, NULL, NULL, &memory));
   CHECK("refused", place[0].sheet == 1 && place[ALL - 2].sheet == 0);
   CHECK("what fits has a place", place[ALL - 1].sheet == 1);
 }
@@ -258,54 +267,88 @@ check_stopping(void)
   bool memory;
 
   for (int i = 0; i < 4; i++) {
-    piece[i] = (sg_nest_piece){plate, 4, &end, 1, turns, 1};
+    piece[i] = (sg_nest_piece){plate, 4, &end, 1, turns, 1, 0};
   }
-  CHECK("the poll stops it", !sg_nest(&paper, piece, 4, place, NULL,
+  CHECK("the poll stops it", !sg_nest(&paper, piece, 4, NULL, place, NULL,
                                       &(sg_cancel){stop, &asks}, &memory));
   CHECK("it is not for want of memory", memory);
 }
 
-/* The runs of a mask are its squares, and it counts those that are covered. */
+enum { RASTER = 400 };
+
+/* Marks the runs; returns how many squares they have, none twice, in order. */
+static size_t
+mark_runs(const sg_nest_mask *m, const sg_nest_runs *runs,
+          uint8_t square[RASTER][RASTER])
+{
+  size_t seen = 0;
+  unsigned widest = 0;
+  bool right = m->w <= RASTER && m->h <= RASTER;
+
+  for (size_t k = 0; right && k < runs->n; k++) {
+    const sg_nest_run *run = &runs->at[k];
+    unsigned wide = run->to - run->from + 1u;
+
+    right = run->row < m->h && run->to < m->w;
+    widest = wide > widest ? wide : widest;
+    for (unsigned x = run->from; x <= run->to && right; x++) {
+      right = square[run->row][x]++ == 0;
+      seen++;
+    }
+  }
+  CHECK("runs of squares, none twice", right);
+  CHECK("the widest", widest == runs->widest);
+  return seen;
+}
+
+static bool
+is_near(uint8_t square[RASTER][RASTER], int y, int x, int gap)
+{
+  for (int i = y - gap; i <= y + gap; i++) {
+    for (int k = x - gap; k <= x + gap; k++) {
+      if (i >= 0 && k >= 0 && i < RASTER && k < RASTER && square[i][k]) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/* What a mask needs are the squares that are covered, and those in the gap. */
 static void
 check_runs(const sg_nest_paper *paper, unsigned i, double degrees)
 {
   static pieces p;
-  sg_nest_mask m = {0};
-  size_t covered = 0, needed = 0, seen[2] = {0, 0};
-  unsigned widest = 0;
+  static uint8_t covered[RASTER][RASTER], needed[RASTER][RASTER];
+  sg_nest_masks *masks = sg_nest_masks_open(MANY);
+  const sg_nest_mask *m = NULL, *again = NULL;
+  unsigned wrong = 0;
 
+  memset(covered, 0, sizeof covered);
+  memset(needed, 0, sizeof needed);
   make_pieces(&p, 30);
   CHECK("a mask",
-        sg_nest_mask_make(paper, 2000, 2000, &p.piece[i], degrees, &m) &&
-            m.square);
-  for (size_t k = 0; k < (size_t)m.w * m.h; k++) {
-    covered += m.square[k] == 1;
-    needed += m.square[k] != 0;
-  }
-  for (int only = 0; only < 2; only++) {
-    sg_nest_runs runs;
-    bool right = sg_nest_mask_runs(&m, only, &runs);
+        sg_nest_masks_at(masks, paper, 2000, 2000, &p.piece[i], degrees, &m) &&
+            m);
+  size_t own = mark_runs(m, &m->covered, covered);
+  size_t all = mark_runs(m, &m->needed, needed);
 
-    widest = 0;
-    for (size_t k = 0; right && k < runs.n; k++) {
-      const sg_nest_run *run = &runs.at[k];
-      unsigned wide = run->to - run->from + 1u;
-
-      widest = wide > widest ? wide : widest;
-      for (unsigned x = run->from; x <= run->to && right; x++) {
-        int square = m.square[run->row * m.w + x];
-        right = x < m.w && run->row < m.h && (only ? square == 1 : square != 0);
-        seen[only]++;
-      }
+  for (unsigned y = 0; y < m->h; y++) {
+    for (unsigned x = 0; x < m->w; x++) {
+      bool near = is_near(covered, (int)y, (int)x, (int)paper->gap);
+      wrong += (needed[y][x] != 0) != near;
     }
-    CHECK("runs of such squares", right);
-    CHECK("the widest", widest == runs.widest);
-    CHECK("covered ones", m.covered == covered);
-    free(runs.at);
   }
-  CHECK("all of them", seen[0] == needed && seen[1] == covered);
-  CHECK("more than a few", covered > 20 && needed > covered);
-  free(m.square);
+  CHECK("the gap is needed, and no more", wrong == 0);
+  CHECK("covered ones", m->squares == own);
+  CHECK("more than a few", own > 20 && all > own);
+  CHECK("kept", sg_nest_masks_at(masks, paper, m->w, m->h, &p.piece[i], degrees,
+                                 &again) &&
+                    again == m);
+  CHECK("too large", sg_nest_masks_at(masks, paper, m->w - 1, m->h, &p.piece[i],
+                                      degrees, &again) &&
+                         !again);
+  sg_nest_masks_close(masks);
 }
 
 int

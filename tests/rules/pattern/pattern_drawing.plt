@@ -19,7 +19,7 @@
 :- use_module(rules(sheet/lettering), [lettering_width/3]).
 :- use_module(rules(pattern/pattern_outline), [cut_loops/2]).
 :- use_module(rules(pattern/pattern_text), [written/5]).
-:- use_module(rules(pattern/pattern_word), [word_lines/2]).
+:- use_module(rules(pattern/pattern_word), [word_lines/3]).
 :- use_module(tests('rules/pattern/pattern_case')).
 :- use_module(tests('rules/pattern/cut_checked')).
 
@@ -81,11 +81,11 @@ number_beside_name(Gap, Face, Height) :-
     written([[Left-0.0,Left-20.0],[Right-0.0,Right-20.0]], [],
             [want(face_name,p,"HHH",[6.0,4.5],within([Face]))],
             [letters(face_name,p,[],Word)], []),
-    word_lines(Word, Lines),
+    word_lines(0, Word, Lines),
     findall(Y, ( member(Points, Lines), member(_-Y, Points) ), Ys),
     min_list(Ys, Low),
     max_list(Ys, High),
-    Height is round((High-Low)*10)/10.0.
+    Height is round((High-Low)/100)/10.0.
 
 % The numbers of partners on each sheet I, N-Sheet, where Sheet is 0 if none is
 % said.
@@ -204,9 +204,9 @@ test(underlined, [ true(Line-Below == 50.0-true) ]) :-
     Face = [0.0-0.0,100.0-0.0,100.0-100.0,0.0-100.0],
     written([], [], [want(number,p,underlined("68"),[10.0],within([Face]))],
             [letters(number,p,[[XA-YA,XB-YA]],Word)], []),
-    word_lines(Word, Lines),
+    word_lines(0, Word, Lines),
     Line is (XA+XB)/2,
-    (   forall(( member(Points, Lines), member(_-Y, Points) ), Y > YA+2)
+    (   forall(( member(Points, Lines), member(_-Y, Points) ), -Y/1000 > YA+2)
     ->  Below = true
     ;   Below = false
     ).
@@ -247,8 +247,9 @@ test(tails_keep_clear, [ true(Least > 10.0) ]) :-
     Face = [0.0-10.0,100.0-10.0,100.0-19.0,0.0-19.0],
     written([Line], [], [want(face_name,p,"gyp",[6.0],within([Face]))],
             [letters(face_name,p,[],Word)], []),
-    word_lines(Word, Lines),
-    findall(Y, ( member(Points, Lines), member(_-Y, Points) ), Ys),
+    word_lines(0, Word, Lines),
+    findall(Y, ( member(Points, Lines), member(_-Y0, Points), Y is -Y0/1000 ),
+            Ys),
     min_list(Ys, Least).
 % Each word is a text as well, at the middle of what its strokes reach, and
 % reads along their direction.
