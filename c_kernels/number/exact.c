@@ -2,10 +2,10 @@
  *
  * Layer: kernel. Three stages, each exact when it answers:
  *   1. doubles with a bound of the rounding error;
- *   2. for double points whose differences are exact: error-free sums and
- *      products of doubles (so that grids and axis-parallel models, where
- *      zeros are common, stay fast); for a plane of other double points,
- *      twice the digits with a bound;
+ *   2. for double points: error-free sums and products of doubles (so that
+ *      grids and axis-parallel models, where zeros are common, stay fast); for
+ *      a plane of points whose differences are not exact, twice the digits with
+ *      a bound before that;
  *   3. integers: all points of the question times one common denominator.
  * Stage 3 is counted. Source of the idea of 1 and 2: J. R. Shewchuk, Adaptive
  * precision floating-point arithmetic, 1997, sections 2 and 4.
@@ -58,27 +58,69 @@ sign(double x)
 
 /* ---- stage 2: error-free transformations ------------------------------- */
 
+/* A number as hi + lo, lo at most half a unit in the last place of hi. */
+typedef struct pair {
+  double hi, lo;
+} pair;
+
 /* Differences may be multiplied three at a time without overflow and without
  * losing low bits to underflow. */
+static bool
+is_in_range(double x)
+{
+  double size = fabs(x);
+
+  return size == 0 || (size > 1e-80 && size < 1e80);
+}
+
 static bool
 in_range(const double *x, int n)
 {
   for (int i = 0; i < n; i++) {
-    double size = fabs(x[i]);
-    if (!(size == 0 || (size > 1e-80 && size < 1e80))) {
+    if (!is_in_range(x[i])) {
       return false;
     }
   }
   return true;
 }
 
-/* a - b without error? */
 static bool
-difference_is_exact(double a, double b, double d)
+pairs_in_range(const pair *x, int n)
 {
-  double bb = a - d, aa = d + bb;
+  for (int i = 0; i < n; i++) {
+    if (!is_in_range(x[i].hi) || !is_in_range(x[i].lo)) {
+      return false;
+    }
+  }
+  return true;
+}
 
-  return a - aa == 0 && bb - b == 0;
+/* Whether all are doubles. */
+static bool
+are_doubles(const pair *x, int n)
+{
+  for (int i = 0; i < n; i++) {
+    if (x[i].lo != 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* a - b, exactly. */
+static pair
+exact_difference(double a, double b)
+{
+  pair d;
+
+  sg_two_sum(a, -b, &d.hi, &d.lo);
+  return d;
+}
+
+static pair
+negative(pair x)
+{
+  return (pair){-x.hi, -x.lo};
 }
 
 /* The sign of a*b - c*d: rounding keeps order, so unequal roundings decide,
@@ -93,12 +135,16 @@ sign_of_minor(double a, double b, double c, double d)
   return lh != rh ? sign(lh - rh) : (ll > rl) - (ll < rl);
 }
 
-/* Adds x to an expansion (components growing in size, not overlapping). */
+/* Adds x to an expansion (components growing in size, not overlapping, none of
+ * them 0). */
 static int
 grow(double *sum, int n, double x)
 {
   int m = 0;
 
+  if (x == 0) {
+    return n;
+  }
   for (int i = 0; i < n; i++) {
     double lo;
     sg_two_sum(x, sum[i], &x, &lo);
@@ -112,9 +158,9 @@ grow(double *sum, int n, double x)
   return m;
 }
 
-/* Adds (a*b) * c to an expansion. */
+/* Adds (a * b) * c to an expansion. */
 static int
-grow_product(double *sum, int n, double a, double b, double c)
+grow_doubles(double *sum, int n, double a, double b, double c)
 {
   double hi, lo, p, q;
 
@@ -125,28 +171,57 @@ grow_product(double *sum, int n, double a, double b, double c)
   return grow(sum, grow(sum, n, q), p);
 }
 
+enum {
+  OF_PRODUCT = 2 * 2 * 2 * 4
+}; /* components that a product adds at most */
+
+static int
+grow_product(double *sum, int n, pair a, pair b, pair c)
+{
+  const double x[2] = {a.hi, a.lo}, y[2] = {b.hi, b.lo}, z[2] = {c.hi, c.lo};
+
+  for (int i = 0; i < 8; i++) {
+    double of_a = x[i & 1], of_b = y[i >> 1 & 1], of_c = z[i >> 2];
+
+    if (of_a != 0 && of_b != 0 && of_c != 0) {
+      n = grow_doubles(sum, n, of_a, of_b, of_c);
+    }
+  }
+  return n;
+}
+
+/* The sign of d[0]*d[3] - d[1]*d[2]. */
+static int
+sign_of_turn(const pair d[4])
+{
+  double sum[2 * OF_PRODUCT];
+  int n = 0;
+
+  if (are_doubles(d, 4)) {
+    return sign_of_minor(d[0].hi, d[3].hi, d[1].hi, d[2].hi);
+  }
+  n = grow_product(sum, n, d[0], d[3], (pair){1, 0});
+  n = grow_product(sum, n, negative(d[1]), d[2], (pair){1, 0});
+  return n ? sign(sum[n - 1]) : 0;
+}
+
 /* The sign of the determinant with rows d, d+3, d+6. */
 static int
-sign_of_determinant(const double d[9])
+sign_of_determinant(const pair d[9])
 {
-  double sum[24];
+  double sum[6 * OF_PRODUCT];
   int n = 0;
 
   n = grow_product(sum, n, d[0], d[4], d[8]);
-  n = grow_product(sum, n, -d[0], d[5], d[7]);
+  n = grow_product(sum, n, negative(d[0]), d[5], d[7]);
   n = grow_product(sum, n, d[1], d[5], d[6]);
-  n = grow_product(sum, n, -d[1], d[3], d[8]);
+  n = grow_product(sum, n, negative(d[1]), d[3], d[8]);
   n = grow_product(sum, n, d[2], d[3], d[7]);
-  n = grow_product(sum, n, -d[2], d[4], d[6]);
+  n = grow_product(sum, n, negative(d[2]), d[4], d[6]);
   return n ? sign(sum[n - 1]) : 0;
 }
 
 /* ---- stage 2 for any doubles: twice the digits ------------------------- */
-
-/* A number as hi + lo, lo at most half a unit in the last place of hi. */
-typedef struct pair {
-  double hi, lo;
-} pair;
 
 static pair
 pair_sum(pair x, pair y)
@@ -173,9 +248,7 @@ pair_product(pair x, pair y)
 static pair
 pair_minor(pair x, pair y, pair z, pair w)
 {
-  pair right = pair_product(z, w);
-
-  return pair_sum(pair_product(x, y), (pair){-right.hi, -right.lo});
+  return pair_sum(pair_product(x, y), negative(pair_product(z, w)));
 }
 
 static bool
@@ -184,27 +257,22 @@ is_same_row(const double *a, const double *b)
   return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
 }
 
-/* The sign of the determinant whose rows are the points less d; m: the same
- * rounded, in range. Each product and sum is wrong by less than 2^-100 of its
- * terms' sizes, so that the whole is by less than 2^-95 of theirs. 2:
- * undecided. */
+/* The sign of the determinant with rows x, x+3, x+6, of numbers in range. Each
+ * product and sum is wrong by less than 2^-100 of its terms' sizes, so that the
+ * whole is by less than 2^-95 of theirs. 2: undecided. */
 static int
-sign_of_pairs(const double *const point[3], const double d[3],
-              const double m[9])
+sign_of_pairs(const pair x[9])
 {
-  pair x[9], det = {0, 0};
+  pair det = {0, 0};
   double size = 0;
 
-  for (int i = 0; i < 9; i++) {
-    sg_two_sum(point[i / 3][i % 3], -d[i % 3], &x[i].hi, &x[i].lo);
-  }
   for (int r = 0; r < 3; r++) {
     int p = 3 * ((r + 1) % 3), q = 3 * ((r + 2) % 3);
     pair minor = pair_minor(x[p], x[q + 1], x[q], x[p + 1]);
 
     det = pair_sum(det, pair_product(minor, x[3 * r + 2]));
-    size +=
-        (fabs(m[p] * m[q + 1]) + fabs(m[q] * m[p + 1])) * fabs(m[3 * r + 2]);
+    size += (fabs(x[p].hi * x[q + 1].hi) + fabs(x[q].hi * x[p + 1].hi)) *
+            fabs(x[3 * r + 2].hi);
   }
   return fabs(det.hi) > 0x1p-95 * size ? sign(det.hi) : 2;
 }
@@ -304,61 +372,57 @@ plain(double x, double y, double z)
   return (sg_point){{x, y, z}, NULL};
 }
 
-/* (a - c) x (b - c) from its four factors; 2 when stages 1 and 2 give up. */
+/* Stages 2 and 3 of sg_orient2d(). */
 static int
-turn_of_differences(const double d[4], bool exact)
+orient2d_carefully(const double a[2], const double b[2], const double c[2])
 {
-  double l = d[0] * d[3], r = d[1] * d[2], det = l - r;
-  double bound = (3 + 16 * UNIT) * UNIT * (fabs(l) + fabs(r)) + DBL_MIN;
+  const pair d[4] = {exact_difference(a[0], c[0]), exact_difference(a[1], c[1]),
+                     exact_difference(b[0], c[0]),
+                     exact_difference(b[1], c[1])};
 
-  if (fabs(det) > bound && isfinite(det)) {
-    return sign(det);
+  if (pairs_in_range(d, 4)) {
+    return sign_of_turn(d);
   }
-  return exact && in_range(d, 4) ? sign_of_minor(d[0], d[3], d[1], d[2]) : 2;
+  sg_point p = plain(a[0], a[1], 0), q = plain(b[0], b[1], 0),
+           r = plain(c[0], c[1], 0);
+  return turn_exactly(SG_ASKED_ORIENT2D, 2, &p, &q, &r);
 }
 
 int
 sg_orient2d(const double a[2], const double b[2], const double c[2])
 {
-  double d[4] = {a[0] - c[0], a[1] - c[1], b[0] - c[0], b[1] - c[1]};
-  int answer = turn_of_differences(d, false);
+  double l = (a[0] - c[0]) * (b[1] - c[1]), r = (a[1] - c[1]) * (b[0] - c[0]);
+  double det = l - r;
+  double bound = (3 + 16 * UNIT) * UNIT * (fabs(l) + fabs(r)) + DBL_MIN;
 
-  if (answer == 2) {
-    answer = turn_of_differences(d, difference_is_exact(a[0], c[0], d[0]) &&
-                                        difference_is_exact(a[1], c[1], d[1]) &&
-                                        difference_is_exact(b[0], c[0], d[2]) &&
-                                        difference_is_exact(b[1], c[1], d[3]));
-  }
-  if (answer == 2) {
-    sg_point p = plain(a[0], a[1], 0), q = plain(b[0], b[1], 0),
-             r = plain(c[0], c[1], 0);
-    answer = turn_exactly(SG_ASKED_ORIENT2D, 2, &p, &q, &r);
-  }
-  return answer;
+  return fabs(det) > bound && isfinite(det) ? sign(det)
+                                            : orient2d_carefully(a, b, c);
 }
 
 /* Stages 2 and 3 of sg_orient3d(). Points in one place need neither. */
 static int
 orient3d_carefully(const double a[3], const double b[3], const double c[3],
-                   const double d[3], const double difference[9])
+                   const double d[3])
 {
   const double *const point[3] = {a, b, c};
-  bool fit = in_range(difference, 9), exact = fit;
+  double rounded[9];
+  pair x[9];
+  int answer = 2;
 
   if (is_same_row(a, d) || is_same_row(b, d) || is_same_row(c, d) ||
       is_same_row(a, b) || is_same_row(b, c) || is_same_row(c, a)) {
     return 0;
   }
-  for (int k = 0; exact && k < 3; k++) {
-    exact = difference_is_exact(a[k], d[k], difference[k]) &&
-            difference_is_exact(b[k], d[k], difference[3 + k]) &&
-            difference_is_exact(c[k], d[k], difference[6 + k]);
+  for (int i = 0; i < 9; i++) {
+    x[i] = exact_difference(point[i / 3][i % 3], d[i % 3]);
+    rounded[i] = x[i].hi;
   }
-  if (exact) {
-    return sign_of_determinant(difference);
+  if (in_range(rounded, 9) && !are_doubles(x, 9)) {
+    answer = sign_of_pairs(x);
   }
-  int answer = fit ? sign_of_pairs(point, d, difference) : 2;
-
+  if (answer == 2 && pairs_in_range(x, 9)) {
+    answer = sign_of_determinant(x);
+  }
   if (answer != 2) {
     return answer;
   }
@@ -386,7 +450,7 @@ sg_orient3d(const double a[3], const double b[3], const double c[3],
   if (fabs(det) > bound && isfinite(det)) {
     return sign(det);
   }
-  return orient3d_carefully(a, b, c, d, m);
+  return orient3d_carefully(a, b, c, d);
 }
 
 /* ---- signs of points ---------------------------------------------------- */

@@ -2,8 +2,9 @@
  *
  * Layer: kernel. A construction is done with twice the digits first: if that
  * proves which doubles are nearest, they are the position, and the rationals
- * wait until somebody asks. Else, and then, it is done in integers over the
- * common denominator of its arguments, made rational, and rounded once.
+ * wait until somebody asks. If they may be the point itself, exact signs say
+ * so. Else, and then, it is done in integers over the common denominator of its
+ * arguments, made rational, and rounded once.
  */
 #include "bounded_double.h"
 #include "exact.h"
@@ -378,27 +379,63 @@ heights_beside_line(int axis, const sg_point *const point[4], sg_bounded at[2])
   }
 }
 
-/* The nearest doubles of the point where the quantity is 0; false: that is not
- * proved, or they may be the point itself. */
-static bool
+typedef enum rounding {
+  NOT_ROUNDED,  /* the nearest doubles are not proved */
+  ROUNDED,      /* they are, and the point is another one */
+  MAY_BE_DOUBLE /* they may be the point itself */
+} rounding;
+
+/* The nearest doubles of the point where the quantity is 0. */
+static rounding
 round_zero(const double a[3], const double b[3], const sg_bounded at[2],
            double out[3])
 {
   sg_bounded part = sg_bounded_quotient(at[0], sg_bounded_minus(at[0], at[1]));
-  bool is_double = true;
+  bool rounded = isfinite(part.e), is_double = rounded;
 
   for (int k = 0; k < 3; k++) {
-    sg_bounded x = sg_bounded_plus(
-        (sg_bounded){a[k], 0, 0},
-        sg_bounded_times(part, sg_bounded_difference(b[k], a[k])));
+    sg_bounded x = {a[k] + 0.0, 0, 0}; /* never -0.0 */
 
-    if (!sg_bounded_is_rounded(x)) {
+    if (a[k] != b[k]) {
+      x = sg_bounded_plus(
+          x, sg_bounded_times(part, sg_bounded_difference(b[k], a[k])));
+      rounded = rounded && sg_bounded_is_rounded(x);
+      is_double = is_double && sg_bounded_may_be_double(x);
+    }
+    out[k] = fabs(x.hi) > x.e ? x.hi : 0;
+  }
+  return is_double ? MAY_BE_DOUBLE : rounded ? ROUNDED : NOT_ROUNDED;
+}
+
+/* ---- points that are doubles -------------------------------------------- */
+
+/* Whether p is on the line a-b as it is seen along the third axis. */
+static bool
+is_on_line(const double a[3], const double b[3], const double p[3], int u,
+           int v)
+{
+  if (a[u] == b[u] || a[v] == b[v]) {
+    return (a[u] != b[u] || p[u] == a[u]) && (a[v] != b[v] || p[v] == a[v]);
+  }
+  return sg_orient2d((double[2]){a[u], a[v]}, (double[2]){b[u], b[v]},
+                     (double[2]){p[u], p[v]}) == 0;
+}
+
+/* Whether p is exactly what make() makes. */
+static bool
+is_made_of(const double p[3], int how, const sg_point *const *point)
+{
+  const double *a = point[0]->p, *b = point[1]->p;
+
+  for (int k = 0; k < 3; k++) {
+    if (!is_on_line(a, b, p, k, (k + 1) % 3)) {
       return false;
     }
-    out[k] = x.hi;
-    is_double = is_double && sg_bounded_may_be_double(x);
   }
-  return !is_double;
+  return how == LINE_AND_PLANE
+             ? sg_orient3d(point[2]->p, point[3]->p, point[4]->p, p) == 0
+             : is_on_line(point[2]->p, point[3]->p, p, (how + 1) % 3,
+                          (how + 2) % 3);
 }
 
 /* ---- points that are made ----------------------------------------------- */
@@ -439,8 +476,12 @@ make(sg_point *out, int how, const sg_point *const *point)
     } else {
       heights_beside_line(how, point, at);
     }
-    if (round_zero(point[0]->p, point[1]->p, at, out->p)) {
+    rounding found = round_zero(point[0]->p, point[1]->p, at, out->p);
+    if (found == ROUNDED) {
       return keep_made(out, how, point, n);
+    }
+    if (found == MAY_BE_DOUBLE && is_made_of(out->p, how, point)) {
+      return true;
     }
   }
   init_q(q);

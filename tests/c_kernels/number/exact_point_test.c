@@ -154,21 +154,42 @@ test_sides(void)
             sg_point_turn(2, &c[0], &c[1], &c[0]) == 0);
 }
 
-/* A plane through points whose differences are no doubles: only integers see
- * a last place of the fourth. */
+/* A plane through points whose differences are no doubles. Sums of doubles see
+ * a last place of the fourth, unless it is so small that products vanish. */
 static void
 test_last_place(void)
 {
   const double a[3] = {1, 0, 1}, b[3] = {0, 1, 1}, c[3] = {3, 5, 8};
+  const double size[] = {0x1p-60, 0x1p-300};
 
-  for (int n = -1; n <= 1; n++) {
-    double d[3] = {0x1p-60, 0x1p-61, 0x1.8p-60 + n * 0x1p-112};
+  for (int i = 0; i < 6; i++) {
+    double n = i / 2 - 1, unit = size[i % 2];
+    double d[3] = {unit, unit / 2, unit * (1.5 + n * 0x1p-52)};
     uint64_t before = sg_exact_fallbacks_of(SG_ASKED_ORIENT3D);
-    int side = sg_orient3d(a, b, c, d);
-    CHECK("on z = x + y, a last place below or above", side == n);
+
+    CHECK("on z = x + y, a last place below or above",
+          sg_orient3d(a, b, c, d) == n);
     CHECK("mirrored", sg_orient3d(b, a, c, d) == -n);
-    CHECK("integers decide",
-          sg_exact_fallbacks_of(SG_ASKED_ORIENT3D) - before == 2);
+    CHECK("integers are asked if they have to be",
+          sg_exact_fallbacks_of(SG_ASKED_ORIENT3D) - before == (i % 2 ? 2 : 0));
+  }
+}
+
+/* The same of a line. */
+static void
+test_last_place_of_turn(void)
+{
+  const double a[2] = {1, 1}, b[2] = {3, 3}, size[] = {0x1p-60, 0x1p-300};
+
+  for (int i = 0; i < 6; i++) {
+    double n = i / 2 - 1, unit = size[i % 2];
+    double c[2] = {unit, unit * (1 + n * (n < 0 ? 0x1p-53 : 0x1p-52))};
+    uint64_t before = sg_exact_fallbacks_of(SG_ASKED_ORIENT2D);
+
+    CHECK("on x = y, a last place below or above", sg_orient2d(a, b, c) == n);
+    CHECK("the other way", sg_orient2d(b, a, c) == -n);
+    CHECK("integers are asked if they have to be",
+          sg_exact_fallbacks_of(SG_ASKED_ORIENT2D) - before == (i % 2 ? 2 : 0));
   }
 }
 
@@ -244,6 +265,62 @@ test_largest(void)
                          out.p[0] == 0x1p1020 && !out.exactly);
   CHECK("three planes", sg_point_tpi(&out, (const sg_point *const(*)[3])far) &&
                             out.p[0] == 0x1p1020 && out.p[1] == 0);
+}
+
+/* ---- points that are doubles ---- */
+
+/* Lines along two axes that meet in (x, y, z); a plane there. */
+static bool
+meet_in_double(double x, double y, double z)
+{
+  const double d[7][3] = {{x, y, -2},    {x, y, 1.7}, {-1.3, y, z}, {2, y, z},
+                          {0.1, 0.7, z}, {5, 1.1, z}, {-3, 2, z}};
+  sg_point p[7], by_line, by_plane;
+
+  for (int i = 0; i < 7; i++) {
+    sg_point_set(&p[i], d[i]);
+  }
+  bool made = sg_point_ll(&by_line, 1, &p[0], &p[1], &p[2], &p[3]) &&
+              sg_point_lpi(&by_plane, &p[0], &p[1], &p[4], &p[5], &p[6]);
+  const sg_point *at[] = {&by_line, &by_plane};
+
+  for (int i = 0; made && i < 2; i++) {
+    made = !at[i]->exactly && at[i]->p[0] == x && at[i]->p[1] == y &&
+           at[i]->p[2] == z && (x != 0 || !signbit(at[i]->p[0])) &&
+           (z != 0 || !signbit(at[i]->p[2]));
+  }
+  return made;
+}
+
+static void
+test_doubles(void)
+{
+  CHECK("of few digits", meet_in_double(0.25, 0.5, 1));
+  CHECK("of all digits", meet_in_double(0.1, -0.7, 1.0 / 3));
+  CHECK("zeros", meet_in_double(0, 0, 0) && meet_in_double(-0.0, 0.3, -0.0));
+}
+
+/* (1/3, 0, 0) on a line with y = z = 0, and one beside it whose y is not. */
+static void
+test_beside_doubles(void)
+{
+  const double d[4][3] = {{-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, -2, 0}};
+  const double up[3] = {1, 0x1p-53, 0};
+  sg_point p[4], q, on, beside;
+
+  for (int i = 0; i < 4; i++) {
+    sg_point_set(&p[i], d[i]);
+  }
+  sg_point_set(&q, up);
+  CHECK("a third", sg_point_ll(&on, 2, &p[0], &p[1], &p[2], &p[3]) &&
+                       on.exactly && on.p[1] == 0 && on.p[0] == 1.0 / 3 &&
+                       mpq_cmp_si(sg_point_q(&on)[0], 1, 3) == 0 &&
+                       mpq_sgn(sg_point_q(&on)[1]) == 0);
+  CHECK("beside it", sg_point_ll(&beside, 2, &p[0], &q, &p[2], &p[3]) &&
+                         beside.exactly && beside.p[1] > 0 &&
+                         mpq_sgn(sg_point_q(&beside)[1]) > 0);
+  sg_point_clear(&on);
+  sg_point_clear(&beside);
 }
 
 /* ---- points made of made points ---- */
@@ -425,9 +502,12 @@ main(void)
   test_copies();
   test_sides();
   test_last_place();
+  test_last_place_of_turn();
   test_range_of_signs();
   test_smallest();
   test_largest();
+  test_doubles();
+  test_beside_doubles();
   test_made_of_made();
   test_threads();
   test_no_memory();
