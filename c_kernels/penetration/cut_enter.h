@@ -35,6 +35,12 @@ typedef struct sg_outlines {
   size_t n, edges, room, edge_room;
 } sg_outlines;
 
+/* A polygon that lines have entered, as it stands in its scratch relation. */
+typedef struct sg_entered {
+  int32_t s, p;
+  sg_work *work;
+} sg_entered;
+
 /* A new outline, the last one; and an edge of it. False: no memory. */
 bool sg_outlines_add(sg_outlines *all, int32_t s, int32_t p,
                      const double normal[3]);

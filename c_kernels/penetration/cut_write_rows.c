@@ -1,4 +1,4 @@
-/* cut_write_rows.c -- a polygon that was cut, back into the world.
+/* cut_write_rows.c -- polygons that were cut, back into the world.
  *
  * Layer: rows. The fused kernel of cut_rows.pl, write_polygon_by_rule/2: the
  * same rows in the same order with the same numbers; a test holds the two
@@ -6,6 +6,7 @@
  */
 #include "cut_rows.h"
 #include "polygon_rows.h"
+#include "waiting_rows.h"
 
 #include "doors/penetration.h"
 
@@ -23,6 +24,14 @@ is_fold(const cut_edge *edge)
 {
   return edge->et == 0 && edge->label == 0;
 }
+
+/* What is written for polygons in turn. */
+typedef struct writer {
+  sg_cut_handle *handle;
+  sg_world *world;
+  sg_waiting waiting;
+  sg_key_table parts; /* (s, label, v1, v2): the edge that is this part */
+} writer;
 
 /* All that is read before anything is written. */
 typedef struct cut_polygon {
@@ -137,11 +146,11 @@ triangulate(sg_call *call, cut_polygon *c)
 
 /* ---- writing ---- */
 
-/* The number of an edge v1-v2 that is a part of edge `label`, written for
- * another polygon, so with this origin. 0: none, or refused (*good false). */
+/* The number of an edge in the world v1-v2 that is a part of edge `label`, as
+ * its origin says. 0: none, or refused (*good false). */
 static int32_t
-known_part(sg_call *call, const cut_polygon *c, const cut_edge *edge,
-           const uint32_t *origin, bool *good)
+old_part(sg_call *call, const cut_polygon *c, const cut_edge *edge,
+         const uint32_t *origin, bool *good)
 {
   const sg_value key[SG_MAX_COLUMNS] = {
       [0].i = c->s, [2].i = edge->v1, [3].i = edge->v2};
@@ -173,29 +182,73 @@ known_part(sg_call *call, const cut_polygon *c, const cut_edge *edge,
   return found;
 }
 
-/* The number of an edge in the world: as it was, as another polygon has it, or
- * new. 0: refused. */
+/* A new edge with its origin, unless it has one already (*other); its number.
+ * 0: refused. */
 static int32_t
-edge_number(sg_call *call, const cut_polygon *c, const cut_edge *edge)
+new_edge(sg_call *call, writer *w, const cut_polygon *c, const cut_edge *edge,
+         const uint32_t *origin, bool *other)
 {
-  bool part = edge->label > 0, good = true;
+  int32_t e = origin ? sg_call_fresh(call, w->world, SG_E, c->s) : 0;
+  const uint32_t *item = e ? sg_unary_term(call, SG_SYMBOL_E, e) : NULL;
+  const int32_t row[5] = {c->s, e, edge->v1, edge->v2,
+                          is_fold(edge) ? 1 : edge->et};
 
-  if (part && sg_edge_runs(c->world, c->s, edge->label, edge->v1, edge->v2)) {
-    return edge->label;
+  if (!item || !sg_wait_edge(call, &w->waiting, row)) {
+    return 0;
   }
-  const uint32_t *origin =
-      sg_unary_term(call, part ? SG_SYMBOL_E : SG_SYMBOL_LINE,
-                    part ? edge->label : (int32_t)edge->line);
-  int32_t known = part && origin ? known_part(call, c, edge, origin, &good) : 0;
+  *other = sg_origin_is_there(w->world, c->s, item);
+  return *other || sg_wait_origin(call, &w->waiting, c->s, item, origin) ? e
+                                                                         : 0;
+}
 
-  return known != 0 || !good
-             ? known
-             : sg_edge_add(call, c->world, c->s, edge->v1, edge->v2,
-                           is_fold(edge) ? 1 : edge->et, origin);
+/* The number of a part of an edge: as another polygon has it, or new. */
+static int32_t
+part_number(sg_call *call, writer *w, const cut_polygon *c,
+            const cut_edge *edge)
+{
+  const uint32_t *origin = sg_unary_term(call, SG_SYMBOL_E, edge->label);
+  const uint32_t key[4] = {(uint32_t)c->s, (uint32_t)edge->label,
+                           (uint32_t)edge->v1, (uint32_t)edge->v2};
+  bool good = origin != NULL, other = false;
+  uint32_t *known = good ? sg_key_table_put(&w->parts, key) : NULL;
+
+  if (!known) {
+    return good && sg_call_no_memory(call);
+  }
+  if (*known != SG_NO_KEY) {
+    return (int32_t)*known;
+  }
+  int32_t e = old_part(call, c, edge, origin, &good);
+
+  if (e == 0 && good) {
+    e = new_edge(call, w, c, edge, origin, &other);
+  }
+  if (e != 0 && !other) {
+    *known = (uint32_t)e;
+  }
+  return e;
+}
+
+/* The number of an edge: as it was, as another polygon has it, or new. 0:
+ * refused. */
+static int32_t
+edge_number(sg_call *call, writer *w, const cut_polygon *c,
+            const cut_edge *edge)
+{
+  if (edge->label <= 0) {
+    bool other;
+
+    return new_edge(call, w, c, edge,
+                    sg_unary_term(call, SG_SYMBOL_LINE, (int32_t)edge->line),
+                    &other);
+  }
+  return sg_edge_runs(c->world, c->s, edge->label, edge->v1, edge->v2)
+             ? edge->label
+             : part_number(call, w, c, edge);
 }
 
 static bool
-write_edges(sg_call *call, const cut_polygon *c)
+write_edges(sg_call *call, writer *w, const cut_polygon *c)
 {
   int32_t *list = sg_call_alloc(call, (c->edges + 1) * sizeof *list);
   int32_t n = 0;
@@ -203,7 +256,7 @@ write_edges(sg_call *call, const cut_polygon *c)
 
   for (size_t i = 0; i < c->edges && good; i++) {
     if (is_written(&c->edge[i])) {
-      list[++n] = edge_number(call, c, &c->edge[i]);
+      list[++n] = edge_number(call, w, c, &c->edge[i]);
       good = list[n] != 0;
     }
   }
@@ -211,41 +264,77 @@ write_edges(sg_call *call, const cut_polygon *c)
     return false;
   }
   list[0] = n;
-  return sg_call_add_row(
-      call, c->world, SG_P,
-      (sg_value[SG_MAX_COLUMNS]){[0].i = c->s, [1].i = c->p, [2].list = list});
+  return sg_wait_polygon(call, &w->waiting, c->s, c->p, list);
 }
 
-/* In a world that is claimed. */
 static bool
-write_polygon(sg_call *call, const cut_polygon *c)
+write_triangles(sg_call *call, writer *w, const cut_polygon *c)
 {
-  const int32_t *old = sg_polygon_retract(call, c->world, c->s, c->p);
+  bool good = sg_triangles_drop(call, w->world, c->s, c->p);
 
-  return old && sg_edges_drop(call, c->world, c->s, old, &c->same, c->handle) &&
-         write_edges(call, c) &&
-         sg_triangles_replace(call, c->world, c->s, c->p, c->found.item,
-                              c->found.n);
+  for (size_t i = 0; good && i < c->found.n; i++) {
+    const int32_t *v = c->found.item[i].v;
+    int32_t t = sg_call_fresh(call, w->world, SG_T, c->s);
+
+    good = t != 0 && sg_wait_triangle(
+                         call, &w->waiting,
+                         (const int32_t[6]){c->s, c->p, t, v[0], v[1], v[2]});
+  }
+  return good;
+}
+
+/* Edges that polygons share are looked for in what is written. */
+static bool
+write_polygon(sg_call *call, writer *w, const cut_polygon *c)
+{
+  if (sg_cut_shares_edges(w->handle, c->s) &&
+      !sg_waiting_write(call, &w->waiting, w->world)) {
+    return false;
+  }
+  const int32_t *old = sg_polygon_retract(call, w->world, c->s, c->p);
+
+  return old && sg_edges_drop(call, w->world, c->s, old, &c->same, w->handle) &&
+         write_edges(call, w, c) && write_triangles(call, w, c);
+}
+
+/* False without a refusal: it cannot be triangulated, and nothing changed. */
+static bool
+take_polygon(sg_call *call, writer *w, const sg_entered *polygon)
+{
+  cut_polygon c = {.handle = w->handle,
+                   .world = w->world,
+                   .work = polygon->work,
+                   .s = polygon->s,
+                   .p = polygon->p};
+
+  sg_key_table_init(&c.same, 3);
+  bool good = copy_edges(call, &c) && all_lines_known(&c) &&
+              triangulate(call, &c) && write_polygon(call, w, &c);
+
+  free(c.found.item);
+  sg_key_table_clear(&c.same);
+  return good;
 }
 
 bool
-sg_door_cut_write(sg_call *call, sg_cut_handle *set, int32_t s, int32_t p,
-                  sg_work *work)
+sg_door_cut_write(sg_call *call, sg_cut_handle *set,
+                  const sg_entered_polygon_list *works, size_t *written)
 {
-  cut_polygon c = {.handle = set,
-                   .world = sg_call_world(call),
-                   .work = work,
-                   .s = s,
-                   .p = p};
-  bool good = false;
+  writer w = {.handle = set, .world = sg_call_claim(call)};
 
-  sg_key_table_init(&c.same, 3);
-  if (c.world && copy_edges(call, &c) && all_lines_known(&c) &&
-      triangulate(call, &c) && sg_call_claim(call)) {
-    good = write_polygon(call, &c);
-    sg_world_release(c.world);
+  if (!w.world) {
+    return false;
   }
-  free(c.found.item);
-  sg_key_table_clear(&c.same);
+  sg_key_table_init(&w.parts, 4);
+  for (*written = 0; *written < works->n; ++*written) {
+    if (!take_polygon(call, &w, &works->at[*written])) {
+      break;
+    }
+  }
+  bool good = call->refusal.how == SG_REFUSED_NOTHING && !call->stopped &&
+              sg_waiting_write(call, &w.waiting, w.world);
+
+  sg_key_table_clear(&w.parts);
+  sg_world_release(w.world);
   return good;
 }

@@ -43,20 +43,26 @@ sg_unary_term(sg_call *call, int32_t symbol, int32_t id)
 }
 
 bool
+sg_origin_is_there(sg_world *world, int32_t s, const uint32_t *item)
+{
+  const sg_value key[SG_MAX_COLUMNS] = {[0].i = s, [1].term = item};
+  const sg_version *version = sg_world_version(world);
+  bool known = sg_version_find(version, SG_ORIGIN, key) != SG_NO_ROW;
+
+  sg_version_drop(version);
+  return known;
+}
+
+bool
 sg_origin_add(sg_call *call, sg_world *world, int32_t s, int32_t symbol,
               int32_t id, const uint32_t *origin)
 {
-  sg_value row[SG_MAX_COLUMNS] = {
+  const sg_value row[SG_MAX_COLUMNS] = {
       [0].i = s, [1].term = sg_unary_term(call, symbol, id), [2].term = origin};
 
-  if (!row[1].term || !origin) {
-    return false;
-  }
-  const sg_version *version = sg_world_version(world);
-  bool known = sg_version_find(version, SG_ORIGIN, row) != SG_NO_ROW;
-
-  sg_version_drop(version);
-  return known || sg_call_add_row(call, world, SG_ORIGIN, row);
+  return row[1].term && origin &&
+         (sg_origin_is_there(world, s, row[1].term) ||
+          sg_call_add_row(call, world, SG_ORIGIN, row));
 }
 
 /* ---- edges ---- */
@@ -169,8 +175,7 @@ find_triangles(sg_call *call, sg_world *world, int32_t s, int32_t p,
 }
 
 bool
-sg_triangles_replace(sg_call *call, sg_world *world, int32_t s, int32_t p,
-                     const sg_triangle *triangle, size_t n)
+sg_triangles_drop(sg_call *call, sg_world *world, int32_t s, int32_t p)
 {
   sg_count_list old = {0};
 
@@ -181,6 +186,16 @@ sg_triangles_replace(sg_call *call, sg_world *world, int32_t s, int32_t p,
     if (!sg_world_retract(world, SG_T, (sg_row)old.at[i])) {
       return sg_call_no_memory(call);
     }
+  }
+  return true;
+}
+
+bool
+sg_triangles_replace(sg_call *call, sg_world *world, int32_t s, int32_t p,
+                     const sg_triangle *triangle, size_t n)
+{
+  if (!sg_triangles_drop(call, world, s, p)) {
+    return false;
   }
   for (size_t i = 0; i < n; i++) {
     const int32_t *v = triangle[i].v;

@@ -22,6 +22,8 @@ bool sg_edge_runs(sg_world *world, int32_t s, int32_t e, int32_t v1,
 /* symbol(Id), as sg_call_term(). */
 const uint32_t *sg_unary_term(sg_call *call, int32_t symbol, int32_t id);
 
+/* Whether there is an origin(S, Item, _). */
+bool sg_origin_is_there(sg_world *world, int32_t s, const uint32_t *item);
 /* origin(S, symbol(Id), Origin); one that is there stays. */
 bool sg_origin_add(sg_call *call, sg_world *world, int32_t s, int32_t symbol,
                    int32_t id, const uint32_t *origin);
@@ -42,6 +44,8 @@ bool sg_edges_drop(sg_call *call, sg_world *world, int32_t s,
 /* Notes one that stays. */
 bool sg_edge_is_same(sg_call *call, sg_key_table *same, int32_t e, int32_t v1,
                      int32_t v2);
+/* Retracts the triangles of polygon p. */
+bool sg_triangles_drop(sg_call *call, sg_world *world, int32_t s, int32_t p);
 /* Puts n triangles of ids in the place of those that polygon p has. */
 bool sg_triangles_replace(sg_call *call, sg_world *world, int32_t s, int32_t p,
                           const sg_triangle *triangle, size_t n);

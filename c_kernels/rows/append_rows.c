@@ -63,19 +63,55 @@ copy_floats(double *to, const double *from, size_t n)
   }
 }
 
-static void
-copy_page(const sg_relation_info *info, const void *const *column,
-          const sg_sheet_page *page)
+static bool
+copy_lists(sg_append *a, size_t k, unsigned c, const int32_t *const *from)
 {
-  for (unsigned c = 0; c < info->arity; c++) {
-    if (info->column[c].type == SG_FLOAT) {
+  const sg_sheet_page *page = &a->sheet.page[k];
+  int32_t length[SG_PAGE_ROWS];
+
+  for (size_t i = 0; i < page->n; i++) {
+    length[i] = from[i][0];
+  }
+  if (!sg_append_lists(a, k, c, length)) {
+    return false;
+  }
+  for (size_t i = 0; i < page->n; i++) {
+    memcpy(page->column[c].list[i] + 1, from[i] + 1,
+           (size_t)length[i] * sizeof(int32_t));
+  }
+  return true;
+}
+
+/* Page k of the sheet. False: no memory. */
+static bool
+copy_page(sg_append *a, size_t k, const void *const *column)
+{
+  const sg_relation_info *info = &sg_relation_table[a->relation];
+  const sg_sheet_page *page = &a->sheet.page[k];
+  bool good = true;
+
+  for (unsigned c = 0; good && c < info->arity; c++) {
+    switch (info->column[c].type) {
+    case SG_FLOAT:
       copy_floats(page->column[c].f, (const double *)column[c] + page->from,
                   page->n);
-    } else {
+      break;
+    case SG_INT:
+    case SG_ATOM:
       memcpy(page->column[c].i, (const int32_t *)column[c] + page->from,
              page->n * sizeof(int32_t));
+      break;
+    case SG_LIST:
+      good =
+          copy_lists(a, k, c, (const int32_t *const *)column[c] + page->from);
+      break;
+    case SG_TERM:
+      good = sg_append_terms(a, k, c,
+                             (const uint32_t *const *)column[c] + page->from);
+      break;
     }
   }
+  return good;
 }
 
 bool
@@ -89,8 +125,8 @@ sg_append_columns(sg_call *call, sg_world *world, sg_relation relation,
     return sg_call_no_memory(call);
   }
   for (size_t k = 0; k < a.sheet.pages && good; k++) {
-    copy_page(&sg_relation_table[relation], column, &a.sheet.page[k]);
-    good = k % 64 != 63 || !sg_cancelled(&call->cancel);
+    good = copy_page(&a, k, column) || sg_call_no_memory(call);
+    good = good && (k % 64 != 63 || !sg_cancelled(&call->cancel));
   }
   good = good && (sg_append_commit(&a) || sg_call_no_memory(call));
   sg_append_close(&a);

@@ -21,8 +21,8 @@ bool sg_segment_is_empty(sg_call *call, sg_world *world, int32_t s);
 bool sg_rows_of_segment(sg_call *call, const sg_version *version,
                         sg_relation relation, int32_t s, sg_segment_rows *out);
 
-/* Appends n rows that are right by construction, from columns of integers and
- * floats as of sg_world_add_many(). The call is asked for a stop in between. */
+/* Appends n rows that are right by construction, from columns as of
+ * sg_world_add_many(). The call is asked for a stop in between. */
 bool sg_append_columns(sg_call *call, sg_world *world, sg_relation relation,
                        size_t n, const void *const *column);
 

@@ -77,12 +77,6 @@ sg_arrangement *sg_arrangement_open(const sg_leaves *leaves,
                                     const sg_cancel *cancel);
 void sg_arrangement_close(sg_arrangement *a);
 
-/* A polygon that lines have entered, as it stands in its scratch relation. */
-typedef struct sg_entered {
-  int32_t s, p;
-  sg_work *work;
-} sg_entered;
-
 /* Takes in n polygons, whose works are used up; before sealing. `reach`: how
  * far apart may be what touches, for polygons that can be triangulated only
  * then (sg_work_resolve). SG_STUCK: polygon *stuck cannot be, and *edge is an

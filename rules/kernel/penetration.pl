@@ -285,8 +285,8 @@ Foreign predicates; see kernel.pl.
 
 /* - - - cut_write_rows.c - - - */
 
-%!  cut_write(+Set:cut_set, +S:id, +P:id, +Work:work) is semidet.
+%!  cut_write(+Set:cut_set, +Works:list(entered_polygon), -N:count) is det.
 %
-%   As cut_rows.pl, write_polygon_by_rule/2, for polygon P of S, whose edges
-%   are in Work, after cut_write_lines/1. Fails, and has changed nothing, if
-%   these edges cannot be triangulated as they are.
+%   As cut_rows.pl, write_polygon_by_rule/2, for the first N of Works, after
+%   cut_write_lines/1: all of them, or those before one whose edges cannot be
+%   triangulated as they are.

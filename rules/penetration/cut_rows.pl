@@ -1,10 +1,10 @@
 :- module(sg_cut_rows,
-          [ write_polygon/2,            % +Set, +Work
-            write_polygon_by_rule/2,    % +Set, +Work
+          [ write_polygons/2,           % +Set, +Works
+            write_polygons_by_rule/2,   % +Set, +Works
             split_curves/2              % +Pairs, +Set
           ]).
 :- use_module('../kernel',
-              [ cut_line/5, cut_write/4,
+              [ cut_line/5, cut_write/3,
                 cut_split_edges/3, model_tolerance/1,
                 work_add/6, work_delete/2, work_edge/6, work_resolve/2
               ]).
@@ -16,7 +16,7 @@
               ]).
 :- use_module('../polygon/triangulation', [work_triangles/2]).
 :- use_module(library(apply), [exclude/3, foldl/4, maplist/2, maplist/3]).
-:- use_module(library(lists), [member/2, reverse/2]).
+:- use_module(library(lists), [append/3, member/2, reverse/2]).
 
 /** <module> The rows that a penetration leaves.
 
@@ -27,21 +27,28 @@ their new edges and triangles (PL-6).
 @see [PL] section 5; rows PL-6 to PL-9
 */
 
-%!  write_polygon(+Set, +Work) is det.
-%!  write_polygon_by_rule(+Set, +Work) is det.
+%!  write_polygons(+Set, +Works) is det.
+%!  write_polygons_by_rule(+Set, +Works) is det.
 %
-%   The polygon of Work, work(S, P, Edges), keeps its number; its edges and its
-%   triangles are replaced, after cut_write_lines/1. cut_write/4 is the fused
-%   kernel of the rule, for what needs no resolving; a test holds the two
+%   The polygon of each of Works, work(S, P, Edges), keeps its number; its edges
+%   and its triangles are replaced, after cut_write_lines/1. cut_write/3 is the
+%   fused kernel of the rule, for what needs no resolving; a test holds the two
 %   together.
 %
 %   @error geometry_error(polygon_edge(S, P, V1, V2)): it cannot be triangulated
 
-write_polygon(Set, work(S, P, Work)) :-
-    (   cut_write(Set, S, P, Work)
-    ->  true
-    ;   write_polygon_by_rule(Set, work(S, P, Work))
+write_polygons(Set, Works) :-
+    cut_write(Set, Works, N),
+    length(Written, N),
+    append(Written, Others, Works),
+    (   Others = [Work|Rest]
+    ->  write_polygon_by_rule(Set, Work),
+        write_polygons(Set, Rest)
+    ;   true
     ).
+
+write_polygons_by_rule(Set, Works) :-
+    maplist(write_polygon_by_rule(Set), Works).
 
 write_polygon_by_rule(Set, work(S, P, Work)) :-
     findall(w(V1, V2, Et, Label),

@@ -11,7 +11,7 @@
           ]).
 :- use_module('../csg/csg_record', [joined_segment/1]).
 :- use_module('../csg/csg_roots', [aside_segments/1]).
-:- use_module(cut_rows, [write_polygon/2, split_curves/2]).
+:- use_module(cut_rows, [write_polygons/2, split_curves/2]).
 :- use_module('../decision', [decision/2]).
 :- use_module(entering, [enter_polygons/4, close_works/1]).
 :- use_module(joints, [merge_joints/2]).
@@ -321,15 +321,15 @@ resolved(Next, Tolerance, Resolved, Pairs, Set) :-
     ).
 
 arranged(Pairs, Set) :-
-    arranged(write_polygon, Pairs, Set).
+    arranged(write_polygons, Pairs, Set).
 
 %   Not each two of many sheets on one edge get a line.
 
 arranged_few(Pairs, Set) :-
     cut_few_sheets(Set),
-    arranged(write_polygon, Pairs, Set).
+    arranged(write_polygons, Pairs, Set).
 
-%   Write is how a polygon is written.
+%   Write is how polygons are written.
 
 arranged(Write, Pairs, Set) :-
     cut_of_faces(Set),
@@ -441,6 +441,6 @@ enter_lines(Write, Set) :-
         true,
         ( stage(enter, enter_polygons(leaves_kept, Set, Polygons, Works)),
           stage(write, cut_write_lines(Set)),
-          stage(write, maplist(call(Write, Set), Works))
+          stage(write, call(Write, Set, Works))
         ),
         close_works(Works)).

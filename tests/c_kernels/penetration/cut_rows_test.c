@@ -85,6 +85,8 @@ writes(sg_world *world, sg_cut_handle *set)
   sg_segment_polygon_list polygons = {0};
   sg_work_list works = {0}, more = {0};
   sg_entering_piece_list pieces = {0};
+  sg_entered_polygon_list entered = {0};
+  size_t written = 0;
   int32_t x;
 
   CHECK("polygons", sg_door_cut_polygons(&call, set, &polygons));
@@ -102,8 +104,14 @@ writes(sg_world *world, sg_cut_handle *set)
   CHECK("is no error", call.refusal.how == SG_REFUSED_NOTHING);
   CHECK("lines and vertices", sg_door_cut_write_lines(&call, set));
   for (size_t i = 0; i < works.n; i++) {
-    CHECK("write", sg_door_cut_write(&call, set, polygons.at[i].s,
-                                     polygons.at[i].p, works.at[i]));
+    CHECK("entered",
+          sg_entered_polygon_list_add(
+              &call, &entered,
+              (sg_entered){polygons.at[i].s, polygons.at[i].p, works.at[i]}));
+  }
+  CHECK("write", sg_door_cut_write(&call, set, &entered, &written));
+  CHECK("all", written == works.n);
+  for (size_t i = 0; i < works.n; i++) {
     sg_work_close(works.at[i]);
   }
   const sg_version *version = sg_world_version(world);

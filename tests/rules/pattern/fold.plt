@@ -178,8 +178,8 @@ test(same_surface, [ forall(between(1, 40, Seed)),
                    ;   Off = Before-After
                    ) )).
 test(kernel_writes, [ forall(between(1, 30, Seed)), true(Kernel == Rule) ]) :-
-    written_by(Seed, write_polygon, Kernel),
-    written_by(Seed, sg_cut_rows:write_polygon_by_rule, Rule).
+    written_by(Seed, write_polygons, Kernel),
+    written_by(Seed, sg_cut_rows:write_polygons_by_rule, Rule).
 test(cut_again, [ forall(between(1, 10, I)), true(Twice == Once) ]) :-
     Seed is 2*I+1,                      % of three
     in_new_world(( crowns(Seed),

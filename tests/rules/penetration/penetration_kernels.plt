@@ -222,9 +222,9 @@ test(enter_many, Bad-true == []-Enough) :-
 test(write, Bad == []) :-
     findall(Seed,
             ( between(1, 150, Seed),
-              with_solids(Seed, written_by(write_polygon, Kernel)),
+              with_solids(Seed, written_by(write_polygons, Kernel)),
               with_solids(Seed,
-                          written_by(sg_cut_rows:write_polygon_by_rule, Rule)),
+                          written_by(sg_cut_rows:write_polygons_by_rule, Rule)),
               Kernel \== Rule ),
             Bad).
 
