@@ -247,6 +247,9 @@ verb_option(draw, option(dpi, '', number(1), 'N',
 verb_option(draw, option(points, '', value, 'N',
     'number N points of each penetration line, the same in all views; all: \c
      every corner of it')).
+verb_option(draw, option('centre-lines', '', flag, '',
+    'the axes of what is round, in a picture too; a sheet has them in any \c
+     case')).
 verb_option(draw, option('min-line', '', number(0), 'MM',
     'lines shorter than MM on the sheet that no other line touches at its \c
      ends are left out: specks of a scan')).
@@ -481,6 +484,8 @@ type(플로터의 선 종류)').
 option_ko(png, '.png: smooth(매끈한 선, 기본값), dots(1988년 화면의 점. --size는 점의 수)').
 option_ko(points,
     '상관선마다 점 N개에 번호를 붙인다. 모든 투상도에서 같은 번호. all: 꺾인 점 모두').
+option_ko('centre-lines',
+    '용지 없는 그림에도 둥근 것의 중심선을 그린다. 용지(--sheet)에는 언제나 있다').
 option_ko('min-line',
     '용지에서 MM보다 짧고 양 끝이 다른 선에 닿지 않는 선은 그리지 않는다(스캔한 \c
 메시의 티)').

@@ -36,7 +36,7 @@
 :- use_module('../problem/problem_sheet', [problem_sheets/3]).
 :- use_module('../studio/query', [query/2, read_goal/3]).
 :- use_module(repl, [repl/1]).
-:- use_module(picture_points, [picture_numbered/4]).
+:- use_module(picture_marks, [picture_marked/5]).
 :- use_module(report, [print_report/2]).
 :- use_module(sheet_options,
               [ sheet_wanted/1, sheet_request/3, request_facts/4,
@@ -171,7 +171,8 @@ verb_run(draw, Files, Options, 0) :-
             sg_verbs:pictured(Lines, Options, Eye, PictureOptions)),
         said_if_nothing_drawn,
         picture_shaded(Shade, Shading, Away, DrawingOptions, Options1),
-        picture_numbered(Options, Lines, Options1, WriteOptions)
+        picture_marked(Options, seen(z,PictureOptions), Lines, Options1,
+                       WriteOptions)
     ),
     said_of_style(DrawingOptions),
     maplist(output_written(drawing_output(WriteOptions)), Outputs).
@@ -340,6 +341,7 @@ said_of_style(Options) :-
 %     - lines(Which), crease(Degrees), segments(List): see picture/1
 %     - hidden(How), size(Size), ...: see write_drawing/2
 %     - points(Most): numbered points on penetration lines, see line_points/2
+%     - 'centre-lines'(true): the axes of what is round, as on a sheet
 %     - sheet(Paper), views(Names), section(Planes), angle(Angle), scale(Scale),
 %       unit(Unit), 'title-block'(File), language(Language), 'no-frame'(Bool):
 %       a sheet, as the verb draw makes it; the values are atoms as after the
@@ -366,7 +368,7 @@ draw(File, Options) :-
     option(up(Axis), Options, z),
     with_up(Axis, sg_verbs:pictured(Lines, Options, Eye, Options)),
     said_if_nothing_drawn,
-    picture_numbered(Options, Lines, Options, WriteOptions),
+    picture_marked(Options, seen(Axis,Options), Lines, Options, WriteOptions),
     drawing_output(WriteOptions, File),
     when_written(print_message(informational, sanggwan(wrote(File)))).
 

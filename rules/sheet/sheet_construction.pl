@@ -1,6 +1,7 @@
 :- module(sg_sheet_construction,
           [ centre_views/6,             % +Celled, +Marking, +Blank, +PerUnit,
                                         % +Places, -Views
+            centres_added/4,            % +Centres, +Place, +Drawing0, -Drawing
             construction_view/7,        % +Request, +PerUnit, +Places, +Centres,
                                         % +Drawn, -Views, -Texts
             view_interrupted/3,         % +Texts, +View0, -View
@@ -41,6 +42,27 @@ centre_views(Celled, Marking, Blank, PerUnit, Places, Views) :-
     (   Strokes == []
     ->  Views = []
     ;   Views = [view(centre_lines,Strokes,[])]
+    ).
+
+%!  centres_added(+Centres, +Place, +Drawing0, -Drawing) is det.
+%
+%   Drawing is Drawing0, a picture laid on a sheet by Place (placed_part/3), with
+%   Centres, centre(Points, End) in the picture's own coordinates, under it.
+
+centres_added(Centres, place(Scale,X0,Y0,Left,Top), drawing(Sheet,Views0),
+              drawing(Sheet,Views)) :-
+    findall(stroke(visible,centre_line,0,[],Points,End,End),
+            ( member(centre(Points0,End), Centres),
+              findall(X-Y,
+                      ( member(U-V, Points0),
+                        X is round((U-X0)*Scale + Left),
+                        Y is round((Y0-V)*Scale + Top) ),
+                      Points1),
+              centre_points(End, Points1, Points) ),
+            Strokes),
+    (   Strokes == []
+    ->  Views = Views0
+    ;   Views = [view(centre_lines,Strokes,[])|Views0]
     ).
 
 in_plane(View, Section, [X1-Y1,X2-Y2]) :-

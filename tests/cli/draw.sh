@@ -152,4 +152,21 @@ check "a style for no segment: a notice" eval \
   '"$SANGGWAN" draw facts/cube.pl --style "$TMP/style.pl" -o "$TMP/a.svg" 2>&1 |
      grep -c "lines of segment" | grep -qx 1'
 
+# Centre lines in a picture without a sheet: none unless asked for. The axis of
+# the one pipe lies in the picture, the other's is upright, and eight holes of
+# each flange are seen from the side.
+"$SANGGWAN" draw facts/pipe_tee.pl --view front -o "$TMP/plain.svg" 2>/dev/null
+"$SANGGWAN" draw facts/pipe_tee.pl --view front --centre-lines \
+  -o "$TMP/axes.svg" -o "$TMP/axes.dxf" 2>/dev/null
+check "no centre lines" eval "! grep -q 'centre_line' '$TMP/plain.svg'"
+check "centre lines" eval \
+  "grep -c 'class=\"visible centre_line' '$TMP/axes.svg' | grep -qx 14"
+check "centre lines in DXF" eval \
+  "grep -A1 '^ *6$' '$TMP/axes.dxf' | grep -q '^CENTER_'"
+check "centre lines, turned up" eval \
+  '"$SANGGWAN" draw facts/bracket.pl --up y --centre-lines -o "$TMP/b.svg" &&
+     grep -q "class=\"visible centre_line" "$TMP/b.svg"'
+check "centre lines, central" complains 2 'do not go together' \
+  draw facts/bracket.pl --centre-lines --projection central -o "$TMP/a.svg"
+
 check_report

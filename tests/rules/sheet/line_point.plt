@@ -1,6 +1,6 @@
 /* Numbered points of penetration lines: so many of each, evenly; in all views
    the same, above one another and beside one another. */
-% covers: picture_points
+% covers: picture_marks
 :- module(test_line_point, []).
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
