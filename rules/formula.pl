@@ -46,11 +46,28 @@ Errors are model_error(formula(What, Formula)), What being
 %   a name.
 
 formula_function(pi, 0).
-formula_function(Name, 1) :-
-    member(Name, [ -, +, sqrt, abs, floor, ceiling, round, sin, cos, tan,
-                   asin, acos, atan ]).
-formula_function(Name, 2) :-
-    member(Name, [+, -, *, /, **, ^, min, max, atan2]).
+formula_function(-, 1).
+formula_function(+, 1).
+formula_function(sqrt, 1).
+formula_function(abs, 1).
+formula_function(floor, 1).
+formula_function(ceiling, 1).
+formula_function(round, 1).
+formula_function(sin, 1).
+formula_function(cos, 1).
+formula_function(tan, 1).
+formula_function(asin, 1).
+formula_function(acos, 1).
+formula_function(atan, 1).
+formula_function(+, 2).
+formula_function(-, 2).
+formula_function(*, 2).
+formula_function(/, 2).
+formula_function(**, 2).
+formula_function(^, 2).
+formula_function(min, 2).
+formula_function(max, 2).
+formula_function(atan2, 2).
 
 %!  has_formula(@Term) is semidet.
 %

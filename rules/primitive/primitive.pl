@@ -358,9 +358,7 @@ comma_argument(Term, Argument) :-
 %   @error as primitive_shape/4, but of what placing it does to its points
 
 primitive_kind(Term, Kind) :-
-    placed(Term, Primitive, Motions),
-    shaped(Primitive, Kind, _, Motions, _),
-    primitive_parts(Term, _, _).
+    known_parts(Term, Kind, _, _).
 
 %!  primitive_shape(+Term, -Kind, -Points, -Chains) is det.
 %
@@ -392,17 +390,20 @@ face_list(face(_, Loops), List) :-
 
 made(Term, Kind, Motions, Shape) :-
     placed(Term, Primitive, Motions),
-    shaped(Primitive, Kind, Maker, Motions, Given),
+    stretched(Primitive, Motions, Stretch),
+    shaped(Primitive, Kind, Maker, Stretch, Given),
     catch(call(Maker, Given, Shape),
           error(evaluation_error(_), _), primitive_error(too_large, Term)).
 
-%   shaped(Primitive, Kind, Maker, Motions, Given): what Maker is given.
+%   shaped(Primitive, Kind, Maker, Stretch, Given): what Maker is given.
 
-shaped(Primitive, Kind, Maker, Motions, given(Primitive, Stretch, Values)) :-
+shaped(Primitive, Kind, Maker, Stretch, given(Primitive, Stretch, Values)) :-
     compound_name_arguments(Primitive, Name, Given),
     primitive_row(Name, Kind, Wanted, Maker, _),
     !,
-    given_values(Given, Wanted, Primitive, Values),
+    given_values(Given, Wanted, Primitive, Values).
+
+stretched(Primitive, Motions, Stretch) :-
     catch(motion_stretch(Motions, Stretch),
           error(evaluation_error(_), _),
           primitive_error(too_large, Primitive)).
@@ -472,22 +473,24 @@ face_what(face(What, _), What).
 %   @error as primitive_shape/4
 
 primitive_parts(Term, Parts, Surfaces) :-
+    known_parts(Term, _, Parts, Surfaces).
+
+known_parts(Term, Kind, Parts, Surfaces) :-
     placed(Term, Primitive, Motions),
-    shaped(Primitive, _, Maker, Motions, Given),
-    remembered_parts(Maker, Given, Parts, Surfaces0),
+    stretched(Primitive, Motions, Stretch),
+    remembered_parts(Primitive-Stretch, Kind, Parts, Surfaces0),
     maplist(moved_surface(Motions), Surfaces0, Surfaces).
 
-:- thread_local last_parts/4.
+:- thread_local last_parts/3.           % Hash, Key, Known
 
-most_remembered(1000).
-
-remembered_parts(_, Given, Parts, Surfaces) :-
-    term_hash(Given, Hash),
-    last_parts(Hash, Given, Parts0, Surfaces0),
+remembered_parts(Key, Kind, Parts, Surfaces) :-
+    term_hash(Key, Hash),
+    last_parts(Hash, Key0, Known),
+    Key0 == Key,
     !,
-    Parts = Parts0,
-    Surfaces = Surfaces0.
-remembered_parts(Maker, Given, Parts, Surfaces) :-
+    Known = known(Kind,Parts,Surfaces).
+remembered_parts(Primitive-Stretch, Kind, Parts, Surfaces) :-
+    shaped(Primitive, Kind, Maker, Stretch, Given),
     (   globe_parts(Maker, Given, Parts, Surfaces)
     ->  true
     ;   call(Maker, Given, Shape),
@@ -501,13 +504,10 @@ remembered_parts(Maker, Given, Parts, Surfaces) :-
         ),
         parts_counted(Each, Parts)
     ),
-    most_remembered(Most),
-    (   predicate_property(last_parts(_, _, _, _), number_of_clauses(Most))
-    ->  retractall(last_parts(_, _, _, _))
-    ;   true
-    ),
-    term_hash(Given, Hash),
-    assertz(last_parts(Hash, Given, Parts, Surfaces)).
+    ignore(( predicate_property(last_parts(_, _, _), number_of_clauses(1000)),
+             retractall(last_parts(_, _, _)) )),
+    term_hash(Primitive-Stretch, Hash),
+    assertz(last_parts(Hash, Primitive-Stretch, known(Kind,Parts,Surfaces))).
 
 %   walls_numbered(Maker, Shape, Walls): Walls, an assoc, numbers what is flat
 %   and more than one polygon; the sides of a prism that stand on one line have

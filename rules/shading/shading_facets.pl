@@ -7,7 +7,6 @@
 :- use_module(shading_leaf, [chain_loops/2]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [maplist/3]).
-:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- use_module(library(lists), [member/2, nth1/3]).
 /** <module> A shaded model as files have it: facets, no true surfaces.
 */
@@ -77,17 +76,28 @@ face_name(What, Name) :-
 %   is nothing round.
 
 facets_off(model(Leaves,Facts,_), Off) :-
-    findall(Number-Term,
-            ( member(leaf(Number,_,_,Term,_), Leaves), callable(Term) ),
-            Terms0),
-    list_to_assoc(Terms0, Terms),
-    aggregate_all(max(Off0), fact_off(Facts, Terms, Off0), Off).
+    aggregate_all(max(Off0), fact_off(Leaves, Facts, Off0), Off).
 
-fact_off(Facts, Terms, Off) :-
-    member(Fact, Facts),
-    aggregate_all(max(R), fact_radius(Fact, R), Radius),
+%   fact_off(Leaves, Facts, Off): of one of Facts, which stand in the order of
+%   Leaves.
+
+fact_off(Leaves0, [Fact|Facts], Off) :-
     arg(1, Fact, Number),
-    get_assoc(Number, Terms, Term),
+    leaf_from(Leaves0, Number, Term, Leaves),
+    (   facets_of_fact(Fact, Term, Off)
+    ;   fact_off(Leaves, Facts, Off)
+    ).
+
+leaf_from([Leaf|Leaves0], Number, Term, Leaves) :-
+    (   Leaf = leaf(Number,_,_,Term0,_)
+    ->  Term = Term0,
+        Leaves = [Leaf|Leaves0]
+    ;   leaf_from(Leaves0, Number, Term, Leaves)
+    ).
+
+facets_of_fact(Fact, Term, Off) :-
+    callable(Term),
+    aggregate_all(max(R), fact_radius(Fact, R), Radius),
     primitive_parts(Term, Parts, _),
     aggregate_all(max(Turn), member(part(_,curved(_,Turn)), Parts), Turn),
     Off is Radius*(1 - cos(Turn/360*pi)).
