@@ -76,16 +76,21 @@ scene_of(const mesh *m)
       .tolerance = 1e-9};
   const size_t three = 3;
   sg_shading *scene = must(sg_shading_open(&frame));
+  size_t corners = (HIGH + 1) * ROUND;
+  uint32_t *corner = must(malloc(corners * sizeof *corner));
   bool good = sg_shading_add_leaf(scene, 1) == 0;
 
-  for (size_t t = 0; good && t < m->triangles; t++) {
-    double p[3][3];
-    for (int k = 0; k < 3; k++) {
-      memcpy(p[k], m->corner[m->triangle[t][k]], sizeof p[k]);
-    }
-    good = sg_shading_add_polygon(scene, (int32_t)t + 1, (const double(*)[3])p,
-                                  &three, 1) == SG_SHADING_GOOD;
+  for (size_t i = 0; good && i < corners; i++) {
+    good = sg_shading_add_corner(scene, m->corner[i], &corner[i]) ==
+           SG_SHADING_GOOD;
   }
+  for (size_t t = 0; good && t < m->triangles; t++) {
+    const size_t *of = m->triangle[t];
+    const uint32_t p[3] = {corner[of[0]], corner[of[1]], corner[of[2]]};
+    good = sg_shading_add_polygon(scene, (int32_t)t + 1, p, &three, 1) ==
+           SG_SHADING_GOOD;
+  }
+  free(corner);
   if (!good || !sg_shading_add_root(scene, 1) ||
       sg_shading_add_node(scene, 0, SG_LEAF, 0) == SIZE_MAX ||
       sg_shading_seal(scene, NULL) != SG_SHADING_GOOD) {

@@ -295,9 +295,7 @@ sg_slices_cross(const sg_active *a, const sg_active *b, int32_t x1, int32_t x2,
     return x1;
   }
   if (p->arc == 0 && q->arc == 0) {
-    if (!(left > t && right > t && middle > t)) {
-      cross_straight(&r, left, middle, right, t);
-    }
+    cross_straight(&r, left, middle, right, t);
   } else if (left > t && right > t && middle > t && bend_apart(p, q)) {
     return x1;
   } else if (q->arc == 0 || p->arc == 0) {

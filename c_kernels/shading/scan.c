@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { BAND = 16 }; /* rows of a task */
+
 typedef struct scanning {
   sg_scan *scan;
   const sg_opacities *opacities;
@@ -35,8 +37,7 @@ do_band(void *data, size_t band)
   scanning *all = data;
   sg_scan *scan = all->scan;
   sg_shading_work *work = sg_shading_work_open(scan->scene, all->opacities);
-  size_t from = band * SG_BAND * scan->lines,
-         end = from + SG_BAND * scan->lines;
+  size_t from = band * BAND * scan->lines, end = from + BAND * scan->lines;
   sg_spans spans = {0};
   bool good = work != NULL;
 
@@ -72,7 +73,8 @@ sg_scan_open(const sg_shading *scene, unsigned lines,
                       .n = n,
                       .line = calloc(n, sizeof *scan->line)};
     end = !scan->line ? SG_SHADING_NO_MEMORY
-          : !sg_pool_run(pool, scene->bands, do_band, &all, cancel)
+          : !sg_pool_run(pool, (n + BAND * lines - 1) / (BAND * lines), do_band,
+                         &all, cancel)
               ? SG_SHADING_STOPPED
           : atomic_load(&all.no_memory) ? SG_SHADING_NO_MEMORY
                                         : SG_SHADING_GOOD;

@@ -8,8 +8,10 @@
 #include "engine/list.h"
 #include "shading_scene.h"
 
-/* Rows of dots that are worked on together. */
-#define SG_BAND 16
+/* Rows of dots of which there is one list of what lies in them: the fewest, a
+ * power of 2, with which a thing is in few lists. */
+#define SG_BAND_MOST  16
+#define SG_BAND_LISTS 4
 
 /* Most lights that have shadows. */
 #define SG_SHADOWS 9
@@ -26,23 +28,34 @@
  * round `at`; both in the picture. */
 typedef struct sg_shading_surface {
   bool quadric;
+  uint32_t known; /* of a plane: it stands for this one of scene->known, from 1;
+                     0: for none */
   double at[3];
-  double q[10];     /* of a plane: n and d */
-  double normal[3]; /* of a plane: in the model, to the eye */
-  uint32_t known;   /* of a plane: it stands for this one of scene->known, from
-                       1; 0: for none */
+  union {
+    double q[10];
+    struct {
+      double n_d[4];    /* of a plane, the first ones of q */
+      double normal[3]; /* in the model, to the eye */
+    };
+  };
 } sg_shading_surface;
 
-typedef struct sg_shading_edge {
-  double x1, y1, x2, y2, z1, z2; /* y1 <= y2 */
-} sg_shading_edge;
+/* Between loops of a polygon. */
+#define SG_NO_CORNER UINT32_MAX
 
-/* A polygon of a leaf. */
+/* A corner in the picture. */
+typedef struct sg_shading_corner {
+  double at[3];
+} sg_shading_corner; /* its X and Y snapped; before the scene is sealed there
+                        is a list of those that are not, too */
+
+/* A polygon of a leaf: corners loop after loop, each loop closed by the corner
+ * with which it begins, SG_NO_CORNER between two. */
 typedef struct sg_shading_polygon {
   uint32_t leaf, surface;
   int32_t face;
   int8_t sense; /* of its front: 1 entered, -1 left, 0 edge-on */
-  uint32_t edge, edges;
+  uint32_t corner, corners;
   double y1, y2;
 } sg_shading_polygon; /* as small as it is: a mesh has a million */
 
@@ -68,6 +81,7 @@ typedef struct sg_shading_leaf {
   int32_t root;  /* by place, -1: in none */
   int32_t sign;  /* -1: under an odd number of right-hand sides */
   uint32_t node; /* of the expression, SIZE: none */
+  bool united;   /* no node above it is anything but a union */
   bool round;
 } sg_shading_leaf;
 
@@ -90,7 +104,8 @@ struct sg_shading {
   SG_LIST_OF(sg_shading_leaf) leaf;
   SG_LIST_OF(sg_shading_surface) surface;
   SG_LIST_OF(sg_shading_polygon) polygon;
-  SG_LIST_OF(sg_shading_edge) edge;
+  SG_LIST_OF(sg_shading_corner) corner, exact;
+  SG_LIST_OF(uint32_t) corner_of; /* polygons */
   SG_LIST_OF(sg_shading_body) body;
   SG_LIST_OF(sg_shading_root) root;
   SG_LIST_OF(sg_known_surface) known;
@@ -98,9 +113,9 @@ struct sg_shading {
   double back[4][4];  /* from the picture to the model, but for a factor */
   sg_expression expression; /* the union of all roots */
   size_t root_node;         /* of the last root */
-  uint32_t bands;
-  uint32_t *band_first;  /* [bands + 1] */
-  sg_shading_item *item; /* [band_first[bands]] */
+  uint32_t band, bands;     /* rows of one; how many */
+  uint32_t *band_first;     /* [bands + 1] */
+  sg_shading_item *item;    /* [band_first[bands]] */
 };
 
 /* What a face of a leaf and the plane of a scan line have in common: with
@@ -129,6 +144,11 @@ typedef struct sg_layer {
   uint32_t part;
 } sg_layer;
 
+/* Where a line meets an edge of a polygon. */
+typedef struct sg_slice_corner {
+  double x, z;
+} sg_slice_corner;
+
 struct sg_shading_work {
   const sg_shading *scene;
   const sg_opacities *opacities; /* null: all is opaque */
@@ -139,7 +159,7 @@ struct sg_shading_work {
   SG_LIST_OF(sg_slice) over;  /* a point: shadow.c */
   SG_LIST_OF(uint64_t) start; /* x1, then the place of the slice */
   SG_LIST_OF(sg_active) active;
-  SG_LIST_OF(double) crossing;
+  SG_LIST_OF(sg_slice_corner) crossing;
   double between[2];        /* dots: what is round and lies here is left out */
   sg_expression expression; /* a copy with counters of its own */
   bool failed;              /* no memory */
@@ -157,6 +177,18 @@ sg_slice_depth(const sg_slice *s, double x)
     depth += s->arc * (square > 0 ? __builtin_sqrt(square) : 0.0);
   }
   return depth;
+}
+
+/* A place of a corner, snapped. */
+static inline double
+sg_snapped(double x)
+{
+  /* added to it, a place has multiples of 1 / SG_SNAP and no others */
+  const double coarse = 1.5 * 4503599627370496.0 / SG_SNAP;
+
+  return x < coarse / 4 && x > -coarse / 4
+             ? (x + coarse) - coarse
+             : __builtin_nearbyint(x * SG_SNAP) / SG_SNAP;
 }
 
 /* slice.c: the slices of the line y, unordered; those of one thing of a band

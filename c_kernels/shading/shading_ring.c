@@ -123,7 +123,7 @@ typedef struct torus {
 static void
 point(const torus *t, size_t i, size_t j, double out[3])
 {
-  const double *a = t->round[i % t->n], *b = t->side[j % t->m];
+  const double *a = t->round[i], *b = t->side[j];
   double r = 1.0 + t->ring->k * b[0];
 
   for (int c = 0; c < 3; c++) {
@@ -133,23 +133,34 @@ point(const torus *t, size_t i, size_t j, double out[3])
   }
 }
 
+static sg_shading_end
+add_corners(sg_shading *s, const torus *t, uint32_t *corner)
+{
+  sg_shading_end end = SG_SHADING_GOOD;
+  double p[3];
+
+  for (size_t k = 0; end == SG_SHADING_GOOD && k < t->n * t->m; k++) {
+    point(t, k / t->m, k % t->m, p);
+    end = sg_shading_add_corner(s, p, &corner[k]);
+  }
+  return end;
+}
+
 /* Counter-clockwise seen from outside, of a frame that is right-handed. */
 static sg_shading_end
-add_facets(sg_shading *s, const torus *t, bool turned)
+add_facets(sg_shading *s, const torus *t, bool turned, const uint32_t *corner)
 {
   sg_shading_end end = SG_SHADING_GOOD;
   const size_t four = 4;
-  double p[4][3];
 
   for (size_t k = 0; end == SG_SHADING_GOOD && k < t->n * t->m; k++) {
     size_t i = k / t->m, j = k % t->m;
+    size_t here = i * t->m, next = (i + 1) % t->n * t->m, up = (j + 1) % t->m;
+    uint32_t of[4] = {corner[here + j], corner[(turned ? here + up : next + j)],
+                      corner[next + up],
+                      corner[(turned ? next + j : here + up)]};
 
-    point(t, i, j, p[0]);
-    point(t, i + (turned ? 0 : 1), j + (turned ? 1 : 0), p[1]);
-    point(t, i + 1, j + 1, p[2]);
-    point(t, i + (turned ? 1 : 0), j + (turned ? 0 : 1), p[3]);
-    end = sg_shading_add_polygon(s, t->ring->face, (const double(*)[3])p, &four,
-                                 1);
+    end = sg_shading_add_polygon(s, t->ring->face, of, &four, 1);
   }
   return end;
 }
@@ -179,17 +190,22 @@ sg_shading_add_ring(sg_shading *s, const sg_shading_ring *ring)
   t.m = parts_for(ring->k * fmax(fmax(u, v), dots(s, f[3], nearest)), q, &side);
   t.round = malloc(t.n * sizeof *t.round);
   t.side = malloc(t.m * sizeof *t.side);
+  uint32_t *corner = malloc(t.n * t.m * sizeof *corner);
   sg_shading_end end = SG_SHADING_NO_MEMORY;
   uint32_t known = sg_shading_add_known(s, SG_KNOWN_TORUS, f, ring->k, 0.0);
 
-  if (t.round && t.side && known > 0) {
+  if (t.round && t.side && corner && known > 0) {
     fill_turn(t.round, t.n, round);
     fill_turn(t.side, t.m, side);
     sg_cross(f[1], f[2], across);
+    end = add_corners(s, &t, corner);
     sg_shading_stand_for(s, known);
-    end = add_facets(s, &t, sg_dot(across, f[3]) < 0);
+    end = end != SG_SHADING_GOOD
+              ? end
+              : add_facets(s, &t, sg_dot(across, f[3]) < 0, corner);
     sg_shading_stand_for(s, 0);
   }
+  free(corner);
   free(t.round);
   free(t.side);
   return end;

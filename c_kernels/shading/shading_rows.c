@@ -31,32 +31,52 @@ ended(sg_call *call, sg_shading_end end, int32_t number)
 
 /* ---- leaves ---- */
 
+/* Corners by their places in a list of points; SG_NO_CORNER: not yet. */
+typedef struct corners {
+  const sg_point_list *points;
+  uint32_t *corner; /* [points] */
+} corners;
+
+static bool
+read_corner(sg_call *call, sg_shading *scene, int32_t number, corners *all,
+            size_t at, uint32_t *out)
+{
+  if (at > all->points->n) {
+    return sg_call_domain(call, "shading_point", 2);
+  }
+  uint32_t *corner = &all->corner[at - 1];
+  bool good =
+      *corner != SG_NO_CORNER ||
+      ended(call,
+            sg_shading_add_corner(scene, all->points->at[at - 1].at, corner),
+            number);
+  *out = *corner;
+  return good;
+}
+
 /* The corners of a polygon, loop after loop. */
 static bool
-read_polygon(sg_call *call, sg_shading *scene, int32_t number,
-             const sg_point_list *points, const sg_shading_polygon_fact *fact)
+read_polygon(sg_call *call, sg_shading *scene, int32_t number, corners *all,
+             const sg_shading_polygon_fact *fact)
 {
-  size_t loops = fact->loops.n, n = 0;
+  size_t loops = fact->loops.n, n = 0, k = 0;
   size_t *count = sg_call_alloc(call, (loops + 1) * sizeof *count);
 
   for (size_t i = 0; count && i < loops; i++) {
     n += count[i] = fact->loops.at[i].n;
   }
-  double(*p)[3] = count ? sg_call_alloc(call, (n + 1) * sizeof *p) : NULL;
-  size_t k = 0;
+  uint32_t *p = count ? sg_call_alloc(call, (n + 1) * sizeof *p) : NULL;
   for (size_t i = 0; p && i < loops; i++) {
     for (size_t j = 0; j < count[i]; j++) {
-      size_t at = (size_t)fact->loops.at[i].at[j];
-      if (at > points->n) {
-        return sg_call_domain(call, "shading_point", 2);
+      if (!read_corner(call, scene, number, all,
+                       (size_t)fact->loops.at[i].at[j], &p[k++])) {
+        return false;
       }
-      memcpy(p[k++], points->at[at - 1].at, sizeof *p);
     }
   }
-  return p && ended(call,
-                    sg_shading_add_polygon(scene, fact->face,
-                                           (const double(*)[3])p, count, loops),
-                    number);
+  return p &&
+         ended(call, sg_shading_add_polygon(scene, fact->face, p, count, loops),
+               number);
 }
 
 /* Polygons, and the surfaces that they stand for. */
@@ -64,8 +84,15 @@ static bool
 read_flat(sg_call *call, sg_shading *scene, const sg_shading_leaf_fact *fact)
 {
   const sg_smooth_surface_list *surfaces = &fact->flat.surfaces;
+  const sg_point_list *points = &fact->flat.points;
   uint32_t *known = sg_call_alloc(call, (surfaces->n + 1) * sizeof *known);
-  bool good = known != NULL;
+  corners all = {points,
+                 sg_call_alloc(call, (points->n + 1) * sizeof *all.corner)};
+  bool good = known && all.corner;
+
+  for (size_t i = 0; good && i < points->n; i++) {
+    all.corner[i] = SG_NO_CORNER;
+  }
 
   for (size_t i = 0; good && i < surfaces->n; i++) {
     const sg_smooth_surface *said = &surfaces->at[i];
@@ -87,8 +114,7 @@ read_flat(sg_call *call, sg_shading *scene, const sg_shading_leaf_fact *fact)
     }
     known[0] = 0;
     sg_shading_stand_for(scene, known[polygon->surface]);
-    good = read_polygon(call, scene, fact->flat.number, &fact->flat.points,
-                        polygon);
+    good = read_polygon(call, scene, fact->flat.number, &all, polygon);
   }
   sg_shading_stand_for(scene, 0);
   return good;

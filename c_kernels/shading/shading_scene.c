@@ -9,13 +9,7 @@
 
 /* ---- places ---- */
 
-static double
-snapped(double x)
-{
-  return nearbyint(x * SG_SNAP) / SG_SNAP;
-}
-
-/* Where a model point is in the picture. False: not in front of the eye. */
+/* A model point in the picture. False: not in front of the eye. */
 static bool
 place(sg_shading *s, const double p[3], double out[3])
 {
@@ -30,8 +24,8 @@ place(sg_shading *s, const double p[3], double out[3])
   }
   for (int k = 0; k < 3; k++) {
     out[k] = h[k] / h[3];
-    s->low[k] = fmin(s->low[k], out[k]);
-    s->high[k] = fmax(s->high[k], out[k]);
+    s->low[k] = out[k] < s->low[k] ? out[k] : s->low[k];
+    s->high[k] = out[k] > s->high[k] ? out[k] : s->high[k];
   }
   return isfinite(out[0]) && isfinite(out[1]) && isfinite(out[2]);
 }
@@ -73,7 +67,6 @@ sg_shading_open(const sg_shading_frame *frame)
   }
   s->middle[0] = frame->width / 2.0;
   s->middle[1] = frame->height / 2.0;
-  s->bands = ((uint32_t)frame->height + SG_BAND - 1) / SG_BAND;
   if (sg_expression_add(&s->expression, 0, SG_UNION, 0) == SIZE_MAX) {
     sg_shading_close(s);
     return NULL;
@@ -88,7 +81,9 @@ sg_shading_close(sg_shading *s)
     free(s->leaf.item);
     free(s->surface.item);
     free(s->polygon.item);
-    free(s->edge.item);
+    free(s->corner.item);
+    free(s->exact.item);
+    free(s->corner_of.item);
     free(s->body.item);
     free(s->root.item);
     free(s->known.item);
@@ -147,79 +142,76 @@ add_plane(sg_shading *s, const double normal[3], const double at[3],
 
 /* ---- polygons ---- */
 
-static bool
-add_edge(sg_shading *s, const double a[3], const double b[3])
+sg_shading_end
+sg_shading_add_corner(sg_shading *s, const double p[3], uint32_t *corner)
 {
-  double y1 = snapped(a[1]), y2 = snapped(b[1]);
-  const double *low = y1 <= y2 ? a : b, *high = y1 <= y2 ? b : a;
-  sg_shading_edge edge = {.x1 = snapped(low[0]),
-                          .y1 = fmin(y1, y2),
-                          .z1 = low[2],
-                          .x2 = snapped(high[0]),
-                          .y2 = fmax(y1, y2),
-                          .z2 = high[2]};
+  sg_shading_corner exact;
 
-  return y1 == y2 || SG_PUSH(s->edge, edge);
+  if (!place(s, p, exact.at)) {
+    return SG_SHADING_BEHIND_EYE;
+  }
+  const double *at = exact.at;
+  sg_shading_corner snapped = {{sg_snapped(at[0]), sg_snapped(at[1]), at[2]}};
+  *corner = (uint32_t)s->corner.n;
+  return SG_PUSH(s->corner, snapped) && SG_PUSH(s->exact, exact)
+             ? SG_SHADING_GOOD
+             : SG_SHADING_NO_MEMORY;
 }
 
-/* The picture of a loop, which adds to the normal (Newell) and the edges. */
-static sg_shading_end
-add_loop(sg_shading *s, const double (*p)[3], size_t n, double normal[3],
-         double origin[3], sg_shading_polygon *polygon)
+/* A loop, which adds to the normal (Newell). */
+static bool
+add_loop(sg_shading *s, const uint32_t *corner, size_t n, double normal[3],
+         sg_shading_polygon *polygon)
 {
-  double first[3], a[3], b[3];
+  const double *first = s->exact.item[corner[0]].at, *before = first;
+  bool good = true;
 
-  for (size_t i = 0; i <= n; i++) {
-    if (!place(s, p[i % n], b)) {
-      return SG_SHADING_BEHIND_EYE;
-    }
-    polygon->y1 = fmin(polygon->y1, snapped(b[1]));
-    polygon->y2 = fmax(polygon->y2, snapped(b[1]));
-    if (i == 0) {
-      memcpy(first, b, sizeof first);
-      if (isnan(origin[0])) {
-        memcpy(origin, b, sizeof b);
-      }
-    } else {
-      double u[3], v[3], area[3];
-      sg_minus(a, first, u);
-      sg_minus(b, first, v);
+  for (size_t i = 0; i < n && good; i++) {
+    const double *p = s->exact.item[corner[i]].at;
+    double u[3], v[3], area[3], y = s->corner.item[corner[i]].at[1];
+
+    polygon->y1 = y < polygon->y1 ? y : polygon->y1;
+    polygon->y2 = y > polygon->y2 ? y : polygon->y2;
+    if (i > 1) {
+      sg_minus(before, first, u);
+      sg_minus(p, first, v);
       sg_cross(u, v, area);
       for (int k = 0; k < 3; k++) {
         normal[k] += area[k];
       }
-      if (!add_edge(s, a, b)) {
-        return SG_SHADING_NO_MEMORY;
-      }
     }
-    memcpy(a, b, sizeof a);
+    before = p;
+    good = SG_PUSH(s->corner_of, corner[i]);
   }
-  return SG_SHADING_GOOD;
+  return good && SG_PUSH(s->corner_of, corner[0]);
 }
 
 sg_shading_end
-sg_shading_add_polygon(sg_shading *s, int32_t face, const double (*p)[3],
+sg_shading_add_polygon(sg_shading *s, int32_t face, const uint32_t *corner,
                        const size_t *count, size_t loops)
 {
   sg_shading_polygon polygon = {.leaf = (uint32_t)(s->leaf.n - 1),
                                 .face = face,
-                                .edge = (uint32_t)s->edge.n,
+                                .corner = (uint32_t)s->corner_of.n,
                                 .y1 = INFINITY,
                                 .y2 = -INFINITY};
-  double normal[3] = {0, 0, 0}, origin[3] = {NAN, 0, 0};
-  sg_shading_end end = SG_SHADING_GOOD;
-  bool turned;
+  const double *origin = NULL;
+  double normal[3] = {0, 0, 0};
+  bool good = true, turned;
 
-  for (size_t i = 0; i < loops && end == SG_SHADING_GOOD; i++) {
-    end = count[i] == 0 ? end
-                        : add_loop(s, p, count[i], normal, origin, &polygon);
-    p += count[i];
+  for (size_t i = 0; i < loops && good; corner += count[i++]) {
+    if (count[i] > 0) {
+      good = !origin || SG_PUSH(s->corner_of, SG_NO_CORNER);
+      origin = origin ? origin : s->exact.item[corner[0]].at;
+      good = good && add_loop(s, corner, count[i], normal, &polygon);
+    }
   }
-  polygon.edges = (uint32_t)s->edge.n - polygon.edge;
-  if (end != SG_SHADING_GOOD || polygon.edges == 0) {
-    return end;
+  if (good && !(polygon.y1 < polygon.y2)) { /* no line meets it */
+    s->corner_of.n = polygon.corner;
+    return SG_SHADING_GOOD;
   }
-  polygon.surface = add_plane(s, normal, origin, &turned);
+  polygon.corners = (uint32_t)s->corner_of.n - polygon.corner;
+  polygon.surface = good ? add_plane(s, normal, origin, &turned) : UINT32_MAX;
   if (polygon.surface == UINT32_MAX) {
     return SG_SHADING_NO_MEMORY;
   }
@@ -275,7 +267,8 @@ sg_shading_add_node(sg_shading *s, size_t parent, sg_operation operation,
   return at - s->root_node;
 }
 
-/* Under how many right-hand sides of differences a leaf is: odd or even. */
+/* Under how many right-hand sides of differences a leaf is: odd or even; and
+ * whether it is under nothing but unions. */
 static void
 sign_leaves(sg_shading *s)
 {
@@ -284,7 +277,10 @@ sign_leaves(sg_shading *s)
   for (size_t i = 0; i < s->leaf.n; i++) {
     uint32_t at = s->leaf.item[i].node;
 
+    s->leaf.item[i].united = at != UINT32_MAX;
     for (; at != UINT32_MAX && at != 0; at = node[at].parent) {
+      s->leaf.item[i].united =
+          s->leaf.item[i].united && node[node[at].parent].operation == SG_UNION;
       if (node[node[at].parent].operation == SG_DIFFERENCE && !node[at].first) {
         s->leaf.item[i].sign = -s->leaf.item[i].sign;
       }
@@ -306,31 +302,43 @@ bands_of(const sg_shading *s, double y1, double y2)
   if (!(y1 < most && y2 > 0 && y1 < y2)) {
     return (rows){1, 0};
   }
-  return (rows){(uint32_t)(fmax(y1, 0) / SG_BAND),
-                (uint32_t)(fmin(y2, most - 0.5) / SG_BAND)};
+  return (rows){(uint32_t)(y1 > 0 ? y1 : 0) / s->band,
+                (uint32_t)(y2 < most - 0.5 ? y2 : most - 0.5) / s->band};
 }
 
-/* Counts (item null) or writes what lies in each band. */
-static void
-fill_band(sg_shading *s, rows r, sg_shading_item item, bool write)
+/* What is done with a thing that lies in some bands. */
+typedef enum sg_band_task {
+  SG_BAND_COUNT, /* how many lists it is in */
+  SG_BAND_SIZE,  /* the lengths of lists */
+  SG_BAND_WRITE
+} sg_band_task;
+
+static size_t
+fill_band(sg_shading *s, rows r, sg_shading_item item, sg_band_task task)
 {
+  if (task == SG_BAND_COUNT) {
+    return r.first <= r.last ? r.last - r.first + 1 : 0;
+  }
   for (uint32_t b = r.first; b <= r.last && r.first <= r.last; b++) {
-    if (write) {
+    if (task == SG_BAND_WRITE) {
       s->item[s->band_first[b]++] = item;
     } else {
       s->band_first[b + 1]++;
     }
   }
+  return 0;
 }
 
-static void
-fill_bands(sg_shading *s, bool write)
+static size_t
+fill_bands(sg_shading *s, sg_band_task task)
 {
+  size_t count = 0;
+
   for (uint32_t i = 0; i < s->polygon.n; i++) {
     const sg_shading_polygon *p = &s->polygon.item[i];
     if (s->leaf.item[p->leaf].root >= 0) {
-      fill_band(s, bands_of(s, p->y1, p->y2), (sg_shading_item){i, false},
-                write);
+      count += fill_band(s, bands_of(s, p->y1, p->y2),
+                         (sg_shading_item){i, false}, task);
     }
   }
   for (uint32_t i = 0; i < s->body.n; i++) {
@@ -342,19 +350,35 @@ fill_bands(sg_shading *s, bool write)
       y2 = fmax(y2, s->body.item[i + 1].y2);
     }
     if (s->leaf.item[s->body.item[from].leaf].root >= 0) {
-      fill_band(s, bands_of(s, y1, y2), (sg_shading_item){from, true}, write);
+      count += fill_band(s, bands_of(s, y1, y2), (sg_shading_item){from, true},
+                         task);
     }
   }
+  return count;
+}
+
+static void
+choose_band(sg_shading *s)
+{
+  size_t things = s->polygon.n + s->body.n;
+
+  s->band = 1;
+  while (s->band < SG_BAND_MOST &&
+         fill_bands(s, SG_BAND_COUNT) > SG_BAND_LISTS * things) {
+    s->band *= 2;
+  }
+  s->bands = ((uint32_t)s->frame.height + s->band - 1) / s->band;
 }
 
 static sg_shading_end
 make_bands(sg_shading *s)
 {
-  s->band_first = calloc(s->bands + 2, sizeof *s->band_first);
+  choose_band(s);
+  s->band_first = calloc((size_t)s->bands + 2, sizeof *s->band_first);
   if (!s->band_first) {
     return SG_SHADING_NO_MEMORY;
   }
-  fill_bands(s, false);
+  fill_bands(s, SG_BAND_SIZE);
   for (uint32_t b = 0; b < s->bands; b++) {
     s->band_first[b + 1] += s->band_first[b];
   }
@@ -362,7 +386,7 @@ make_bands(sg_shading *s)
   if (!s->item) {
     return SG_SHADING_NO_MEMORY;
   }
-  fill_bands(s, true);
+  fill_bands(s, SG_BAND_WRITE);
   for (uint32_t b = s->bands; b > 0; b--) {
     s->band_first[b] = s->band_first[b - 1];
   }
@@ -407,6 +431,8 @@ sg_shading_seal(sg_shading *s, const sg_cancel *cancel)
   if (sg_cancelled(cancel)) {
     return SG_SHADING_STOPPED;
   }
+  free(s->exact.item);
+  s->exact.item = NULL;
   fill_normals(s);
   sign_leaves(s);
   if (!sg_expression_seal(&s->expression)) {

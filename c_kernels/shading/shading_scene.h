@@ -57,11 +57,14 @@ void sg_shading_close(sg_shading *scene);
 
 /* A leaf with no face yet; they count from 0. UINT32_MAX: no memory. */
 uint32_t sg_shading_add_leaf(sg_shading *scene, int32_t number);
+/* A corner of polygons, in model units: its number. */
+sg_shading_end sg_shading_add_corner(sg_shading *scene, const double p[3],
+                                     uint32_t *corner);
 /* A flat polygon of the last leaf: `loops` loops, loop i of count[i] corners,
- * one after the other; p[...][3] in model units. */
+ * one after the other. */
 sg_shading_end sg_shading_add_polygon(sg_shading *scene, int32_t face,
-                                      const double (*p)[3], const size_t *count,
-                                      size_t loops);
+                                      const uint32_t *corner,
+                                      const size_t *count, size_t loops);
 /* A piece of the last leaf, which has no polygons. */
 sg_shading_end sg_shading_add_piece(sg_shading *scene,
                                     const sg_shading_piece *piece);

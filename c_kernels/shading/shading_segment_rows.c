@@ -13,13 +13,26 @@ typedef struct reading {
   const double *map; /* [12], three rows; null: it stays where it is */
   sg_view v, t;
   sg_segment_rows vs, ts;
-  sg_id_rows at; /* of vertices */
+  sg_id_rows at;    /* of vertices */
+  uint32_t *corner; /* [at.places]; UINT32_MAX: not yet */
 } reading;
 
 static int32_t
 number(const sg_view *view, unsigned column, uint32_t row)
 {
   return view->column[column].page[row / SG_PAGE_ROWS].i[row % SG_PAGE_ROWS];
+}
+
+static bool
+open_corners(reading *r)
+{
+  size_t n = r->at.places;
+
+  r->corner = sg_call_alloc(r->call, (n + 1) * sizeof *r->corner);
+  for (size_t i = 0; r->corner && i < n; i++) {
+    r->corner[i] = UINT32_MAX;
+  }
+  return r->corner;
 }
 
 static bool
@@ -34,7 +47,8 @@ open_reading(reading *r, int32_t s)
            sg_segment_rows_find(&r->v, &s, 1, cancel, &r->vs) &&
            sg_segment_rows_find(&r->t, &s, 1, cancel, &r->ts) &&
            sg_id_rows_make(&r->v, r->vs.row, r->vs.begin[1], &r->at)) ||
-          sg_call_ended(r->call));
+          sg_call_ended(r->call)) &&
+         open_corners(r);
 }
 
 static void
@@ -48,9 +62,9 @@ close_reading(reading *r)
 }
 
 static void
-corner(const reading *r, int32_t id, double out[3])
+point(const reading *r, size_t place, double out[3])
 {
-  uint32_t row = r->at.row[sg_id_rows_place(&r->at, id)];
+  uint32_t row = r->at.row[place];
   double p[3];
 
   for (unsigned k = 0; k < 3; k++) {
@@ -62,6 +76,29 @@ corner(const reading *r, int32_t id, double out[3])
   }
 }
 
+static sg_shading_end
+add_triangle(reading *r, uint32_t row)
+{
+  sg_shading_end end = SG_SHADING_GOOD;
+  const size_t three = 3;
+  uint32_t corner[3];
+
+  for (unsigned k = 0; k < 3 && end == SG_SHADING_GOOD; k++) {
+    size_t place = sg_id_rows_place(&r->at, number(&r->t, 3 + k, row));
+    double p[3];
+
+    if (r->corner[place] == UINT32_MAX) {
+      point(r, place, p);
+      end = sg_shading_add_corner(r->scene, p, &r->corner[place]);
+    }
+    corner[k] = r->corner[place];
+  }
+  return end != SG_SHADING_GOOD
+             ? end
+             : sg_shading_add_polygon(r->scene, number(&r->t, 1, row), corner,
+                                      &three, 1);
+}
+
 sg_shading_end
 sg_shading_read_segment(sg_call *call, sg_shading *scene, int32_t s,
                         const double *map)
@@ -69,19 +106,10 @@ sg_shading_read_segment(sg_call *call, sg_shading *scene, int32_t s,
   reading r = {.call = call, .scene = scene, .map = map};
   sg_shading_end end =
       open_reading(&r, s) ? SG_SHADING_GOOD : SG_SHADING_STOPPED;
-  const size_t three = 3;
 
   for (size_t i = 0; end == SG_SHADING_GOOD && i < r.ts.begin[1]; i++) {
-    uint32_t row = r.ts.row[i];
-    double p[3][3];
-
-    for (unsigned k = 0; k < 3; k++) {
-      corner(&r, number(&r.t, 3 + k, row), p[k]);
-    }
-    end = sg_cancel_every(&call->cancel, i)
-              ? SG_SHADING_STOPPED
-              : sg_shading_add_polygon(scene, number(&r.t, 1, row),
-                                       (const double(*)[3])p, &three, 1);
+    end = sg_cancel_every(&call->cancel, i) ? SG_SHADING_STOPPED
+                                            : add_triangle(&r, r.ts.row[i]);
   }
   close_reading(&r);
   return end;

@@ -12,12 +12,13 @@
 /* ---- the tree ---- */
 
 static void
-add_edges(const sg_shading *s, const sg_shading_polygon *p, sg_box *box)
+add_corners(const sg_shading *s, const sg_shading_polygon *p, sg_box *box)
 {
-  for (uint32_t i = 0; i < p->edges; i++) {
-    const sg_shading_edge *e = &s->edge.item[p->edge + i];
-    sg_box_add(box, (const double[3]){e->x1, e->y1, e->z1});
-    sg_box_add(box, (const double[3]){e->x2, e->y2, e->z2});
+  for (uint32_t i = 0; i < p->corners; i++) {
+    uint32_t corner = s->corner_of.item[p->corner + i];
+    if (corner != SG_NO_CORNER) {
+      sg_box_add(box, s->corner.item[corner].at);
+    }
   }
 }
 
@@ -27,7 +28,7 @@ box_of(const sg_shading *s, const sg_shading_item *item)
   sg_box box = sg_box_none();
 
   if (!item->round) {
-    add_edges(s, &s->polygon.item[item->at], &box);
+    add_corners(s, &s->polygon.item[item->at], &box);
     return box;
   }
   const sg_shading_body *body = &s->body.item[item->at];

@@ -15,15 +15,13 @@
 /* Ends of slices in 1/256 dot. Halves that are rounded otherwise in two faces
  * are no halves: what is a little less counts as one. */
 static int32_t
-end_of(double x)
+end_of(const sg_shading_work *w, double x)
 {
-  return (int32_t)floor(x * 256.0 + (0.5 + 1e-6));
-}
+  int32_t width = w->scene->frame.width;
 
-static double
-inside(const sg_shading_work *w, double x)
-{
-  return fmin(fmax(x, 0.0), w->scene->frame.width);
+  return !(x > 0)    ? 0
+         : x < width ? (int32_t)(x * 256.0 + (0.5 + 1e-6))
+                     : width * 256;
 }
 
 static bool
@@ -53,9 +51,7 @@ slice_plane(const sg_shading_surface *plane, double y, sg_slice *out)
 
 /* ---- polygons ---- */
 
-typedef struct corner {
-  double x, z;
-} corner;
+typedef sg_slice_corner corner;
 
 /* A plane that is seen edge-on: between its edges. */
 static void
@@ -73,26 +69,53 @@ sort_corners(corner *all, size_t n)
   SG_SORT_FEW(corner, all, n, x->x > y->x);
 }
 
+/* Where an edge meets the line, which is above `low` or at it. */
+static corner
+meet_edge(const double low[3], const double high[3], double y)
+{
+  double part = (y - low[1]) / (high[1] - low[1]);
+
+  return (corner){low[0] + part * (high[0] - low[0]),
+                  low[2] + part * (high[2] - low[2])};
+}
+
 /* Where edges cross the line, from left to right. False: no memory. */
 static bool
 find_corners(sg_shading_work *w, const sg_shading_polygon *p, double y)
 {
-  const sg_shading_edge *edge = &w->scene->edge.item[p->edge];
+  const sg_shading *s = w->scene;
+  const uint32_t *of = &s->corner_of.item[p->corner];
+  const double *before = NULL;
+  bool was_low = false;
 
   w->crossing.n = 0;
-  for (uint32_t i = 0; i < p->edges; i++) {
-    const sg_shading_edge *e = &edge[i];
-
-    if (e->y1 <= y && y < e->y2) {
-      double part = (y - e->y1) / (e->y2 - e->y1);
-      if (!SG_PUSH(w->crossing, e->x1 + part * (e->x2 - e->x1)) ||
-          !SG_PUSH(w->crossing, e->z1 + part * (e->z2 - e->z1))) {
-        w->failed = true;
-        return false;
-      }
-    }
+  if (!sg_list_need(&w->crossing.item, p->corners, &w->crossing.room,
+                    sizeof *w->crossing.item)) {
+    w->failed = true;
+    return false;
   }
-  sort_corners((corner *)(void *)w->crossing.item, w->crossing.n / 2);
+  for (uint32_t i = 0; i < p->corners; i++) {
+    if (of[i] == SG_NO_CORNER) {
+      before = NULL;
+      continue;
+    }
+    const double *at = s->corner.item[of[i]].at;
+    bool is_low = at[1] <= y;
+    if (before && is_low != was_low) {
+      w->crossing.item[w->crossing.n++] =
+          meet_edge(is_low ? at : before, is_low ? before : at, y);
+    }
+    before = at;
+    was_low = is_low;
+  }
+  corner *c = w->crossing.item;
+  if (w->crossing.n != 2) {
+    sort_corners(c, w->crossing.n);
+  } else if (c[0].x > c[1].x) { /* as it mostly is */
+    corner right = c[0];
+    c[0] = c[1];
+    c[1] = right;
+  }
   return true;
 }
 
@@ -100,29 +123,33 @@ static bool
 slice_polygon(sg_shading_work *w, const sg_shading_polygon *p, double y)
 {
   const sg_shading_surface *plane = &w->scene->surface.item[p->surface];
-  sg_slice slice = {.leaf = p->leaf,
-                    .surface = p->surface,
-                    .face = p->face,
-                    .sense = p->sense};
 
-  if (!find_corners(w, p, y)) {
+  if (!find_corners(w, p, y) ||
+      !sg_list_need(&w->slice.item, w->slice.n + w->crossing.n / 2,
+                    &w->slice.room, sizeof *w->slice.item)) {
+    w->failed = true;
     return false;
   }
-  const corner *at = (const corner *)(const void *)w->crossing.item;
-  bool edge_on = fabs(plane->q[2]) < SG_EDGE_ON;
+  const corner *at = w->crossing.item;
 
-  if (!edge_on) {
-    slice_plane(plane, y, &slice);
-  }
-  for (size_t i = 0; i + 3 < w->crossing.n; i += 4, at += 2) {
-    slice.x1 = end_of(inside(w, at[0].x));
-    slice.x2 = end_of(inside(w, at[1].x));
-    if (edge_on) {
-      slice_between(&at[0], &at[1], &slice);
+  for (size_t i = 0; i + 1 < w->crossing.n; i += 2, at += 2) {
+    sg_slice *out = &w->slice.item[w->slice.n];
+    int32_t x1 = end_of(w, at[0].x), x2 = end_of(w, at[1].x);
+    if (x1 >= x2) {
+      continue;
     }
-    if (!add_slice(w, &slice)) {
-      return false;
+    *out = (sg_slice){.x1 = x1,
+                      .x2 = x2,
+                      .leaf = p->leaf,
+                      .surface = p->surface,
+                      .face = p->face,
+                      .sense = p->sense};
+    if (fabs(plane->q[2]) < SG_EDGE_ON) {
+      slice_between(&at[0], &at[1], out);
+    } else {
+      slice_plane(plane, y, out);
     }
+    w->slice.n++;
   }
   return true;
 }
@@ -406,8 +433,8 @@ slice_body(sg_shading_work *w, const sg_shading_body *body, double y)
   add_break(&all, w->scene->frame.width);
   sort_breaks(&all);
   for (int i = 0; i < all.n; i++) {
-    int32_t x1 = end_of(inside(w, all.x[i]));
-    int32_t x2 = i + 1 < all.n ? end_of(inside(w, all.x[i + 1])) : x1;
+    int32_t x1 = end_of(w, all.x[i]);
+    int32_t x2 = i + 1 < all.n ? end_of(w, all.x[i + 1]) : x1;
     if ((x2 > x1 || i + 1 == all.n) && !go_on(w, cuts, n, x1, x2)) {
       return false;
     }
@@ -434,7 +461,7 @@ bool
 sg_slices_of_line(sg_shading_work *w, double y)
 {
   const sg_shading *s = w->scene;
-  uint32_t band = (uint32_t)(y / SG_BAND);
+  uint32_t band = (uint32_t)y / s->band;
 
   w->slice.n = 0;
   for (uint32_t i = s->band_first[band]; i < s->band_first[band + 1]; i++) {

@@ -148,6 +148,14 @@ order(sg_shading_work *w, int32_t x1, int32_t x2)
   SG_SORT_FEW(sg_active, active, w->active.n, x->middle > y->middle);
 }
 
+/* Whether straight slices are in order all the way. */
+static bool
+are_apart(const sg_active *a, const sg_active *b, double t)
+{
+  return a->slice->arc == 0 && b->slice->arc == 0 && b->left - a->left > t &&
+         b->right - a->right > t && b->middle - a->middle > t;
+}
+
 /* The first place between x1 and x2 where the order may change down to the
  * last slice of the group that is seen; x1: nowhere. */
 static int32_t
@@ -159,7 +167,9 @@ find_change(const sg_shading_work *w, int32_t x1, int32_t x2, size_t last)
 
   for (size_t i = 1; i < w->active.n; i++) {
     const sg_active *front = i <= last ? &a[i - 1] : &a[last];
-    int32_t x = sg_slices_cross(front, &a[i], x1, x2, t);
+    int32_t x = are_apart(front, &a[i], t)
+                    ? x1
+                    : sg_slices_cross(front, &a[i], x1, x2, t);
     if (x != x1 && (first == x1 || x < first)) {
       first = x;
     }
@@ -232,8 +242,14 @@ start_at(const sg_shading_work *w, size_t i)
   return i < w->start.n ? (int32_t)(w->start.item[i] >> 32) : INT32_MAX;
 }
 
-/* Lets go what ends at x, and takes in what begins there. In *to the next place
- * where a slice begins or ends. */
+static const sg_slice *
+slice_of_start(const sg_shading_work *w, size_t i)
+{
+  return &w->slice.item[(uint32_t)(w->start.item[i] & UINT32_MAX)];
+}
+
+/* Lets go what ends at x, and takes in what begins up to there. In *to the next
+ * place where a slice begins or ends. */
 static bool
 change_active(sg_shading_work *w, int32_t x, size_t *next, int32_t *to)
 {
@@ -249,8 +265,10 @@ change_active(sg_shading_work *w, int32_t x, size_t *next, int32_t *to)
   }
   w->active.n = kept;
   for (; start_at(w, *next) <= x; ++*next) {
-    const sg_slice *slice =
-        &w->slice.item[(uint32_t)(w->start.item[*next] & UINT32_MAX)];
+    const sg_slice *slice = slice_of_start(w, *next);
+    if (slice->x2 <= x) {
+      continue; /* it was passed over */
+    }
     if (!SG_PUSH(w->active, (sg_active){.slice = slice})) {
       w->failed = true;
       return false;
@@ -259,6 +277,83 @@ change_active(sg_shading_work *w, int32_t x, size_t *next, int32_t *to)
   }
   *to = start_at(w, *next) < end ? start_at(w, *next) : end;
   return true;
+}
+
+/* ---- where one slice is in front of all others ---- */
+
+static bool
+is_behind(const sg_slice *s, const sg_slice *front, int32_t x, double margin)
+{
+  double at = x / 256.0;
+
+  return sg_slice_depth(s, at) - sg_slice_depth(front, at) > margin;
+}
+
+/* Of what is there at x one that is nearest. */
+static size_t
+nearest(const sg_shading_work *w, int32_t x)
+{
+  double least = INFINITY;
+  size_t best = 0;
+
+  for (size_t i = 0; i < w->active.n; i++) {
+    double depth = sg_slice_depth(w->active.item[i].slice, x / 256.0);
+    if (depth < least) {
+      least = depth;
+      best = i;
+    }
+  }
+  return best;
+}
+
+/* So far from x on one straight slice, of a leaf that is seen as soon as it is
+ * entered, is in front of all that is there or begins: it is seen, whatever
+ * else begins or ends behind it. x: not at all. In *front its place. */
+static int32_t
+front_ends(const sg_shading_work *w, int32_t x, size_t next, size_t *front)
+{
+  double margin = 4.0 * w->scene->frame.tolerance + 1e-8;
+
+  *front = nearest(w, x);
+  const sg_slice *f = w->active.item[*front].slice;
+  int32_t to = f->x2;
+
+  if (w->opacities || f->arc != 0 || !w->scene->leaf.item[f->leaf].united) {
+    return x;
+  }
+  for (size_t i = 0; i < w->active.n; i++) {
+    const sg_slice *s = w->active.item[i].slice;
+    if (s != f && (s->arc != 0 || !is_behind(s, f, x, margin) ||
+                   !is_behind(s, f, s->x2 < to ? s->x2 : to, margin))) {
+      return x;
+    }
+  }
+  for (; start_at(w, next) < to; next++) {
+    const sg_slice *s = slice_of_start(w, next);
+    if (s->arc != 0 || !is_behind(s, f, s->x1, margin) ||
+        !is_behind(s, f, s->x2 < to ? s->x2 : to, margin)) {
+      return s->x1;
+    }
+  }
+  return to;
+}
+
+/* What is seen from x1 up to where a slice begins or ends, or farther; to
+ * there. */
+static bool
+sweep_on(sg_shading_work *w, int32_t x1, size_t next, int32_t *x2,
+         sg_spans *out)
+{
+  size_t front;
+  int32_t to = front_ends(w, x1, next, &front);
+
+  if (to == x1) {
+    return sweep_between(w, x1, *x2, out);
+  }
+  *x2 = to;
+  w->layer.n = 0;
+  w->failed = w->failed || !SG_PUSH(w->layer, ((sg_layer){front, SG_OPAQUE}));
+  return !w->failed && add_spans(w, x1, to, out);
 }
 
 static const sg_line_part all_of_it = {INT32_MIN, INT32_MAX, false};
@@ -289,7 +384,7 @@ sg_shading_line_part(const sg_shading *scene, sg_shading_work *w, double y,
   for (int32_t x1 = start_at(w, 0), x2; x1 < INT32_MAX; x1 = x2) {
     if (!change_active(w, x1, &next, &x2) ||
         (w->active.n > 0 && is_wanted(part, x1, x2) &&
-         !sweep_between(w, x1, x2, out))) {
+         !sweep_on(w, x1, next, &x2, out))) {
       return false;
     }
   }

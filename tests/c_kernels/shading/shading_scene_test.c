@@ -104,17 +104,19 @@ add_body(sg_shading *s, const body *b)
     return sg_shading_add_piece(s, &piece) == SG_SHADING_GOOD;
   }
   for (int32_t f = 0; f < 6; f++) {
-    double p[4][3];
+    uint32_t corner[4];
     for (int i = 0; i < 4; i++) {
+      double p[3];
       for (int k = 0; k < 3; k++) {
-        p[i][k] = b->frame[0][k];
+        p[k] = b->frame[0][k];
         for (int a = 0; a < 3; a++) {
-          p[i][k] += (side[f][i] >> a & 1 ? 1 : -1) * b->frame[a + 1][k];
+          p[k] += (side[f][i] >> a & 1 ? 1 : -1) * b->frame[a + 1][k];
         }
       }
+      good = good && sg_shading_add_corner(s, p, &corner[i]) == SG_SHADING_GOOD;
     }
-    good = good && sg_shading_add_polygon(s, f + 1, (const double(*)[3])p,
-                                          &four, 1) == SG_SHADING_GOOD;
+    good = good && sg_shading_add_polygon(s, f + 1, corner, &four, 1) ==
+                       SG_SHADING_GOOD;
   }
   return good;
 }
