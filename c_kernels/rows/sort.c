@@ -188,6 +188,10 @@ sg_sort_upper(uint64_t **key, size_t n)
   }
   for (unsigned k = 0; good && k < 3; k++) {
     uint64_t *swap = from;
+    unsigned any = n > 0 ? (unsigned)(from[0] >> (32 + k * UPPER_BITS)) : 0;
+    if (begin[k][(any & (UPPER_DIGITS - 1)) + 1] == n) {
+      continue; /* all have the same */
+    }
     for (size_t d = 0; d < UPPER_DIGITS; d++) {
       begin[k][d + 1] += begin[k][d];
     }

@@ -25,7 +25,7 @@ typedef struct merging {
 
 /* The quadric from another point, in its own scale. */
 static void
-move_quadric(const sg_shading_surface *s, const double at[3], double q[10])
+move_quadric(const sg_shading_quadric *s, const double at[3], double q[10])
 {
   const double *a = s->q;
   double p[3];
@@ -48,7 +48,7 @@ key_of(const merging *m, const sg_shading_surface *s)
   if (!s->quadric) {
     return s->q[3] + m->reach * (SPREAD_X * s->q[0] + SPREAD_Y * s->q[1]);
   }
-  move_quadric(s, m->scene->middle, q);
+  move_quadric(&m->scene->quadric.item[s->of], m->scene->middle, q);
   return q[9];
 }
 
@@ -62,8 +62,8 @@ same_plane(const merging *m, const double p[4], const double q[4])
 
 /* Near both centres; `reach` there is a few radii. */
 static bool
-same_quadric(const merging *m, const sg_shading_surface *a,
-             const sg_shading_surface *b)
+same_quadric(const merging *m, const sg_shading_quadric *a,
+             const sg_shading_quadric *b)
 {
   double q[10], squares = 0.0, linear = 0.0;
   double size = sg_distance(a->at, b->at), radius = sqrt(fabs(b->q[9]));
@@ -86,13 +86,14 @@ same_surface(const merging *m, uint32_t i, uint32_t j)
   const sg_shading_surface *a = &m->scene->surface.item[i];
   const sg_shading_surface *b = &m->scene->surface.item[j];
 
-  return a->quadric
-             ? same_quadric(m, a, b)
-             : (a->known > 0) == (b->known > 0) && same_plane(m, a->q, b->q);
+  const sg_shading_quadric *quadric = m->scene->quadric.item;
+
+  return a->quadric ? same_quadric(m, &quadric[a->of], &quadric[b->of])
+                    : (a->of > 0) == (b->of > 0) && same_plane(m, a->q, b->q);
 }
 
-/* Those of a kind, in order of their keys: each goes to the first before it
- * that is the same. */
+/* Those of a kind, in order of their keys: each goes to that of the nearest
+ * before it to which it may: of many in one plane the first that is asked. */
 static sg_shading_end
 merge_kind(merging *m, bool quadric, const sg_cancel *cancel)
 {
@@ -116,8 +117,8 @@ merge_kind(merging *m, bool quadric, const sg_cancel *cancel)
       return SG_SHADING_STOPPED;
     }
     for (size_t k = i; k > 0 && value - m->key[k - 1].value <= width; k--) {
-      uint32_t other = m->key[k - 1].of;
-      if (m->to[other] == other && same_surface(m, m->key[i].of, other)) {
+      uint32_t other = m->to[m->key[k - 1].of];
+      if (same_surface(m, m->key[i].of, other)) {
         m->to[m->key[i].of] = other;
         break;
       }

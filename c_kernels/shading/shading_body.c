@@ -131,7 +131,8 @@ combined(const form *a, double part, const form *b)
 static uint32_t
 add_quadric(sg_shading *s, const sg_shading_piece *piece, const seen_frame *f)
 {
-  sg_shading_surface out = {.quadric = true};
+  sg_shading_surface surface = {.quadric = true, .of = (uint32_t)s->quadric.n};
+  sg_shading_quadric out = {.at = {0}};
   form radius = combined(&f->row[3], piece->k - 1.0, &f->row[2]);
   double size = 0.0;
 
@@ -150,7 +151,9 @@ add_quadric(sg_shading *s, const sg_shading_piece *piece, const seen_frame *f)
   for (int k = 0; k < 10 && size > 0; k++) {
     out.q[k] /= size;
   }
-  return SG_PUSH(s->surface, out) ? (uint32_t)(s->surface.n - 1) : UINT32_MAX;
+  return SG_PUSH(s->quadric, out) && SG_PUSH(s->surface, surface)
+             ? (uint32_t)(s->surface.n - 1)
+             : UINT32_MAX;
 }
 
 /* ---- its planes ---- */
@@ -161,30 +164,27 @@ static bool
 add_bound(sg_shading *s, const seen_frame *f, const form *bound, int32_t face,
           sg_shading_body *body)
 {
-  sg_shading_surface out = {.quadric = false};
-  double length = sg_any_length(bound->c), from[3];
+  double length = sg_any_length(bound->c), from[3], q[4];
   const double *c = bound->c;
   bool turned = c[2] < 0 || (c[2] == 0 && (c[0] < 0));
 
   for (int k = 0; k < 3; k++) {
-    out.at[k] = s->middle[k];
-    out.q[k] = c[k] / length * (turned ? -1 : 1);
+    q[k] = c[k] / length * (turned ? -1 : 1);
   }
   sg_minus(s->middle, f->at, from);
-  out.q[3] = sg_dot(out.q, from) + c[3] / length * (turned ? -1 : 1);
-  if (fabs(out.q[0]) < LEVEL && fabs(out.q[2]) < LEVEL) {
+  q[3] = sg_dot(q, from) + c[3] / length * (turned ? -1 : 1);
+  if (fabs(q[0]) < LEVEL && fabs(q[2]) < LEVEL) {
     double y = nearbyint((f->at[1] - c[3] / c[1]) * SG_SNAP) / SG_SNAP;
     *(c[1] > 0 ? &body->y1 : &body->y2) =
         c[1] > 0 ? fmax(body->y1, y) : fmin(body->y2, y);
     return true;
   }
-  if (!SG_PUSH(s->surface, out)) {
+  uint32_t plane = sg_shading_add_plane(s, q);
+  if (plane == UINT32_MAX) {
     return false;
   }
-  body->bound[body->bounds++] =
-      (sg_shading_bound){.surface = (uint32_t)(s->surface.n - 1),
-                         .face = face,
-                         .sense = turned ? -1.0 : 1.0};
+  body->bound[body->bounds++] = (sg_shading_bound){
+      .surface = plane, .face = face, .sense = turned ? -1.0 : 1.0};
   return true;
 }
 

@@ -6,7 +6,7 @@
 #include <string.h>
 
 static double
-quadric_depth(const sg_shading_surface *s, int sense, double x, double y)
+quadric_depth(const sg_shading_quadric *s, int sense, double x, double y)
 {
   const double *q = s->q;
   double a = q[2], b = (q[4] * x + q[5] * y + q[8]) / 2;
@@ -25,7 +25,7 @@ quadric_depth(const sg_shading_surface *s, int sense, double x, double y)
 /* The gradient in the picture, with its value at the origin of the axes, of a
  * quadric at a point of it from `at`. */
 static void
-tangent_plane(const sg_shading_surface *s, const double p[3], double out[4])
+tangent_plane(const sg_shading_quadric *s, const double p[3], double out[4])
 {
   const double *q = s->q;
 
@@ -57,7 +57,7 @@ known_normal(const sg_shading *scene, const sg_shading_surface *s,
   double p[3], out[3];
 
   sg_shading_place(scene, seen, p);
-  if (sg_known_surface_normal(&scene->known.item[s->known - 1], p, s->normal,
+  if (sg_known_surface_normal(&scene->known.item[s->of - 1], p, s->normal,
                               out)) {
     memcpy(normal, out, sizeof out);
   }
@@ -68,22 +68,24 @@ sg_shading_point(const sg_shading *scene, const sg_span *span, double x,
                  double y, double *depth, double normal[3])
 {
   const sg_shading_surface *s = &scene->surface.item[span->surface];
-  double p[3] = {x - s->at[0], y - s->at[1], 0}, plane[4];
+  const double *at = s->quadric ? scene->quadric.item[s->of].at : scene->middle;
+  double p[3] = {x - at[0], y - at[1], 0}, plane[4];
 
   if (!s->quadric) {
-    *depth = s->at[2] -
-             (fabs(s->q[2]) < SG_EDGE_ON
-                  ? 0.0
-                  : (s->q[0] * p[0] + s->q[1] * p[1] + s->q[3]) / s->q[2]);
+    *depth =
+        at[2] - (fabs(s->q[2]) < SG_EDGE_ON
+                     ? 0.0
+                     : (s->q[0] * p[0] + s->q[1] * p[1] + s->q[3]) / s->q[2]);
     memcpy(normal, s->normal, 3 * sizeof *normal);
-    if (s->known > 0) {
+    if (s->of > 0) {
       known_normal(scene, s, (double[3]){x, y, *depth}, normal);
     }
     return;
   }
-  p[2] = quadric_depth(s, span->sense, p[0], p[1]);
-  *depth = s->at[2] + p[2];
-  tangent_plane(s, p, plane);
+  const sg_shading_quadric *quadric = &scene->quadric.item[s->of];
+  p[2] = quadric_depth(quadric, span->sense, p[0], p[1]);
+  *depth = at[2] + p[2];
+  tangent_plane(quadric, p, plane);
   double way = plane[2] > 0 ? -1.0 : 1.0;
 
   for (int k = 0; k < 3; k++) {
@@ -101,7 +103,9 @@ sg_shading_point(const sg_shading *scene, const sg_span *span, double x,
 bool
 sg_shading_is_faceted(const sg_shading *scene, const sg_span *span)
 {
-  return scene->surface.item[span->surface].known > 0;
+  const sg_shading_surface *s = &scene->surface.item[span->surface];
+
+  return !s->quadric && s->of > 0;
 }
 
 bool
@@ -109,5 +113,5 @@ sg_shading_is_flat(const sg_shading *scene, const sg_span *span)
 {
   const sg_shading_surface *s = &scene->surface.item[span->surface];
 
-  return !s->quadric && s->known == 0;
+  return !s->quadric && s->of == 0;
 }

@@ -11,7 +11,7 @@
 /* Rows of dots of which there is one list of what lies in them: the fewest, a
  * power of 2, with which a thing is in few lists. */
 #define SG_BAND_MOST  16
-#define SG_BAND_LISTS 4
+#define SG_BAND_LISTS 3
 
 /* Most lights that have shadows. */
 #define SG_SHADOWS 9
@@ -23,22 +23,21 @@
 /* A plane whose normal has less along the line of sight is seen edge-on. */
 #define SG_EDGE_ON 1e-6
 
-/* A plane n.(p - at) + d = 0, n a unit vector; or a quadric
- * q0 xx + q1 yy + q2 zz + q3 xy + q4 xz + q5 yz + q6 x + q7 y + q8 z + q9 = 0
- * round `at`; both in the picture. */
+/* q0 xx + q1 yy + q2 zz + q3 xy + q4 xz + q5 yz + q6 x + q7 y + q8 z + q9 = 0
+ * round `at`, in the picture. */
+typedef struct sg_shading_quadric {
+  double at[3], q[10];
+} sg_shading_quadric;
+
+/* A quadric, or a plane q0 x + q1 y + q2 z + q3 = 0 round the middle of the
+ * scene, (q0, q1, q2) a unit vector. */
 typedef struct sg_shading_surface {
   bool quadric;
-  uint32_t known; /* of a plane: it stands for this one of scene->known, from 1;
-                     0: for none */
-  double at[3];
-  union {
-    double q[10];
-    struct {
-      double n_d[4];    /* of a plane, the first ones of q */
-      double normal[3]; /* in the model, to the eye */
-    };
-  };
-} sg_shading_surface;
+  uint32_t of; /* its place in scene->quadric; a plane stands for this one of
+                  scene->known, from 1; 0: for none */
+  double q[4];
+  double normal[3];   /* of a plane: in the model, to the eye */
+} sg_shading_surface; /* 64 bytes: as it is with polygons */
 
 /* Between loops of a polygon. */
 #define SG_NO_CORNER UINT32_MAX
@@ -99,10 +98,11 @@ typedef struct sg_shading_item {
 struct sg_shading {
   uint64_t serial; /* no two of a process have one */
   sg_shading_frame frame;
-  double middle[3];       /* where planes have their `at` */
+  double middle[3];       /* round which planes are */
   double low[3], high[3]; /* of all faces, in the picture */
   SG_LIST_OF(sg_shading_leaf) leaf;
   SG_LIST_OF(sg_shading_surface) surface;
+  SG_LIST_OF(sg_shading_quadric) quadric;
   SG_LIST_OF(sg_shading_polygon) polygon;
   SG_LIST_OF(sg_shading_corner) corner, exact;
   SG_LIST_OF(uint32_t) corner_of; /* polygons */
@@ -190,6 +190,10 @@ sg_snapped(double x)
              ? (x + coarse) - coarse
              : __builtin_nearbyint(x * SG_SNAP) / SG_SNAP;
 }
+
+/* shading_scene.c: a plane, as sg_shading_surface has it; its place,
+ * UINT32_MAX: no memory. */
+uint32_t sg_shading_add_plane(sg_shading *s, const double q[4]);
 
 /* slice.c: the slices of the line y, unordered; those of one thing of a band
  * come behind what is there. */

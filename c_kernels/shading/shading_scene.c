@@ -80,6 +80,7 @@ sg_shading_close(sg_shading *s)
   if (s) {
     free(s->leaf.item);
     free(s->surface.item);
+    free(s->quadric.item);
     free(s->polygon.item);
     free(s->corner.item);
     free(s->exact.item);
@@ -119,25 +120,42 @@ sg_shading_add_leaf(sg_shading *s, int32_t number)
 
 /* ---- planes ---- */
 
+uint32_t
+sg_shading_add_plane(sg_shading *s, const double q[4])
+{
+  sg_shading_surface plane = {.of = s->known_now};
+  double d = q[3] - sg_dot(q, s->middle), n[3];
+
+  memcpy(plane.q, q, sizeof plane.q);
+  for (int k = 0; k < 3; k++) { /* q looks away */
+    n[k] = -d * s->frame.matrix[3][k];
+    for (int j = 0; j < 3; j++) {
+      n[k] -= q[j] * s->frame.matrix[j][k];
+    }
+  }
+  double length = sg_any_length(n);
+  for (int k = 0; k < 3; k++) {
+    plane.normal[k] = length > 0 ? n[k] / length : 0.0;
+  }
+  return SG_PUSH(s->surface, plane) ? (uint32_t)(s->surface.n - 1) : UINT32_MAX;
+}
+
 /* A plane with this normal, of any length, through `at`, in the picture: its
  * place, UINT32_MAX: no memory. *turned: stored with the opposite normal. */
 static uint32_t
 add_plane(sg_shading *s, const double normal[3], const double at[3],
           bool *turned)
 {
-  sg_shading_surface plane = {.quadric = false};
-  double length = sg_any_length(normal), from[3];
+  double length = sg_any_length(normal), from[3], q[4];
   const double *n = normal;
 
-  plane.known = s->known_now;
   *turned = n[2] < 0 || (n[2] == 0 && (n[0] < 0 || (n[0] == 0 && n[1] < 0)));
   for (int k = 0; k < 3; k++) {
-    plane.at[k] = s->middle[k];
-    plane.q[k] = length > 0 ? n[k] / length * (*turned ? -1 : 1) : 0.0;
+    q[k] = length > 0 ? n[k] / length * (*turned ? -1 : 1) : 0.0;
   }
   sg_minus(s->middle, at, from);
-  plane.q[3] = sg_dot(plane.q, from);
-  return SG_PUSH(s->surface, plane) ? (uint32_t)(s->surface.n - 1) : UINT32_MAX;
+  q[3] = sg_dot(q, from);
+  return sg_shading_add_plane(s, q);
 }
 
 /* ---- polygons ---- */
@@ -306,39 +324,30 @@ bands_of(const sg_shading *s, double y1, double y2)
                 (uint32_t)(y2 < most - 0.5 ? y2 : most - 0.5) / s->band};
 }
 
-/* What is done with a thing that lies in some bands. */
-typedef enum sg_band_task {
-  SG_BAND_COUNT, /* how many lists it is in */
-  SG_BAND_SIZE,  /* the lengths of lists */
-  SG_BAND_WRITE
-} sg_band_task;
-
+/* Counts (item null) or writes what lies in each band. How often it did. */
 static size_t
-fill_band(sg_shading *s, rows r, sg_shading_item item, sg_band_task task)
+fill_band(sg_shading *s, rows r, sg_shading_item item)
 {
-  if (task == SG_BAND_COUNT) {
-    return r.first <= r.last ? r.last - r.first + 1 : 0;
-  }
   for (uint32_t b = r.first; b <= r.last && r.first <= r.last; b++) {
-    if (task == SG_BAND_WRITE) {
+    if (s->item) {
       s->item[s->band_first[b]++] = item;
     } else {
       s->band_first[b + 1]++;
     }
   }
-  return 0;
+  return r.first <= r.last ? r.last - r.first + 1 : 0;
 }
 
 static size_t
-fill_bands(sg_shading *s, sg_band_task task)
+fill_bands(sg_shading *s)
 {
-  size_t count = 0;
+  size_t times = 0;
 
   for (uint32_t i = 0; i < s->polygon.n; i++) {
     const sg_shading_polygon *p = &s->polygon.item[i];
     if (s->leaf.item[p->leaf].root >= 0) {
-      count += fill_band(s, bands_of(s, p->y1, p->y2),
-                         (sg_shading_item){i, false}, task);
+      times +=
+          fill_band(s, bands_of(s, p->y1, p->y2), (sg_shading_item){i, false});
     }
   }
   for (uint32_t i = 0; i < s->body.n; i++) {
@@ -350,35 +359,35 @@ fill_bands(sg_shading *s, sg_band_task task)
       y2 = fmax(y2, s->body.item[i + 1].y2);
     }
     if (s->leaf.item[s->body.item[from].leaf].root >= 0) {
-      count += fill_band(s, bands_of(s, y1, y2), (sg_shading_item){from, true},
-                         task);
+      times += fill_band(s, bands_of(s, y1, y2), (sg_shading_item){from, true});
     }
   }
-  return count;
+  return times;
 }
 
-static void
-choose_band(sg_shading *s)
+/* As many rows to a band as keep lists short. False: no memory. */
+static bool
+size_bands(sg_shading *s)
 {
-  size_t things = s->polygon.n + s->body.n;
+  size_t most = SG_BAND_LISTS * (s->polygon.n + s->body.n), times;
 
   s->band = 1;
-  while (s->band < SG_BAND_MOST &&
-         fill_bands(s, SG_BAND_COUNT) > SG_BAND_LISTS * things) {
-    s->band *= 2;
-  }
-  s->bands = ((uint32_t)s->frame.height + s->band - 1) / s->band;
+  do {
+    s->band *= s->band_first ? 2 : 1;
+    s->bands = ((uint32_t)s->frame.height + s->band - 1) / s->band;
+    free(s->band_first);
+    s->band_first = calloc((size_t)s->bands + 2, sizeof *s->band_first);
+    times = s->band_first ? fill_bands(s) : 0;
+  } while (times > most && s->band < SG_BAND_MOST);
+  return s->band_first;
 }
 
 static sg_shading_end
 make_bands(sg_shading *s)
 {
-  choose_band(s);
-  s->band_first = calloc((size_t)s->bands + 2, sizeof *s->band_first);
-  if (!s->band_first) {
+  if (!size_bands(s)) {
     return SG_SHADING_NO_MEMORY;
   }
-  fill_bands(s, SG_BAND_SIZE);
   for (uint32_t b = 0; b < s->bands; b++) {
     s->band_first[b + 1] += s->band_first[b];
   }
@@ -386,7 +395,7 @@ make_bands(sg_shading *s)
   if (!s->item) {
     return SG_SHADING_NO_MEMORY;
   }
-  fill_bands(s, SG_BAND_WRITE);
+  (void)fill_bands(s);
   for (uint32_t b = s->bands; b > 0; b--) {
     s->band_first[b] = s->band_first[b - 1];
   }
@@ -395,30 +404,6 @@ make_bands(sg_shading *s)
 }
 
 /* ---- sealing ---- */
-
-/* The normals of planes in the model, to the eye. */
-static void
-fill_normals(sg_shading *s)
-{
-  for (size_t i = 0; i < s->surface.n; i++) {
-    sg_shading_surface *plane = &s->surface.item[i];
-    double d = plane->q[3] - sg_dot(plane->q, plane->at), n[3];
-
-    if (plane->quadric) {
-      continue;
-    }
-    for (int k = 0; k < 3; k++) { /* the stored normal looks away */
-      n[k] = -d * s->frame.matrix[3][k];
-      for (int j = 0; j < 3; j++) {
-        n[k] -= plane->q[j] * s->frame.matrix[j][k];
-      }
-    }
-    double length = sg_any_length(n);
-    for (int k = 0; k < 3; k++) {
-      plane->normal[k] = length > 0 ? n[k] / length : 0.0;
-    }
-  }
-}
 
 sg_shading_end
 sg_shading_seal(sg_shading *s, const sg_cancel *cancel)
@@ -433,7 +418,6 @@ sg_shading_seal(sg_shading *s, const sg_cancel *cancel)
   }
   free(s->exact.item);
   s->exact.item = NULL;
-  fill_normals(s);
   sign_leaves(s);
   if (!sg_expression_seal(&s->expression)) {
     return SG_SHADING_NO_MEMORY;

@@ -39,13 +39,14 @@ add_slice(sg_shading_work *w, const sg_slice *slice)
 
 /* The line of a plane at y. */
 static void
-slice_plane(const sg_shading_surface *plane, double y, sg_slice *out)
+slice_plane(const sg_shading *scene, const sg_shading_surface *plane, double y,
+            sg_slice *out)
 {
-  const double *q = plane->q;
+  const double *q = plane->q, *at = scene->middle;
 
   out->arc = 0;
-  out->x0 = plane->at[0];
-  out->a = plane->at[2] - (q[1] * (y - plane->at[1]) + q[3]) / q[2];
+  out->x0 = at[0];
+  out->a = at[2] - (q[1] * (y - at[1]) + q[3]) / q[2];
   out->b = -q[0] / q[2];
 }
 
@@ -147,7 +148,7 @@ slice_polygon(sg_shading_work *w, const sg_shading_polygon *p, double y)
     if (fabs(plane->q[2]) < SG_EDGE_ON) {
       slice_between(&at[0], &at[1], out);
     } else {
-      slice_plane(plane, y, out);
+      slice_plane(w->scene, plane, y, out);
     }
     w->slice.n++;
   }
@@ -209,9 +210,15 @@ add_roots(breaks *all, double x0, double a, double b, double c)
   }
 }
 
+static const sg_shading_quadric *
+quadric_of(const sg_shading *s, const sg_shading_body *body)
+{
+  return &s->quadric.item[s->surface.item[body->surface].of];
+}
+
 /* The quadric at y, its two arcs, and where they end. */
 static void
-cut_quadric(const sg_shading_surface *s, double y, cut *out, breaks *all)
+cut_quadric(const sg_shading_quadric *s, double y, cut *out, breaks *all)
 {
   const double *q = s->q, v = y - s->at[1];
   double a = fabs(q[2]) < LEAST_DEEP ? copysign(LEAST_DEEP, q[2]) : q[2];
@@ -253,20 +260,20 @@ cut_bound(const sg_shading *scene, double y, int i, cut *out, breaks *all)
 {
   const sg_shading_bound *bound = &out->body->bound[i];
   const sg_shading_surface *plane = &scene->surface.item[bound->surface];
-  const double *q = plane->q;
+  const double *q = plane->q, *at = scene->middle;
   sg_slice *side = &out->side[BOUND + i];
 
   out->across[i] = bound->sense * q[2];
   out->along[i] = bound->sense * q[0];
-  out->rest[i] = bound->sense * (q[1] * (y - plane->at[1]) + q[3] -
-                                 q[2] * plane->at[2] - q[0] * plane->at[0]);
+  out->rest[i] =
+      bound->sense * (q[1] * (y - at[1]) + q[3] - q[2] * at[2] - q[0] * at[0]);
   *side = (sg_slice){.surface = bound->surface,
                      .leaf = out->body->leaf,
                      .face = bound->face,
                      .round = true,
                      .sense = out->across[i] > 0 ? 1 : -1};
   if (fabs(q[2]) > ACROSS) {
-    slice_plane(plane, y, side);
+    slice_plane(scene, plane, y, side);
     break_bound(&out->side[LOW], side, all);
   } else {
     add_break(all, -out->rest[i] / out->along[i]);
@@ -424,7 +431,7 @@ slice_body(sg_shading_work *w, const sg_shading_body *body, double y)
     for (int i = 0; i < SIDES; i++) {
       c->from[i] = -1;
     }
-    cut_quadric(&w->scene->surface.item[body->surface], y, c, &all);
+    cut_quadric(quadric_of(w->scene, body), y, c, &all);
     for (int i = 0; i < (int)body->bounds; i++) {
       cut_bound(w->scene, y, i, c, &all);
     }
