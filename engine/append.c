@@ -275,7 +275,6 @@ sg_append_show(sg_append *a)
     size_t n = sheet->page[k].n;
     sg_page *page = sg_table_page(table, row);
     sg_live *live = sg_map_own_live(map, page, row / SG_PAGE_ROWS);
-    sg_page_show(page, row % SG_PAGE_ROWS, n);
     if (table->info->column[0].type == SG_INT) {
       sg_page_extend(page, sheet->page[k].column[0].i, n);
     }

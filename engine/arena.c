@@ -1,13 +1,12 @@
 /* arena.c -- blocks aligned to their size, so that a piece finds its block. */
 #include "arena.h"
+#include "block.h"
 
 #include <stdlib.h>
 
 enum {
-  ALIGNMENT = 1 << 14,
-  BLOCK_BYTES = ALIGNMENT - 64, /* the rest is for what malloc needs itself */
-  EXACT = 8,                    /* sizes of so many words are exact */
-  LARGEST = 896                 /* words of a piece in a block */
+  EXACT = 8,    /* sizes of so many words are exact */
+  LARGEST = 896 /* words of a piece in a block */
 };
 
 /* Pieces given back are a chain: the first word of each says where the next one
@@ -24,7 +23,7 @@ struct sg_arena_block {
 
 enum {
   BLOCK_WORDS =
-      (BLOCK_BYTES - (int)sizeof(sg_arena_block)) / (int)sizeof(uint32_t)
+      (SG_BLOCK_BYTES - (int)sizeof(sg_arena_block)) / (int)sizeof(uint32_t)
 };
 
 struct sg_arena_large {
@@ -84,16 +83,14 @@ block_unlink(sg_arena_block **list, const sg_arena_block *block)
 static sg_arena_block *
 block_open(sg_arena *arena, unsigned size)
 {
-  void *place = NULL;
-  sg_arena_block *block;
+  sg_arena_block *block = sg_block_take();
 
-  if (posix_memalign(&place, ALIGNMENT, BLOCK_BYTES) != 0) {
+  if (!block) {
     return NULL;
   }
-  block = place;
   *block = (sg_arena_block){.size = size, .words = words_of(size)};
   block_link(&arena->open[size], block);
-  arena->bytes += BLOCK_BYTES;
+  arena->bytes += SG_BLOCK_BYTES;
   return block;
 }
 
@@ -137,8 +134,8 @@ piece_give(sg_arena *arena, sg_arena_block *block, uint32_t *piece)
   block->used = block->back = 0;
   if (block->previous || block->next) {
     block_unlink(&arena->open[block->size], block);
-    arena->bytes -= BLOCK_BYTES;
-    free(block);
+    arena->bytes -= SG_BLOCK_BYTES;
+    sg_block_give(block);
   }
 }
 
@@ -210,7 +207,7 @@ sg_arena_give(sg_arena *arena, const uint32_t *piece, size_t words)
   if (piece && words > LARGEST) {
     large_give(arena, (sg_arena_large *)(at - sizeof(sg_arena_large)), words);
   } else if (piece) {
-    uintptr_t block = at & ~(uintptr_t)(ALIGNMENT - 1);
+    uintptr_t block = at & ~(uintptr_t)(SG_BLOCK_BYTES - 1);
     piece_give(arena, (sg_arena_block *)block, (uint32_t *)at);
   }
 }
@@ -220,7 +217,7 @@ close_all(sg_arena_block *block)
 {
   for (sg_arena_block *next; block; block = next) {
     next = block->next;
-    free(block);
+    sg_block_give(block);
   }
 }
 

@@ -1,4 +1,5 @@
 /* index.c -- chains of rows and of members, by hash. */
+#include "block.h"
 #include "index_hash.h"
 #include "list.h"
 #include "table.h"
@@ -46,7 +47,7 @@ void
 sg_index_clear(sg_index *index)
 {
   for (size_t i = 0; i < index->pages; i++) {
-    free(index->next[i]);
+    sg_block_give(index->next[i]);
   }
   free(index->next);
   free(index->link);
@@ -169,6 +170,9 @@ reserve_heads(sg_index *index, const sg_table *table, size_t links)
   return (index->head && bits == index->bits) || grow(index, table, bits);
 }
 
+_Static_assert(SG_PAGE_ROWS * sizeof(uint32_t) == SG_BLOCK_BYTES,
+               "a page has one block of links");
+
 static bool
 reserve_next(sg_index *index, size_t pages)
 {
@@ -177,7 +181,7 @@ reserve_next(sg_index *index, size_t pages)
     return false;
   }
   while (index->pages < pages) {
-    index->next[index->pages] = malloc(SG_PAGE_ROWS * sizeof(**index->next));
+    index->next[index->pages] = sg_block_take();
     if (!index->next[index->pages]) {
       return false;
     }

@@ -1,5 +1,6 @@
 /* table.c -- pages of cells and their slots. */
 #include "table.h"
+#include "block.h"
 #include "index_hash.h"
 #include "list.h"
 
@@ -39,30 +40,6 @@ sg_table_init(sg_table *table, sg_relation relation)
   }
 }
 
-static void
-page_close(sg_page *page, const sg_relation_info *info)
-{
-  for (unsigned c = 0; c < info->arity; c++) {
-    free(page->cells[c].i);
-  }
-  free(page->empty);
-  free(page);
-}
-
-void
-sg_table_clear(sg_table *table)
-{
-  for (unsigned i = 0; i < table->indexes; i++) {
-    sg_index_clear(&table->index[i]);
-  }
-  for (size_t i = 0; i < table->pages; i++) {
-    page_close(table->page[i], table->info);
-  }
-  free(table->page);
-  sg_runs_clear(&table->keys);
-  sg_arena_clear(&table->arena);
-}
-
 static size_t
 cell_bytes(sg_type type)
 {
@@ -79,39 +56,58 @@ cell_bytes(sg_type type)
   return 0;
 }
 
+/* A page and its columns are one span. Columns begin at different places of the
+ * system's pages. */
+enum { COLUMN_GAP = 64 };
+
+static size_t
+page_bytes(const sg_relation_info *info)
+{
+  size_t bytes = sizeof(sg_page);
+
+  for (unsigned c = 0; c < info->arity; c++) {
+    bytes += SG_PAGE_ROWS * cell_bytes(info->column[c].type) + COLUMN_GAP;
+  }
+  return bytes;
+}
+
+static void
+page_close(sg_page *page, const sg_relation_info *info)
+{
+  free(page->empty);
+  sg_span_close(page, page_bytes(info));
+}
+
 static sg_page *
 page_open(const sg_relation_info *info)
 {
-  sg_page *page = calloc(1, sizeof(*page));
+  sg_page *page = sg_span_open(page_bytes(info));
+  char *cells = (char *)(page + 1);
 
   if (!page) {
     return NULL;
   }
-  page->fresh = info->column[0].type == SG_INT; /* others nobody looks for */
   atomic_init(&page->span.first, INT32_MAX);
   atomic_init(&page->span.last, INT32_MIN);
   for (unsigned c = 0; c < info->arity; c++) {
-    size_t bytes = SG_PAGE_ROWS * cell_bytes(info->column[c].type);
-
-    page->cells[c].i = malloc(bytes);
-    if (!page->cells[c].i) {
-      page_close(page, info);
-      return NULL;
-    }
+    page->cells[c].i = (void *)cells;
+    cells += SG_PAGE_ROWS * cell_bytes(info->column[c].type) + COLUMN_GAP;
   }
   return page;
 }
 
 void
-sg_page_show(sg_page *page, size_t place, size_t n)
+sg_table_clear(sg_table *table)
 {
-  int32_t *s = page->cells[0].i;
-
-  if (page->fresh) {
-    memset(s, 0, place * sizeof *s);
-    memset(s + place + n, 0, (SG_PAGE_ROWS - place - n) * sizeof *s);
-    page->fresh = false;
+  for (unsigned i = 0; i < table->indexes; i++) {
+    sg_index_clear(&table->index[i]);
   }
+  for (size_t i = 0; i < table->pages; i++) {
+    page_close(table->page[i], table->info);
+  }
+  free(table->page);
+  sg_runs_clear(&table->keys);
+  sg_arena_clear(&table->arena);
 }
 
 static void
@@ -251,7 +247,6 @@ sg_table_write(sg_table *table, sg_row row, const sg_value *value)
       page->cells[c].i[place] = value[c].i;
     }
   }
-  sg_page_show(page, place, 1);
   if (info->column[0].type == SG_INT) {
     sg_page_extend(page, &value[0].i, 1);
   }

@@ -45,7 +45,6 @@ typedef struct sg_page {
   unsigned empties;
   unsigned gap; /* of these no more stand in a row */
   bool vacant;  /* no slot was taken at the last sweep, nor since: for many */
-  bool fresh;   /* the segments of column 0 are not zero where nobody wrote */
   sg_span span;
 } sg_page;
 

@@ -434,7 +434,8 @@ error_object(Status, Objects, Error) :-
 worlds_collected :-
     flag(sg_jobs, Jobs, Jobs+1),
     (   Jobs mod 16 =:= 15
-    ->  garbage_collect_atoms
+    ->  garbage_collect_clauses,
+        garbage_collect_atoms
     ;   true
     ).
 

@@ -1,6 +1,7 @@
 :- module(sg_request,
           [ request_error/1,            % +What
-            request_options/2           % +Head, -Options
+            request_options/2,          % +Head, -Options
+            of_owner/2                  % +Head, +What
           ]).
 /** <module> What is wrong with a request, and its options.
 */
@@ -25,4 +26,16 @@ request_options(Head, Options) :-
         ;   request_error(bad_key(options, options))
         )
     ;   Options = []
+    ).
+
+%!  of_owner(+Head:dict, +What) is det.
+%
+%   The request is the owner's.
+%
+%   @error request_error(owner_alone(What))
+
+of_owner(Head, What) :-
+    (   get_dict(owner, Head, true)
+    ->  true
+    ;   request_error(owner_alone(What))
     ).

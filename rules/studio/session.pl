@@ -152,6 +152,7 @@ orphan_watched(Out, Worker) :-
 
 stop(Worker, Sequence) :-
     asserta(stopped_before(Sequence)),
+    forall(( stopped_before(S), S \== Sequence ), retract(stopped_before(S))),
     catch(thread_signal(Worker, sg_session:stop_heard), error(_, _), true).
 
 :- public stop_heard/0.

@@ -418,4 +418,26 @@ head, _ = s.ask("open", file=model, journal=journal)
 check("what was told is there", s.ask("text")[1] == told and
       head["replayed"] == done, head)
 check("end", s.end() == (0, b""))
+
+# ---- many revisions take no more memory than some ----
+
+s = session()
+s.ask("open", file="facts/figures/fig13.pl")
+
+
+def resident():
+    with open("/proc/%d/status" % s.process.pid) as f:
+        return next(int(l.split()[1]) for l in f if l.startswith("VmRSS"))
+
+
+said = []
+for n in range(1000):
+    head, _ = s.ask("edit", set={"segment": 1, "path": [2, 1, 1],
+                                 "value": 1 + n % 100 / 100})
+    if n % 3 == 0:
+        s.ask("view", format="strokes")
+    if n >= 150:
+        said.append(resident())
+check("memory is flat", max(said) < said[0] + 5500, said[::50])
+check("end", s.end() == (0, b""))
 checks.finish()

@@ -18,6 +18,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 /* ---- the allocator behind this one ---- */
 
@@ -236,20 +238,15 @@ aligned_alloc(size_t alignment, size_t size)
   return block;
 }
 
-int
-posix_memalign(void **out, size_t alignment, size_t size)
+/* What the store takes of the system without the heap. It keeps some. */
+void *
+mmap(void *place, size_t size, int protection, int flags, int file, off_t from)
 {
-  bool ours = ready() && is_ours(__builtin_return_address(0));
-  void *block = ours && refused() ? NULL : next_aligned(alignment, size);
-
-  if (!block) {
-    return ENOMEM;
+  if (ready() && is_ours(__builtin_return_address(0)) && refused()) {
+    errno = ENOMEM;
+    return MAP_FAILED;
   }
-  if (ours) {
-    hold(block);
-  }
-  *out = block;
-  return 0;
+  return (void *)syscall(SYS_mmap, place, size, protection, flags, file, from);
 }
 
 char *

@@ -15,6 +15,9 @@
 #include <gmp.h>
 #include <stdbool.h>
 #include <stdlib.h>
+#include <sys/mman.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 /* Of each thread. Volatile: a compiler may think that malloc() does not read
  * them. */
@@ -68,6 +71,15 @@ free(void *old)
 {
   living -= counting && old;
   __libc_free(old);
+}
+
+/* What the store takes of the system without the heap. It keeps some. */
+void *
+mmap(void *place, size_t size, int protection, int flags, int file, off_t from)
+{
+  return is_refused() ? MAP_FAILED
+                      : (void *)syscall(SYS_mmap, place, size, protection,
+                                        flags, file, from);
 }
 #endif
 

@@ -1,0 +1,163 @@
+:- module(sg_document_journal,
+          [ model_text/5,               % +File, -Text, -Steps, -Journal, +Head
+            journal_opened/5,           % +Where, +File, +Digest, +Steps,
+                                        % -Journal
+            journal_path/2,             % +Journal, -Path
+            path_saved/4,               % +File0, +File, +Path0, -Path
+            first_steps/2,              % +Rules, -Steps
+            save_step/3                 % +Rules, +Digest, -Step
+          ]).
+:- use_module('../model/model', [load_model/1]).
+:- use_module(document_content, [content/3, text_digest/2]).
+:- use_module(journal,
+              [ journal_begun/5, journal_closed/1, journal_line/2,
+                journal_steps/3, journal_whole/3
+              ]).
+:- use_module(request, [of_owner/2, request_error/1]).
+:- use_module(library(lists), [member/2]).
+:- use_module(library(readutil), [read_file_to_string/3]).
+/** <module> Where the journal of a document is, and what stands in it.
+*/
+
+%!  model_text(+File, -Text, -Steps, -Journal, +Head:dict) is det.
+%
+%   Text is what File holds, or what it held when its journal began, if Head
+%   wants that; Steps are the changes since that the journal has. Journal is
+%   file(Path) or `none`, as Head says.
+%
+%   @error request_error(What), model_error(What)
+
+model_text(File, Text, Steps, Journal, Head) :-
+    catch(read_file_to_string(File, Text0, [encoding(utf8)]), error(_, _),
+          load_model(File)),            % says what is wrong
+    wanted_path(Head, File, Path),
+    (   get_dict(replay, Head, "journal"),
+        Path \== none,
+        journal_whole(Path, Text, Steps)
+    ->  Journal = file(Path),
+        rules_allowed(Steps, Head)
+    ;   Text = Text0,
+        text_steps(Path, Text, Head, Steps, Journal)
+    ).
+
+%   text_steps(Path, Text, Head, Steps, Journal): the steps from Text on that
+%   the journal Path has.
+
+text_steps(Path, Text, Head, Steps, Journal) :-
+    text_digest(Text, Digest0),
+    atom_string(Digest0, Digest),
+    (   Path == none
+    ->  Steps = [],
+        Journal = none
+    ;   Journal = file(Path),
+        (   exists_file(Path),
+            \+ journal_steps(Path, Digest, _)
+        ->  request_error(no_journal(Path))
+        ;   true
+        ),
+        (   get_dict(replay, Head, false)
+        ->  Steps = []
+        ;   journal_steps(Path, Digest, Steps0)
+        ->  (   Steps0 == other
+            ->  request_error(journal_of_another(Path))
+            ;   Steps = Steps0,
+                rules_allowed(Steps, Head)
+            )
+        ;   Steps = []
+        )
+    ).
+
+%   rules_allowed(Steps, Head): rules run code, those of a journal too.
+
+rules_allowed(Steps, Head) :-
+    (   member(Step, Steps),
+        get_dict(rules, Step, Rules),
+        Rules \== ""
+    ->  of_owner(Head, journal)
+    ;   true
+    ).
+
+wanted_path(Head, File, Path) :-
+    (   get_dict(journal, Head, Wanted)
+    ->  (   Wanted == true
+        ->  usual_path(File, Path)
+        ;   string(Wanted),
+            Wanted \== ""
+        ->  atom_string(Path, Wanted)
+        ;   request_error(bad_key(journal, journal))
+        )
+    ;   Path = none
+    ).
+
+%   usual_path(File, Path): one for each file.
+
+usual_path(File, Path) :-
+    (   getenv('XDG_STATE_HOME', State),
+        State \== ''
+    ->  true
+    ;   getenv('HOME', Home),
+        atom_concat(Home, '/.local/state', State)
+    ),
+    absolute_file_name(File, Absolute),
+    text_digest(Absolute, Digest),
+    sub_atom(Digest, 0, 16, _, Short),
+    file_base_name(File, Base),
+    format(atom(Path), "~w/sanggwan/~w-~w.journal", [State, Base, Short]).
+
+%!  journal_opened(+Where, +File, +Digest, +Steps, -Journal) is det.
+%
+%   Journal is that of File, whose text has this Digest, written anew with these
+%   Steps. Where is file(Path) or `none`, which has no journal.
+
+journal_opened(none, _, _, _, none).
+journal_opened(file(Path), File, Digest, Steps, Journal) :-
+    atom_concat(Path, '.new', New),
+    content(Digest, Text, ""),
+    journal_begun(New, File, Digest, Text, Journal),
+    catch(( forall(member(Step, Steps), journal_line(Journal, Step)),
+            rename_file(New, Path)
+          ),
+          Error,
+          ( journal_closed(Journal),
+            throw(Error)
+          )).
+
+%!  path_saved(+File0, +File, +Path0, -Path) is det.
+%
+%   Path is where the journal in Path0 goes when File0 is saved as File: one in
+%   the usual place goes with the name of the file.
+
+path_saved(File0, File, Path0, Path) :-
+    usual_path(File0, Usual),
+    (   Usual == Path0
+    ->  usual_path(File, Path)
+    ;   Path = Path0
+    ).
+
+%!  first_steps(+Rules, -Steps:list(dict)) is det.
+%
+%   Steps begin a journal: a file of a model has no rules, its journal has.
+
+first_steps("", []) :-
+    !.
+first_steps(Rules, [_{do:"rules", rules:Rules}]).
+
+%!  save_step(+Rules, +Digest, -Step:dict) is det.
+%
+%   Step says that the file is about to hold the text with this Digest.
+
+save_step(Rules, Digest, Step) :-
+    Step0 = _{do:"save", digest:Digest},
+    (   Rules == ""
+    ->  Step = Step0
+    ;   Step = Step0.put(rules, Rules)
+    ).
+
+%!  journal_path(+Journal, -Path) is det.
+
+journal_path(Journal, Path) :-
+    stream_property(Journal, file_name(New)),
+    (   atom_concat(Path0, '.new', New)
+    ->  Path = Path0
+    ;   Path = New
+    ).

@@ -1,0 +1,159 @@
+:- module(sg_document_step,
+          [ change_step/6,              % +Request, +Head, +Body, +Text, -Step,
+                                        % -More
+            stepped/3,                  % +Step, +State0, -State
+            kept_step/3,                % +Step, +Key, -Kept
+            replayed/3                  % +Steps, +State0, -State
+          ]).
+:- use_module(document_content, [content/3, content_key/3]).
+:- use_module(protocol, [octets_text/2]).
+:- use_module(request, [request_error/1]).
+:- use_module(text_edit, [number_place/5, text_replaced/5, wish_place/6]).
+:- use_module(library(lists), [append/3, member/2]).
+/** <module> Steps: how a document becomes another one, and back.
+
+A step is a dict, a line of the journal. A state of a document is state(Now,
+Past, Future), keys of contents (document_content.pl), the nearest first; each
+step leads from one to another, and needs nothing but what it says itself.
+*/
+
+%   most_steps(N): kept to go back to.
+
+most_steps(1000).
+
+%!  change_step(+Request, +Head:dict, +Body, +Text, -Step:dict,
+%!              -More:dict) is det.
+%
+%   Step is what the Request `undo`, `redo`, `text`, `edit` or `cut` asks of a
+%   document with this Text; More is what its reply has besides.
+%
+%   @error request_error(What)
+
+change_step(undo, _, _, _, _{do:"undo"}, _{}).
+change_step(redo, _, _, _, _{do:"redo"}, _{}).
+change_step(text, _, Body, _, _{do:"text", text:Text}, _{}) :-
+    octets_text(Body, Text).
+change_step(edit, Head, _, Text, _{do:"edit", from:From, to:To, with:Value},
+            _{was:Number}) :-
+    (   get_dict(set, Head, Set),
+        is_dict(Set),
+        get_dict(value, Set, Value),
+        number(Value),
+        edited(Set, Which)
+    ->  number_place(Text, Which, From, To, Number)
+    ;   request_error(bad_key(set, set))
+    ).
+change_step(cut, Head, _, Text, _{do:"edit", from:From, to:To, with:Fact},
+            _{wish:Wish}) :-
+    (   get_dict(segment, Head, S),
+        integer(S),
+        get_dict(edge, Head, Edge),
+        ( integer(Edge) ; string(Edge) ),
+        wished(Head, Name)
+    ->  wish_place(Text, wish(S, Name, Edge), From, To, Fact, Wish)
+    ;   request_error(bad_key(edge, edge))
+    ).
+
+wished(Head, Name) :-
+    (   get_dict(keep, Head, Keep)
+    ->  (   Keep == true
+        ->  Name = keep
+        ;   Keep == false
+        ->  Name = cut
+        ;   Keep == null,
+            Name = none
+        )
+    ;   Name = cut
+    ).
+
+edited(Set, param(Name)) :-
+    get_dict(param, Set, Text),
+    !,
+    string(Text),
+    atom_string(Name, Text).
+edited(Set, segment(S, Path)) :-
+    get_dict(segment, Set, S),
+    integer(S),
+    get_dict(path, Set, Path),
+    is_list(Path),
+    forall(member(I, Path), ( integer(I), I > 0 )).
+
+%!  stepped(+Step:dict, +State0, -State) is det.
+%
+%   @error request_error(nothing_to(Request)): nothing can be taken back, or be
+%   done again
+
+stepped(Step, State0, State) :-
+    Step.do = Do,
+    stepped(Do, Step, State0, State).
+
+stepped("undo", Step, state(Now, Past, Future), State) :-
+    (   Past = [Before|Rest]
+    ->  State = state(Before, Rest, [Now|Future])
+    ;   step_content(Step, Before)
+    ->  State = state(Before, [], [Now|Future])
+    ;   request_error(nothing_to(undo))
+    ).
+stepped("redo", Step, state(Now, Past, Future), State) :-
+    (   Future = [After|Rest]
+    ->  State = state(After, [Now|Past], Rest)
+    ;   step_content(Step, After)
+    ->  State = state(After, [Now|Past], [])
+    ;   request_error(nothing_to(redo))
+    ).
+stepped("text", Step, State0, State) :-
+    State0 = state(Now, _, _),
+    content(Now, _, Rules),
+    content_key(Step.text, Rules, Key),
+    gone_on(Key, State0, State).
+stepped("edit", Step, State0, State) :-
+    State0 = state(Now, _, _),
+    content(Now, Text, Rules),
+    text_replaced(Text, Step.from, Step.to, Step.with, New),
+    content_key(New, Rules, Key),
+    gone_on(Key, State0, State).
+stepped("rules", Step, State0, State) :-
+    State0 = state(Now, _, _),
+    content(Now, Text, _),
+    content_key(Text, Step.rules, Key),
+    gone_on(Key, State0, State).
+
+gone_on(Key, state(Now, Past, _), state(Key, Steps, [])) :-
+    most_steps(Most),
+    (   length(Start, Most),
+        append(Start, [_|_], [Now|Past])
+    ->  Steps = Start
+    ;   Steps = [Now|Past]
+    ).
+
+%   step_content(Step, Key) is semidet: Step says what it led to.
+
+step_content(Step, Key) :-
+    get_dict(text, Step, Text),
+    (   get_dict(rules, Step, Rules)
+    ->  true
+    ;   Rules = ""
+    ),
+    content_key(Text, Rules, Key).
+
+%!  kept_step(+Step:dict, +Key, -Kept:dict) is det.
+%
+%   Kept is the Step that led to Key as the journal keeps it. A journal begins
+%   when the file is saved; what can be taken back may be older.
+
+kept_step(Step, Key, Kept) :-
+    (   memberchk(Step.do, ["undo","redo"])
+    ->  content(Key, Text, Rules),
+        (   Rules == ""
+        ->  Kept = Step.put(text, Text)
+        ;   Kept = Step.put(_{text:Text, rules:Rules})
+        )
+    ;   Kept = Step
+    ).
+
+%!  replayed(+Steps:list(dict), +State0, -State) is det.
+
+replayed([], State, State).
+replayed([Step|Steps], State0, State) :-
+    stepped(Step, State0, State1),
+    replayed(Steps, State1, State).
