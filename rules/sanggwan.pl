@@ -15,8 +15,8 @@ them too. What is in none can be imported from the module that has it.
 :- reexport(store,
             [ segment/3, v/5, e/5, p/3, plane/6, t/6, line/9, origin/3,
               from_v/4, from_p/5, leaf_v/5, leaf_e/5, leaf_p/3, leaf_t/6,
-              unfolding/2, region/3, sides/4, from_r/4, lies_in/3, piece/3,
-              joint/6, view/3, projection/1,
+              gluing/2, unfolding/2, region/3, sides/4, from_r/4, lies_in/3,
+              piece/3, joint/6, view/3, projection/1,
               title_block/2, look/2, light/2, param/2, param_about/2, formula/2,
               screen/5, contour/13, surface_facing/6, drawn/7, span/7 ]).
 

@@ -18,6 +18,7 @@
             sides/4,                  % ?S, ?P, ?Below, ?Above
             from_r/4,                 % ?S, ?R, ?S0, ?R0
             lies_in/3,                % ?S, ?Item, ?In
+            gluing/2,                 % ?S, ?Wish
             unfolding/2,              % ?S, ?Wish
             piece/3,                  % ?S, ?P, ?K
             joint/6,                  % ?S, ?J, ?E1, ?E2, ?Kind, ?Angle
@@ -202,6 +203,10 @@ refers to any more is freed with its handle by atom garbage collection.
 %
 %   True when Item, a wire e(E) or a lone vertex v(V), lies in the region r(R)
 %   that In is; or v(V), a vertex of other faces, inside the polygon p(P).
+
+%!  gluing(?S, ?Wish) is nondet.
+%
+%   True when Wish is wanted of the glue S: glue_choice.pl.
 
 %!  unfolding(?S, ?Wish) is nondet.
 %
@@ -616,6 +621,7 @@ sandbox:safe_primitive(sg_store:origin(_,_,_)).
 sandbox:safe_primitive(sg_store:from_v(_,_,_,_)).
 sandbox:safe_primitive(sg_store:from_p(_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:line(_,_,_,_,_,_,_,_,_)).
+sandbox:safe_primitive(sg_store:gluing(_,_)).
 sandbox:safe_primitive(sg_store:unfolding(_,_)).
 sandbox:safe_primitive(sg_store:region(_,_,_)).
 sandbox:safe_primitive(sg_store:sides(_,_,_,_)).

@@ -4,7 +4,7 @@
           ]).
 :- use_module('../gluing/regions', [regions_report/2, law_fault/3]).
 :- use_module('../model/integrity',
-              [defect_weight/2, no_defect/2, shell_defect/3]).
+              [defect_weight/2, model_defect/1, no_defect/2, shell_defect/3]).
 :- use_module('../gluing/unglue', [meetings_unmeant/2]).
 :- use_module('../kernel', [census/1, self_meetings/2]).
 :- use_module('../model/formula_rows', [default_of/2, written_fact/2]).
@@ -14,7 +14,8 @@
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- use_module(library(lists),
-              [append/2, max_list/2, member/2, min_list/2, sum_list/2]).
+              [ append/2, max_list/2, member/2, min_list/2, selectchk/3,
+                sum_list/2 ]).
 /** <module> The report of `check`: what a model holds, and its faults.
 
 A report is a dict; report.pl prints it as text or as JSON:
@@ -127,7 +128,8 @@ part_report(Selves,
     ->  true
     ;   Border = 0
     ),
-    findall(D, own_defect(Kind, Volume0, Defects0, D), Defects1),
+    meant_left_out(Kind, S, Defects0, Meant),
+    findall(D, own_defect(Kind, Volume0, Meant, D), Defects1),
     shell_defects(Kind, Shells0, ShellCounts),
     region_defects(Kind, S, Defects0, RegionCounts),
     append([Defects1,SelfCounts,ShellCounts,RegionCounts], Defects),
@@ -157,6 +159,19 @@ segment_kind(S, Kind, Name) :-
     ;   Kind = unknown,
         Name = ""
     ).
+
+%   meant_left_out(Kind, S, Counts0, Counts): faces that were parted are there
+%   twice.
+
+meant_left_out(cells, S, Counts0, Counts) :-
+    selectchk(duplicate_face-_, Counts0, Counts1),
+    !,
+    aggregate_all(count, model_defect(duplicate_face(S, _, _)), N),
+    (   N =:= 0
+    ->  Counts = Counts1
+    ;   Counts = [duplicate_face-N|Counts1]
+    ).
+meant_left_out(_, _, Counts, Counts).
 
 %   own_defect(Kind, Volume, Counts, D): the counts with the names and meaning
 %   of integrity.pl.

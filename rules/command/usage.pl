@@ -120,6 +120,11 @@ verb_option(glue, option(output, o, each, 'FILE',
     'the operands and what glues them (.pl); may be repeated')).
 verb_option(glue, option(format, '', one_of([pl]), 'FORMAT',
     'the format for -o -')).
+verb_option(glue, option(only, '', one_of([vertices,edges,faces]), 'WHAT',
+    'glue vertices, edges or faces alone, and what these have; the rest is cut \c
+     and stays apart')).
+verb_option(glue, option('dry-run', '', flag, '',
+    'write nothing: what would be glued, each contact and near miss')).
 verb_option(glue, option(tolerance, '', number(0), 'T',
     'what is nearer than T (model units) touches; 0: nothing else does')).
 verb_option(glue, option(repair, '', flag, '', 'mend the operands first')).

@@ -4,9 +4,10 @@
             unglue_run/3,               % +Files, +Options, -Status
             glue_misses_told/0
           ]).
-:- use_module('../csg/csg', [node/4, root_segment/1]).
+:- use_module('../csg/csg', [glue_operands/2, node/4, root_segment/1]).
 :- use_module('../csg/csg_roots', [roots_alone/0]).
 :- use_module('../gluing/exploded', [cells_parted/1]).
+:- use_module('../gluing/glue_choice', [choice_made/1]).
 :- use_module('../gluing/regions', [regions_made/2, regions_report/2]).
 :- use_module('../gluing/unglue',
               [unglued_between/4, unglued_polygons/3, unglued_region/4]).
@@ -14,9 +15,10 @@
 :- use_module('../plain', [plain_json/2]).
 :- use_module('../language', [language/1]).
 :- use_module('../solid/glue',
-              [unglue/1, glue_report/2, glue_operands/2, glue_misses/2]).
+              [unglue/1, glue_report/2, glue_misses/2]).
+:- use_module('../solid/glue_contact', [contact/4, contact_counts/2]).
 :- use_module('../store',
-              [ v/5, segment/3, region/3, facts_snapshot/1,
+              [ v/5, segment/3, region/3, assert_fact/1, facts_snapshot/1,
                 facts_transaction/1 ]).
 :- use_module(solid_verbs, [operands_loaded/4, operands_evaluated/2]).
 :- use_module(verb_output,
@@ -24,7 +26,7 @@
                 output_written/2
               ]).
 :- use_module(verbs_cells, [print_cells/3, print_totals/3, reported/2]).
-:- use_module(library(apply), [foldl/4, maplist/2]).
+:- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
 :- use_module(library(http/json), [json_write_dict/3]).
 :- use_module(library(lists), [member/2, nth1/3]).
 :- use_module(library(option), [option/2]).
@@ -37,32 +39,64 @@ so that is what is written, and taking it apart again only takes the node away.
 %!  glue_run(+Files, +Options, -Status) is det.
 %
 %   As verb_run/4. The roots of all files are the operands. The report is a dict
-%   as of cells_run/3, and before: the counts of the operands together. What is
-%   written are the operands as they were read, and the glue.
+%   as of cells_run/3, and before: the counts of the operands together, and
+%   contacts: how many of each kind. What is written are the operands as they
+%   were read, and the glue. With 'dry-run'(true) nothing is; then the report has
+%   each contact, and where operands come near each other (glue_misses/2).
 
 glue_run(Files, Options, 0) :-
     some_files(Files, 'MODEL'),
     outputs(Options, [pl], Outputs),
     no_model_replaced(Files, Outputs),
     operands_loaded(glue, Files, Options, Sources),
-    facts_snapshot(( operands_evaluated(Sources, Options),
-                     report(Report) )),
-    reported(Outputs, sg_verbs_glue:printed(Options, Report)),
-    maplist(output_written(save_model), Outputs).
-
-%   report(Report): of the glue, which is the only root.
-
-report(Report) :-
     once(root_segment(S)),
+    forall(option(only(What), Options), assert_fact(gluing(S, only(What)))),
+    facts_snapshot(( operands_evaluated(Sources, Options),
+                     report(S, Options, Report) )),
+    (   option('dry-run'(true), Options)
+    ->  printed(Options, Report)
+    ;   reported(Outputs, sg_verbs_glue:printed(Options, Report)),
+        maplist(output_written(save_model), Outputs)
+    ).
+
+%   report(S, Options, Report): of the glue S, which is the only root.
+
+report(S, Options, Report) :-
     glue_report(S, Report0),
     forall(member(Region, Report0.regions), overlap_warned(S, Region)),
     operand_counts(S, Before),
-    Report = Report0.put(_{segment:S, name:"glue", faults:_{}, before:Before}),
-    (   untouched(Before, Report.counts)
+    contact_counts(S, Contacts),
+    Report1 = Report0.put(_{ segment:S, name:"glue", faults:_{},
+                             before:Before, contacts:Contacts }),
+    (   untouched(Before, Report1.counts),
+        \+ choice_made(S)
     ->  print_message(informational, sanggwan(glue_apart(S)))
     ;   true
     ),
-    misses_told(S).
+    (   option('dry-run'(true), Options)
+    ->  findall(Contact, contact_dict(S, Contact), Each),
+        glue_misses(S, Misses),
+        maplist(miss_dict, Misses, Gaps),
+        Report = Report1.put(_{each_contact:Each, misses:Gaps})
+    ;   Report = Report1,
+        misses_told(S)
+    ).
+
+contact_dict(S, _{ kind:Kind, segment1:S1, place1:Text1, segment2:S2,
+                   place2:Text2 }) :-
+    contact(S, Kind, seat(S1,_,Place1), seat(S2,_,Place2)),
+    place_text(Place1, Text1),
+    place_text(Place2, Text2).
+
+place_text(vertex(V), Text) :-
+    format(string(Text), "v(~d)", [V]).
+place_text(edge(A,B), Text) :-
+    format(string(Text), "e(~d,~d)", [A, B]).
+place_text(face(P,_), Text) :-
+    format(string(Text), "p(~d)", [P]).
+
+miss_dict(miss(S1-_,S2-_,Gap,p(X,Y,Z)-_),
+          _{segment1:S1, segment2:S2, distance:Gap, at:[X,Y,Z]}).
 
 %!  glue_misses_told is det.
 %
@@ -126,8 +160,51 @@ printed(Options, Report) :-
         nl
     ;   language(Language),
         print_totals(Language, before, Report.before),
+        print_contacts(Language, Report.contacts),
+        forall(member(Contact, Report.get(each_contact, [])),
+               print_contact(Language, Contact)),
+        forall(member(Miss, Report.get(misses, [])),
+               print_miss(Language, Miss)),
         print_cells(Language, Options, Report)
     ).
+
+print_contacts(_, []) :-
+    !.
+print_contacts(Language, Contacts) :-
+    findall(Text,
+            ( member(Contact, Contacts),
+              kind_text(Language, Contact.kind, Kind),
+              format(string(Text), "~w ~D", [Kind, Contact.count]) ),
+            Texts),
+    atomic_list_concat(Texts, ', ', All),
+    word(contacts, Language, Word),
+    format("~w: ~w~n", [Word, All]).
+
+print_contact(Language, Contact) :-
+    kind_text(Language, Contact.kind, Kind),
+    format("  ~w: ~d-~w, ~d-~w~n",
+           [ Kind, Contact.segment1, Contact.place1, Contact.segment2,
+             Contact.place2 ]).
+
+print_miss(Language, Miss) :-
+    word(miss, Language, Word),
+    Miss.at = [X,Y,Z],
+    format("  ~w: ~d, ~d, ~6g (~6g, ~6g, ~6g)~n",
+           [Word, Miss.segment1, Miss.segment2, Miss.distance, X, Y, Z]).
+
+kind_text(en, Kind, Kind).
+kind_text(ko, Kind, Text) :-
+    atomic_list_concat(Names, -, Kind),
+    findall(Word, ( member(Name, Names), word(Name, ko, Word) ), Words),
+    atomic_list_concat(Words, -, Text).
+
+word(contacts, en, contacts).
+word(contacts, ko, '접촉').
+word(miss, en, 'near miss').
+word(miss, ko, '닿지 않은 틈').
+word(vertex, ko, '꼭짓점').
+word(edge, ko, '모서리').
+word(face, ko, '면').
 
 %!  unglue_run(+Files, +Options, -Status) is det.
 %

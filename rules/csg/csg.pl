@@ -3,6 +3,7 @@
             root_segment/1,             % ?S
             root_segments_after/2,      % +Last, -Roots
             operand_segment/2,          % ?S, ?N
+            glue_operands/2,            % +S, -Operands
             is_node/1,                  % +S
             is_helper/1,                % +S
             complete_tree/1,            % +Nodes
@@ -27,7 +28,8 @@
               ]).
 :- use_module(library(apply), [exclude/3, foldl/4, foldl/5, maplist/4]).
 :- use_module(library(assoc), [empty_assoc/1, get_assoc/3, put_assoc/4]).
-:- use_module(library(lists), [append/3, member/2, reverse/2]).
+:- use_module(library(lists),
+              [append/3, list_to_set/2, member/2, reverse/2]).
 :- use_module(library(ordsets), [ord_memberchk/2, ord_subtract/3]).
 /** <module> The CSG tree: nodes, operands, roots.
 
@@ -62,6 +64,28 @@ node(N, Operation, Children, Placement) :-
         Children = [],
         Placement = []
     ).
+
+%!  glue_operands(+S, -Operands:list) is det.
+%
+%   Operands are those of the glue S, and of glues among them, each once, in
+%   order.
+
+glue_operands(S, Operands) :-
+    phrase(glue_operands(S), Operands0),
+    list_to_set(Operands0, Operands).
+
+glue_operands(S) -->
+    { node(S, glue, Children, _) },
+    !,
+    glue_operands_(Children).
+glue_operands(S) -->
+    [S].
+
+glue_operands_([]) -->
+    [].
+glue_operands_([S|Ss]) -->
+    glue_operands(S),
+    glue_operands_(Ss).
 
 %!  is_node(+S) is semidet.
 

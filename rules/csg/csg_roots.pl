@@ -46,7 +46,7 @@ aside_segments(Ss) :-
 %   Take all that is no root out of the current world. Roots that are nodes
 %   become plain segments: their name is that of named/2, or of the operation,
 %   and what names segments that are gone (origin/3, from_v/4, from_p/5) goes
-%   too; that it was a join stays known (joined_segment/1), and which smooth
+%   too; what lies apart on each other, and that it was a join, stays known (joined_segment/1), and which smooth
 %   surfaces their polygons stand for (known_surface.pl). One transaction.
 
 roots_alone :-
@@ -107,9 +107,11 @@ made_plain(S) :-
     retractall_facts(from_p(S, _, _, _, _)),
     retractall_facts(from_r(S, _, _, _)),
     segment_grain(S, Grain),
+    findall(Q-P, origin(S, p(Q), slit(P)), Slits),
     (   joined_segment(S)
     ->  retractall_facts(origin(S, _, _)),
         record_joined(S)
     ;   retractall_facts(origin(S, _, _))
     ),
+    forall(member(Q-P, Slits), assert_fact(origin(S, p(Q), slit(P)))),
     source_noted(S, Grain).

@@ -3,13 +3,13 @@
             region_because/3,           % ?S, ?R, -Because
             unglued_because/3           % +Facet1, +Facet2, -Because
           ]).
-:- use_module('../csg/csg', [node/4]).
+:- use_module('../csg/csg', [glue_operands/2, node/4]).
 :- use_module('../gluing/cycle', [loop_cycle/4, radial_cycle/4, disk/4]).
 :- use_module('../decision', [decision/4]).
 :- use_module('../gluing/gap', [polygon_gap/5]).
 :- use_module('../gluing/vertex_disk', [disk_relation/3]).
 :- use_module('../gluing/region_point', [region_point/3]).
-:- use_module('../solid/glue', [glue_operands/2, glue_report/2]).
+:- use_module('../solid/glue', [glue_report/2]).
 :- use_module('../store',
               [ v/5, e/5, p/3, plane/6, segment/3, from_v/4, from_p/5,
                 from_r/4, region/3, sides/4, lies_in/3, edge_polygon/3 ]).

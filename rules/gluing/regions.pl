@@ -6,6 +6,7 @@
             region_neighbour/4          % ?S, ?R1, ?R2, ?P
           ]).
 :- use_module('../decision', [decision_is_default/1]).
+:- use_module(glue_choice, [stays_parted/1]).
 :- use_module('../kernel',
               [ regions_open/3, regions_told/4, regions_close/1,
                 regions_counted/2, regions_listed/2, regions_neighbours/2,
@@ -14,7 +15,7 @@
 :- use_module('../polygon/triangulation', [complete_segments/1]).
 :- use_module(vertex_zone, [zones_told/2]).
 :- use_module('../store',
-              [ segment/3, origin/3, sides/4, lies_in/3, assert_fact/1,
+              [ segment/3, sides/4, lies_in/3, assert_fact/1,
                 retractall_facts/1, facts_transaction/1 ]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(error), [existence_error/2, must_be/2]).
@@ -65,7 +66,7 @@ regions_made_now(S, Report) :-
     retractall_facts(region(S, _, _)),
     retractall_facts(lies_in(S, _, r(_))),
     complete_segments([S]),
-    (   origin(S, p(_), slit(_))
+    (   stays_parted(S)
     ->  Doubles = 0
     ;   segment_welded(S, Doubles)
     ),

@@ -2,13 +2,17 @@
           [ unglued_polygons/3,         % +S, +Ps, -Change
             unglued_between/4,          % +S, +R1, +R2, -Change
             unglued_region/4,           % +S, +R, -N, -Change
-            meetings_unmeant/2          % +Most, -Selves
+            meetings_unmeant/2,         % +Most, -Selves
+            segment_unmeant/2,          % +S, -Meetings
+            twin_there/3,               % +S, +P, -Q
+            vertex_parted/4             % +S, +V, +Ps, -W
           ]).
 :- use_module(cells_edit,
               [ cells_edited/3, polygon_gone/2, regions_again/2 ]).
 :- use_module(cycle, [disk/4, radial_cycle/4]).
 :- use_module('../disjoint_sets', [set_root/3, sets_joined/4]).
 :- use_module(exploded, [region_copied/3]).
+:- use_module(glue_choice, [stays_parted/1]).
 :- use_module('../kernel', [self_meetings/2, segment_meetings/3]).
 :- use_module('../limits', [limit_value/2]).
 :- use_module(regions, [region_neighbour/4]).
@@ -66,7 +70,7 @@ polygons_parted(S, Ps) :-
               Classes = [_,_|_] ),
             Parted),
     forall(member(V-[_|Classes], Parted),
-           forall(member(Class, Classes), vertex_parted(S, V, Class))).
+           forall(member(Class, Classes), vertex_parted(S, V, Class, _))).
 
 glued_polygon(S, P) :-
     (   sides(S, P, Below, Above),
@@ -85,7 +89,9 @@ gap(S, R) :-
     Role \== cell,
     !.
 
-%   twin_there(S, P, Q): Q is P once more.
+%!  twin_there(+S, +P, -Q) is det.
+%
+%   Q is polygon P of the cells S once more, and lies on it.
 
 twin_there(S, P, Q) :-
     p(S, P, Es),
@@ -157,9 +163,11 @@ run_at(S, V, P, Q) :-
         member(page(Q,_,_), Pages)
     ).
 
-%   vertex_parted(S, V, Ps): a new vertex in the place of V is that of Ps.
+%!  vertex_parted(+S, +V, +Ps:list, -W) is det.
+%
+%   A new vertex W in the place of V is that of the polygons Ps of S.
 
-vertex_parted(S, V, Ps) :-
+vertex_parted(S, V, Ps, W) :-
     once(v(S, V, X, Y, Z)),
     fresh_id(v, S, W),
     assert_fact(v(S, W, X, Y, Z)),
@@ -236,14 +244,10 @@ meetings_unmeant(Most, Selves) :-
     maplist(without_slits(Most), Selves0, Selves).
 
 without_slits(Most, self(S, Counts0, Meetings0), self(S, Counts, Meetings)) :-
-    (   origin(S, p(_), slit(_))
-    ->  limit_value(facets, All),
-        segment_meetings(S, All, Segments),
+    (   stays_parted(S)
+    ->  segment_unmeant(S, Unmeant),
         findall(Kind-Meeting,
-                ( member(self(S, _, Meetings1), Segments),
-                  member(Meeting, Meetings1),
-                  \+ slit_meeting(S, Meeting),
-                  arg(1, Meeting, Kind) ),
+                ( member(Meeting, Unmeant), arg(1, Meeting, Kind) ),
                 Pairs0),
         keysort(Pairs0, Pairs),
         group_pairs_by_key(Pairs, Groups),
@@ -252,6 +256,19 @@ without_slits(Most, self(S, Counts0, Meetings0), self(S, Counts, Meetings)) :-
     ;   Counts = Counts0,
         Meetings = Meetings0
     ).
+
+%!  segment_unmeant(+S, -Meetings:list) is det.
+%
+%   Meetings are those of segment S with itself, without the same.
+
+segment_unmeant(S, Meetings) :-
+    limit_value(facets, All),
+    segment_meetings(S, All, Segments),
+    findall(Meeting,
+            ( member(self(S, _, Meetings1), Segments),
+              member(Meeting, Meetings1),
+              \+ slit_meeting(S, Meeting) ),
+            Meetings).
 
 slit_meeting(S, meeting(self_overlap, P, Q, _, _, _)) :-
     (   origin(S, p(Q), slit(P))

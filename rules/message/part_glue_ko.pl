@@ -26,6 +26,22 @@ part_glue_ko(euler_change(S, Operation, Change)) -->
        않았습니다'-[S, Operation, Change], nl,
       '  만드는 것이 다른 것과 만납니다: 먼저 그것을 붙이십시오.' ].
 
+part_glue_ko(wish(S, Wish)) -->
+    [ 'gluing(~d, ~p)은(는) 붙인 것 ~d에 있는 것을 가리키지 않습니다'-
+      [S, Wish, S], nl,
+      '  only(vertices), only(edges), only(faces), apart(S1, S2), \c
+       apart(S1-Item), glued(S1-Item1, S2-Item2), dissolve(R1, R2) 가운데 \c
+       하나를 쓰십시오. Item은 피연산자의 v(V), e(A,B), p(P)이고, R1과 R2는 \c
+       맞닿은 유한한 영역입니다.' ].
+part_glue_ko(not_apart(S, P1, P2, X, Y, Z)) -->
+    [ '세그먼트 ~d: 다각형 ~d번과 ~d번은 떨어져 있어야 하는데 ~6g ~6g ~6g에서 \c
+       서로를 뚫고 지나갑니다'-[S, P1, P2, X, Y, Z], nl,
+      '  이들을 붙이거나 피연산자를 옮기십시오.' ].
+part_glue_ko(no_side(S)) -->
+    [ '세그먼트 ~d: 떨어져 있는 것이 면 위에 놓여 있어 그 면의 어느 쪽인지 알 \c
+       수 없습니다'-[S], nl,
+      '  어딘가에서 그 면에 붙게 하십시오.' ].
+
 unglued_ko(p(P), S) -->
     [ '세그먼트 ~d의 다각형 ~d번은 두 세포 사이에 있지 않아 뗄 수 없습니다'-
       [S, P], nl,

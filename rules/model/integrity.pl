@@ -6,7 +6,7 @@
           ]).
 :- use_module('../kernel',
               [census_defect/4, census_part/2, census_shell/4, self_meeting/4]).
-:- use_module('../store', [segment/3]).
+:- use_module('../store', [segment/3, origin/3]).
 /** <module> What can be wrong with a model.
 
 A bad model is no error but a relation. The joins are one pass in C
@@ -64,7 +64,8 @@ model_defect(Defect) :-
     ->  true
     ;   Of = unknown
     ),
-    \+ no_defect(Of, Kind).
+    \+ no_defect(Of, Kind),
+    \+ is_meant(Defect).
 model_defect(inside_out(S)) :-
     census_part(S, part(_, _, _, _, Volume, _, _, _)),
     Volume < 0.0,
@@ -87,6 +88,15 @@ model_defect(Defect) :-
         self_defect(Defect, Kind, S, P1, P2)
     ;   self_defect(Defect, Kind, S, P1, P2),
         self_meeting(Kind, S, P1, P2)
+    ).
+
+%   is_meant(Defect): one of the faces was parted from the other, with a slit
+%   between.
+
+is_meant(duplicate_face(S, P1, P2)) :-
+    (   origin(S, p(P2), slit(P1))
+    ->  true
+    ;   origin(S, p(P1), slit(P2))
     ).
 
 %   defect_shell(?Defect, ?Name, ?S, ?P, ?Depth).

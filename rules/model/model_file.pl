@@ -247,6 +247,7 @@ ready(line(_, S1, P1, A1, B1, S2, P2, A2, B2)) :-
     has_polygon(S2, P2),
     has_vertex(S2, A2),
     has_vertex(S2, B2).
+ready(gluing(_, _)).
 ready(unfolding(_, _)).
 ready(piece(S, P, _)) :-
     has_polygon(S, P).
@@ -416,6 +417,7 @@ later_added(Later) :-
     later_rows(Later, sides/4),
     later_rows(Later, from_r/4),
     later_rows(Later, lies_in/3),
+    later_rows(Later, gluing/2),
     later_rows(Later, unfolding/2),
     later_setting(Later, view/3),
     later_setting(Later, projection/1),

@@ -8,8 +8,8 @@
 :- use_module('../store',
               [ v/5, e/5, p/3, plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3,
                 leaf_t/6, segment/3, origin/3, from_v/4, from_p/5, line/9,
-                unfolding/2, piece/3, joint/6, region/3, sides/4, from_r/4,
-                lies_in/3, view/3, projection/1,
+                gluing/2, unfolding/2, piece/3, joint/6, region/3, sides/4,
+                from_r/4, lies_in/3, view/3, projection/1,
                 title_block/2, look/2, light/2, param/2, param_about/2,
                 formula/2
               ]).
@@ -79,6 +79,7 @@ write_segment(Stream, S) :-
     !,
     nl(Stream),
     write_rows(Stream, 1, segment(S, _, _)),
+    write_rows(Stream, 1, gluing(S, _)),
     write_rows(Stream, 1, unfolding(S, _)),
     write_rows(Stream, Look, look(S, Look)).
 write_segment(Stream, S) :-
@@ -86,6 +87,7 @@ write_segment(Stream, S) :-
     !,
     nl(Stream),
     write_rows(Stream, 1, segment(S, _, _)),
+    write_rows(Stream, 1, gluing(S, _)),
     write_rows(Stream, 1, unfolding(S, _)),
     write_rows(Stream, Look, look(S, Look)).
 write_segment(Stream, S) :-
@@ -116,6 +118,7 @@ write_segment(Stream, S) :-
     write_rows(Stream, P6, sides(S, P6, _, _)),
     write_rows(Stream, R1-S1, from_r(S, R1, S1, _)),
     write_rows(Stream, Item, lies_in(S, Item, _)),
+    write_rows(Stream, 1, gluing(S, _)),
     write_rows(Stream, 1, unfolding(S, _)),
     write_rows(Stream, Look, look(S, Look)).
 

@@ -9,8 +9,8 @@
 :- use_module(arrangement, [pieces_statistics/1]).
 :- use_module(boolean, [boolean/3]).
 :- use_module('../csg/csg',
-              [ node/4, root_segment/1, is_node/1, complete_tree/1,
-                complete_tree/2
+              [ node/4, root_segment/1, glue_operands/2, is_node/1,
+                complete_tree/1, complete_tree/2
               ]).
 :- use_module(csg_flat,
               [ flat_expression/2, flat_leaves/2, helpers/1, is_half/1,
@@ -26,12 +26,12 @@
               [copy_segments/3, drop_boundary/1, drop_pictures/1, was_cut/1]).
 :- use_module('../kernel',
               [segment_meets_itself/1, segments_tolerance/3]).
-:- use_module(glue, [glued_boundary/4, glue_operands/2]).
+:- use_module(glue, [glued_boundary/4]).
 :- use_module(operand, [checked_operand/1, operand_faults/2]).
 :- use_module('../csg/operand_name', [fault_named/2]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
-              [ segment/3, segment_stamps/2, retractall_facts/1,
+              [ segment/3, gluing/2, segment_stamps/2, retractall_facts/1,
                 facts_transaction/1, facts_snapshot/1
               ]).
 :- use_module('../polygon/triangulation', [complete_segments/1]).
@@ -138,7 +138,8 @@ evaluated_node(Tolerance, S) :-
 %   from, a term with the stamps of its leaves:
 %
 %     - join(Stamps, Matrix)                 the shells of other segments
-%     - glue(Operands, Stamps, Tolerance)    operands as they are (glue.pl)
+%     - glue(Operands, Stamps, Tolerance, Wishes)    operands as they are
+%       (glue.pl), and what is wanted of them (gluing/2)
 %     - placed(Leaf-Stamp, Matrix)           a leaf once more (csg_flat.pl)
 %     - of(Expression, Stamps, Tolerance)
 
@@ -155,7 +156,8 @@ made_from(S, Tolerance, From) :-
     glue_operands(S, Operands),
     sort(Operands, Segments),
     segment_stamps(Segments, Stamps),
-    From = glue(Operands, Stamps, Tolerance).
+    findall(Wish, gluing(S, Wish), Wishes),
+    From = glue(Operands, Stamps, Tolerance, Wishes).
 made_from(S, Tolerance, From) :-
     flat_expression(S, Expression),
     (   Expression == S
@@ -204,7 +206,7 @@ made(join(Stamps, Matrix), _, S, [], whole) :-
     drop_boundary(S),
     pairs_keys(Stamps, Children),
     copy_segments(Children, Matrix, S).
-made(glue(Operands, Stamps, Tolerance), _, S, [], whole) :-
+made(glue(Operands, Stamps, Tolerance, _), _, S, [], whole) :-
     drop_boundary(S),
     tolerance_options(Tolerance, Stamps, Options),
     glued_boundary(Operands, S, Options, _).
@@ -301,7 +303,7 @@ from_segment(of(_, Stamps, _), S) :-
     member(S-_, Stamps).
 from_segment(join(Stamps, _), S) :-
     member(S-_, Stamps).
-from_segment(glue(_, Stamps, _), S) :-
+from_segment(glue(_, Stamps, _, _), S) :-
     member(S-_, Stamps).
 
 
@@ -327,7 +329,7 @@ completed_and_current(S) :-
 
 is_current(S) :-
     recorded(S, evaluated(From0)),
-    (   ( From0 = of(_, _, Tolerance) ; From0 = glue(_, _, Tolerance) )
+    (   ( From0 = of(_, _, Tolerance) ; From0 = glue(_, _, Tolerance, _) )
     ->  true
     ;   Tolerance = default
     ),

@@ -2,7 +2,6 @@
           [ glued_boundary/4,           % +Operands, +S, +Options, -Report
             unglue/1,                   % +S
             glue_report/2,              % +S, -Report
-            glue_operands/2,            % +S, -Operands
             glue_misses/2               % +S, -Misses
           ]).
 :- use_module(arrangement,
@@ -11,14 +10,17 @@
               ]).
 :- use_module(boolean, [boolean_tolerance/3]).
 :- use_module(contact_origin, [contact_origins/2]).
-:- use_module('../csg/csg', [node/4]).
+:- use_module('../csg/csg', [glue_operands/2, node/4]).
 :- use_module('../csg/csg_record', [drop_record/1]).
 :- use_module('../csg/csg_rows', [drop_boundary/1]).
 :- use_module('../csg/source', [source_kept/3]).
 :- use_module(faces, [faces_merged/2]).
+:- use_module(glue_parted, [choice_dissolved/2, choice_parted/1, twins_turned/1]).
 :- use_module(glue_whole, [whole_pieces/4]).
 :- use_module(glue_wire, [wires_written/3]).
+:- use_module('../gluing/cells_edit', [regions_again/2]).
 :- use_module('../gluing/gap', [gap_reach/2, near_misses/3]).
+:- use_module('../gluing/glue_choice', [choice_made/1]).
 :- use_module('../gluing/regions',
               [regions_found/2, regions_report/2, law_fault/3]).
 :- use_module('../kernel',
@@ -44,7 +46,7 @@
                 put_assoc/4
               ]).
 :- use_module(library(error), [existence_error/2, type_error/2]).
-:- use_module(library(lists), [list_to_set/2, member/2]).
+:- use_module(library(lists), [member/2]).
 :- use_module(library(option), [option/2]).
 :- use_module(library(ordsets), [ord_subtract/3, ord_symdiff/3]).
 :- use_module(library(pairs), [group_pairs_by_key/2, pairs_keys_values/3]).
@@ -67,7 +69,7 @@ The operands keep their rows, so nothing is needed to take them apart again.
 %   Report is as regions_report/2 has it. Both laws hold. Call it in a
 %   transaction. Options: those of with_arrangement/3.
 %
-%   @error as boolean/3
+%   @error as boolean/3; of choice_parted/1
 %   @error geometry_error(glue_law(S, Faults)): a law does not hold
 %   @error geometry_error(wrong_triangles(S, P)): of wires_written/3
 %   @error geometry_error(glue_meets(S, P1, P2, X, Y, Z)): two of its polygons
@@ -82,13 +84,39 @@ glued_boundary(Operands, S, Options0, Report) :-
     faces_glued(Others, S, Options, Reach),
     stage(rules, wires_written(S, Curves, Reach)),
     source_kept(Operands, 1, S),
-    stage(regions, regions_found(S, Report)),
-    lawful(S, Report),
-    contents_written(S, Operands).
+    stage(regions, regions_found(S, Report0)),
+    lawful(S, Report0),
+    contents_written(S, Operands),
+    (   choice_made(S)
+    ->  stage(rules, chosen(S, Operands, Report))
+    ;   Report = Report0
+    ).
+
+%   chosen(S, Operands, Report): not all of S is to be glued.
+
+chosen(S, Operands, Report) :-
+    choice_parted(S),
+    catch(regions_again(S, Report1), error(Fault, Context),
+          throw_apart(Fault, Context)),
+    twins_turned(S),
+    contents_written(S, Operands),
+    (   choice_dissolved(S, Insides)
+    ->  list_to_assoc(Insides, Known),
+        forall(region(S, R, Role), content_written(S, R, Role, Known)),
+        regions_report(S, Report)
+    ;   Report = Report1
+    ).
 
 is_curve(S) :-
     segment(S, curve, _),
     !.
+
+throw_apart(Fault, Context) :-
+    (   Fault = geometry_error(glue_law(S, Faults)),
+        memberchk(unsure_part-_, Faults)
+    ->  throw(error(geometry_error(part_glue(no_side(S))), Context))
+    ;   throw(error(Fault, Context))
+    ).
 
 faces_glued([], _, _, _) :-
     !.
@@ -205,28 +233,6 @@ stays_glued(Solids, component(C, S, _, _, Sides, Which), C-1) :-
         sign(Below) =\= sign(Above)
     ;   true
     ).
-
-%!  glue_operands(+S, -Operands:list) is det.
-%
-%   Operands are those of the glue S, and of glues among them, each once, in
-%   order.
-
-glue_operands(S, Operands) :-
-    phrase(glue_operands(S), Operands0),
-    list_to_set(Operands0, Operands).
-
-glue_operands(S) -->
-    { node(S, glue, Children, _) },
-    !,
-    glue_operands_(Children).
-glue_operands(S) -->
-    [S].
-
-glue_operands_([]) -->
-    [].
-glue_operands_([S|Ss]) -->
-    glue_operands(S),
-    glue_operands_(Ss).
 
 %!  glue_misses(+S, -Misses:list) is det.
 %

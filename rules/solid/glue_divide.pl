@@ -12,7 +12,7 @@
                 assert_fact/1, fresh_id/3, retract_fact/1,
                 retractall_facts/1
               ]).
-:- use_module('../vector', [cross_product/3, difference/3, dot_product/3]).
+:- use_module('../vector', [cross_product/3, difference/3, left_of/4]).
 :- use_module(library(apply), [foldl/4, maplist/2]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- use_module(library(lists), [append/2, append/3, member/2]).
@@ -210,14 +210,7 @@ in_part(S, V, Part) :-
     difference(To, From, U),
     difference(Last, From, W),
     cross_product(U, W, N),
-    \+ ( side(Corners, V1, V2), is_right(S, N, V1, V2, At) ),
+    left_of(N, From, To, At),
+    left_of(N, To, Last, At),
+    left_of(N, Last, From, At),
     !.
-
-is_right(S, N, V1, V2, At) :-
-    rational_place(S, V1, From),
-    rational_place(S, V2, To),
-    difference(To, From, U),
-    difference(At, From, W),
-    cross_product(U, W, X),
-    dot_product(N, X, Side),
-    Side < 0.

@@ -8,8 +8,8 @@
 :- use_module('../store',
               [ v/5, e/5, t/6, lies_in/3, assert_fact/1, fresh_id/3 ]).
 :- use_module('../vector',
-              [ cross_product/3, difference/3, dot_product/3, scaled/3,
-                vector_sum/3 ]).
+              [ cross_product/3, difference/3, dot_product/3, left_of/4,
+                scaled/3, vector_sum/3 ]).
 :- use_module(library(apply), [foldl/4, maplist/2, maplist/3, maplist/4]).
 :- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(pairs), [pairs_values/2]).
@@ -155,15 +155,6 @@ between_sides(N, At, A, B, C) :-
     left_of(N, A, B, At),
     left_of(N, B, C, At),
     left_of(N, C, A, At).
-
-%   left_of(N, A, B, At): as seen from where N points.
-
-left_of(N, A, B, At) :-
-    difference(B, A, U),
-    difference(At, A, W),
-    cross_product(U, W, X),
-    dot_product(N, X, Side),
-    Side >= 0.
 
 %   Boxes are of doubles, so that most triangles are told apart at once.
 
