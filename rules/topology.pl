@@ -25,6 +25,6 @@ that is glued. sanggwan.pl has what a first model needs.
 
 :- topic(local_gluing, "Gluing and taking apart at one place").
 :- reexport(gluing/euler, [euler/3]).
-:- reexport(gluing/contact_glue, [glue_vertices/4, glue_edges/4, glue_mixed/4]).
-:- reexport(solid/face_glue, [glue_faces/4]).
+:- reexport(solid/part_glue,
+            [ glue_vertices/4, glue_edges/4, glue_faces/4, glue_mixed/4 ]).
 :- reexport(gluing/unglue, [unglued_polygons/3, unglued_region/4]).

@@ -120,9 +120,10 @@ verb_option(glue, option(output, o, each, 'FILE',
     'the operands and what glues them (.pl); may be repeated')).
 verb_option(glue, option(format, '', one_of([pl]), 'FORMAT',
     'the format for -o -')).
-verb_option(glue, option(only, '', one_of([vertices,edges,faces]), 'WHAT',
-    'glue vertices, edges or faces alone, and what these have; the rest is cut \c
-     and stays apart')).
+verb_option(glue, option(only, '',
+    one_of([vertices,edges,faces]), 'WHAT',
+    'glue vertices, edges or faces alone, and what these have; the rest \c
+     is cut and stays apart')).
 verb_option(glue, option('dry-run', '', flag, '',
     'write nothing: what would be glued, each contact and near miss')).
 verb_option(glue, option(tolerance, '', number(0), 'T',
@@ -496,6 +497,11 @@ option_ko('min-line',
 메시의 티)').
 option_ko(dpi, '매끈한 .png의 인치당 점의 수').
 option_ko(exact, '표의 좌표를 반올림하지 않은 분수로').
+option_ko(only,
+    '꼭짓점, 모서리, 면 가운데 하나와 그것에 딸린 것만 붙인다. 나머지는 자르되 \c
+     떨어진 채로 둔다').
+option_ko('dry-run',
+    '아무것도 쓰지 않는다: 무엇이 붙을지, 접촉과 닿지 않은 틈을 모두').
 option_ko(tolerance, 'T(모델 단위)보다 가까우면 닿은 것으로 본다. 0: 그대로').
 option_ko(repair,
     '먼저 입체를 고친다: 꼭짓점 합치기, 두 번 있거나 넓이가 없는 면 버리기, \c

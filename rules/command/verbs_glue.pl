@@ -41,8 +41,8 @@ so that is what is written, and taking it apart again only takes the node away.
 %   As verb_run/4. The roots of all files are the operands. The report is a dict
 %   as of cells_run/3, and before: the counts of the operands together, and
 %   contacts: how many of each kind. What is written are the operands as they
-%   were read, and the glue. With 'dry-run'(true) nothing is; then the report has
-%   each contact, and where operands come near each other (glue_misses/2).
+%   were read, and the glue. With 'dry-run'(true) nothing is; then the report
+%   has each contact, and where operands come near each other (glue_misses/2).
 
 glue_run(Files, Options, 0) :-
     some_files(Files, 'MODEL'),

@@ -46,8 +46,9 @@ aside_segments(Ss) :-
 %   Take all that is no root out of the current world. Roots that are nodes
 %   become plain segments: their name is that of named/2, or of the operation,
 %   and what names segments that are gone (origin/3, from_v/4, from_p/5) goes
-%   too; what lies apart on each other, and that it was a join, stays known (joined_segment/1), and which smooth
-%   surfaces their polygons stand for (known_surface.pl). One transaction.
+%   too; what lies apart on each other stays known, that it was a join
+%   (joined_segment/1), and which smooth surfaces their polygons stand for
+%   (known_surface.pl). One transaction.
 
 roots_alone :-
     aside_segments(Aside),

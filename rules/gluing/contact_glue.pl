@@ -1,7 +1,8 @@
 :- module(sg_contact_glue,
-          [ glue_vertices/4,            % +S, +V1, +V2, -Change
-            glue_mixed/4,               % +S, +Item1, +Item2, -Change
-            glue_edges/4,               % +S, +Edge1, +Edge2, -Change
+          [ vertices_joined/4,          % +S, +V1, +V2, -Change
+            mixed_joined/4,             % +S, +Item1, +Item2, -Change
+            edges_joined/4,             % +S, +Edge1, +Edge2, -Change
+            not_glued/4,                % +S, +Item1, +Item2, +Why
             vertices_between/5          % +S, +A, +B, +Vs, -Inner
           ]).
 :- use_module(cells_edit,
@@ -23,10 +24,11 @@ what is larger (NG-2, NG-3, NG-5).
 
 Each is one transaction on cells, after which regions are found again and both
 laws are counted (cells_edit.pl). What coincides has one vertex or edge then.
-Nothing else is looked for: `glue` finds all that meets.
+Nothing else is looked for: `glue` finds all that meets. Of a glue that has
+operands, see part_glue.pl.
 */
 
-%!  glue_vertices(+S, +V1, +V2, -Change) is det.
+%!  vertices_joined(+S, +V1, +V2, -Change) is det.
 %
 %   Vertex V2 of the cells S becomes V1, which is in exactly the same place.
 %   Change is as of cells_edited/3.
@@ -37,7 +39,7 @@ Nothing else is looked for: `glue` finds all that meets.
 %          have one direction: these are to be glued, or faces); those of
 %          cells_edited/3
 
-glue_vertices(S, V1, V2, Change) :-
+vertices_joined(S, V1, V2, Change) :-
     cells_edited(S, sg_contact_glue:vertices_glued(S, V1, V2), Change).
 
 vertices_glued(S, V1, V2) :-
@@ -68,21 +70,25 @@ disks_free(S, V1, D1, V2, D2) :-
     ;   not_glued(S, v(V1), v(V2), crossing)
     ).
 
+%!  not_glued(+S, +Item1, +Item2, +Why)
+%
+%   @error geometry_error(part_glue(not_glued(S, Item1, Item2, Why)))
+
 not_glued(S, Item1, Item2, Why) :-
     Fault = not_glued(S, Item1, Item2, Why),
     throw(error(geometry_error(part_glue(Fault)), _)).
 
-%!  glue_mixed(+S, +Item1, +Item2, -Change) is det.
+%!  mixed_joined(+S, +Item1, +Item2, -Change) is det.
 %
 %   Glue a vertex to an edge, v(V) and e(E): the edge is divided there; a
 %   vertex to a polygon, v(V) and p(P): it is a point loop of P; or an edge to
 %   a polygon, e(E) and p(P): it is a seam of P, and its ends, where they are
 %   in P, are of the seam. In this order. Change is as of cells_edited/3.
 %
-%   @error as glue_vertices/4; Why is also `beside`: the vertex is not in the
+%   @error as vertices_joined/4; Why is also `beside`: the vertex is not in the
 %          edge, or not inside the polygon
 
-glue_mixed(S, Item1, Item2, Change) :-
+mixed_joined(S, Item1, Item2, Change) :-
     cells_edited(S, sg_contact_glue:mixed_glued(Item1, Item2, S), Change).
 
 mixed_glued(v(V), e(E), S) :-
@@ -180,7 +186,7 @@ between(S, A, B, V, At) :-
     tolerance(rounding, Near),
     sqrt(float(Square)) =< Near*float(UU).
 
-%!  glue_edges(+S, +Edge1, +Edge2, -Change) is det.
+%!  edges_joined(+S, +Edge1, +Edge2, -Change) is det.
 %
 %   Glue the edges Edge1 and Edge2 of the cells S, A-B of two vertices, in
 %   what they have in common: each is divided at the ends of the other one,
@@ -191,7 +197,7 @@ between(S, A, B, V, At) :-
 %          e(Edge1), e(Edge2), apart))): they have no line in common; those of
 %          cells_edited/3
 
-glue_edges(S, Edge1, Edge2, Change) :-
+edges_joined(S, Edge1, Edge2, Change) :-
     cells_edited(S, sg_contact_glue:edges_glued(S, Edge1, Edge2), Change).
 
 edges_glued(S, A-B, C-D) :-

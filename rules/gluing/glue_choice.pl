@@ -7,18 +7,19 @@
             stays_parted/1              % +S
           ]).
 :- use_module('../decision', [decision/2, decision_is_default/1]).
-:- use_module('../store', [segment/3, origin/3, gluing/2]).
+:- use_module('../store',
+              [ e/5, edge_polygon/3, segment/3, origin/3, from_p/5, lies_in/3,
+                gluing/2 ]).
 :- use_module(library(apply), [maplist/2]).
-:- use_module(library(lists), [member/2]).
-/** <module> What of a glue is to be glued (NG-2 to NG-5): a decision, and wishes.
+/** <module> What of a glue is to be glued (NG-2 to NG-5).
 
     gluing(S, Wish)           a fact of a model: what is wanted of the glue S
 
     only(What)                vertices, edges or faces: nothing else is glued,
                               but what these have
     apart(S1, S2)             these operands are not glued to each other
-    apart(S0-Item)            Item of operand S0 is glued to nothing: v(V), e(A,B)
-                              or p(P)
+    apart(S0-Item)            Item of operand S0 is glued to nothing: v(V),
+                              e(A,B) or p(P)
     glued(S1-Item1, S2-Item2) these are glued, whatever else is said
     dissolve(R1, R2)          the faces between these regions go
 
@@ -64,7 +65,7 @@ stays_glued(S, Kind, Seat1, Seat2) :-
         joins(Place1, Place2, Seat1, Seat2)
     ->  true
     ;   once(may_glue(Kind, Seat1, Seat2)),
-        \+ ( gluing(S, Wish), keeps_apart(Wish, Seat1, Seat2) )
+        \+ ( gluing(S, Wish), keeps_apart(Wish, S, Seat1, Seat2) )
     ).
 
 joins(Place1, Place2, Seat1, Seat2) :-
@@ -90,16 +91,38 @@ same_item(e(A,B), Item) :-
     Item = e(A1,B1).
 same_item(Item, Item).
 
-keeps_apart(only(What), seat(_,Item,_), _) :-
+%   keeps_apart(Wish, S, Seat1, Seat2): of a polygon also what is at the border
+%   that the operands have in common with it.
+
+keeps_apart(only(What), _, seat(_,Item,_), _) :-
     item_kind(Item, Kind),
     Kind \== What.
-keeps_apart(apart(S1, S2), seat(A,_,_), seat(B,_,_)) :-
+keeps_apart(apart(S1, S2), _, seat(A,_,_), seat(B,_,_)) :-
     ( S1-S2 == A-B ; S2-S1 == A-B ),
     !.
-keeps_apart(apart(Place), Seat1, Seat2) :-
-    member(Seat, [Seat1,Seat2]),
-    has_place(Seat, Place),
+keeps_apart(apart(S0-Item0), S, Seat1, Seat2) :-
+    (   Seat = Seat1,
+        arg(1, Seat2, Other)
+    ;   Seat = Seat2,
+        arg(1, Seat1, Other)
+    ),
+    Seat = seat(S0,Item,_),
+    (   has_place(Seat, S0-Item0)
+    ;   Item0 = p(P0),
+        from_p(S, P, S0, P0, _),
+        from_p(S, P, Other, _, _),
+        at_polygon(Item, S, P)
+    ),
     !.
+
+at_polygon(v(V), S, P) :-
+    (   e(S, E, V, _, _),
+        edge_polygon(S, E, P)
+    ;   lies_in(S, v(V), p(P))
+    ).
+at_polygon(e(A,B), S, P) :-
+    ( e(S, E, A, B, _) ; e(S, E, B, A, _) ),
+    edge_polygon(S, E, P).
 
 item_kind(v(_), vertices).
 item_kind(e(_,_), edges).

@@ -3,7 +3,6 @@
             unglued_between/4,          % +S, +R1, +R2, -Change
             unglued_region/4,           % +S, +R, -N, -Change
             meetings_unmeant/2,         % +Most, -Selves
-            segment_unmeant/2,          % +S, -Meetings
             twin_there/3,               % +S, +P, -Q
             vertex_parted/4             % +S, +V, +Ps, -W
           ]).
@@ -257,9 +256,8 @@ without_slits(Most, self(S, Counts0, Meetings0), self(S, Counts, Meetings)) :-
         Meetings = Meetings0
     ).
 
-%!  segment_unmeant(+S, -Meetings:list) is det.
-%
-%   Meetings are those of segment S with itself, without the same.
+%   segment_unmeant(S, Meetings): those of segment S with itself, without the
+%   same.
 
 segment_unmeant(S, Meetings) :-
     limit_value(facets, All),

@@ -31,10 +31,6 @@ part_glue_en(wish(S, Wish)) -->
        apart(S1-Item), glued(S1-Item1, S2-Item2) or dissolve(R1, R2): Item is \c
        v(V), e(A,B) or p(P) of an operand, R1 and R2 are bounded regions side \c
        by side.' ].
-part_glue_en(not_apart(S, P1, P2, X, Y, Z)) -->
-    [ 'segment ~d: polygons ~d and ~d are to stay apart, and go through each \c
-       other at ~6g ~6g ~6g'-[S, P1, P2, X, Y, Z], nl,
-      '  Glue these, or move an operand.' ].
 part_glue_en(no_side(S)) -->
     [ 'segment ~d: what stays apart lies on faces, and on which side of them \c
        cannot be told'-[S], nl,

@@ -33,10 +33,6 @@ part_glue_ko(wish(S, Wish)) -->
        apart(S1-Item), glued(S1-Item1, S2-Item2), dissolve(R1, R2) 가운데 \c
        하나를 쓰십시오. Item은 피연산자의 v(V), e(A,B), p(P)이고, R1과 R2는 \c
        맞닿은 유한한 영역입니다.' ].
-part_glue_ko(not_apart(S, P1, P2, X, Y, Z)) -->
-    [ '세그먼트 ~d: 다각형 ~d번과 ~d번은 떨어져 있어야 하는데 ~6g ~6g ~6g에서 \c
-       서로를 뚫고 지나갑니다'-[S, P1, P2, X, Y, Z], nl,
-      '  이들을 붙이거나 피연산자를 옮기십시오.' ].
 part_glue_ko(no_side(S)) -->
     [ '세그먼트 ~d: 떨어져 있는 것이 면 위에 놓여 있어 그 면의 어느 쪽인지 알 \c
        수 없습니다'-[S], nl,

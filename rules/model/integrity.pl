@@ -88,12 +88,18 @@ model_defect(Defect) :-
         self_defect(Defect, Kind, S, P1, P2)
     ;   self_defect(Defect, Kind, S, P1, P2),
         self_meeting(Kind, S, P1, P2)
-    ).
+    ),
+    \+ is_meant(Defect).
 
 %   is_meant(Defect): one of the faces was parted from the other, with a slit
 %   between.
 
 is_meant(duplicate_face(S, P1, P2)) :-
+    is_slit(S, P1, P2).
+is_meant(self_overlap(S, P1, P2)) :-
+    is_slit(S, P1, P2).
+
+is_slit(S, P1, P2) :-
     (   origin(S, p(P2), slit(P1))
     ->  true
     ;   origin(S, p(P1), slit(P2))

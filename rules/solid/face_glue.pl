@@ -1,5 +1,5 @@
 :- module(sg_face_glue,
-          [ glue_faces/4                % +S, +P1, +P2, -Change
+          [ faces_joined/4              % +S, +P1, +P2, -Change
           ]).
 :- use_module('../csg/csg_record', [drop_record/1]).
 :- use_module('../csg/csg_rows', [drop_boundary/1]).
@@ -21,7 +21,7 @@ Each is cut by the other one, as surfaces are that are glued; what both have
 is one face then. Borders come first: edges are divided where the other face's
 border meets them, for all their pages, and vertices in one place are one. */
 
-%!  glue_faces(+S, +P1, +P2, -Change) is det.
+%!  faces_joined(+S, +P1, +P2, -Change) is det.
 %
 %   Glue the polygons P1 and P2 of the cells S in what they have in common.
 %   Change is as of cells_edited/3; one transaction.
@@ -29,7 +29,7 @@ border meets them, for all their pages, and vertices in one place are one. */
 %   @error geometry_error(part_glue(not_glued(S, p(P1), p(P2), apart))): they
 %          have no area in common; those of glued_boundary/4 and cells_edited/3
 
-glue_faces(S, P1, P2, Change) :-
+faces_joined(S, P1, P2, Change) :-
     cells_edited(S, sg_face_glue:faces_glued(S, P1, P2), Change).
 
 faces_glued(S, P1, P2) :-

@@ -15,7 +15,8 @@
 :- use_module('../csg/csg_rows', [drop_boundary/1]).
 :- use_module('../csg/source', [source_kept/3]).
 :- use_module(faces, [faces_merged/2]).
-:- use_module(glue_parted, [choice_dissolved/2, choice_parted/1, twins_turned/1]).
+:- use_module(glue_parted,
+              [choice_dissolved/2, choice_parted/1, twins_turned/1]).
 :- use_module(glue_whole, [whole_pieces/4]).
 :- use_module(glue_wire, [wires_written/3]).
 :- use_module('../gluing/cells_edit', [regions_again/2]).

@@ -2,6 +2,7 @@
           [ contact/4,                  % +S, -Kind, -Seat1, -Seat2
             contact_counts/2,           % +S, -Counts
             contact_context/2,          % +S, -Context
+            item_context/2,             % +S, -Context
             item_seats/3,               % +Context, ?Item, -Seats
             seats_contact/4             % +Seats, -Kind, -Seat1, -Seat2
           ]).
@@ -120,7 +121,9 @@ corners_([V|Vs], Ends) -->
     [V-Ends],
     corners_(Vs, Ends).
 
-%   item_context(S, Context): the same, to tell of a few.
+%!  item_context(+S, -Context) is det.
+%
+%   The same, to tell of a few items.
 
 item_context(S, context(S,Known,Curves,Reach,unknown)) :-
     glue_operands(S, Operands0),

@@ -13,15 +13,18 @@
 :- use_module('../gluing/glue_choice',
               [dissolved_pairs/2, glue_wish/1, stays_glued/4]).
 :- use_module('../gluing/regions', [region_neighbour/4]).
+:- use_module('../gluing/triangle_corners', [rational_place/3]).
 :- use_module('../gluing/unglue',
-              [segment_unmeant/2, twin_there/3, vertex_parted/4]).
+              [twin_there/3, vertex_parted/4]).
 :- use_module('../store',
-              [ v/5, e/5, p/3, segment/3, edge_polygon/3, from_p/5, from_r/4,
-                from_v/4, origin/3, region/3, sides/4, lies_in/3, gluing/2,
-                assert_fact/1, retractall_facts/1, fresh_id/3 ]).
-:- use_module(library(apply), [foldl/4, maplist/2]).
+              [ v/5, e/5, p/3, t/6, segment/3, edge_polygon/3, from_p/5,
+                from_r/4, from_v/4, origin/3, region/3, sides/4, lies_in/3,
+                gluing/2, assert_fact/1, retractall_facts/1, fresh_id/3 ]).
+:- use_module('../vector', [cross_product/3, difference/3, dot_product/3]).
+:- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
 :- use_module(library(assoc), [empty_assoc/1, get_assoc/3, list_to_assoc/2]).
-:- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(lists),
+              [append/2, append/3, member/2, permutation/2]).
 :- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> What may not be glued, parted again in a glue (NG-2 to NG-6).
 
@@ -37,9 +40,7 @@ that go through each other at an edge are glued there in any case. */
 %   Part what of the glue S, whose regions are known, is not to be glued. Its
 %   regions are to be found again then.
 %
-%   @error geometry_error(part_glue(wish(S, Wish))): S has no such things;
-%          geometry_error(part_glue(not_apart(S, P1, P2, X, Y, Z))): these
-%          polygons would go through each other
+%   @error geometry_error(part_glue(wish(S, Wish))): S has no such things
 
 choice_parted(S) :-
     forall(gluing(S, Wish), wish_checked(S, Wish)),
@@ -68,37 +69,66 @@ item_contact(S, Items, Item, Seat1, Seat2, Glued) :-
     ;   Glued = false
     ).
 
-%   pass_through(S, Seat1, Seat2): of an edge: going round it one meets faces of
-%   both by turns; of a vertex: a wire goes through a face.
+%   pass_through(S, Seat1, Seat2): round an edge one meets faces of both by
+%   turns, in whatever order those are that both have; or at a vertex a wire goes
+%   from one region to another, or from one side of a face to the other.
 
 pass_through(S, seat(S1,e(A,B),_), seat(S2,_,_)) :-
     radial_cycle(S, A, B, Pages),
-    findall(Owner,
-            ( member(page(P,_,_), Pages), owner(S, P, S1, S2, Owner) ),
-            Owners),
-    Owners = [First|_],
-    append(Owners, [First], Round),
-    findall(x, ( append(_, [X,Y|_], Round), X \== Y ), [_,_,_|_]).
-pass_through(S, seat(S1,v(V),Place1), seat(S2,_,Place2)) :-
-    (   Place1 = edge(_,_),
-        Of = S2
-    ;   Place2 = edge(_,_),
-        Of = S1
+    findall(Owners,
+            ( member(page(P,_,_), Pages), owners(S, P, S1, S2, Owners) ),
+            Lists),
+    \+ by_turns_once(Lists).
+pass_through(S, seat(S1,v(V),_), seat(S2,_,_)) :-
+    once(( member(Curve, [S1,S2]), segment(Curve, curve, _) )),
+    wire_at(S, V, E1, W1),
+    wire_at(S, V, E2, W2),
+    E1 \== E2,
+    (   lies_in(S, e(E1), r(R1)),
+        lies_in(S, e(E2), r(R2)),
+        R1 \== R2
+    ;   lies_in(S, v(V), p(P)),
+        side_of(S, P, V, W1, Side1),
+        side_of(S, P, V, W2, Side2),
+        Side1*Side2 < 0
     ),
-    lies_in(S, v(V), p(P)),
-    from_p(S, P, Of, _, _),
-    findall(E, wire_at(S, V, E), [_,_|_]),
     !.
 
-%   owner(S, P, S1, S2, Owner): polygon P comes from one of S1 and S2, Owner.
+%   owners(S, P, S1, S2, Owners): those of S1 and S2 that polygon P comes from.
 
-owner(S, P, S1, S2, Owner) :-
-    findall(S0, ( member(S0, [S1,S2]), once(from_p(S, P, S0, _, _)) ),
-            [Owner]).
+owners(S, P, S1, S2, Owners) :-
+    findall(S0, ( member(S0, [S1,S2]), once(from_p(S, P, S0, _, _)) ), Owners),
+    Owners \== [].
 
-wire_at(S, V, E) :-
-    ( e(S, E, V, _, _) ; e(S, E, _, V, _) ),
+%   by_turns_once(Lists): one owner after the other, all round, can be changed
+%   twice at most.
+
+by_turns_once(Lists) :-
+    maplist(permutation, Lists, Orders),
+    append(Orders, Owners),
+    (   Owners = [First|_]
+    ->  append(Owners, [First], Round),
+        findall(x, ( append(_, [X,Y|_], Round), X \== Y ), Changes),
+        \+ Changes = [_,_,_|_]
+    ;   true
+    ),
+    !.
+
+wire_at(S, V, E, W) :-
+    ( e(S, E, V, W, _) ; e(S, E, W, V, _) ),
     \+ edge_polygon(S, E, _).
+
+%   side_of(S, P, V, W, Side): the sign is that of the side of polygon P, which
+%   V is in, where W is.
+
+side_of(S, P, V, W, Side) :-
+    once(t(S, P, _, A, B, C)),
+    maplist(rational_place(S), [A,B,C,V,W], [PA,PB,PC,PV,PW]),
+    difference(PB, PA, U1),
+    difference(PC, PA, U2),
+    cross_product(U1, U2, N),
+    difference(PW, PV, Way),
+    dot_product(N, Way, Side).
 
 items_parted(S, Items, Links) :-
     findall(V-Pair,
@@ -117,8 +147,7 @@ items_parted(S, Items, Links) :-
               vertex_image(S, V, Seats, Joined, Image) ),
             Images0),
     list_to_assoc(Images0, Images),
-    wires_again(S, Wires, Images),
-    unmeant_refused(S).
+    wires_again(S, Wires, Images).
 
 groups_assoc(Pairs, Assoc) :-
     group_pairs_by_key(Pairs, Groups),
@@ -228,14 +257,6 @@ wire_there(S, A, B) :-
     ->  true
     ;   fresh_id(e, S, E),
         assert_fact(e(S, E, A, B, 1))
-    ).
-
-unmeant_refused(S) :-
-    segment_unmeant(S, Meetings),
-    (   member(meeting(Kind,P1,P2,X,Y,Z), Meetings),
-        Kind == self_crossing
-    ->  geometry_error(part_glue(not_apart(S, P1, P2, X, Y, Z)))
-    ;   true
     ).
 
 geometry_error(What) :-

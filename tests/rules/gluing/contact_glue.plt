@@ -6,9 +6,8 @@
 :- use_module(library(plunit)).
 :- use_module(library(random)).
 :- use_module(rules(gluing/cycle)).
-:- use_module(rules(gluing/contact_glue)).
+:- use_module(rules(solid/part_glue)).
 :- use_module(rules(gluing/regions)).
-:- use_module(rules(solid/face_glue)).
 :- use_module(rules(store)).
 :- use_module(tests(rules/gluing/cells_rows)).
 :- use_module(tests(rules/gluing/face_soup)).

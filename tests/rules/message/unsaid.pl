@@ -15,7 +15,6 @@ unsaid(messages, fault_en(result_open)).
 unsaid(explain_glue_en, role_en(slit)).
 unsaid(explain_glue_en, disks_lie_en(cover,_,_)).
 unsaid(part_glue_en, not_glued_en(crossing)).
-unsaid(part_glue_en, not_glued_en(touching)).
 unsaid(messages, notice_en(opened(contacts))).
 unsaid(messages, notice_en(opened(faces))).
 unsaid(messages, notice_en(contacts(_))).
