@@ -246,7 +246,7 @@ other_number(N, New) :-
     float(N),
     (   N =:= 0.0
     ->  Others = [1.0]
-    ;   Double is N*2,
+    ;   catch(Double is N*2, _, Double = 1.0),
         Others = [0.0,Double]
     ),
     member(New, Others).
