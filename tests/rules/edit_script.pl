@@ -70,6 +70,7 @@ quiet_scene(World, Soup, Seed, Wrong) :-
         close(Null)).
 
 scene(Soup, Wrong) :-
+    retractall(known(_, _)),
     random_between(1, 3, N),
     findall(x, ( between(1, N, _), made(Soup) ), _),
     random_between(1, 4, M),
@@ -415,7 +416,29 @@ typed(term, Value) :-
 
 question(Wrong) :-
     asked(Goal),
-    attempt(Goal, Wrong).
+    attempt(Goal, Wrong),
+    remembered(Goal).
+
+%   remembered(Goal): the values in Goal are known by the words of its arguments,
+%   so that later questions are asked about what earlier ones answered: disks,
+%   scenes, facets, of this world or of what it was before an edit.
+
+:- thread_local known/2.
+
+remembered(Goal) :-
+    functor(Goal, Name, Arity),
+    exported(All),
+    memberchk(Name/Arity, All),
+    !,
+    documented_words(Name, Arity, Words),
+    Goal =.. [_|Values],
+    forall(( nth1(I, Words, Word),
+             nth1(I, Values, Value),
+             ground(Value),
+             term_size(Value, Size),
+             Size < 1000 ),
+           assertz(known(Word, Value))).
+remembered(_).
 
 %   rendered(Dots), regions_checked(Around): what the verbs render and cells ask
 %   of the world, and what is round each of its edges, faces and vertices.
@@ -555,6 +578,10 @@ argument_word(Argument, Word) :-
 argument(Word, Value) :-
     (   maybe(0.15)
     ->  any_value(Value)
+    ;   maybe(0.4),
+        findall(Known, known(Word, Known), All),
+        one_of(All, Value)
+    ->  true
     ;   worded(Word, Value)
     ->  true
     ;   maybe(0.5)
