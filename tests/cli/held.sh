@@ -72,7 +72,30 @@ END
   say explain facts/two_cubes.pl 'hidden(_,_)' --view iso
   say explain facts/two_cubes.pl 'pair(1,2)' --lang ko
   say explain facts/cube.pl 'seam(_)' --minimize pieces
+  for name in crossing cycles face mixed; do
+    say cells "facts/figures/glue_$name.pl" --neighbours
+  done
+  for ending in csv dot poly geo obj off json stl pl; do
+    say cells facts/two_rooms.pl -o "$o/c.$ending"
+  done
+  say check "$o/c.json"
+  say convert "$o/c.obj" --faces 10 -o "$o/less.off"
+  say glue facts/cube.pl facts/hollow_block.pl -o "$o/g.pl"
+  say unglue "$o/g.pl" -o "$o/n.pl"
+  say unglue "$o/g.pl" --region 1 -o "$o/r.pl"
+  for ending in png ppm pl; do
+    say render facts/shaded_block.pl --size 60x40 -o "$o/r.$ending"
+  done
+  say render facts/smooth.pl --size 60x40 -o "$o/r.png"
+  say problems facts/problems/fig08.pl -o "$o/sheets"
+  say explain facts/shaded_block.pl 'pixel(30,20)' --size 60x40
 } >"$TMP/commands"
+# Verbs that run others, or that wait, have tests of their own.
+verbs=$("$SANGGWAN" --help | sed -n 's/^  \([a-z][a-z]*\)  .*/\1/p' |
+  grep -vx 'batch\|repl\|serve')
+for verb in $verbs; do
+  check "$verb is among them" grep -q "^$verb	" "$TMP/commands"
+done
 
 LD_PRELOAD="$B/tests/failing_malloc.so" timeout 280 swipl -p foreign="$B" \
   tests/memory/held.pl -- "$TMP/commands" >"$TMP/log" 2>&1
