@@ -419,9 +419,9 @@ question(Wrong) :-
     attempt(Goal, Wrong),
     remembered(Goal).
 
-%   remembered(Goal): the values in Goal are known by the words of its arguments,
-%   so that later questions are asked about what earlier ones answered: disks,
-%   scenes, facets, of this world or of what it was before an edit.
+%   remembered(Goal): the values in Goal are known by the words of its
+%   arguments, so that later questions are asked about what earlier ones
+%   answered: disks, scenes, facets, of this world or of it before an edit.
 
 :- thread_local known/2.
 
