@@ -3,9 +3,10 @@
        swipl -p foreign=build bench/growth.pl -- [FAMILY...]
 
    Each size is a run of build/sanggwan alone, three of them (or RUNS): the
-   median of its seconds of processor, the most memory it had, and the exponent
-   from the size before. What starting takes is taken off. A run that takes
-   longer than LIMIT seconds (60 unless told) ends its family.
+   median of its seconds of processor, the most memory it had, the bytes it
+   wrote, and the exponents of seconds and of bytes from the size before: no
+   verb can grow slower than what it writes. What starting takes is taken off. A
+   run that takes longer than LIMIT seconds (60 unless told) ends its family.
 */
 :- multifile user:file_search_path/2.
 :- prolog_load_context(directory, Bench),
@@ -79,26 +80,37 @@ measured_family(Name, Verb, Sizes) :-
 measured_sizes([], _, _, _, _).
 measured_sizes([N|Sizes], Name, Verb, Start, Before) :-
     model_file(Name, N, File),
-    call_cleanup(medians(Verb, File, Seconds0, Memory), delete_file(File)),
+    call_cleanup(medians(Verb, File, Seconds0, Memory, Bytes),
+                 delete_file(File)),
     (   Seconds0 == none
     ->  format("~t~D~10|  longer than the limit~n", [N])
     ;   Seconds is max(0.001, Seconds0-Start),
-        exponent(Before, N-Seconds, Growth),
-        format("~t~D~10| ~t~3f~19| s ~t~D~32| kB  ~w~n",
-               [N,Seconds,Memory,Growth]),
-        measured_sizes(Sizes, Name, Verb, Start, N-Seconds)
+        exponent(Before, size(N,Seconds,Bytes), Growth),
+        format("~t~D~10| ~t~3f~19| s ~t~D~32| kB ~t~D~46| B  ~w~n",
+               [N,Seconds,Memory,Bytes,Growth]),
+        measured_sizes(Sizes, Name, Verb, Start, size(N,Seconds,Bytes))
     ).
 
 exponent(none, _, '') :-
     !.
-exponent(N0-S0, N-S, Growth) :-
+exponent(size(N0,S0,B0), size(N,S,B), Growth) :-
     Power is log(S/S0)/log(N/N0),
-    format(atom(Growth), "n^~2f", [Power]).
+    (   B0 > 0,
+        B > 0
+    ->  Written is log(B/B0)/log(N/N0),
+        format(atom(Growth), "n^~2f, written n^~2f", [Power,Written])
+    ;   format(atom(Growth), "n^~2f", [Power])
+    ).
 
-medians(Verb, File, Seconds, Memory) :-
+medians(Verb, File, Seconds, Memory, Bytes) :-
     verb_arguments(Verb, File, Arguments, Made),
     environment('RUNS', 3, N),
     findall(S-M, ( between(1, N, _), run_of(Arguments, S, M) ), Runs),
+    (   last(Made, Out),
+        exists_file(Out)
+    ->  size_file(Out, Bytes)
+    ;   Bytes = 0
+    ),
     forall(( member(F, Made), exists_file(F) ), delete_file(F)),
     (   length(Runs, N)
     ->  msort(Runs, Sorted),
