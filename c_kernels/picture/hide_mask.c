@@ -211,11 +211,9 @@ static bool
 cell_is_hidden(const asking *q)
 {
   const sg_hidden *span = q->out->span;
-  size_t i = 0;
+  size_t i;
 
-  while (i < q->out->spans && span[i].to < q->in[0]) {
-    i++;
-  }
+  SG_SEARCH(i, 0, q->out->spans, span[i].to < q->in[0]);
   return i < q->out->spans && q->in[0] <= q->in[1] &&
          span[i].from <= q->in[0] && span[i].to >= q->in[1];
 }
@@ -241,14 +239,12 @@ sg_hiddens_clear(sg_hiddens *hiddens)
 static bool
 add_span(sg_hiddens *out, sg_hidden part)
 {
-  size_t i = 0, k, n = out->spans;
+  size_t i, k, n = out->spans;
 
   if (!sg_list_grow(&out->span, n, &out->span_room, sizeof *out->span)) {
     return false;
   }
-  while (i < n && out->span[i].to < part.from) {
-    i++;
-  }
+  SG_SEARCH(i, 0, n, out->span[i].to < part.from);
   for (k = i; k < n && out->span[k].from <= part.to; k++) {
     part.from = sg_smaller(part.from, out->span[k].from);
     part.to = sg_larger(part.to, out->span[k].to);
