@@ -26,7 +26,7 @@
 %   family(Name, Verb, Sizes): what is done with the model of each size.
 
 family(wedges,     union, [800,1600,3200,6400]).
-family(identical,  union, [400,800,1600,3200]).
+family(identical,  union, [1600,3200,12800,27500]).
 family(apexes,     union, [500,1000,2000,4000]).
 family(needles,    union, [1600,3200,6400,12800]).
 family(comb,       union, [250,500,1000,2000]).
@@ -48,8 +48,8 @@ family(comb,       unfold, [25,50,100]).
 family(holes,      draw,  [500,1000,2000,4000]).
 family(circles,    check, [250,500,1000,2000]).
 family(discs,      check, [250,500,1000,2000]).
-family(rods,       penetrate, [400,800,1600]).
-family(rods,       union, [400,800,1600]).
+family(rods,       penetrate, [400,800,1600,3200]).
+family(rods,       union, [400,800,1600,3200]).
 family(boxes,      penetrate, [1000,2000,4000]).
 family(chain,      penetrate, [500,1000,2000]).
 family(boxes,      query, [2500,5000,10000]).

@@ -7,10 +7,17 @@
 #include "rows/sort.h"
 #include "tree_rows.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { CROWD = 16 }; /* other boxes */
+enum {
+  CROWD = 16, /* other boxes */
+  SOME = 64,  /* boxes that are asked how many others there are */
+  ALONG = 2   /* the reach is along each axis: in any other way, that many */
+};
+
+#define ROUNDED 0x1p-40
 
 /* Segments of a version and their boxes. */
 typedef struct boxed {
@@ -94,13 +101,15 @@ find_boxes(sg_call *call, boxed *out)
   return good || sg_call_ended(call);
 }
 
-/* The pairs whose boxes overlap within the reach, as places. */
+/* The pairs whose boxes overlap within the reach, as places, of those whose
+ * other boxes do within another reach. */
 static bool
-join_boxes(sg_call *call, const boxed *all, sg_bvh_hits *hits)
+join_boxes(sg_call *call, const boxed *all, const sg_box *other, double reach,
+           sg_bvh_hits *hits)
 {
-  sg_bvh *tree = sg_bvh_open(all->box, all->n, &call->cancel);
-  bool good = tree && sg_bvh_join(&(sg_bvh_pair){tree, tree}, 1, all->reach,
-                                  NULL, &call->cancel, hits);
+  sg_bvh *tree = sg_bvh_open(other, all->n, &call->cancel);
+  bool good = tree && sg_bvh_join(&(sg_bvh_pair){tree, tree}, 1, reach, NULL,
+                                  &call->cancel, hits);
   size_t n = 0;
 
   for (size_t k = 0; good && k < hits->n; k++) {
@@ -113,6 +122,97 @@ join_boxes(sg_call *call, const boxed *all, sg_bvh_hits *hits)
   hits->n = n;
   sg_bvh_close(tree);
   return good || sg_call_ended(call);
+}
+
+/* Whether boxes overlap more than CROWD others, on average of some. */
+static bool
+are_crowded(const boxed *all)
+{
+  size_t step = all->n / SOME + 1, asked = 0, met = 0;
+
+  for (size_t i = 0; i < all->n; i += step) {
+    asked++;
+    for (size_t k = 0; k < all->n; k++) {
+      met += i != k && sg_box_overlap(&all->box[i], &all->box[k], all->reach);
+    }
+  }
+  return met > CROWD * asked;
+}
+
+/* The axes along which most boxes run, by two of their sides. */
+static void
+find_run(const sg_oriented_box *box, size_t n, sg_run *run)
+{
+  for (size_t i = 0; i < n; i++) {
+    double corner[3][3];
+
+    memcpy(corner, box[i].corner, sizeof corner);
+    sg_run_add(run, (const double(*)[3])corner);
+  }
+  sg_run_end(run);
+}
+
+/* The box of a box along these axes, and what rounding may have taken. */
+static sg_box
+turned_box(const sg_run *run, const sg_oriented_box *box)
+{
+  sg_box out = sg_box_none();
+  double size = 0;
+
+  for (int c = 0; c < 8; c++) {
+    double at[3];
+
+    sg_run_turn(run, box->corner[c], at);
+    sg_box_add(&out, at);
+    for (int k = 0; k < 3; k++) {
+      size = fabs(box->corner[c][k]) > size ? fabs(box->corner[c][k]) : size;
+    }
+  }
+  for (int k = 0; k < 3; k++) {
+    out.lo[k] -= ROUNDED * size;
+    out.hi[k] += ROUNDED * size;
+  }
+  return out;
+}
+
+/* The same pairs, where many boxes overlap and most segments run one way askew:
+ * of those whose boxes that way overlap. The others are apart. */
+static bool
+join_askew(sg_call *call, const boxed *all, sg_bvh_hits *hits)
+{
+  int32_t *full = sg_call_alloc(call, all->n * sizeof *full);
+  sg_oriented_box *box = sg_call_alloc(call, all->n * sizeof *box);
+  sg_box *turned = sg_call_alloc(call, all->n * sizeof *turned);
+  sg_view vertices = {0};
+  sg_run run = {.askew = false};
+  size_t n = 0;
+
+  if (!full || !box || !turned) {
+    return false;
+  }
+  for (size_t i = 0; i < all->n; i++) {
+    if (all->box[i].lo[0] <= all->box[i].hi[0]) {
+      full[n++] = all->s[i];
+    }
+  }
+  bool good = sg_version_view(all->version, SG_V, &vertices) &&
+              sg_leaf_oriented_boxes(&vertices, full, n, sg_call_pool(call),
+                                     &call->cancel, box);
+
+  sg_view_clear(&vertices);
+  if (!good) {
+    return sg_call_ended(call);
+  }
+  find_run(box, n, &run);
+  if (!run.askew) {
+    return join_boxes(call, all, all->box, all->reach, hits);
+  }
+  for (size_t i = 0, k = 0; i < all->n; i++) {
+    bool is_full = k < n && full[k] == all->s[i];
+
+    turned[i] = is_full ? turned_box(&run, &box[k++]) : sg_box_none();
+  }
+  return join_boxes(call, all, turned, ALONG * all->reach, hits);
 }
 
 /* Which segments overlap so many others that it is worth to look at them along
@@ -172,7 +272,7 @@ drop_apart(sg_call *call, const boxed *all, sg_bvh_hits *hits)
               sg_leaf_oriented_boxes(&vertices, crowded, n, sg_call_pool(call),
                                      &call->cancel, box);
   if (good) {
-    drop_hits(hits, where, box, 2 * all->reach); /* it is along each axis */
+    drop_hits(hits, where, box, ALONG * all->reach);
   }
   sg_view_clear(&vertices);
   return good || sg_call_ended(call);
@@ -189,9 +289,12 @@ find_near(sg_call *call, double reach, const sg_int_list *wanted,
   if (reach < 0) {
     return sg_call_domain(call, "not_less_than_zero", 1);
   }
-  bool good = all.version && list_segments(call, wanted, &all) &&
-              find_boxes(call, &all) && join_boxes(call, &all, &hits) &&
-              drop_apart(call, &all, &hits);
+  bool good =
+      all.version && list_segments(call, wanted, &all) &&
+      find_boxes(call, &all) &&
+      (are_crowded(&all) ? join_askew(call, &all, &hits)
+                         : join_boxes(call, &all, all.box, reach, &hits)) &&
+      drop_apart(call, &all, &hits);
 
   for (size_t k = 0; k < hits.n && good; k++) {
     good = sg_near_segments_rows_add(

@@ -6,7 +6,7 @@
 :- use_module('../kernel', [shapes_add/2, shapes_free/3, shapes_open/2]).
 :- use_module(pattern_face, [face_point/2, text_faces/2, upright_way/3]).
 :- use_module('../sheet/lettering',
-              [lettering_drop/3, lettering_width/3]).
+              [lettering_reach/3]).
 :- use_module(library(apply), [foldl/4, include/3]).
 :- use_module(library(lists), [append/3, last/2, member/2, sum_list/2]).
 :- use_module(library(pairs), [pairs_values/2]).
@@ -92,11 +92,12 @@ line_entered([A,B|Points], Shapes) :-
 text_written(Drawn, want(Role,D,Text,Heights,Place), Found0-Left,
              Found-Left1) :-
     (   said_text(Text, Heights, Said, Own),
-        text_place(Drawn, Said, Own, Place, Height, At, Way, Box)
+        text_reach(Said, Reach),
+        text_place(Drawn, Reach, Own, Place, Height, At, Way, Box)
     ->  Drawn = drawn(All, Cut),
         shapes_add(All, Box),
         shapes_add(Cut, Box),
-        text_word(Said, Height, At, Way, Under, Word),
+        text_word(Said, Reach, Height, At, Way, Under, Word),
         Found0 = [letters(Role,D,Under,Word)|Found],
         Left1 = Left
     ;   Found0 = Found,
@@ -125,21 +126,21 @@ role_counts(Roles0, Counts) :-
             ),
             Counts).
 
-%   text_place(Drawn, Text, Heights, Place, Height, At, Way, Box): the text has
+%   text_place(Drawn, Reach, Heights, Place, Height, At, Way, Box): the text has
 %   the middle of its lowest line At, which is its baseline if it has no tails
 %   and is not underlined, and runs along Way, a unit vector.
 
-text_place(Drawn, Text, Heights, Place, Height, At, Way, Box) :-
+text_place(Drawn, Reach, Heights, Place, Height, At, Way, Box) :-
     touching(Tolerance),
     simple_place(Place, Drawn, Simple, Shapes, Most),
     member(Height, Heights),
     Height =< Most,
-    text_size(Text, Height, Width, All),
-    place_at(Simple, Width, All, At, Way, Reach),
+    text_size(Reach, Height, Width, All),
+    place_at(Simple, Width, All, At, Way, Edge),
     clear_at_ends(Simple, Height, Clear),
     text_box(At, Way, Width, All, Clear, Box),
     shapes_free(Shapes, Box, Tolerance),
-    reach_free(Reach, At, Way, Width, All, Shapes),
+    reach_free(Edge, At, Way, Width, All, Shapes),
     !.
 
 %   simple_place(Place, Drawn, Simple, Shapes, Most) is nondet: Simple is a
@@ -185,17 +186,24 @@ nothing_in(Box, At, Way, Shapes) :-
     box_corners(Box, At, Way, Corners),
     shapes_free(Shapes, Corners, 0.01).
 
-%   text_size(Text, Height, Width, All): All is how high Text is with its tails
-%   or the line below it, if capitals are Height high.
+%   text_reach(Text, Reach): Reach is reach(Width,Drop,Line): of its letters, if
+%   capitals are 6 high (lettering_reach/3), and whether there is a line below.
 
-text_size(underlined(String), Height, Width, All) :-
+text_reach(underlined(String), reach(Width,Drop,true)) :-
     !,
-    lettering_width(String, Height, Width),
-    underline_drop(Height, Drop),
-    All is Height+Drop.
-text_size(String, Height, Width, All) :-
-    lettering_width(String, Height, Width),
-    lettering_drop(String, Height, Drop),
+    lettering_reach(String, Width, Drop).
+text_reach(String, reach(Width,Drop,false)) :-
+    lettering_reach(String, Width, Drop).
+
+%   text_size(Reach, Height, Width, All): All is how high a text is with its
+%   tails or the line below it, if capitals are Height high.
+
+text_size(reach(Width0,Drop0,Line), Height, Width, All) :-
+    Width is Width0*Height/6,
+    (   Line == true
+    ->  underline_drop(Height, Drop)
+    ;   Drop is Drop0*Height/6
+    ),
     All is Height+Drop.
 
 %   underline_drop(Height, Drop): how far the line is below the baseline.
@@ -334,9 +342,9 @@ box_corners(box(Left,Right,Low,High), X0-Y0, U-V, Corners) :-
             ),
             Corners).
 
-text_word(underlined(String), Height, At0, Way, [[A,B]], Word) :-
+text_word(underlined(String), Reach, Height, At0, Way, [[A,B]], Word) :-
     !,
-    lettering_width(String, Height, Width),
+    text_size(Reach, Height, Width, _),
     Left is -Width/2,
     Right is Width/2,
     beside(At0, Way, Left, A),
@@ -344,10 +352,10 @@ text_word(underlined(String), Height, At0, Way, [[A,B]], Word) :-
     underline_drop(Height, Drop),
     Up is -Drop,
     below(At0, Way, Up, At),
-    text_word(String, Height, At, Way, [], Word).
-text_word(String, Height, At0, Way, [], word(At,Way,Height,middle,String)) :-
-    lettering_drop(String, Height, Drop),
-    Up is -Drop,
+    text_word(String, Reach, Height, At, Way, [], Word).
+text_word(String, reach(_,Drop0,_), Height, At0, Way, [],
+          word(At,Way,Height,middle,String)) :-
+    Up is -(Drop0*Height/6),
     below(At0, Way, Up, At).
 
 beside(X0-Y0, U-V, Along, X-Y) :-

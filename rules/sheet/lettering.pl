@@ -1,7 +1,7 @@
 :- module(sg_lettering,
           [ lettering/2,                % +Text, -Lines
             lettering_width/3,          % +String, +Height, -Width
-            lettering_drop/3            % +String, +Height, -Drop
+            lettering_reach/3           % +String, -Width, -Drop
           ]).
 :- use_module(hangul, [syllable/3]).
 :- use_module(letter, [letter/3]).
@@ -42,16 +42,16 @@ lettering_width(String, Height, Width) :-
     placed(String, _, Width0),
     Width is Width0*Height/6.
 
-%!  lettering_drop(+String, +Height, -Drop) is det.
+%!  lettering_reach(+String, -Width, -Drop) is det.
 %
-%   Drop is how far String reaches below the line that capitals stand on, with
-%   the tail of a p or the end of a bracket, when these are Height high.
+%   How wide String is, and how far it reaches below the line that capitals
+%   stand on, with the tail of a p or the end of a bracket, when these are 6
+%   high.
 
-lettering_drop(String, Height, Drop) :-
-    placed(String, Glyphs, _),
+lettering_reach(String, Width, Drop) :-
+    placed(String, Glyphs, Width),
     findall(Y, ( member(_-Strokes, Glyphs), stroke_depth(Strokes, Y) ), Ys),
-    max_list([0|Ys], Deepest),
-    Drop is Deepest*Height/6.
+    max_list([0|Ys], Drop).
 
 stroke_depth(Strokes, Depth) :-
     member(Stroke, Strokes),
