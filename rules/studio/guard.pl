@@ -9,6 +9,7 @@
             request_allowed/3,          % +Front, +Head, -Allowed
             upload_name/1,              % +Name
             upload_folder/2,            % +Owner, -Folder
+            journal_folder/2,           % +Whose, -Folder
             file_allowed/3,             % +Folder, +Name, -Path
             security_header/2           % ?Name, ?Value
           ]).
@@ -357,14 +358,13 @@ looked_through(_, _, Head, Head) :-
 
 journal_of(pupil(Secret), Path, Journal, false) :-
     !,
-    state_folder(State),
+    journal_folder(pupil, Folder),
     file_base_name(Path, Base),
     format(string(Of), "~w ~w", [Secret,Path]),
     sha_hash(Of, Hash, [algorithm(sha256), encoding(utf8)]),
     hash_atom(Hash, Digest),
     sub_atom(Digest, 0, 16, _, Short),
-    format(string(Journal), "~w/sanggwan/class/~w-~w.journal",
-           [State, Base, Short]).
+    format(string(Journal), "~w/~w-~w.journal", [Folder, Base, Short]).
 journal_of(Owner, _, true, Owner).
 
 name_of(Head, Name) :-
@@ -442,19 +442,27 @@ upload_name(Name) :-
 
 upload_folder(Owner, Folder) :-
     ( Owner = pupil(Secret) -> Of = Secret ; Of = owner ),
-    state_folder(State),
+    journal_folder(owner, State),
     sha_hash(Of, Hash, [algorithm(sha256), encoding(utf8)]),
     hash_atom(Hash, Digest),
     sub_atom(Digest, 0, 16, _, Short),
-    atomic_list_concat([State,'/sanggwan/uploads/',Short], Folder).
+    atomic_list_concat([State,'/uploads/',Short], Folder).
 
-state_folder(State) :-
-    (   getenv('XDG_STATE_HOME', State0),
-        State0 \== ''
-    ->  State = State0
+%!  journal_folder(+Whose, -Folder) is det.
+%
+%   Folder has the journals of the owner, or those of pupils.
+
+journal_folder(owner, Folder) :-
+    (   getenv('XDG_STATE_HOME', State),
+        State \== ''
+    ->  true
     ;   getenv('HOME', Home),
         atom_concat(Home, '/.local/state', State)
-    ).
+    ),
+    atom_concat(State, '/sanggwan', Folder).
+journal_folder(pupil, Folder) :-
+    journal_folder(owner, State),
+    atom_concat(State, '/class', Folder).
 
 %!  file_allowed(+Folder, +Name, -Path) is det.
 %

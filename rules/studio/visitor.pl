@@ -14,8 +14,9 @@
 :- use_module('../plain', [plain_json/2]).
 :- use_module(visitor_answer, [answers_recorded/2, class_request/4]).
 :- use_module(guard,
-              [ new_secret/1, request_allowed/3, upload_folder/2,
-                upload_name/1 ]).
+              [ journal_folder/2, new_secret/1, request_allowed/3,
+                upload_folder/2, upload_name/1 ]).
+:- use_module(visitor_path, [paths_untold/5]).
 :- use_module(protocol, [frame_read/4, frame_write/3, text_octets/2]).
 :- use_module(request, [request_error/1]).
 :- use_module(library(filesex),
@@ -233,24 +234,35 @@ session_ready(front(_,_,Folder,_), Visitor, In) :-
     set_stream(In, buffer(full)),
     flag(sg_visitor_session, N, N+1),
     assertz(session_(Visitor, N, Pid, In)),
-    thread_create(sg_visitor:reading(Visitor, N, Out), _, [detached(true)]),
+    untold_folders(Visitor, Folder, Folders),
+    thread_create(sg_visitor:reading(Visitor, N, Folders, Out), _,
+                  [detached(true)]),
     most(memory, Megabytes),
     most(cpu, Seconds),
     frame_write(In, _{id:0, do:"hello", memory_mb:Megabytes, cpu_s:Seconds},
                 "").
 
-:- public reading/3.
+%   untold_folders(Visitor, Folder, Folders): the innermost first.
 
-%   reading(Visitor, Generation, Out): the thread that reads what a session
-%   answers.
+untold_folders(Visitor, Folder, [Downloads,Uploads,Class,State,Folder]) :-
+    download_folder(Downloads),
+    visitor_folder(Visitor, Uploads),
+    journal_folder(owner, State),
+    journal_folder(pupil, Class).
 
-reading(Visitor, Generation, Out) :-
+:- public reading/4.
+
+%   reading(Visitor, Generation, Folders, Out): the thread that reads what a
+%   session answers.
+
+reading(Visitor, Generation, Folders, Out) :-
     catch(frame_read(Out, reply, Head, Body), error(_, _), Head = end_of_file),
     (   Head == end_of_file
     ->  catch(close(Out, [force(true)]), error(_, _), true),
         session_gone(Visitor, Generation)
-    ;   catch(routed(Visitor, Head, Body), error(_, _), true),
-        reading(Visitor, Generation, Out)
+    ;   paths_untold(Folders, Head, Body, Told, ToldBody),
+        catch(routed(Visitor, Told, ToldBody), error(_, _), true),
+        reading(Visitor, Generation, Folders, Out)
     ).
 
 %   routed(Visitor, Head, Body): to the page that asked.
@@ -260,8 +272,9 @@ routed(Visitor, Head, Body) :-
     (   get_dict(progress, Head, _)
     ->  pending_(Number, Visitor, Socket, Id, _, _, _),
         sent(Socket, Head.put(id, Id), Body)
-    ;   retract(pending_(Number, Visitor, Socket, Id, Do, _, File)),
+    ;   pending_(Number, Visitor, Socket, Id, Do, _, File),
         file_heard(Do, Visitor, File, Head),
+        retractall(pending_(Number, Visitor, _, _, _, _, _)),
         (   Do == "ask"
         ->  retractall(question_(Socket, Id, _)),
             assertz(question_(Socket, Id, Number))
@@ -291,10 +304,12 @@ file_heard(Do, Visitor, Opened, Head) :-
 file_time(File, Time) :-
     catch(time_file(File, Time), error(_, _), Time = 0.0).
 
-%   files_watched: pages hear that their file is another one.
+%   files_watched: pages hear that their file is another one, unless they are
+%   about to hear that it was saved.
 
 files_watched :-
     forall(( opened_(Visitor, File, Time0),
+             \+ pending_(_, Visitor, _, _, "save", _, _),
              file_time(File, Time),
              Time =\= 0,
              Time =\= Time0,

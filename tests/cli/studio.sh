@@ -2,7 +2,7 @@
 # studio.sh -- the studio: tests/studio/front_test.py asks its front as pages do,
 # and attacks its guard; tests/studio/browser_test.py uses the page in a real
 # browser, if there is one.
-# covers: front, guard, visitor, page_file, model_tree, answer_name, studio_words,
+# covers: front, guard, visitor, visitor_path, page_file, model_tree, answer_name, studio_words,
 # visitor_answer, ask_problem
 . "$(dirname "$0")/harness.bash"
 cd "$here" || exit 2
@@ -20,6 +20,7 @@ asked() {
 
 asked front_test.py
 asked class_test.py
+asked limit_test.py
 asked kill_test.py
 if command -v chromedriver >/dev/null && command -v chromium >/dev/null; then
   asked browser_test.py

@@ -1,0 +1,156 @@
+"""limit_test.py PROGRAM FOLDER: line 10 of what guards the studio: how much a
+visitor may use, and that no message names a folder of this machine."""
+# covers: visitor, visitor_path, process_limit
+import glob
+import http.client
+import json
+import math
+import os
+import sys
+import time
+
+sys.path[:0] = [os.path.dirname(os.path.abspath(__file__)),
+                os.path.join(os.path.dirname(os.path.abspath(__file__)),
+                             "../cli")]
+from front import Front  # noqa: E402
+from session import Checks  # noqa: E402
+
+program, folder = sys.argv[1:3]
+checks = Checks()
+check = checks.check
+state = os.path.join(folder, "state")
+env = dict(os.environ, XDG_STATE_HOME=state)
+models = os.path.join(folder, "models")
+os.makedirs(models)
+CUBE = "segment(1, solid, box(size(1, 1, 1))).\n"
+with open(os.path.join(models, "cube.pl"), "w") as out:
+    out.write(CUBE)
+
+
+def started(*arguments):
+    front = Front(program, models, "cube.pl", ("--class", *arguments), env)
+    front.code = front.process.stdout.readline().decode().strip().split(
+        "/#")[1]
+    return front
+
+
+def pupil(secret):
+    page = front.socket()
+    page.say({"id": 0, "do": "hello", "token": front.code, "pupil": secret})
+    page.hello = page.hear()[0]
+    return page
+
+
+def code(reply):
+    return (reply[0].get("error") or {}).get("code")
+
+
+def limit(session, name):
+    with open("/proc/%d/limits" % session) as file:
+        line = next(line for line in file if line.startswith(name))
+    return line[len("Max realtime timeout      "):].split()[0]
+
+
+def used(session):
+    with open("/proc/%d/stat" % session) as file:
+        fields = file.read().rsplit(")", 1)[1].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+# What the system holds a session to, whatever it does.
+front = started()
+page = front.page()
+page.ask("open", file="cube.pl")
+session = front.sessions()[0]
+page.ask("tree")
+seconds = int(limit(session, "Max cpu time"))
+check("90 seconds of the processor for a request",
+      89 <= seconds - math.floor(used(session)) <= 92, seconds)
+check("1 GB", limit(session, "Max data size") == "1000000000")
+
+# Who wants all of it: the others are answered meanwhile, and stop is heard.
+greedy = pupil("f" * 32)
+greedy.ask("open", file="cube.pl")
+HARD = "".join("segment(%d, solid, at([translate(%d.13,%d.17,0.1)], "
+               "sphere(radius(9), facets(96)))).\n" % (i + 2, i % 7, i // 7)
+               for i in range(40))
+greedy.say({"id": 70, "do": "text", "body": CUBE + HARD + "segment(90, solid, union(["
+            + ",".join(str(i + 2) for i in range(40)) + "])).\n"})
+time.sleep(1)
+began = time.time()
+check("others are answered", "error" not in page.ask("view", format="strokes")[0]
+      and time.time() - began < 5, time.time() - began)
+greedy.say({"id": 71, "do": "stop"})
+heard = {}
+while 71 not in heard:
+    head, _ = greedy.hear()
+    heard[head.get("id")] = head
+check("and stop is heard", heard[70].get("error", {}).get("code")
+      == "interrupted", heard)
+check("the model is as it was", greedy.ask("text")[1].decode() == CUBE)
+deep = greedy.ask("ask", goal="numlist(1, 30000000, L), length(L, N)")
+check("memory", "error" in deep[0] and greedy.ask("text")[1].decode() == CUBE,
+      deep[0])
+greedy.close()
+
+# No more than 40 sessions; who has one keeps it.
+time.sleep(0.1)
+for i in range(38):
+    one = pupil("%032x" % i)
+    check("a session for %d" % i, "error" not in one.ask("open",
+                                                         file="cube.pl")[0])
+    one.close()
+check("40 sessions", len(front.sessions()) == 40, len(front.sessions()))
+last = pupil("e" * 32)
+head, _ = last.ask("open", file="cube.pl")
+check("and no more", code((head, 0)) == "request_error.too_many_sessions" and
+      len(front.sessions()) == 40, head)
+check("those who are there go on", "error" not in page.ask("tree")[0] and
+      "error" not in pupil("%032x" % 7).ask("tree")[0])
+
+# ---- no message names a folder of this machine ----
+
+def untold(name, reply, wanted):
+    said = json.dumps(reply[0]) + repr(reply[1])
+    check("%s: %s" % (name, wanted), code(reply) == wanted, reply[0])
+    check(name + ": no path", folder not in said and "/tmp" not in said, said)
+
+
+def send(page, name, text):
+    ticket = page.ask("upload", name=name)[0]["ticket"]
+    connection = http.client.HTTPConnection("127.0.0.1", front.port)
+    place = "%s:%d" % (front.host, front.port)
+    connection.request("POST", "/up/" + ticket, text, {
+        "Host": place, "Origin": "http://" + place})
+    connection.getresponse().read()
+    connection.close()
+
+
+front.end()
+front = started()
+for page, journals in ((front.page(), ""), (pupil("a" * 32), "class/")):
+    untold("missing", page.ask("open", file="none.pl"),
+           "model_error.cannot_read")
+    send(page, "bad.pl", b"segment(1, solid, box(size(0, 1, 1))).\nx(")
+    untold("sent, bad", page.ask("open", file="bad.pl", upload=True),
+           "model_error.syntax")
+    send(page, "good.pl", CUBE.encode())
+    head, _ = page.ask("open", file="good.pl", upload=True)
+    check("sent: its name", head.get("file") == "good.pl", head)
+    untold("sent, explained", page.ask("explain", item="segment(1)"), None)
+    page.ask("open", file="cube.pl")
+    journal = max(glob.glob("%s/sanggwan/%scube.pl-*" % (state, journals)),
+                  key=os.path.getmtime)
+    page.ask("open", file="good.pl", upload=True)
+    with open(journal, "w") as out:
+        out.write("mine\n")
+    untold("no journal", page.ask("open", file="cube.pl"),
+           "request_error.no_journal")
+    os.remove(journal)
+    os.makedirs(journal + ".new")
+    reply = page.ask("open", file="cube.pl")
+    untold("not written", reply, code(reply))
+    check("it is an error", code(reply) is not None, reply[0])
+    os.rmdir(journal + ".new")
+front.end()
+checks.finish()
