@@ -21,8 +21,9 @@ without a sheet.
 %
 %   Options1 are Options0, of write_drawing/2, for the picture of the current
 %   world with numbered points and centre lines, where Options ask for them.
-%   Seen is seen(Up, Picture): the picture was made with these options, while the
-%   world was turned so that its axis Up points up. Lines are those of operands.
+%   Seen is seen(Up, Picture): the picture was made with these options, while
+%   the world was turned so that its axis Up points up. Lines are those of
+%   operands.
 %
 %   @error usage_error(both_options(A, B)), and that of points_wanted/2
 

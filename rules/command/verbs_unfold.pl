@@ -6,44 +6,22 @@
             pattern_wanted/3            % +Item, +Options, -Wanted
           ]).
 :- use_module('../decimal', [decimal_number/2]).
-:- use_module('../csg/csg_rows', [drop_boundary/1]).
 :- use_module('../csg/placed_surface', [asked_once/1]).
-:- use_module('../development/bend', [doubly_curved/3, named_segment/2]).
 :- use_module('../development/leaf_face', [roots_alone_named/0]).
 :- use_module('../gluing/exploded', [cells_parted/0, faces_once/0]).
-:- use_module('../limits', [term_of_text/3]).
-:- use_module('../model/mesh', [write_mesh/3]).
-:- use_module('../model/model', [load_model/2, save_model/1]).
-:- use_module('../model/model_text',
-              [next_fact/3, place_error/3]).
-:- use_module('../text_file', [with_text/4]).
-:- use_module('../output', [when_written/1]).
-:- use_module('../pattern/pattern_drawing', [pattern_drawing/3]).
-:- use_module('../pattern/pattern_file', [numbered_files/3, write_pattern/4]).
-:- use_module('../development/seam_measure', [pattern_area/2]).
-:- use_module('../pattern/pattern_plate', [plate_measures/4]).
-:- use_module('../solid/trimmed', [part_named/2]).
+:- use_module('../model/model', [load_model/2]).
 :- use_module('../pattern/pattern_paper', [paper_checked/1]).
 :- use_module('../penetration/penetration', [penetrate/2]).
 :- use_module('../development/polygon_name',
               [polygons_named/3, segment_title/2, segments_named/2]).
-:- use_module(sheet_options, [scale_option/2]).
 :- use_module(solid_verbs, [empty_roots_warned/0]).
-:- use_module('../sheet/sheet_paper', [unit_millimetres/2]).
 :- use_module('../solid/simplify', [simplified_roots/1]).
 :- use_module('../space_limit', [with_stack_for/3]).
-:- use_module('../stage', [stage/2]).
-:- use_module('../store',
-              [ p/3, segment/3, unfolding/2, retractall_facts/1,
-                facts_snapshot/1
-              ]).
-:- use_module('../drawing/style_file', [style_rows/2]).
+:- use_module('../store', [p/3, segment/3, unfolding/2]).
 :- use_module('../unfolding/unfold',
               [ unfoldable/1, pattern_of/2, wishes/3, wanted_of/3,
                 unfolded_part/4
               ]).
-:- use_module('../unrolling/true_sphere', [sphere_part_polygon/3]).
-:- use_module('../unrolling/true_table', [write_true_lengths/3]).
 :- use_module(unfold_options, [options_together/1]).
 :- use_module(unfold_report, [unfold_report/2]).
 :- use_module('../unfolding/unfold_mirror', [mirrored_pattern/2]).
@@ -51,12 +29,19 @@
 :- use_module('../unfolding/unfold_true', [true_patterns/4]).
 :- use_module('../unfolding/unfold_whole', [pattern_whole/1]).
 :- use_module(verb_output,
-              [ some_files/2, outputs/3, may_be_written/1, no_model_replaced/2,
-                no_file/1, output_written/2, usage_error/1
+              [some_files/2, outputs/3, no_model_replaced/2, usage_error/1]).
+:- use_module(unfold_names,
+              [ trims/1, flag_wishes/2, flag_option/2, flag_terms/3,
+                in_file/5
+              ]).
+:- use_module(unfold_output,
+              [ laid_flat_told/2, tables_written/2, sheets_once/4,
+                sheets_laid/3, on_sheets/1, written_to/3, is_drawing/1,
+                drawing_options/2
               ]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [include/3, maplist/2, maplist/3, maplist/4]).
-:- use_module(library(lists), [append/2, append/3, last/2, member/2]).
+:- use_module(library(lists), [append/2, append/3, member/2]).
 :- use_module(library(option), [option/2, option/3]).
 /** <module> The verb unfold.
 
@@ -215,15 +200,6 @@ mirrored_too(Options, Ds0, Ds) :-
                   member(Pair, [D,M]) ),
                 Ds)
     ;   Ds = Ds0
-    ).
-
-%   trims(Options): these, or the model, say that something is trimmed.
-
-trims(Options) :-
-    (   option(trim(_), Options)
-    ->  true
-    ;   how_wished_of_any(trim, _)
-    ->  true
     ).
 
 %!  patterns_given(+Options:list) is semidet.
@@ -405,331 +381,3 @@ only_named(Name, All, S) :-
             throw(error(geometry_error(unfold(kind(S, Kind))), _))
         )
     ).
-
-
-                /*******************************
-                *            WISHES            *
-                *******************************/
-
-%   flag_wishes(Options, Flags): root(P), cut(E) ... as unfold_wish.pl has them.
-
-flag_wishes(Options, Flags) :-
-    findall(Wishes, option_wishes(Options, Wishes), Lists),
-    append(Lists, Flags).
-
-option_wishes(Options, [root(Name)]) :-
-    option(root(Text), Options),
-    flag_terms('--root', Text, Names),
-    (   Names = [Name]
-    ->  true
-    ;   usage_error(unfold(no_term('--root', Text)))
-    ).
-option_wishes(Options, Wishes) :-
-    member(Name, [cut,keep,removed]),
-    flag_option(Name, Option),
-    option_texts(Name, Options, Texts),
-    member(Text, Texts),
-    flag_terms(Option, Text, Terms),
-    findall(Wish, ( member(Term, Terms), Wish =.. [Name,Term] ), Wishes).
-option_wishes(Options, [order(Names)]) :-
-    option(order(Texts), Options),
-    member(Text, Texts),
-    flag_terms('--order', Text, Names).
-
-option_texts(Name, Options, Texts) :-
-    (   Name == removed
-    ->  option(remove(Texts), Options)
-    ;   Option =.. [Name,Texts],
-        option(Option, Options)
-    ).
-
-flag_option(root, '--root').
-flag_option(cut, '--cut').
-flag_option(keep, '--keep').
-flag_option(order, '--order').
-flag_option(removed, '--remove').
-
-%   flag_terms(Option, Text, Terms): names with commas between them; one with a
-%   capital needs no quotes, for there are no variables.
-
-flag_terms(Option, Text, Terms) :-
-    format(string(List), '[~w]', [Text]),
-    (   catch(term_of_text(List, Terms0,
-                          [ module(sg_model_syntax), cycles(false),
-                            dotlists(false), variable_names(Names)
-                          ]),
-              error(_, _), fail),
-        is_list(Terms0),
-        Terms0 = [_|_],
-        maplist(named_as_written, Names),
-        ground(Terms0)
-    ->  Terms = Terms0
-    ;   memberchk(Option, ['--only','--by'])
-    ->  usage_error(unfold(no_names(Option, Text)))
-    ;   usage_error(unfold(no_term(Option, Text)))
-    ).
-
-named_as_written(Name=Name).
-
-%   in_file(Files, S, Wish, What, Location): the error, with the place of the
-%   fact.
-
-in_file(Files, S, Wish, What, Location) :-
-    Error = unfold(S, Wish, What),
-    (   var(Location),
-        wish_place(Files, S, Wish, Place)
-    ->  place_error(Place, 2, Error)
-    ;   throw(error(model_error(Error), Location))
-    ).
-
-%   wish_place(Files, S, Wish, Place): of the last fact that says so of S; or of
-%   any segment, for those of a second file have numbers of their own there.
-
-wish_place(Files, S, Wish, Place) :-
-    findall(S1-Place1,
-            ( member(File, Files), file_wish_place(File, Wish, S1, Place1) ),
-            Places),
-    Places \== [],
-    (   findall(Place1, member(S-Place1, Places), Own),
-        last(Own, Place)
-    ->  true
-    ;   last(Places, _-Place)
-    ).
-
-%   file_wish_place(File, Wish, S, Place) is nondet.
-
-file_wish_place(File, Wish, S, Place) :-
-    file_name_extension(_, pl, File),
-    exists_file(File),
-    with_text(facts, File, Text, wish_places(Text, Wish, Places)),
-    member(S-Place, Places).
-
-wish_places(Text, Wish, Places) :-
-    next_fact(Text, Fact, Place),
-    (   Fact == end_of_file
-    ->  Places = []
-    ;   Fact = unfolding(S, Said),
-        Said == Wish
-    ->  Places = [S-Place|Places1],
-        wish_places(Text, Wish, Places1)
-    ;   wish_places(Text, Wish, Places)
-    ).
-
-
-                /*******************************
-                *            OUTPUT            *
-                *******************************/
-
-%   laid_flat_told(Options, Ds): what --true did not unroll though it is round,
-%   or that it has unrolled nothing.
-
-laid_flat_told(Options, Ds) :-
-    findall(flat(S, Kind, N),
-            ( option(true(true), Options),
-              member(D, Ds),
-              \+ segment(D, _, true_development(_, _)),
-              aggregate_all(bag(Kind), doubly_curved(D, _, Kind), Kinds0),
-              msort(Kinds0, Kinds),
-              clumped(Kinds, Kind, N),
-              named_segment(D, S) ),
-            Flat),
-    forall(member(flat(S, Kind, N), Flat),
-           print_message(warning,
-                         sanggwan(unfold(not_developable(S, Kind, N))))),
-    (   option(true(true), Options),
-        Flat == [],
-        \+ ( member(D, Ds), segment(D, _, true_development(_, _)) )
-    ->  print_message(warning, sanggwan(unfold(nothing_unrolled)))
-    ;   member(Name-Option, [gores-'--gores',zones-'--zones']),
-        Given =.. [Name,_],
-        option(Given, Options),
-        \+ ( member(D, Ds), is_of_sphere(D) )
-    ->  print_message(warning, sanggwan(unfold(no_sphere(Option))))
-    ;   true
-    ).
-
-is_of_sphere(D) :-
-    segment(D, _, true_development(T, Part)),
-    once(sphere_part_polygon(T, Part, _)).
-
-%   clumped(Kinds, Kind, N) is nondet: N of the sorted Kinds are Kind.
-
-clumped(Kinds, Kind, N) :-
-    sort(Kinds, Each),
-    member(Kind, Each),
-    aggregate_all(count, member(Kind, Kinds), N).
-
-%   tables_written(Options, Ds): of true lengths; of several patterns that have
-%   generators FILE.csv becomes FILE-1.csv, FILE-2.csv, ...
-
-tables_written(Options, Ds) :-
-    (   option(table(File), Options)
-    ->  findall(D, ( member(D, Ds), segment(D, _, true_development(_, _)) ),
-                Trues),
-        option(unit(Unit), Options, mm),
-        (   Trues == []
-        ->  print_message(warning, sanggwan(unfold(no_table(File))))
-        ;   File == (-)
-        ->  forall(member(D, Trues), table_written(Unit, D, File))
-        ;   numbered_files(Trues, File, Files),
-            maplist(table_written(Unit), Trues, Files)
-        )
-    ;   true
-    ).
-
-table_written(Unit, D, File) :-
-    output_written(sg_verbs_unfold:table_output(Unit, D), output(File, csv)).
-
-table_output(Unit, D, File) :-
-    stage(write, write_true_lengths(D, File, [unit(Unit)])).
-
-%   sheets_once(Options0, Ds, Outputs, Options): several drawings have the same
-%   sheets; they are laid out once, with what there is to say of them.
-
-sheets_once(Options0, Ds, Outputs, Options) :-
-    (   \+ option(drawings(_), Options0),
-        findall(File,
-                ( member(output(File,Format), Outputs), on_sheets(Format) ),
-                [_,_|_])
-    ->  sheets_laid(Options0, Ds, Options)
-    ;   Options = Options0
-    ).
-
-sheets_laid(Options, Ds, [drawings(Drawings)|Options]) :-
-    sheet_options(Options, Ds, DrawingOptions),
-    stage(write, pattern_drawing(Ds, DrawingOptions, Drawings)).
-
-on_sheets(Format) :-
-    is_drawing(Format),
-    Format \== fold.
-
-%   written_to(Options, Ds, Output): a drawing may take several files.
-
-written_to(Options, Ds, Output) :-
-    Output = output(File, Format),
-    (   is_drawing(Format),
-        \+ no_file(File)
-    ->  drawn(Options, Ds, File, Files),
-        forall(member(Name, Files),
-               when_written(print_message(informational,
-                                          sanggwan(wrote(Name)))))
-    ;   output_written(sg_verbs_unfold:pattern_output(Options, Ds), Output)
-    ).
-
-is_drawing(Format) :-
-    \+ memberchk(Format, [pl,obj,off]).
-
-drawn(Options, Ds, File, Files) :-
-    sheet_options(Options, Ds, DrawingOptions),
-    stage(write, write_pattern(File, Ds, DrawingOptions, Files)).
-
-%   sheet_options(Options, Ds, DrawingOptions): with --bends also the measures
-%   of what of Ds is of plate.
-
-sheet_options(Options, Ds, DrawingOptions) :-
-    drawing_options(Options, DrawingOptions0),
-    (   option(bends(true), Options)
-    ->  findall(D-Plate, plate_of(Options, Ds, D, Plate), Plates),
-        DrawingOptions = [plates(Plates)|DrawingOptions0]
-    ;   DrawingOptions = DrawingOptions0
-    ).
-
-plate_of(Options0, Ds, D, Plate) :-
-    member(D, Ds),
-    pattern_of(D, T),
-    part_named(T, S),
-    how_wished(S, Options0, Options),
-    option(thickness(Thickness), Options),
-    Thickness > 0,
-    pattern_area(D, Area),
-    plate_measures(D, Area, Options, Plate0),
-    option(unit(Unit), Options, mm),
-    unit_millimetres(Unit, Millimetres),
-    Plate = Plate0.put(millimetres, Millimetres).
-
-%   pattern_output(Options, Ds, File): of the several sheets of a drawing,
-%   standard output can have the first only.
-
-pattern_output(Options, Ds, File) :-
-    file_name_extension(_, Ending, File),
-    downcase_atom(Ending, Format),
-    (   Format == pl
-    ->  facts_snapshot(( parts_alone(Options, Ds), save_model(File) ))
-    ;   memberchk(Format, [obj,off])
-    ->  stage(write, write_mesh(File, Ds, [format(Format)]))
-    ;   drawn(Options, Ds, File, Files),
-        (   Files = [_]
-        ->  true
-        ;   length(Files, N),
-            usage_error(unfold(several_sheets(N)))
-        )
-    ).
-
-%   drawing_options(Options, DrawingOptions): as pattern_drawing/3 and
-%   write_drawing/2 have them.
-
-drawing_options(Options, DrawingOptions) :-
-    findall(Option, drawing_option(Options, Option), DrawingOptions).
-
-drawing_option(Options, Option) :-
-    member(Name,
-           [ page,tile,overlap,margin,gap,tabs,numbers,angles,inside,grid,
-             dashes,height,pages,fit,kerf
-           ]),
-    Option =.. [Name,_],
-    option(Option, Options).
-drawing_option(Options, fold_threshold(Degrees)) :-
-    option('fold-threshold'(Degrees), Options).
-drawing_option(Options, table(Lengths)) :-
-    option(lengths(Lengths), Options).
-drawing_option(Options, lap(Width)) :-
-    option(lap(Width), Options).
-drawing_option(Options, lock(Width)) :-
-    option('lock-seam'(Width), Options).
-drawing_option(Options, tab_sides(On)) :-
-    option('tab-sides'(On), Options).
-drawing_option(Options, open_slits(Open)) :-
-    option('open-slits'(Open), Options).
-drawing_option(Options, names(Names)) :-
-    option(names(How), Options),
-    (   How == numbers
-    ->  Names = true
-    ;   Names = How
-    ).
-drawing_option(Options, scale(Scale)) :-
-    option(scale(_), Options),
-    (   catch(scale_option(Options, Scale0),
-              error(usage_error(sheet(scale(_))), _),
-              fail)
-    ->  Scale = Scale0
-    ;   option(scale(Text), Options),
-        usage_error(pattern(scale(Text)))
-    ).
-drawing_option(Options, unit(Unit)) :-
-    \+ option(scale(_), Options),       % which says it
-    option(unit(Unit), Options).
-drawing_option(Options, drawings(Drawings)) :-
-    option(drawings(Drawings), Options).
-drawing_option(Options, style(Rows)) :-
-    option(style(File), Options),
-    style_rows(File, Rows).
-drawing_option(Options, dots(Dots)) :-
-    option(dpi(DotsPerInch), Options),
-    Dots is DotsPerInch/25.4.
-
-%   parts_alone(Options, Ds): with --trim, what was unfolded and its patterns,
-%   without what they were trimmed of; else all stays, with its lines.
-
-parts_alone(Options, Ds) :-
-    (   trims(Options)
-    ->  findall(S, ( member(D, Ds), pattern_of(D, S) ), Ss),
-        append(Ss, Ds, Stay),
-        forall(( segment(S, _, _), \+ memberchk(S, Stay) ), drop_segment(S)),
-        forall(( unfolding(S, _), \+ memberchk(S, Stay) ),
-               retractall_facts(unfolding(S, _)))
-    ;   true
-    ).
-
-drop_segment(S) :-
-    drop_boundary(S),
-    retractall_facts(segment(S, _, _)).

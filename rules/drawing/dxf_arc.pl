@@ -7,10 +7,10 @@
 /** <module> Arcs among the sides of a smooth outline.
 
 The outline of a true pattern is a polyline within the chord tolerance. Where
-its corners lie on a circle, up to the thousandths to which a sheet is rounded,
-and are as close as such corners are, a circle is what was meant. Reliefs of plates
-that are folded along straight edges have corners farther apart; there it is
-known which edges may be part of an arc.
+its corners lie on a circle, up to the thousandths to which a sheet is
+rounded, and are as close as such corners are, a circle is what was meant.
+Reliefs of plates that are folded along straight edges have corners farther
+apart; there it is known which edges may be part of an arc.
 
 Points are X-Y, thousandths, y down.
 */

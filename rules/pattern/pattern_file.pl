@@ -55,8 +55,8 @@ format_written(_, File, Ds, Drawings, Options, Files) :-
                                            ]),
                            Drawings, Files)).
 
-%   smooth_outline(D, Smooth): Smooth as write_dxf/3 has it; of a pattern of flat
-%   facets its reliefs, whose edges are none of what was unfolded.
+%   smooth_outline(D, Smooth): Smooth as write_dxf/3 has it; of a pattern of
+%   flat facets its reliefs, whose edges are none of what was unfolded.
 
 smooth_outline(D, Smooth) :-
     (   is_smooth(D)

@@ -13,17 +13,17 @@
 :- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> Sections of spheres and tori on their true curves.
 
-A plane cuts facets in chords that begin and end beside the true curve; where it
-touches a torus from inside, that is a zigzag. Here the ends of these chords go to
-the curve. All of them lie in the plane of the section, in front of what else is
-seen there, so nothing else changes.
+A plane cuts facets in chords that begin and end beside the true curve; where
+it touches a torus from inside, that is a zigzag. Here the ends of these
+chords go to the curve. All of them lie in the plane of the section, in front
+of what else is seen there, so nothing else changes.
 */
 
 %!  section_on_surfaces(+Section) is det.
 %
-%   In the current world, of which cut_away/2 left Section, vertices of caps that
-%   lie on facets of one sphere or torus move to where the plane meets that, if
-%   it does within the length of a side of the cap. One transaction.
+%   In the current world, of which cut_away/2 left Section, vertices of caps
+%   that lie on facets of one sphere or torus move to where the plane meets
+%   that, if it does within the length of a side of the cap. One transaction.
 
 section_on_surfaces(Section) :-
     facts_transaction(sg_section_curve:moved_to_surfaces(Section)).

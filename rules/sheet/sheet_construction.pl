@@ -46,8 +46,9 @@ centre_views(Celled, Marking, Blank, PerUnit, Places, Views) :-
 
 %!  centres_added(+Centres, +Place, +Drawing0, -Drawing) is det.
 %
-%   Drawing is Drawing0, a picture laid on a sheet by Place (placed_part/3), with
-%   Centres, centre(Points, End) in the picture's own coordinates, under it.
+%   Drawing is Drawing0, a picture laid on a sheet by Place (placed_part/3),
+%   with Centres, centre(Points, End) in the picture's own coordinates, under
+%   it.
 
 centres_added(Centres, place(Scale,X0,Y0,Left,Top), drawing(Sheet,Views0),
               drawing(Sheet,Views)) :-

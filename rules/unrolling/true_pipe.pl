@@ -218,8 +218,9 @@ pipe_near_touching(pipe(_, _, _, Extremes)) :-
     Near \== false,
     !.
 
-%   settled_root(Pipe, T, A, B, C, Root): Root is that of the discriminant, D, at
-%   T; round a touch D is taken less what it is there. Fails if it is negative.
+%   settled_root(Pipe, T, A, B, C, Root): Root is that of the discriminant, D,
+%   at T; round a touch D is taken less what it is there. Fails if it is
+%   negative.
 
 settled_root(pipe(Rows, Quadric, _, Extremes), T, A, B, C, Root) :-
     quadratic(Rows, Quadric, T, abc(A, B, C), _),
@@ -489,9 +490,9 @@ nearer_line(Pipe, T, H, Sign) :-
     ;   Sign = 1
     ).
 
-%   goes_to_zero(Over, T) is nondet: call(Over, T, 0, _). Between a whole degree,
-%   and where it is greatest or least, and the next one that is so once at the
-%   most. Where it just touches 0 is one of them.
+%   goes_to_zero(Over, T) is nondet: call(Over, T, 0, _). Between a whole
+%   degree, and where it is greatest or least, and the next one that is so
+%   once at the most. Where it just touches 0 is one of them.
 
 goes_to_zero(Over, T) :-
     findall(V-S,

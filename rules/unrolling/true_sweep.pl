@@ -24,12 +24,12 @@
 /** <module> Pipes that nearly touch each other by their sides.
 
 Where the side of a cylinder or cone is nearly tangent to that of a cylinder,
-cone or sphere, facets say nothing about how the surfaces meet: in one loop, two,
-or a figure of eight. What is left of the pipe is found there without them: a
-generator goes round it, and what the others take of it has a closed form
-(true_pipe.pl). Between two *events*, as
-a tip or a rim, the same lines bound what is left, one above another; so a facet
-is a row of cells, each between two lines and two generators.
+cone or sphere, facets say nothing about how the surfaces meet: in one loop,
+two, or a figure of eight. What is left of the pipe is found there without
+them: a generator goes round it, and what the others take of it has a closed
+form (true_pipe.pl). Between two *events*, as a tip or a rim, the same lines
+bound what is left, one above another; so a facet is a row of cells, each
+between two lines and two generators.
 
 A cell is slab(T1, T2, Spans), Spans a list of Line1-Line2 upwards; a line is
 rim(K), H = K, or J-Line, Line of true_pipe.pl of the Jth pipe.

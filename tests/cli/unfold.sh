@@ -1,6 +1,7 @@
 # unfold.sh -- patterns: what is printed and written, wishes in the model and as
 # options, trimming, and what is wrong said at its place.
-# covers: pattern_trim, unfold_options, verbs_unfold
+# covers: pattern_trim, unfold_names, unfold_options, unfold_output
+# covers: verbs_unfold
 . "$(dirname "$0")/../check.sh"
 
 sanggwan() { "$SANGGWAN" "$@"; }

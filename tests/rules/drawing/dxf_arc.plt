@@ -67,8 +67,8 @@ test(facets_stay, [true(N == 49)]) :-
     arcs_found(Points, [], all, Corners),
     length(Corners, N).
 
-%   Of edges 1 to 40, which lie on one circle in steps of 4.5 degrees, those from
-%   11 to 30 are a relief.
+%   Of edges 1 to 40, which lie on one circle in steps of 4.5 degrees, those
+%   from 11 to 30 are a relief.
 
 test(relief, [true(Ends == [[11]-true,[31]-false])]) :-
     arc(5000, 0, 180, 40, Points),

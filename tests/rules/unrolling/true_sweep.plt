@@ -321,7 +321,8 @@ test(round_header, [forall(round_header(Pipes, Counts)),
                     true(Pipes == Pipes)]) :-
     checked(Pipes, none, Counts, branch, 0.0, 17.0, []).
 
-%   The cone's own pattern: how far the ends of its generators are from the apex.
+%   The cone's own pattern: how far the ends of its generators are from the
+%   apex.
 
 test(cone_header, [forall(( round_header(Pipes, Counts),
                             Pipes = pipes(cone(_, _), _, _, _, _) )),
