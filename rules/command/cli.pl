@@ -28,7 +28,8 @@
 :- use_module('../stage', [stages_reset/0, stage_name/1, stage_seconds/2]).
 :- use_module('../status', [error_status/2]).
 :- use_module('../store', [new_world/1, in_world/2, facts_statistics/2]).
-:- use_module(usage, [verb/4, verb_options/2, print_usage/1, print_usage/2]).
+:- use_module(usage, [verb/4, verb_options/2]).
+:- use_module(usage_print, [print_usage/1, print_usage/2]).
 :- use_module(user:'../sanggwan').
 :- use_module(user:'../topology').
 :- use_module(user:'../spans').

@@ -19,11 +19,9 @@
                 sheet_shaded/6 ]).
 :- use_module('../explanation/explain',
               [explain/2, explanation/3, print_explanations/1]).
-:- use_module('../sheet/eye', [set_eye/3]).
 :- use_module('../picture/hidden_lines', [picture/1]).
 :- use_module('../picture/picture_cut',
               [penetrated/1, pieces_cut/1, segments_cut/1]).
-:- use_module('../picture/role', [usual_crease/1]).
 :- use_module(lines_out, [write_lines/2, line_format/1]).
 :- use_module('../output', [when_written/1]).
 :- use_module('../penetration/chain', [chain/5, chain_length/2]).
@@ -40,7 +38,8 @@
 :- use_module(report, [print_report/2]).
 :- use_module(sheet_options,
               [ sheet_wanted/1, sheet_request/3, request_facts/4,
-                request_title/2, looking/2, scale_option/2 ]).
+                request_title/2
+              ]).
 :- use_module('../sheet/sheet_plan', [views_drawing/5]).
 :- use_module(solid_verbs,
               [ solid_verb/1, solid_verb_run/4, solids_written/3,
@@ -50,7 +49,7 @@
 :- use_module('../store',
               [ drawn/7, segment/3, line/9, origin/3, facts_snapshot/1,
                 facts_transaction/1, new_world/1, in_world/2 ]).
-:- use_module('../drawing/style_file', [style_rows/2, segment_in_vain/2]).
+:- use_module('../drawing/style_file', [segment_in_vain/2]).
 :- use_module(verb_output,
               [ some_files/2, outputs/3, some_outputs/1, no_model_replaced/2,
                 output_written/2,
@@ -66,6 +65,9 @@
                 pattern_wanted/3 ]).
 :- use_module('../picture/view',
               [ set_view/1, set_view/3, set_projection/1, turn_up/1, with_up/2
+              ]).
+:- use_module(picture_options,
+              [ picture_options/2, known_segments/1, drawing_options/2, eye/2
               ]).
 :- use_module(library(apply), [maplist/2, maplist/3, partition/4]).
 :- use_module(library(aggregate), [aggregate_all/3]).
@@ -407,7 +409,6 @@ points_alone :-
     ;   true
     ).
 
-
                 /*******************************
                 *            WRITERS           *
                 *******************************/
@@ -556,99 +557,6 @@ drawing_output(Options, File) :-
     with_stack_for(Parts, Octets, stage(write, write_drawing(File, Options))).
 
 part_octets(1000).
-
-
-                /*******************************
-                *            OPTIONS           *
-                *******************************/
-
-picture_options(Options, Picture) :-
-    option(lines(Lines), Options, feature),
-    usual_crease(Usual),
-    option(crease(Crease), Options, Usual),
-    (   option(segment(Texts), Options)
-    ->  maplist(segment_number, Texts, Ss),
-        Picture = [lines(Lines), crease(Crease), segments(Ss)]
-    ;   Picture = [lines(Lines), crease(Crease)]
-    ).
-
-segment_number(Text, S) :-
-    (   atom_number(Text, S),
-        integer(S),
-        S > 0
-    ->  true
-    ;   usage_error(bad_value('--segment', Text, 'N'))
-    ).
-
-known_segments(Picture) :-
-    (   option(segments(Ss), Picture),
-        member(S, Ss),
-        \+ segment(S, _, _)
-    ->  findall(Known, segment(Known, _, _), All),
-        usage_error(no_segment(S, All))
-    ;   true
-    ).
-
-drawing_options(Options, Drawing) :-
-    findall(Option, drawing_option(Options, Option), Drawing).
-
-drawing_option(Options, hidden(Hidden)) :-
-    option(hidden(Hidden), Options).
-drawing_option(Options, style(Rows)) :-
-    option(style(File), Options),
-    style_rows(File, Rows).
-drawing_option(Options, dashes(How)) :-
-    option(dashes(How), Options).
-drawing_option(Options, min_line(Length)) :-
-    option('min-line'(Length), Options).
-drawing_option(Options, png(How)) :-
-    option(png(How), Options).
-drawing_option(Options, dots(Dots)) :-
-    option(dpi(DotsPerInch), Options),
-    Dots is DotsPerInch/25.4.
-drawing_option(Options, scale(Scale)) :-
-    scale_option(Options, Scale).
-drawing_option(Options, size(Size)) :-
-    option(size(Size), Options),
-    (   split_string(Size, "x", "", Parts),
-        maplist(number_of, Parts, [W, H])
-    ->  (   W > 0,
-            H > 0
-        ->  true
-        ;   usage_error(no_size('--size', Size))
-        )
-    ;   usage_error(bad_value('--size', Size, 'WxH'))
-    ).
-
-number_of(Text, Number) :-
-    catch(number_string(Number, Text), error(_, _), fail).
-
-%   eye(Options, Goals): Goals set the view and the projection.
-
-eye(Options, Goals) :-
-    findall(Goal, eye_goal(Options, Goal), Goals).
-
-eye_goal(Options, Goal) :-
-    looking(Options, View),
-    (   View = eye(Eye, Target)
-    ->  option(projection(Kind), Options, parallel),
-        Goal = set_eye(Eye, Target, Kind)
-    ;   View = view(_, Theta, Phi, _),
-        eye_distance(Options, Rho),
-        Goal = set_view(Theta, Phi, Rho)
-    ).
-eye_goal(Options, set_projection(Kind)) :-
-    option(projection(Kind), Options).
-
-%   eye_distance(Options, Rho): 0 is as far as needed.
-
-eye_distance(Options, Rho) :-
-    (   option(view(View), Options),
-        split_string(View, ",", " ", [_, _, Text]),
-        number_of(Text, Rho0)
-    ->  Rho = Rho0
-    ;   Rho = 0
-    ).
 
 query_format(Options, Format) :-
     (   option(json(true), Options)

@@ -1,4 +1,5 @@
 # draw.sh -- `sanggwan draw`: every format as other programs read it.
+# covers: picture_options
 . "$(dirname "$0")/../check.sh"
 
 figure=facts/figures/fig13.pl

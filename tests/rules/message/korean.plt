@@ -1,10 +1,12 @@
 :- encoding(utf8).
 :- module(test_korean, []).
+% covers: usage_ko
 :- use_module(library(apply)).
 :- use_module(library(lists)).
 :- use_module(library(plunit)).
 :- use_module(library(readutil)).
 :- use_module(rules(command/usage)).
+:- use_module(rules(command/usage_print)).
 :- use_module(rules(message/particle)).
 
 /* The Korean of messages and of --help, as it stands in the source: particles

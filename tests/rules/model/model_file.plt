@@ -1,6 +1,6 @@
 :- encoding(utf8).
 :- module(test_model_file, []).
-% covers: bezier, model_text, shifted
+% covers: bezier, model_rows, model_text, shifted
 :- use_module(library(plunit)).
 :- use_module(library(readutil)).
 :- use_module(rules(store)).

@@ -1,7 +1,7 @@
 :- encoding(utf8).
 :- module(test_pattern_drawing, []).
 % covers: pattern_fit, pattern_join, pattern_lines, pattern_paper
-% covers: pattern_tab, pattern_table, pattern_word
+% covers: pattern_tab, pattern_table, pattern_view, pattern_word
 :- use_module(library(plunit)).
 :- use_module(library(lists)).
 :- use_module(library(aggregate)).
