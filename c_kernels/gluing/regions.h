@@ -98,8 +98,8 @@ typedef struct sg_regions {
   uint32_t *side; /* [2 * polygons] below, above: the region, from 0; dropped:
                      UINT32_MAX */
   sg_space_region
-      *region; /* the bounded ones by their lowest side, then the outside
-                */
+      *region; /* the bounded ones by the last face that they are behind, or
+                   else the last one that they are before; then the outside */
   sg_region_shell *shell; /* by region, then as their sides come */
   sg_wire *wire;
   sg_lone_vertex *lone_vertex;

@@ -22,22 +22,56 @@ is_there(const sg_regions_maker *m, uint32_t element)
 
 /* ---- regions ---- */
 
-/* The bounded ones as they come, then the outside. */
+/* last[] of each bounded region becomes the side that it is numbered by: of
+ * those where it is behind a face the last one; if there is none, of all.
+ * Counts regions. */
+static void
+find_last_sides(const counter *c, uint32_t *last)
+{
+  sg_regions_maker *m = c->m;
+
+  for (uint32_t i = 0; i < m->elements; i++) {
+    last[i] = c->name[i] = SG_NOWHERE;
+  }
+  for (uint32_t above = 0; above < 2; above++) {
+    for (size_t p = m->d->polygons; p-- > 0;) {
+      uint32_t side = 2 * (uint32_t)p + above;
+      uint32_t root = sg_disjoint_root(m->zone, side);
+
+      if (m->is_face[p] && root != c->outside && last[root] == SG_NOWHERE) {
+        last[root] = side;
+        m->out->regions++;
+      }
+    }
+  }
+}
+
+/* The bounded ones in the order of these sides, then the outside. */
 static bool
 name_regions(counter *c)
 {
   sg_regions_maker *m = c->m;
   sg_regions *out = m->out;
+  size_t sides = 2 * m->d->polygons;
+
+  uint32_t *last = malloc((m->elements + 1) * sizeof *last);
 
   c->name = malloc((m->elements + 1) * sizeof *c->name);
-  if (!c->name) {
+  if (!c->name || !last) {
+    free(last);
     return sg_regions_no_memory(m);
   }
-  for (uint32_t i = 0; i < m->elements; i++) {
-    bool bounded =
-        is_there(m, i) && sg_disjoint_root(m->zone, i) == i && i != c->outside;
-    c->name[i] = bounded ? (uint32_t)out->regions++ : SG_NOWHERE;
+  find_last_sides(c, last);
+  size_t left = out->regions;
+
+  for (size_t side = sides; side-- > 0 && left > 0;) {
+    uint32_t root = sg_disjoint_root(m->zone, (uint32_t)side);
+
+    if (last[root] == side) {
+      c->name[root] = (uint32_t)--left;
+    }
   }
+  free(last);
   if (c->outside != SG_NOWHERE) {
     c->name[c->outside] = (uint32_t)out->regions;
   }

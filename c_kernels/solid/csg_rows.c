@@ -85,9 +85,9 @@ record_of(const sg_version *version, int32_t s)
                           : sg_version_value(version, SG_ORIGIN, row, 2).term;
 }
 
-/* The symbol of its kind, or of `other`. */
+/* The symbol of its kind, or of `other`; stamp: that of its rows. */
 static int32_t
-kind_of(const looking *k, int32_t s)
+kind_of(const looking *k, int32_t s, uint64_t stamp)
 {
   sg_row row = sg_version_find(k->version, SG_SEGMENT,
                                (sg_value[SG_MAX_COLUMNS]){{.i = s}});
@@ -95,9 +95,40 @@ kind_of(const looking *k, int32_t s)
 
   return record && says(&k->form, record,
                         sg_version_value(k->version, SG_SEGMENT, row, 2).term,
-                        sg_segment_stamp(k->version, s))
+                        stamp)
              ? sg_version_value(k->version, SG_SEGMENT, row, 1).i
              : k->other;
+}
+
+bool
+sg_door_newer_segments(sg_call *call, const sg_int_list *ss, int64_t stamp,
+                       sg_int_list *newer)
+{
+  const sg_version *version = sg_call_version(call);
+  bool good = version != NULL;
+
+  for (size_t i = 0; good && i < ss->n; i++) {
+    good = (int64_t)sg_segment_stamp(version, ss->at[i]) <= stamp ||
+           sg_int_list_add(call, newer, ss->at[i]);
+  }
+  return good;
+}
+
+bool
+sg_door_changed_leaves(sg_call *call, const sg_int_list *ss, int64_t since,
+                       sg_int_list *changed)
+{
+  looking k;
+  bool good = look(call, &k);
+
+  for (size_t i = 0; good && i < ss->n; i++) {
+    uint64_t stamp = sg_segment_stamp(k.version, ss->at[i]);
+
+    good =
+        ((int64_t)stamp <= since && kind_of(&k, ss->at[i], stamp) != k.other) ||
+        sg_int_list_add(call, changed, ss->at[i]);
+  }
+  return good;
 }
 
 bool
@@ -110,10 +141,13 @@ sg_door_kept_leaves(sg_call *call, const sg_integer_list *ss,
   for (size_t i = 0; good && i < ss->n; i++) {
     int64_t s = ss->at[i];
 
-    good = !sg_cancel_every(&call->cancel, i) &&
-           sg_int_list_add(call, kinds,
-                           s > 0 && s <= INT32_MAX ? kind_of(&k, (int32_t)s)
-                                                   : k.other);
+    good =
+        !sg_cancel_every(&call->cancel, i) &&
+        sg_int_list_add(call, kinds,
+                        s > 0 && s <= INT32_MAX
+                            ? kind_of(&k, (int32_t)s,
+                                      sg_segment_stamp(k.version, (int32_t)s))
+                            : k.other);
   }
   return good;
 }
@@ -130,7 +164,8 @@ sg_door_other_segments(sg_call *call, sg_int_list *ss)
   for (sg_row row; good && (row = sg_walk_next(&walk)) != SG_NO_ROW;) {
     int32_t s = sg_version_value(k.version, SG_SEGMENT, row, 0).i;
 
-    good = kind_of(&k, s) != k.other || sg_int_list_add(call, ss, s);
+    good = kind_of(&k, s, sg_segment_stamp(k.version, s)) != k.other ||
+           sg_int_list_add(call, ss, s);
   }
   sg_walk_close(&walk);
   return good;

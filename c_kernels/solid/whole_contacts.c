@@ -133,6 +133,27 @@ is_beside(beside *p, int at, int sides)
   return (sides & 2) && is_beyond(p, m, 1);
 }
 
+/* Beyond the plane through corner `at` of x and corner `with` of y, one place,
+ * that is across the way from the middle of one to that of the other. */
+static bool
+is_opposite(beside *p, int at, int with)
+{
+  double m[3] = {0}, from[2][3], of[3];
+
+  p->v = p->x[at];
+  for (int i = 1; i < 3; i++) {
+    sg_minus(p->x[(at + i) % 3], p->v, from[i - 1]);
+    sg_minus(p->y[(with + i) % 3], p->v, of);
+    double a = 1 / sg_length(from[i - 1]), b = 1 / sg_length(of);
+
+    for (int k = 0; k < 3; k++) {
+      m[k] += b * of[k] - a * from[i - 1][k];
+    }
+  }
+  return sg_dot(m, from[0]) <= 0 && sg_dot(m, from[1]) <= 0 &&
+         is_beyond(p, m, 1);
+}
+
 /* Triangle x beside y: for each corner they share. */
 static bool
 plainly_beside(const double x[3][3], const double y[3][3], const int *of_x,
@@ -148,11 +169,35 @@ plainly_beside(const double x[3][3], const double y[3][3], const int *of_x,
     int other = n == 2 ? of_x[1 - i] : -1;
     int sides = n == 1 ? 3 : other == (of_x[i] + 1) % 3 ? 1 : 2;
 
-    if (!is_beside(&p, of_x[i], sides)) {
+    if (!is_beside(&p, of_x[i], sides) &&
+        !(n == 1 && p.height > p.least && is_opposite(&p, of_x[i], of_y[i]))) {
       return false;
     }
   }
   return true;
+}
+
+/* Nothing in common, and a plane between them across the way from the middle of
+ * one to that of the other, plainly farther than the reach from both. */
+static bool
+plainly_apart(const double x[3][3], const double y[3][3], double reach)
+{
+  double m[3], highest = -INFINITY, lowest = INFINITY;
+
+  for (int k = 0; k < 3; k++) {
+    m[k] = y[0][k] + y[1][k] + y[2][k] - x[0][k] - x[1][k] - x[2][k];
+  }
+  for (int i = 0; i < 3; i++) {
+    double of_x[3], of_y[3];
+
+    sg_minus(x[i], x[0], of_x);
+    sg_minus(y[i], x[0], of_y);
+    highest = fmax(highest, sg_dot(m, of_x));
+    lowest = fmin(lowest, sg_dot(m, of_y));
+  }
+  double gap = lowest - highest;
+
+  return gap > 0 && gap * gap > 256 * reach * reach * sg_dot(m, m);
 }
 
 /* Whether two features within reach are not one corner. */
@@ -162,6 +207,9 @@ come_near(const sg_fan_triangle *a, const sg_fan_triangle *b,
 {
   sg_contact contact[SG_CONTACT_MAX];
 
+  if (two->n == 0 && plainly_apart(two->a, two->b, reach)) {
+    return false;
+  }
   if ((two->n == 1 || two->n == 2) &&
       (plainly_beside(two->a, two->b, two->shared, two->same, two->n, reach) ||
        plainly_beside(two->b, two->a, two->same, two->shared, two->n, reach))) {

@@ -7,7 +7,8 @@
             is_node/1,                  % +S
             is_helper/1,                % +S
             complete_tree/1,            % +Nodes
-            complete_tree/2             % +Nodes, -Incomplete
+            complete_tree/2,            % +Nodes, -Incomplete
+            complete_leaf/4             % +N, +S, -Kind, -Incomplete
           ]).
 :- use_module('../limits', [limit_value/2]).
 :- use_module(csg_term,
@@ -72,20 +73,27 @@ node(N, Operation, Children, Placement) :-
 
 glue_operands(S, Operands) :-
     phrase(glue_operands(S), Operands0),
-    list_to_set(Operands0, Operands).
+    (   sort(Operands0, Operands0)      % as it mostly is
+    ->  Operands = Operands0
+    ;   list_to_set(Operands0, Operands)
+    ).
 
 glue_operands(S) -->
     { node(S, glue, Children, _) },
     !,
-    glue_operands_(Children).
+    { kept_leaves(Children, Kinds) },
+    glue_operands_(Children, Kinds).
 glue_operands(S) -->
     [S].
 
-glue_operands_([]) -->
+glue_operands_([], []) -->
     [].
-glue_operands_([S|Ss]) -->
-    glue_operands(S),
-    glue_operands_(Ss).
+glue_operands_([S|Ss], [Kind|Kinds]) -->
+    (   { Kind == other }
+    ->  glue_operands(S)
+    ;   [S]
+    ),
+    glue_operands_(Ss, Kinds).
 
 %!  is_node(+S) is semidet.
 
@@ -176,6 +184,17 @@ complete_tree(Nodes, Incomplete) :-
 completed_tree(Nodes, Incomplete) :-
     empty_assoc(Kinds),
     foldl(visit([]), Nodes, seen(Kinds, []), seen(_, Incomplete)).
+
+%!  complete_leaf(+N, +S, -Kind, -Incomplete:list) is semidet.
+%
+%   As complete_tree/2, of segment S alone, an operand of node N. Kind is its
+%   kind. Fails if S is no leaf.
+
+complete_leaf(N, S, Kind, Incomplete) :-
+    segment(S, Kind0, Term),
+    \+ is_node_term(Term),
+    !,
+    leaf_completed([N], S, Kind0, Term, Kind, [], Incomplete).
 
 %   visit(Above, N, Seen0, Seen): Seen is seen(Kinds, Incomplete): Kinds has
 %   N-(Kind-Count) of all that were visited, Count the number of leaves. Above

@@ -4,14 +4,14 @@
             up_to_date/2,               % +S, +From
             made_and_kept/2,            % +S, +What
             not_kept/2,                 % +Ss, -Others
-            surfaces_among/2,           % +Ss, -Surfaces
+            segments_of_kind/3,         % +Kind, +Ss, -Those
             drop_record/1,              % +S
             record_pieces/2,            % +S, +Numbers
             recorded_pieces/2,          % +S, -Numbers
             joined_segment/1,           % ?S
             record_joined/1               % +S
           ]).
-:- use_module('../kernel', [kept_leaves/2]).
+:- use_module('../kernel', [kept_leaves/2, newer_segments/3]).
 :- use_module('../store',
               [ segment/3, origin/3, segment_stamp/2, assert_fact/1,
                 retractall_facts/1
@@ -25,10 +25,11 @@
     origin(S, node(S), join)                             was a join (below)
     origin(S, node(pieces), pieces(Numbers))             beside evaluated(_)
 
-From is a ground term with the stamps of what the rows were made from; Stamp is
-that of the rows themselves. Rows and record are of one version, so undo takes
-both back. Stamps mean nothing in another world: records are not written to
-files.
+From is a ground term with the stamps of what the rows were made from; Stamp
+is that of the rows themselves. A glue may have many operands and needs no
+stamps of theirs: all are older than Stamp. Rows and record are of one version,
+so undo takes both back. Stamps mean nothing in another world: records are not
+written to files.
 */
 
 %!  record(+S, +What) is det.
@@ -63,7 +64,11 @@ up_to_date(S, From) :-
     origin(S, node(S), What),
     arg(1, What, made(From0, Stamp0)),
     From0 == From,
-    segment_stamp(S, Stamp0).
+    segment_stamp(S, Stamp0),
+    (   From = glue(Operands, _, _)
+    ->  newer_segments(Operands, Stamp0, [])
+    ;   true
+    ).
 
 %!  made_and_kept(+S, +What) is semidet.
 %
@@ -93,23 +98,23 @@ other(S, Kind, Others0, Others) :-
     ;   Others0 = Others
     ).
 
-%!  surfaces_among(+Ss:list, -Surfaces:list) is det.
+%!  segments_of_kind(+Kind, +Ss:list, -Those:list) is det.
 %
-%   Surfaces are those of the segments Ss that are surfaces, in order. Asked as
-%   not_kept/2 is.
+%   Those are the ones of the segments Ss that are of Kind, `solid`, `surface`
+%   or `curve`, in order. Asked as not_kept/2 is.
 
-surfaces_among(Ss, Surfaces) :-
+segments_of_kind(Kind, Ss, Those) :-
     kept_leaves(Ss, Kinds),
-    foldl(surface, Ss, Kinds, Surfaces, []).
+    foldl(of_kind(Kind), Ss, Kinds, Those, []).
 
-surface(S, Kind, Surfaces0, Surfaces) :-
-    (   (   Kind == surface
+of_kind(Kind, S, Kept, Those0, Those) :-
+    (   (   Kept == Kind
         ->  true
-        ;   Kind == other,
-            once(segment(S, surface, _))
+        ;   Kept == other,
+            once(segment(S, Kind, _))
         )
-    ->  Surfaces0 = [S|Surfaces]
-    ;   Surfaces0 = Surfaces
+    ->  Those0 = [S|Those]
+    ;   Those0 = Those
     ).
 
 %!  drop_record(+S) is det.

@@ -3,6 +3,7 @@
             copied_by_rule/3,           % +Ss, +Matrix, +S
             drop_boundary/1,            % +S
             drop_pictures/1,            % +S
+            drop_views/1,               % +S
             was_cut/1,                  % +S
             segment_box/2               % +S, -Box
           ]).
@@ -189,13 +190,20 @@ drop_boundary(S) :-
 %   pictures, joints and regions.
 
 drop_pictures(S) :-
-    retractall_facts(drawn(_, S, _, _, _, _, _)),
-    retractall_facts(joint(S, _, _, _, _, _)),
-    retractall_facts(piece(S, _, _)),
+    drop_views(S),
     retractall_facts(sides(S, _, _, _)),
     retractall_facts(lies_in(S, _, _)),
     retractall_facts(from_r(S, _, _, _)),
-    retractall_facts(region(S, _, _)),
+    retractall_facts(region(S, _, _)).
+
+%!  drop_views(+S) is det.
+%
+%   The same, but regions stay.
+
+drop_views(S) :-
+    retractall_facts(drawn(_, S, _, _, _, _, _)),
+    retractall_facts(joint(S, _, _, _, _, _)),
+    retractall_facts(piece(S, _, _)),
     retractall_facts(contour(S, _, _, _, _, _, _, _, _, _, _, _, _)),
     retractall_facts(surface_facing(S, _, _, _, _, _)),
     retractall_facts(screen(S, _, _, _, _)).

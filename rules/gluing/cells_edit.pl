@@ -63,7 +63,7 @@ more(Before, After, Key, More) :-
 %!  regions_again(+S, -Report) is det.
 %
 %   Find the regions of the cells S again, in an edit; Report is as of
-%   regions_report/2.
+%   regions_found/2.
 %
 %   @error geometry_error(glue_law(S, Faults))
 

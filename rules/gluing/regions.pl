@@ -54,10 +54,11 @@ regions_made(S, Report) :-
 %!  regions_found(+S, -Report) is det.
 %
 %   As regions_made/2, of a segment that has no regions yet, in which what lies
-%   in one place is there once. Call it in a transaction.
+%   in one place is there once; Report has `counts` alone. Call it in a
+%   transaction.
 
-regions_found(S, Report) :-
-    with_regions(S, sg_regions:regions_kept(S, Report)).
+regions_found(S, _{counts:Counts}) :-
+    with_regions(S, sg_regions:regions_kept(S, counts_of(Counts))).
 
 regions_made_now(S, Report) :-
     segment_there(S),
@@ -80,7 +81,7 @@ regions_made_now(S, Report) :-
         assert_fact(segment(S, cells, Name))
     ;   true
     ),
-    with_regions(S, sg_regions:regions_kept(S, Report)).
+    with_regions(S, sg_regions:regions_kept(S, report_of(Report))).
 
 segment_there(S) :-
     must_be(integer, S),
@@ -89,12 +90,14 @@ segment_there(S) :-
     ;   existence_error(segment, S)
     ).
 
-regions_kept(S, Report, Regions) :-
+:- meta_predicate regions_kept(+, 1, +).
+
+regions_kept(S, Asked, Regions) :-
     regions_written(Regions),
     regions_items(Regions, Wires, Lone),
     forall(member(E-R, Wires), assert_fact(lies_in(S, e(E), r(R)))),
     forall(member(V-R, Lone), assert_fact(lies_in(S, v(V), r(R)))),
-    report_of(Report, Regions).
+    call(Asked, Regions).
 
 :- meta_predicate with_regions(+, 1).
 
@@ -129,16 +132,18 @@ regions_report(S, Report) :-
     with_regions(S, sg_regions:report_of(Report)).
 
 report_of(_{counts:Counts, regions:List, neighbours:Neighbours}, Regions) :-
-    regions_counted(Regions,
-                    counts(V, E, F, L, C, R, Shells, G, Twisted, Dropped,
-                           Doubtful)),
-    Counts = _{ vertices:V, edges:E, faces:F, loops:L, parts:C, regions:R,
-                shells:Shells, genus:G, twisted:Twisted, dropped:Dropped,
-                doubtful:Doubtful },
+    counts_of(Counts, Regions),
     regions_listed(Regions, List0),
     numbered(List0, 1, List),
     regions_neighbours(Regions, Neighbours0),
     maplist(neighbours_dict, Neighbours0, Neighbours).
+
+counts_of(_{ vertices:V, edges:E, faces:F, loops:L, parts:C, regions:R,
+             shells:Shells, genus:G, twisted:Twisted, dropped:Dropped,
+             doubtful:Doubtful }, Regions) :-
+    regions_counted(Regions,
+                    counts(V, E, F, L, C, R, Shells, G, Twisted, Dropped,
+                           Doubtful)).
 
 numbered([], _, []).
 numbered([region(Role, F, S, G, W, L, Volume0, Area)|List0], R,

@@ -80,6 +80,16 @@ Foreign predicates; see kernel.pl.
 
 /* - - - csg_rows.c - - - */
 
+%!  newer_segments(+Ss:list(id), +Stamp:integer, -Newer:list(int)) is det.
+%
+%   Newer are those of Ss with a segment_stamp/2 above Stamp: their rows changed
+%   since that of another segment was given.
+
+%!  changed_leaves(+Ss:list(id), +Stamp:integer, -Others:list(int)) is det.
+%
+%   Others are those of Ss that are newer (newer_segments/3), or of which
+%   kept_leaves/2 says `other`.
+
 %!  kept_leaves(+Ss:list(integer), -Kinds:list(symbol)) is det.
 %
 %   Kinds are those of the segments Ss, in order: the kind, as segment/3 has it,

@@ -12,8 +12,9 @@ Foreign predicates; see kernel.pl and c_kernels/gluing/regions.h.
 %
 %   Regions is what the faces, wires and lone vertices of segment S make of
 %   space. V-P in Loops: vertex V lies inside polygon P. Regions are numbered by
-%   their lowest sides, the outside last. If S is of kind `solid`, a bounded
-%   region that no polygon has behind it is a `void`.
+%   the last polygon that each is behind, or else the last one that it is
+%   before; the outside is last. If S is of kind `solid`, a bounded region that
+%   no polygon has behind it is a `void`.
 %
 %   @error geometry_error(open_polygon(S, P)): the loops of P do not close
 %   @error geometry_error(wrong_triangles(S, P)): t/6 does not end where P does,
@@ -59,3 +60,23 @@ Foreign predicates; see kernel.pl and c_kernels/gluing/regions.h.
 %!  regions_written(+Regions:regions) is det.
 %
 %   Writes region/3 and sides/4. There are none of the segment.
+
+/* - - - region_content_rows.c - - - */
+
+%!  contents_written(+S:id, +Solids:set(id), -Nothing:list(int)) is det.
+%
+%   Writes from_r/4 of segment S, a glue of which there is none and whose
+%   regions are known: which of Solids each is inside. Nothing are the regions
+%   that are inside none, the outside too, ascending.
+
+/* - - - cell_added_rows.c - - - */
+
+%!  cell_added(+S:id, +N:id, +Solid:solid, +Reach:number) is semidet.
+%
+%   Segment N, the solid that is Solid, with its faces merged, becomes one more
+%   operand of the glue S: what it shares is known to be made of it too, the
+%   rest gets rows, and only sides and regions beside it change. Fails, and
+%   writes nothing, where S and N do not meet in equal features alone, within
+%   Reach, or where regions change otherwise than by one more, or a void less.
+%
+%   @see c_kernels/gluing/cell_added.h

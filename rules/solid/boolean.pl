@@ -12,7 +12,7 @@
                 default_senses/4, contact_vertices/2, pieces_numbers/2,
                 pieces_changed/3, leaves_around/3, part_of_arrangement/3
               ]).
-:- use_module('../csg/csg_record', [not_kept/2, surfaces_among/2]).
+:- use_module('../csg/csg_record', [not_kept/2, segments_of_kind/3]).
 :- use_module('../decision', [decision/2, decision_is_default/1]).
 :- use_module(faces, [faces_merged/2, region_faces_merged/3]).
 :- use_module('../kernel',
@@ -239,7 +239,7 @@ made_around_changes(Expression, Leaves, S, Options, Numbers) :-
     Earlier \== unknown,
     decision_is_default(stays/3),
     decision_is_default(merge_faces/2),
-    surfaces_among(Leaves, []),
+    segments_of_kind(surface, Leaves, []),
     with_arrangement(Leaves, Options,
                      sg_boolean:selected_around(Expression, Leaves, S, Earlier,
                                                 Region, Solid, Contacts,
@@ -306,7 +306,7 @@ senses(Arrangement, Expression, Senses) :-
     decision_is_default(stays/3),
     !,
     expression_leaves(Expression, Leaves),
-    surfaces_among(Leaves, Open),
+    segments_of_kind(surface, Leaves, Open),
     default_senses(Arrangement, Expression, Open, Senses).
 senses(Arrangement, Expression, Senses) :-
     senses_by_rule(Arrangement, Expression, Senses).

@@ -26,7 +26,8 @@
               [copy_segments/3, drop_boundary/1, drop_pictures/1, was_cut/1]).
 :- use_module('../kernel',
               [segment_meets_itself/1, segments_tolerance/3]).
-:- use_module(glue, [glued_boundary/4]).
+:- use_module(glue, [glued_boundary/3]).
+:- use_module(glue_grown, [glue_grown/2]).
 :- use_module(operand, [checked_operand/1, operand_faults/2]).
 :- use_module('../csg/operand_name', [fault_named/2]).
 :- use_module('../stage', [stage/2]).
@@ -97,7 +98,19 @@ evaluate(Which, Options) :-
           error(model_error(What), nodes(_)),
           throw(error(model_error(What), _))).
 
-all_evaluated(Ss, Tolerance) :-
+all_evaluated(Ss0, Tolerance) :-
+    exclude(only_grown(Tolerance), Ss0, Ss),
+    (   Ss == [],
+        Ss0 \== []
+    ->  true
+    ;   all_made(Ss, Tolerance)
+    ).
+
+only_grown(Tolerance, S) :-
+    glue_grown(S, Tolerance),
+    counted(around).
+
+all_made(Ss, Tolerance) :-
     complete_tree(Ss, Incomplete),
     complete_segments(Incomplete),
     catch(maplist(evaluated_node(Tolerance), Ss), error(Fault, Where),
@@ -123,7 +136,8 @@ evaluated_node(Tolerance, S) :-
         ->  maplist(evaluated_node(Tolerance), Children)
         ;   Operation == glue
         ->  glue_operands(S, Operands),
-            maplist(evaluated_node(Tolerance), Operands)
+            not_kept(Operands, Others),
+            maplist(evaluated_node(Tolerance), Others)
         ;   true
         ),
         made_from(S, Tolerance, From),
@@ -138,8 +152,8 @@ evaluated_node(Tolerance, S) :-
 %   from, a term with the stamps of its leaves:
 %
 %     - join(Stamps, Matrix)                 the shells of other segments
-%     - glue(Operands, Stamps, Tolerance, Wishes)    operands as they are
-%       (glue.pl), and what is wanted of them (gluing/2)
+%     - glue(Operands, Tolerance, Wishes)    operands as they are (glue.pl), and
+%       what is wanted of them (gluing/2)
 %     - placed(Leaf-Stamp, Matrix)           a leaf once more (csg_flat.pl)
 %     - of(Expression, Stamps, Tolerance)
 
@@ -154,10 +168,8 @@ made_from(S, Tolerance, From) :-
     node(S, glue, _, _),
     !,
     glue_operands(S, Operands),
-    sort(Operands, Segments),
-    segment_stamps(Segments, Stamps),
     findall(Wish, gluing(S, Wish), Wishes),
-    From = glue(Operands, Stamps, Tolerance, Wishes).
+    From = glue(Operands, Tolerance, Wishes).
 made_from(S, Tolerance, From) :-
     flat_expression(S, Expression),
     (   Expression == S
@@ -206,10 +218,11 @@ made(join(Stamps, Matrix), _, S, [], whole) :-
     drop_boundary(S),
     pairs_keys(Stamps, Children),
     copy_segments(Children, Matrix, S).
-made(glue(Operands, Stamps, Tolerance, _), _, S, [], whole) :-
+made(glue(Operands, Tolerance, _), _, S, [], whole) :-
     drop_boundary(S),
-    tolerance_options(Tolerance, Stamps, Options),
-    glued_boundary(Operands, S, Options, _).
+    sort(Operands, Leaves),
+    tolerance_options(Tolerance, Leaves, Options),
+    glued_boundary(Operands, S, Options).
 made(of(Expression, Stamps, Tolerance), Earlier, S, Numbers, How) :-
     (   integer(Expression),
         \+ meets_itself(Expression)
@@ -223,7 +236,8 @@ made(of(Expression, Stamps, Tolerance), Earlier, S, Numbers, How) :-
     ;   new_leaves(Earlier, Stamps, Leaves),
         exclude(is_surface, Leaves, Solids),
         maplist(checked_operand, Solids),
-        tolerance_options(Tolerance, Stamps, Options),
+        pairs_keys(Stamps, Known),
+        tolerance_options(Tolerance, Known, Options),
         boolean_made(Earlier, Expression, Tolerance, S,
                      [pieces(Numbers),made(How)|Options])
     ).
@@ -261,13 +275,12 @@ meets_itself(Leaf) :-
     operand_faults(Leaf, []),
     segment_meets_itself(Leaf).
 
-%   tolerance_options(Tolerance, Stamps, Options): a half-space is as large as
+%   tolerance_options(Tolerance, Leaves, Options): a half-space is as large as
 %   it has to be and says nothing about the model; a surface that one was made
 %   from does.
 
-tolerance_options(default, Stamps, Options) :-
+tolerance_options(default, Leaves, Options) :-
     !,
-    pairs_keys(Stamps, Leaves),
     not_kept(Leaves, Others),
     include(is_half, Others, Halves),
     (   Halves == []
@@ -303,8 +316,8 @@ from_segment(of(_, Stamps, _), S) :-
     member(S-_, Stamps).
 from_segment(join(Stamps, _), S) :-
     member(S-_, Stamps).
-from_segment(glue(_, Stamps, _, _), S) :-
-    member(S-_, Stamps).
+from_segment(glue(Operands, _, _), S) :-
+    member(S, Operands).
 
 
 segment_dropped(S) :-
@@ -329,7 +342,7 @@ completed_and_current(S) :-
 
 is_current(S) :-
     recorded(S, evaluated(From0)),
-    (   ( From0 = of(_, _, Tolerance) ; From0 = glue(_, _, Tolerance, _) )
+    (   ( From0 = of(_, _, Tolerance) ; From0 = glue(_, Tolerance, _) )
     ->  true
     ;   Tolerance = default
     ),

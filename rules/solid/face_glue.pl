@@ -7,7 +7,7 @@
               [ cells_edited/3, edge_divided/4, polygon_gone/2,
                 polygon_there/3, vertices_renamed/3 ]).
 :- use_module('../gluing/contact_glue', [vertices_between/5]).
-:- use_module(glue, [glued_boundary/4]).
+:- use_module(glue, [glued_boundary/3]).
 :- use_module('../polygon/triangulation', [complete_segments/1]).
 :- use_module('../store',
               [ v/5, e/5, p/3, segment/3, from_p/5, lies_in/3, assert_fact/1,
@@ -27,7 +27,7 @@ border meets them, for all their pages, and vertices in one place are one. */
 %   Change is as of cells_edited/3; one transaction.
 %
 %   @error geometry_error(part_glue(not_glued(S, p(P1), p(P2), apart))): they
-%          have no area in common; those of glued_boundary/4 and cells_edited/3
+%          have no area in common; those of glued_boundary/3 and cells_edited/3
 
 faces_joined(S, P1, P2, Change) :-
     cells_edited(S, sg_face_glue:faces_glued(S, P1, P2), Change).
@@ -37,7 +37,7 @@ faces_glued(S, P1, P2) :-
     complete_segments([S1,S2]),
     fresh_id(segment, 0, S3),
     assert_fact(segment(S3, cells, face)),
-    glued_boundary([S1,S2], S3, [], _),
+    glued_boundary([S1,S2], S3, []),
     (   from_p(S3, P, S1, _, _),
         from_p(S3, P, S2, _, _)
     ->  true

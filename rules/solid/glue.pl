@@ -1,5 +1,5 @@
 :- module(sg_glue,
-          [ glued_boundary/4,           % +Operands, +S, +Options, -Report
+          [ glued_boundary/3,           % +Operands, +S, +Options
             unglue/1,                   % +S
             glue_report/2,              % +S, -Report
             glue_misses/2               % +S, -Misses
@@ -11,7 +11,7 @@
 :- use_module(boolean, [boolean_tolerance/3]).
 :- use_module(contact_origin, [contact_origins/2]).
 :- use_module('../csg/csg', [glue_operands/2, node/4]).
-:- use_module('../csg/csg_record', [drop_record/1]).
+:- use_module('../csg/csg_record', [drop_record/1, segments_of_kind/3]).
 :- use_module('../csg/csg_rows', [drop_boundary/1]).
 :- use_module('../csg/source', [source_kept/3]).
 :- use_module(faces, [faces_merged/2]).
@@ -25,8 +25,8 @@
 :- use_module('../gluing/regions',
               [regions_found/2, regions_report/2, law_fault/3]).
 :- use_module('../kernel',
-              [ near_segments_of/3, segment_meetings/3, solid_close/1,
-                solid_coincident_faces/3, solid_write_cells/3
+              [ contents_written/3, near_segments_of/3, segment_meetings/3,
+                solid_close/1, solid_coincident_faces/3, solid_write_cells/3
               ]).
 :- use_module('../limits', [limit_value/2]).
 :- use_module(operand, [operand_faults/2]).
@@ -34,22 +34,17 @@
 :- use_module('../polygon/triangulation', [new_segments_complete/0]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
-              [ v/5, e/5, p/3, segment/3, from_p/5, from_r/4, from_v/4, sides/4,
+              [ v/5, e/5, p/3, segment/3, from_p/5, from_r/4, from_v/4,
                 region/3, lies_in/3, assert_fact/1, retractall_facts/1,
                 facts_transaction/1
               ]).
 :- use_module(library(apply),
-              [ convlist/3, foldl/4, include/3, maplist/2, maplist/3,
-                partition/4
-              ]).
-:- use_module(library(assoc),
-              [ get_assoc/3, list_to_assoc/2, ord_list_to_assoc/2,
-                put_assoc/4
-              ]).
+              [convlist/3, exclude/3, maplist/2, maplist/3]).
+:- use_module(library(assoc), [get_assoc/3, ord_list_to_assoc/2]).
 :- use_module(library(error), [existence_error/2, type_error/2]).
 :- use_module(library(lists), [member/2]).
 :- use_module(library(option), [option/2]).
-:- use_module(library(ordsets), [ord_subtract/3, ord_symdiff/3]).
+:- use_module(library(ordsets), [ord_subtract/3]).
 :- use_module(library(pairs), [group_pairs_by_key/2, pairs_keys_values/3]).
 /** <module> Glue: operands in one model, each thing once (NG-1 to NG-7).
 
@@ -63,12 +58,11 @@ what operands each of them is inside.
 The operands keep their rows, so nothing is needed to take them apart again.
 */
 
-%!  glued_boundary(+Operands:list, +S, +Options:list, -Report) is det.
+%!  glued_boundary(+Operands:list, +S, +Options:list) is det.
 %
 %   The rows of segment S, which has none, become the solids, surfaces and
-%   curves Operands glued, with region/3, sides/4, lies_in/3 and from_r/4;
-%   Report is as regions_report/2 has it. Both laws hold. Call it in a
-%   transaction. Options: those of with_arrangement/3.
+%   curves Operands glued, with region/3, sides/4, lies_in/3 and from_r/4. Both
+%   laws hold. Call it in a transaction. Options: those of with_arrangement/3.
 %
 %   @error as boolean/3; of choice_parted/1
 %   @error geometry_error(glue_law(S, Faults)): a law does not hold
@@ -76,36 +70,38 @@ The operands keep their rows, so nothing is needed to take them apart again.
 %   @error geometry_error(glue_meets(S, P1, P2, X, Y, Z)): two of its polygons
 %          meet there and share nothing
 
-glued_boundary(Operands, S, Options0, Report) :-
+glued_boundary(Operands, S, Options0) :-
     new_segments_complete,
-    partition(is_curve, Operands, Curves, Others),
+    segments_of_kind(curve, Operands, Curves),
+    (   Curves == []
+    ->  Others = Operands
+    ;   exclude(is_curve, Operands, Others)
+    ),
     boolean_tolerance(Operands, Options0, Options),
     option(tolerance(Tolerance), Options),
     tolerance_reach(Tolerance, Reach),
     faces_glued(Others, S, Options, Reach),
     stage(rules, wires_written(S, Curves, Reach)),
     source_kept(Operands, 1, S),
-    stage(regions, regions_found(S, Report0)),
-    lawful(S, Report0),
-    contents_written(S, Operands),
+    stage(regions, regions_found(S, Report)),
+    lawful(S, Report),
+    contents_found(S, Operands),
     (   choice_made(S)
-    ->  stage(rules, chosen(S, Operands, Report))
-    ;   Report = Report0
+    ->  stage(rules, chosen(S, Operands))
+    ;   true
     ).
 
-%   chosen(S, Operands, Report): not all of S is to be glued.
+%   chosen(S, Operands): not all of S is to be glued.
 
-chosen(S, Operands, Report) :-
+chosen(S, Operands) :-
     choice_parted(S),
-    catch(regions_again(S, Report1), error(Fault, Context),
+    catch(regions_again(S, _), error(Fault, Context),
           throw_apart(Fault, Context)),
     twins_turned(S),
-    contents_written(S, Operands),
+    contents_found(S, Operands),
     (   choice_dissolved(S, Insides)
-    ->  list_to_assoc(Insides, Known),
-        forall(region(S, R, Role), content_written(S, R, Role, Known)),
-        regions_report(S, Report)
-    ;   Report = Report1
+    ->  forall(member(R-Inside, Insides), content_written(S, R, Inside))
+    ;   true
     ).
 
 is_curve(S) :-
@@ -156,12 +152,8 @@ pieces(Operands, Solids, Reach, Options, Solid, Contacts, cut) :-
     ).
 
 solids_among(Operands, Solids) :-
-    include(is_solid, Operands, Solids0),
+    segments_of_kind(solid, Operands, Solids0),
     sort(Solids0, Solids).
-
-is_solid(S) :-
-    segment(S, solid, _),
-    !.
 
 %   set_assoc(Set, Assoc): a solid of a thousand is found at once.
 
@@ -320,79 +312,23 @@ unglued(S) :-
                 *           CONTENTS           *
                 *******************************/
 
-%   contents_written(S, Operands): write from_r/4 of the regions of S: which of
-%   the solids among Operands each is inside. The outside is inside none; who
-%   crosses a face goes in or out of the solids that it is a part of. A bounded
-%   region inside of none is a `void`.
+%   contents_found(S, Operands): write from_r/4 of the regions of S: which of
+%   the solids among Operands each is inside. A bounded one inside none is a
+%   `void`.
 
-contents_written(S, Operands) :-
-    solids_among(Operands, Solids0),
-    set_assoc(Solids0, Solids),
-    findall(R-Step, crossing(S, Solids, R, Step), Steps0),
-    keysort(Steps0, Steps1),
-    group_pairs_by_key(Steps1, Steps),
-    list_to_assoc(Steps, Around),
-    once(region(S, Outside, outside)),
-    list_to_assoc([Outside-[]], Known0),
-    spread([Outside], Around, Known0, Known),
-    findall(R-Role, region(S, R, Role), Regions),
-    forall(member(R-Role, Regions), content_written(S, R, Role, Known)).
+contents_found(S, Operands) :-
+    solids_among(Operands, Solids),
+    contents_written(S, Solids, Nothing),
+    forall(( member(R, Nothing), region(S, R, cell) ), is_void(S, R)).
 
-%   crossing(S, Solids, R, to(R1, Through)): a polygon lies between R and R1;
-%   Through are those of Solids that it bounds, in order. One of each two
-%   regions is enough.
+is_void(S, R) :-
+    retractall_facts(region(S, R, _)),
+    assert_fact(region(S, R, void)).
 
-crossing(S, Solids, R, to(R1, Through)) :-
-    findall((Below-Above)-P,
-            ( sides(S, P, Below, Above), Below \== Above ), Pairs0),
-    sort(1, @<, Pairs0, Pairs),
-    member((Below-Above)-P, Pairs),
-    findall(S0-Sense,
-            ( from_p(S, P, S0, _, Sense), get_assoc(S0, Solids, _) ), Senses0),
-    sort(Senses0, Senses),
-    through(Senses, Through),
-    (   R-R1 = Below-Above
-    ;   R-R1 = Above-Below
-    ).
-
-%   through(Senses, Through): where a solid lies on itself one goes out of it
-%   and in again.
-
-through([], []).
-through([S-_,S-_|Senses], Through) :-
-    !,
-    through(Senses, Through).
-through([S-_|Senses], [S|Through]) :-
-    through(Senses, Through).
-
-spread([], _, Known, Known).
-spread([R|Rs], Around, Known0, Known) :-
-    get_assoc(R, Known0, Inside),
-    (   get_assoc(R, Around, Steps)
-    ->  foldl(step(Inside), Steps, Rs-Known0, Rs1-Known1)
-    ;   Rs1 = Rs,
-        Known1 = Known0
-    ),
-    spread(Rs1, Around, Known1, Known).
-
-step(Inside0, to(R, Through), Rs-Known0, Rs1-Known) :-
-    (   get_assoc(R, Known0, _)
-    ->  Rs1 = Rs,
-        Known = Known0
-    ;   ord_symdiff(Inside0, Through, Inside),
-        put_assoc(R, Known0, Inside, Known),
-        Rs1 = [R|Rs]
-    ).
-
-content_written(S, R, Role, Known) :-
-    (   get_assoc(R, Known, Inside)
-    ->  true
-    ;   Inside = []
-    ),
+content_written(S, R, Inside) :-
     forall(member(S0, Inside), assert_fact(from_r(S, R, S0, 1))),
-    (   Role == cell,
-        Inside == []
-    ->  retractall_facts(region(S, R, _)),
-        assert_fact(region(S, R, void))
+    (   Inside == [],
+        region(S, R, cell)
+    ->  is_void(S, R)
     ;   true
     ).

@@ -1,5 +1,6 @@
 :- module(sg_glue_whole,
-          [ whole_pieces/4              % +Operands, +Solids, +Reach, -Solid
+          [ whole_pieces/4,             % +Operands, +Solids, +Reach, -Solid
+            is_elsewhere/1              % +S
           ]).
 :- use_module('../csg/csg_rows', [was_cut/1]).
 :- use_module('../kernel',
@@ -36,7 +37,10 @@ are_whole(Solid, Solids, Reach) :-
     solid_coincident_faces(Solid, Reach, _),
     solid_is_whole(Solid, Solids, Reach).
 
-%   is_elsewhere(S): a cut, or a Boolean, made vertices of segment S.
+%!  is_elsewhere(+S) is semidet.
+%
+%   True when a cut, or a Boolean, made vertices of segment S: where they are
+%   exactly v/5 does not say.
 
 is_elsewhere(S) :-
     (   leaf_v(S, _, _, _, _)

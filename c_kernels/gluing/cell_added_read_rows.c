@@ -1,0 +1,300 @@
+/* cell_added_read_rows.c -- a glue near a solid: see cell_added_rows.h. */
+#include "cell_added_rows.h"
+#include "rows/sort.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- reading ------------------------------------------------------------ */
+
+static bool
+read_part(sg_cell_joiner *j, sg_relation relation, sg_cells_part *out)
+{
+  bool good =
+      sg_version_view(j->version, relation, &out->view) &&
+      sg_segment_rows_find(&out->view, &j->s, 1, &j->call->cancel, &out->rows);
+
+  out->n = good ? out->rows.begin[1] : 0;
+  return good;
+}
+
+static int32_t
+last_id(const sg_cells_part *part, int column)
+{
+  int32_t last = 0;
+
+  for (size_t i = 0; i < part->n; i++) {
+    int32_t id = sg_cells_int(part, column, part->rows.row[i]);
+
+    last = id > last ? id : last;
+  }
+  return last;
+}
+
+/* The edges of a glue are numbered by polygon. */
+static int32_t
+last_edge(const sg_cell_joiner *j)
+{
+  int32_t last = 0;
+
+  for (size_t i = j->p.n; i-- > 0;) {
+    uint32_t row = j->p.rows.row[i];
+
+    if (sg_cells_int(&j->p, 1, row) == j->last_p) {
+      const int32_t *list =
+          j->p.view.column[2].page[row / SG_PAGE_ROWS].list[row % SG_PAGE_ROWS];
+
+      for (int32_t k = 1; k <= list[0]; k++) {
+        last = list[k] > last ? list[k] : last;
+      }
+      return last;
+    }
+  }
+  return last;
+}
+
+static const double *
+vertex_at(const sg_cell_joiner *j, int32_t v, double at[3])
+{
+  uint32_t row = sg_id_rows_find(&j->place, v);
+
+  for (int k = 0; k < 3; k++) {
+    at[k] =
+        j->v.view.column[2 + k].page[row / SG_PAGE_ROWS].f[row % SG_PAGE_ROWS];
+  }
+  return at;
+}
+
+static void
+find_boxes(sg_cell_joiner *j)
+{
+  for (int k = 0; k < 3; k++) {
+    j->low[k] = j->least[k] = INFINITY;
+    j->high[k] = j->most[k] = -INFINITY;
+  }
+  for (size_t t = 0; t < j->solid->triangles; t++) {
+    for (int c = 0; c < 3; c++) {
+      const double *at = j->solid->vertex[j->solid->triangle[t][c]].at;
+
+      for (int k = 0; k < 3; k++) {
+        j->low[k] = fmin(j->low[k], nextafter(at[k] - j->reach, -INFINITY));
+        j->high[k] = fmax(j->high[k], nextafter(at[k] + j->reach, INFINITY));
+      }
+    }
+  }
+  for (size_t i = 0; i < j->v.n; i++) {
+    double at[3];
+
+    vertex_at(j, sg_cells_int(&j->v, 1, j->v.rows.row[i]), at);
+    for (int k = 0; k < 3; k++) {
+      j->least[k] = fmin(j->least[k], at[k]);
+      j->most[k] = fmax(j->most[k], at[k]);
+    }
+  }
+}
+
+static bool
+read_all(sg_cell_joiner *j)
+{
+  if (!read_part(j, SG_V, &j->v) || !read_part(j, SG_P, &j->p) ||
+      !read_part(j, SG_T, &j->t) || !read_part(j, SG_SIDES, &j->sides) ||
+      !read_part(j, SG_REGION, &j->region) ||
+      !sg_id_rows_make(&j->v.view, j->v.rows.row, j->v.n, &j->place)) {
+    return sg_call_ended(j->call);
+  }
+  j->last_v = last_id(&j->v, 1);
+  j->last_p = last_id(&j->p, 1);
+  j->last_e = last_edge(j);
+  j->last_t = last_id(&j->t, 2);
+  j->before = last_id(&j->region, 1);
+  find_boxes(j);
+  return true;
+}
+
+/* ---- what is near ------------------------------------------------------- */
+
+static bool
+comes_near(const sg_cell_joiner *j, uint32_t row)
+{
+  double at[3][3];
+
+  for (int c = 0; c < 3; c++) {
+    vertex_at(j, sg_cells_int(&j->t, 3 + c, row), at[c]);
+  }
+  for (int k = 0; k < 3; k++) {
+    if (fmin(at[0][k], fmin(at[1][k], at[2][k])) > j->high[k] ||
+        fmax(at[0][k], fmax(at[1][k], at[2][k])) < j->low[k]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* A triangle that is taken. */
+typedef struct taken {
+  int32_t p;
+  uint32_t row;
+} taken;
+
+static int
+compare_taken(const void *x, const void *y)
+{
+  const taken *a = x, *b = y;
+
+  return a->p != b->p ? (a->p > b->p) - (a->p < b->p)
+                      : (a->row > b->row) - (a->row < b->row);
+}
+
+/* All triangles of polygons one of which comes near. */
+static bool
+list_near(sg_cell_joiner *j, taken **out, size_t *n)
+{
+  uint8_t *near = sg_call_alloc(j->call, (size_t)j->last_p + 1);
+
+  *n = 0;
+  if (!near) {
+    return false;
+  }
+  memset(near, 0, (size_t)j->last_p + 1);
+  for (size_t i = 0; i < j->t.n; i++) {
+    if (comes_near(j, j->t.rows.row[i])) {
+      near[sg_cells_int(&j->t, 1, j->t.rows.row[i])] = 1;
+    }
+  }
+  for (size_t i = 0; i < j->t.n; i++) {
+    *n += near[sg_cells_int(&j->t, 1, j->t.rows.row[i])];
+  }
+  if (!(*out = sg_call_alloc(j->call, (*n + 1) * sizeof **out))) {
+    return false;
+  }
+  *n = 0;
+  for (size_t i = 0; i < j->t.n; i++) {
+    uint32_t row = j->t.rows.row[i];
+
+    if (near[sg_cells_int(&j->t, 1, row)]) {
+      (*out)[(*n)++] = (taken){sg_cells_int(&j->t, 1, row), row};
+    }
+  }
+  return sg_sort(*out, *n, sizeof **out, compare_taken, &j->call->cancel) ==
+             SG_SORTED ||
+         sg_call_ended(j->call);
+}
+
+static bool
+make_room(sg_cell_joiner *j, size_t triangles)
+{
+  sg_solid *both = &j->both;
+  size_t most = triangles + j->solid->triangles + 1;
+  size_t vertices = 3 * triangles + j->solid->vertices + 1;
+
+  both->vertex = malloc(vertices * sizeof *both->vertex);
+  both->triangle = malloc(most * sizeof *both->triangle);
+  both->auxiliary = calloc(most, sizeof *both->auxiliary);
+  both->face = malloc(most * sizeof *both->face);
+  return (both->vertex && both->triangle && both->auxiliary && both->face) ||
+         sg_call_no_memory(j->call);
+}
+
+/* The number in `both` of a vertex of the glue. */
+static uint32_t
+number_of(sg_cell_joiner *j, uint32_t *number, int32_t v)
+{
+  uint32_t *is = &number[sg_id_rows_place(&j->place, v)];
+
+  if (*is == UINT32_MAX) {
+    sg_solid_vertex *to = &j->both.vertex[j->both.vertices];
+
+    *to = (sg_solid_vertex){.s = j->s, .v = v};
+    vertex_at(j, v, to->at);
+    *is = (uint32_t)j->both.vertices++;
+  }
+  return *is;
+}
+
+static bool
+take_near(sg_cell_joiner *j, const taken *list, size_t n)
+{
+  sg_solid *both = &j->both;
+  size_t bytes = (j->place.places + 1) * sizeof(uint32_t);
+  uint32_t *number = sg_call_alloc(j->call, bytes);
+
+  if (!number) {
+    return false;
+  }
+  memset(number, 0xff, bytes);
+  for (size_t i = 0; i < n; i++) {
+    if (i == 0 || list[i].p != list[i - 1].p) {
+      both->face[both->faces++] = (sg_solid_face){
+          .s = j->s, .p = list[i].p, .first = (uint32_t)both->triangles};
+    }
+    for (int c = 0; c < 3; c++) {
+      both->triangle[both->triangles][c] =
+          number_of(j, number, sg_cells_int(&j->t, 3 + c, list[i].row));
+    }
+    both->triangles++;
+    both->face[both->faces - 1].n++;
+  }
+  j->known = both->vertices;
+  j->near = both->faces;
+  return true;
+}
+
+static void
+take_solid(sg_cell_joiner *j)
+{
+  const sg_solid *solid = j->solid;
+  sg_solid *both = &j->both;
+
+  memcpy(both->vertex + both->vertices, solid->vertex,
+         solid->vertices * sizeof *solid->vertex);
+  for (size_t f = 0; f < solid->faces; f++) {
+    both->face[both->faces] = solid->face[f];
+    both->face[both->faces++].first += (uint32_t)both->triangles;
+  }
+  for (size_t t = 0; t < solid->triangles; t++) {
+    for (int c = 0; c < 3; c++) {
+      both->triangle[both->triangles + t][c] =
+          solid->triangle[t][c] + (uint32_t)both->vertices;
+    }
+    both->auxiliary[both->triangles + t] = solid->auxiliary[t];
+  }
+  both->triangles += solid->triangles;
+  both->vertices += solid->vertices;
+  both->plain = both->vertices;
+}
+
+/* ---- together ----------------------------------------------------------- */
+
+bool
+sg_cell_read(sg_cell_joiner *j)
+{
+  taken *list;
+  size_t n;
+
+  if (!read_all(j) || !list_near(j, &list, &n) || !make_room(j, n) ||
+      !take_near(j, list, n)) {
+    return false;
+  }
+  take_solid(j);
+  return true;
+}
+
+static void
+clear_part(sg_cells_part *part)
+{
+  sg_segment_rows_clear(&part->rows);
+  sg_view_clear(&part->view);
+}
+
+void
+sg_cell_clear(sg_cell_joiner *j)
+{
+  clear_part(&j->v);
+  clear_part(&j->p);
+  clear_part(&j->t);
+  clear_part(&j->sides);
+  clear_part(&j->region);
+  sg_id_rows_clear(&j->place);
+  sg_solid_clear(&j->both);
+}

@@ -1,0 +1,109 @@
+/* cell_added_rows_test.c -- cubes that become operands of a glue, one by one,
+ * through the functions of the doors, without Prolog.
+ */
+#include "doors/boolean.h"
+#include "doors/gluing.h"
+
+#include "tests/c_kernels/cube_world.h"
+#include "tests/c_kernels/door_call.h"
+#include "tests/check.h"
+
+enum { FIRST = 1, BESIDE, ACROSS, MANY, GLUE = 9 };
+
+/* The solid that segment s is; null: refused. */
+static sg_solid *
+taken(int32_t s)
+{
+  sg_int_list one = {&s, 1, 1};
+  sg_solid *solid = NULL;
+
+  sg_call_rest(&call);
+  return sg_door_solid_take(&call, &one, &solid) ? solid : NULL;
+}
+
+static void
+glue_of_one(void)
+{
+  sg_solid *solid = taken(FIRST);
+  sg_point_loop_fact_list none = {0};
+  sg_regions_handle *regions = NULL;
+  int32_t first = FIRST;
+  sg_int_list one = {&first, 1, 1}, nothing = {0};
+
+  CHECK("taken", solid);
+  CHECK("written", sg_door_solid_write_cells(&call, solid, GLUE, &none));
+  sg_call_rest(&call);
+  CHECK("opened", sg_door_regions_open(&call, GLUE, &none, &regions));
+  CHECK("regions", sg_door_regions_written(&call, regions));
+  sg_call_rest(&call);
+  CHECK("contents", sg_door_contents_written(&call, GLUE, &one, &nothing));
+  CHECK("but the outside", nothing.n == 1 && nothing.at[0] == 2);
+  sg_call_rest(&call);
+  CHECK("inside", rows_of(SG_FROM_R) == 1);
+  sg_regions_handle_free(regions);
+  sg_solid_free(solid);
+}
+
+static bool
+added(int32_t s)
+{
+  sg_solid *solid = taken(s);
+  bool is = solid && sg_door_cell_added(&call, GLUE, s, solid, 1e-9);
+
+  sg_solid_free(solid);
+  sg_call_rest(&call);
+  return is;
+}
+
+static void
+adding(void)
+{
+  size_t v = rows_of(SG_V), p = rows_of(SG_P);
+
+  CHECK("one face is shared", added(BESIDE));
+  CHECK("rows", rows_of(SG_V) == v + 4 && rows_of(SG_P) == p + 5);
+  CHECK("sources", rows_of(SG_FROM_P) == 12 && rows_of(SG_FROM_V) == 12);
+  CHECK("regions", rows_of(SG_REGION) == 3 && rows_of(SG_SIDES) == 11 &&
+                       rows_of(SG_FROM_R) == 2);
+  CHECK("it crosses both", !added(ACROSS));
+  CHECK("not refused", was_refused(SG_REFUSED_NOTHING));
+  CHECK("nothing is written",
+        rows_of(SG_V) == v + 4 && rows_of(SG_REGION) == 3);
+  CHECK("not one solid", !added(MANY));
+}
+
+static void
+asking(void)
+{
+  const sg_version *version = sg_world_version(call.world);
+  int64_t stamp = (int64_t)sg_segment_stamp(version, BESIDE);
+  int32_t all[] = {FIRST, BESIDE, GLUE};
+  sg_int_list ss = {all, 3, 3}, newer = {0}, changed = {0};
+
+  sg_version_drop(version);
+  CHECK("newer", sg_door_newer_segments(&call, &ss, stamp, &newer));
+  CHECK("the glue", newer.n == 1 && newer.at[0] == GLUE);
+  CHECK("changed", sg_door_changed_leaves(&call, &ss, stamp, &changed));
+  CHECK("none was made of a primitive", changed.n == 3);
+  sg_call_rest(&call);
+}
+
+int
+main(void)
+{
+  const double beside[3] = {1, 0, 0}, across[3] = {0.5, 0.5, 0.5};
+
+  sg_call_open(&call, NULL, NULL);
+  sg_world *world = call.world = sg_world_open();
+  CHECK("cubes", call.world && add_cube(call.world, FIRST) &&
+                     add_cube_at(call.world, BESIDE, 0, beside) &&
+                     add_cube_at(call.world, ACROSS, 0, across) &&
+                     add_cube_at(call.world, MANY, 0, (double[3]){3, 0, 0}) &&
+                     add_cube_at(call.world, MANY, 1, (double[3]){5, 0, 0}));
+  glue_of_one();
+  adding();
+  asking();
+  sg_call_close(&call);
+  sg_world_let_go(world);
+  return check_report();
+}
