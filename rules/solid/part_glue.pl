@@ -203,7 +203,7 @@ place_item(face(P,_), p(P)).
 
 wished(S, Place1, Place2) :-
     Wish = gluing(S, glued(Place1, Place2)),
-    recorded(S, evaluated(glue(_,_,Tolerance,_))),
+    recorded(S, evaluated(glue(_,Tolerance,_))),
     tolerance_options(Tolerance, Options),
     assert_fact(Wish),
     (   evaluate(S, Options)
