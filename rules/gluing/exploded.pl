@@ -10,12 +10,14 @@
 :- use_module('../csg/known_surface',
               [facets_of/2, moved_surface/3, remember_facets/1]).
 :- use_module('../polygon/triangulation', [complete_segments/1]).
+:- use_module('../near', [tolerance/2]).
 :- use_module(regions, [regions_made/2]).
 :- use_module('../store',
-              [ v/5, e/5, p/3, t/6, edge_polygon/3, segment/3, region/3,
+              [ v/5, e/5, p/3, t/6, plane/6, edge_polygon/3, segment/3, region/3,
                 sides/4, assert_fact/1, retractall_facts/1, facts_transaction/1,
                 fresh_id/3
               ]).
+:- use_module('../vector', [cross_product/3]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [maplist/2, maplist/3]).
 :- use_module(library(lists), [append/2, append/3, member/2]).
@@ -69,14 +71,53 @@ has_cells(S, Kind) :-
 %!  cells_parted(+S) is det.
 %
 %   Of segment S alone: each of its cells is a solid, and what else there is
-%   surfaces and a curve.
+%   surfaces and curves. Edges that a wire alone made, in a face or between two
+%   that would be one, are a curve too, so that they come again when all is
+%   glued.
 
 cells_parted(S) :-
     (   region(S, _, _)
     ->  true
     ;   regions_made(S, _)
     ),
-    facts_transaction(sg_exploded:exploded(S, 0)).
+    facts_transaction(( sg_exploded:seams_kept(S),
+                        sg_exploded:exploded(S, 0) )).
+
+seams_kept(S) :-
+    findall(E-(A-B), seam(S, E, A, B), Seams),
+    curve_kept(S, seams(S), Seams, _).
+
+%   seam(S, E, A, B) is nondet: of the faces at edge E, from A to B, there are
+%   two, or one from both sides, in one plane and between the same regions.
+
+seam(S, E, A, B) :-
+    e(S, E, A, B, 1),
+    A < B,
+    edge_polygon(S, E, P),
+    findall(E1-Q, page(S, A, B, E1, Q), Pages),
+    Pages = [_,_],
+    once(( member(E1-Q, Pages), E1 \== E )),
+    (   Q == P
+    ->  true
+    ;   once(( E1 > E ; e(S, E1, B, A, _) )),
+        sides(S, P, Below, Above),
+        once(( sides(S, Q, Below, Above) ; sides(S, Q, Above, Below) )),
+        in_one_plane(S, P, Q)
+    ).
+
+page(S, A, B, E, P) :-
+    ( e(S, E, A, B, _) ; e(S, E, B, A, _) ),
+    edge_polygon(S, E, P).
+
+in_one_plane(S, P, Q) :-
+    maplist(a_normal(S), [P,Q], [N1,N2]),
+    cross_product(N1, N2, p(X,Y,Z)),
+    tolerance(rounding, Near),
+    abs(X)+abs(Y)+abs(Z) =< Near.
+
+a_normal(S, P, N) :-
+    once(plane(S, P, X, Y, Z, _)),
+    N = p(X,Y,Z).
 
 %!  faces_once is det.
 %
@@ -231,13 +272,16 @@ wires_kept(S, Parts) :-
             ( e(S, E, V1, V2, 1),
               \+ edge_polygon(S, E, _) ),
             Wires),
-    (   Wires == []
-    ->  Parts = []
-    ;   Parts = [part(N,curve,0)],
-        fresh_id(segment, 0, N),
-        assert_fact(segment(N, curve, wires(S))),
-        findall(V, ( member(_-(V1-V2), Wires), member(V, [V1,V2]) ), Vs0),
-        sort(Vs0, Vs),
-        maplist(vertex_copied(S, N, m(0.0,0.0,0.0)), Vs),
-        forall(member(E-(V1-V2), Wires), assert_fact(e(N, E, V1, V2, 1)))
-    ).
+    curve_kept(S, wires(S), Wires, Parts).
+
+%   curve_kept(S, Name, Edges, Parts): edges E-(V1-V2) of S are a curve.
+
+curve_kept(_, _, [], []) :-
+    !.
+curve_kept(S, Name, Edges, [part(N,curve,0)]) :-
+    fresh_id(segment, 0, N),
+    assert_fact(segment(N, curve, Name)),
+    findall(V, ( member(_-(V1-V2), Edges), member(V, [V1,V2]) ), Vs0),
+    sort(Vs0, Vs),
+    maplist(vertex_copied(S, N, m(0.0,0.0,0.0)), Vs),
+    forall(member(E-(V1-V2), Edges), assert_fact(e(N, E, V1, V2, 1))).
