@@ -393,6 +393,8 @@ solid_verb(eval).
 
 common_option(option(lod, '', value, 'LOD',
     'of CityJSON: the level of detail, else the highest of each object')).
+common_option(option(close, '', flag, '',
+    'of CityJSON: solids that are open where they are flat are closed')).
 common_option(option(from, '',
     one_of([pl, csg, stl, off, obj, ply, json]), 'FORMAT',
     'what - (standard input) is; default pl')).

@@ -35,6 +35,7 @@ option_ko(behind, '프록시가 페이지를 보이는 주소. 보기: https://h
 option_ko(open, '이 데스크톱의 브라우저에서 페이지를 연다 (기본)').
 option_ko(output, '결과 파일. 확장자가 형식을 정하며 여러 번 쓸 수 있다').
 option_ko(format, '-o - 의 형식').
+option_ko(close, 'CityJSON: 평평한 곳이 열린 입체를 닫는다').
 option_ko(lod, 'CityJSON의 상세 수준. 없으면 객체마다 가장 높은 것').
 option_ko(view,
     'front(정면도), back(배면도), left(좌측면도), right(우측면도), top(평면도), \c

@@ -13,9 +13,9 @@
 :- use_module('../near', [tolerance/2]).
 :- use_module(regions, [regions_made/2]).
 :- use_module('../store',
-              [ v/5, e/5, p/3, t/6, plane/6, edge_polygon/3, segment/3, region/3,
-                sides/4, assert_fact/1, retractall_facts/1, facts_transaction/1,
-                fresh_id/3
+              [ v/5, e/5, p/3, t/6, plane/6, edge_polygon/3, segment/3,
+                region/3, sides/4, assert_fact/1, retractall_facts/1,
+                facts_transaction/1, fresh_id/3
               ]).
 :- use_module('../vector', [cross_product/3]).
 :- use_module(library(aggregate), [aggregate_all/3]).

@@ -441,6 +441,11 @@ notice_en(cityjson_open(File, N)) -->
     ->  [ '~w: a solid is open: it is read as a surface'-[File] ]
     ;   [ '~w: ~D solids are open: they are read as surfaces'-[File, N] ]
     ).
+notice_en(cityjson_floors(File, N)) -->
+    (   { N =:= 1 }
+    ->  [ '~w: an open solid was closed by flat faces'-[File] ]
+    ;   [ '~w: ~D open solids were closed by flat faces'-[File, N] ]
+    ).
 notice_en(cityjson_left_out(File, N)) -->
     [ '~w: templates are not read: left out ~D'-[File, N] ].
 notice_en(cells_parted(S, N)) -->

@@ -452,6 +452,8 @@ notice_ko(glue_gaps(S, N)) -->
       '  틈보다 큰 --tolerance를 주면 닿게 됩니다.' ].
 notice_ko(cityjson_open(File, N)) -->
     [ '~w: 열린 입체 ~D개는 곡면으로 읽습니다'-[File, N] ].
+notice_ko(cityjson_floors(File, N)) -->
+    [ '~w: 열린 입체 ~D개를 평평한 면으로 닫았습니다'-[File, N] ].
 notice_ko(cityjson_left_out(File, N)) -->
     [ '~w: 템플릿은 읽지 않습니다. ~D개를 뺐습니다'-[File, N] ].
 notice_ko(cells_parted(S, N)) -->

@@ -2,6 +2,7 @@
           [ read_cityjson/2             % +File, +Options
           ]).
 :- use_module('../kernel', [shape_write/4]).
+:- use_module(cityjson_floor, [floors_added/3]).
 :- use_module('../limits', [limit_value/2]).
 :- use_module('../store', [assert_fact/1, fresh_id/3]).
 :- use_module(library(apply), [foldl/4, foldl/5, maplist/2, maplist/3]).
@@ -17,7 +18,8 @@ Versions 1.0, 1.1 and 2.0. Each geometry of each object is a segment, named by
 the object: a Solid is a solid, a MultiSolid as many, a CompositeSolid the glue
 of as many; surfaces, lines and points are surfaces and curves. Of an object
 with several levels of detail the highest is read, or the one that was asked
-for. A Solid that is open, as one without a floor, is a surface.
+for. A Solid that is open, as one without a floor, is a surface, or
+gets a floor (cityjson_floor.pl).
 
 Coordinates are integers times a scale, moved: that is computed by rationals,
 and rounded once. Nothing is read of what has a fault: the error names the path
@@ -29,8 +31,9 @@ library(http/json) is loaded with the first such file.
 %!  read_cityjson(+File, +Options) is det.
 %
 %   Add the geometries in File to the current world. Options: lod(Text), the
-%   level of detail. A warning says how many solids were open, and one how many
-%   geometries were left out. Call it in a transaction.
+%   level of detail; close(true): open solids get flat floors. A warning says
+%   how many solids were open, and one how many geometries were left out. Call
+%   it in a transaction.
 %
 %   @error error(model_error(cityjson(Path, Why)), location(File, Line, 0)),
 %   error(model_error(limit(file, Most)), location(File, 0, 0))
@@ -41,7 +44,12 @@ read_cityjson(File, Options) :-
     catch(city_read(Json, Options, Counts), cityjson(Path, Why),
           throw(error(model_error(cityjson(Path, Why)),
                       location(File, 0, 0)))),
-    Counts = counts(_, Open, Left),
+    Counts = counts(_, Open, Left, Floors),
+    (   integer(Floors),
+        Floors > 0
+    ->  print_message(informational, sanggwan(cityjson_floors(File, Floors)))
+    ;   true
+    ),
     (   Open > 0
     ->  print_message(warning, sanggwan(cityjson_open(File, Open)))
     ;   true
@@ -84,7 +92,8 @@ fault(Path, Why) :-
     path_text(Path, Text),
     throw(cityjson(Text, Why)).
 
-%   city_read(Json, Options, Counts): counts(Segments, Open, LeftOut).
+%   city_read(Json, Options, Counts): counts(Segments, Open, LeftOut, Floors):
+%   Floors of solids that got some, or `none` if that is not asked for.
 
 city_read(Json, Options, Counts) :-
     (   is_dict(Json),
@@ -107,8 +116,12 @@ city_read(Json, Options, Counts) :-
     ->  dict_pairs(Objects, _, Pairs)
     ;   fault('/CityObjects', nesting)
     ),
-    foldl(object_read(Vertices, Options), Pairs, counts(0,0,0), Counts),
-    (   Counts = counts(0, _, _),
+    (   option(close(true), Options)
+    ->  Floors = 0
+    ;   Floors = none
+    ),
+    foldl(object_read(Vertices, Options), Pairs, counts(0,0,0,Floors), Counts),
+    (   Counts = counts(0, _, _, _),
         option(lod(Lod), Options)
     ->  fault('/CityObjects', no_lod(Lod))
     ;   true
@@ -223,9 +236,9 @@ geometry_read(Vertices, Id, Path0, I-Geometry, Counts0, Counts) :-
     format(atom(Path), '~w/geometry/~d', [Path0, I]),
     needed(type, Geometry, Path, Type),
     (   Type == "GeometryInstance"
-    ->  Counts0 = counts(N, Open, Left0),
+    ->  Counts0 = counts(N, Open, Left0, Floors),
         Left is Left0+1,
-        Counts = counts(N, Open, Left)
+        Counts = counts(N, Open, Left, Floors)
     ;   needed(boundaries, Geometry, Path, Boundaries),
         atom_concat(Path, '/boundaries', At),
         (   geometry_type(Type, Depth)
@@ -305,7 +318,8 @@ type_read("MultiPoint", Points, Path, Vertices, Id, Counts0, Counts) :-
     curve_read(Id, Vertices, Path, Lines),
     counted(Counts0, 0, Counts).
 
-counted(counts(N0, Open0, Left), More, counts(N, Open, Left)) :-
+counted(counts(N0, Open0, Left, Floors), More,
+        counts(N, Open, Left, Floors)) :-
     N is N0+1,
     Open is Open0+More.
 
@@ -328,15 +342,22 @@ solid_read(Name, Vertices, Path, Shells, S, Counts0, Counts) :-
               nth0(J, Surfaces, Surface),
               At = Path/I/J ),
             Numbered),
-    surfaces_rings(Numbered, Vertices, Faces),
-    (   closed(Faces)
-    ->  Kind = solid,
-        More = 0
-    ;   Kind = surface,
-        More = 1
-    ),
+    surfaces_rings(Numbered, Vertices, Faces0),
+    solid_faces(Faces0, Vertices, Faces, Kind, More, Counts0, Counts1),
     faces_written(Kind, Name, Vertices, Faces, S),
-    counted(Counts0, More, Counts).
+    counted(Counts1, More, Counts).
+
+solid_faces(Faces, _, Faces, solid, 0, Counts, Counts) :-
+    closed(Faces),
+    !.
+solid_faces(Faces0, Vertices, Faces, solid, 0,
+            counts(N,Open,Left,Floors0), counts(N,Open,Left,Floors)) :-
+    integer(Floors0),
+    floors_added(Vertices, Faces0, Faces),
+    closed(Faces),
+    !,
+    Floors is Floors0+1.
+solid_faces(Faces, _, Faces, surface, 1, Counts, Counts).
 
 surface_read(Kind, Name, Vertices, Path, Surfaces, S) :-
     findall(At-Surface,

@@ -50,6 +50,7 @@ What rules call the things of a model is in vocabulary.pl.
 %     - parameters(List): values for parameters of the models, Name=Value
 %     - set(Texts): the same, as after `--set`: NAME=VALUE
 %     - lod(Text): of CityJSON, which level of detail
+%     - close(true): of CityJSON, open solids get flat floors
 %     - others_set(true): some of these may be of other models, not in Files
 %
 %   @error error(model_error(What), location(File, Line, Column));

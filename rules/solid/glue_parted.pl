@@ -70,8 +70,8 @@ item_contact(S, Items, Item, Seat1, Seat2, Glued) :-
     ).
 
 %   pass_through(S, Seat1, Seat2): round an edge one meets faces of both by
-%   turns, in whatever order those are that both have; or at a vertex a wire goes
-%   from one region to another, or from one side of a face to the other.
+%   turns, in whatever order those are that both have; or at a vertex a wire
+%   goes from one region to another, or from one side of a face to the other.
 
 pass_through(S, seat(S1,e(A,B),_), seat(S2,_,_)) :-
     radial_cycle(S, A, B, Pages),

@@ -145,6 +145,7 @@ command(glue_overlap(_,_,_,_,_), [glue, @('cross.pl')]).
 command(glue_apart(_), [glue, @('far.pl')]).
 command(cityjson_open(_,_), [check, @('open.json')]).
 command(cityjson_left_out(_,_), [check, @('open.json')]).
+command(cityjson_floors(_,_), [check, '--close', @('open.json')]).
 command(glue_gap(_,_,_,_,_), [glue, @('near.pl')]).
 command(glue_gaps(_,_), [glue, @('near.pl')]).
 command(cells_parted(_,_), [unglue, 'facts/two_rooms.pl', '-o', @('a.pl')]).

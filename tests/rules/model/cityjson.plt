@@ -277,6 +277,37 @@ test(composite_file, [ condition(shared('composite_solid_with_material.json',
     shared('composite_solid_with_material.json', Path),
     in_new_world(composite_counts(Counts, Path)).
 
+%   Delft: no building has a floor. With floors 136 pairs of them have walls in
+%   common, 173 wall edges (counted in the file), and each is a cell.
+
+test(delft, [ condition(shared('delft.json', _)),
+              setup(asserta(( user:message_hook(_, _, _) :- true ), Ref)),
+              cleanup(erase(Ref)),
+              Open-Counts == (0-570)-counts(160,160,136,173) ]) :-
+    shared('delft.json', Path),
+    in_new_world(( load_model(Path, [triangles(false)]), solids(Open) )),
+    in_new_world(delft_glued(Path, Counts)).
+
+solids(Solids-Surfaces) :-
+    aggregate_all(count, segment(_, solid, _), Solids),
+    aggregate_all(count, segment(_, surface, _), Surfaces).
+
+delft_glued(Path, counts(N,Cells,Pairs,Walls)) :-
+    load_model(Path, [triangles(false),close(true)]),
+    findall(S, segment(S, solid, _), Ss0),
+    sort(Ss0, Ss),
+    length(Ss, N),
+    assert_fact(segment(1000, cells, glue(Ss))),
+    evaluate(1000),
+    aggregate_all(count, region(1000, _, cell), Cells),
+    findall(P-(S1-S2),
+            ( from_p(1000, P, S1, _, _), from_p(1000, P, S2, _, _), S1 < S2 ),
+            All0),
+    sort(All0, All),
+    length(All, Walls),
+    sort(2, @<, All, Different),
+    length(Different, Pairs).
+
 test(too_large, [ setup(( limit_value(file, Most), set_limit(file, 100) )),
                   cleanup(set_limit(file, Most)),
                   error(model_error(limit(file, 100))) ]) :-
