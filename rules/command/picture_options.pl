@@ -101,7 +101,7 @@ number_of(Text, Number) :-
 %   Goals set the view and the projection that Options ask for.
 
 eye(Options, Goals) :-
-    findall(Goal, eye_goal(Options, Goal), Goals).
+    findall(sg_picture_options:Goal, eye_goal(Options, Goal), Goals).
 
 eye_goal(Options, Goal) :-
     looking(Options, View),
