@@ -144,7 +144,8 @@ retract_all(sg_world *world, sg_relation relation, bool again)
                                         0, 0)) &&
            empty_map(&version->map[relation], ++world->stamps);
     if (done) {
-      sg_world_sweep(world, relation);
+      /* The version before may be held yet; the next rows are worth a sweep. */
+      world->table[relation].written = world->table[relation].slots;
       sg_world_changed(world);
     }
   }
