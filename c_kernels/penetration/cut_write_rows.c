@@ -5,8 +5,8 @@
  * together. The door is documented in rules/kernel/penetration.pl.
  */
 #include "cut_rows.h"
+#include "divided_rows.h"
 #include "polygon_rows.h"
-#include "waiting_rows.h"
 
 #include "doors/penetration.h"
 
@@ -29,7 +29,7 @@ is_fold(const cut_edge *edge)
 typedef struct writer {
   sg_cut_handle *handle;
   sg_world *world;
-  sg_waiting waiting;
+  sg_divided waiting;
   sg_key_table parts; /* (s, label, v1, v2): the edge that is this part */
 } writer;
 
@@ -193,12 +193,12 @@ new_edge(sg_call *call, writer *w, const cut_polygon *c, const cut_edge *edge,
   const int32_t row[5] = {c->s, e, edge->v1, edge->v2,
                           is_fold(edge) ? 1 : edge->et};
 
-  if (!item || !sg_wait_edge(call, &w->waiting, row)) {
+  if (!item || !sg_divided_edge(call, &w->waiting, row)) {
     return 0;
   }
   *other = sg_origin_is_there(w->world, c->s, item);
-  return *other || sg_wait_origin(call, &w->waiting, c->s, item, origin) ? e
-                                                                         : 0;
+  return *other || sg_divided_origin(call, &w->waiting, c->s, item, origin) ? e
+                                                                            : 0;
 }
 
 /* The number of a part of an edge: as another polygon has it, or new. */
@@ -264,7 +264,7 @@ write_edges(sg_call *call, writer *w, const cut_polygon *c)
     return false;
   }
   list[0] = n;
-  return sg_wait_polygon(call, &w->waiting, c->s, c->p, list);
+  return sg_divided_polygon(call, &w->waiting, c->s, c->p, list);
 }
 
 static bool
@@ -276,7 +276,7 @@ write_triangles(sg_call *call, writer *w, const cut_polygon *c)
     const int32_t *v = c->found.item[i].v;
     int32_t t = sg_call_fresh(call, w->world, SG_T, c->s);
 
-    good = t != 0 && sg_wait_triangle(
+    good = t != 0 && sg_divided_triangle(
                          call, &w->waiting,
                          (const int32_t[6]){c->s, c->p, t, v[0], v[1], v[2]});
   }
@@ -288,7 +288,7 @@ static bool
 write_polygon(sg_call *call, writer *w, const cut_polygon *c)
 {
   if (sg_cut_shares_edges(w->handle, c->s) &&
-      !sg_waiting_write(call, &w->waiting, w->world)) {
+      !sg_divided_write(call, &w->waiting, w->world)) {
     return false;
   }
   const int32_t *old = sg_polygon_retract(call, w->world, c->s, c->p);
@@ -332,7 +332,7 @@ sg_door_cut_write(sg_call *call, sg_cut_handle *set,
     }
   }
   bool good = call->refusal.how == SG_REFUSED_NOTHING && !call->stopped &&
-              sg_waiting_write(call, &w.waiting, w.world);
+              sg_divided_write(call, &w.waiting, w.world);
 
   sg_key_table_clear(&w.parts);
   sg_world_release(w.world);

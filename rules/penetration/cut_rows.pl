@@ -1,6 +1,6 @@
 :- module(sg_cut_rows,
           [ write_polygons/2,           % +Set, +Works
-            write_polygons_by_rule/2,   % +Set, +Works
+            write_polygon_by_rule/2,    % +Set, +Work
             split_curves/2              % +Pairs, +Set
           ]).
 :- use_module('../kernel',
@@ -28,7 +28,7 @@ their new edges and triangles (PL-6).
 */
 
 %!  write_polygons(+Set, +Works) is det.
-%!  write_polygons_by_rule(+Set, +Works) is det.
+%!  write_polygon_by_rule(+Set, +Work) is det.
 %
 %   The polygon of each of Works, work(S, P, Edges), keeps its number; its edges
 %   and its triangles are replaced, after cut_write_lines/1. cut_write/3 is the
@@ -46,9 +46,6 @@ write_polygons(Set, Works) :-
         write_polygons(Set, Rest)
     ;   true
     ).
-
-write_polygons_by_rule(Set, Works) :-
-    maplist(write_polygon_by_rule(Set), Works).
 
 write_polygon_by_rule(Set, work(S, P, Work)) :-
     findall(w(V1, V2, Et, Label),

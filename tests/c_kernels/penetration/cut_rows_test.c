@@ -1,7 +1,7 @@
 /* cut_rows_test.c -- two cubes that go through each other, through the
  * functions of the doors, without Prolog.
  *
- * covers: leaf_rows, polygon_rows, resolve_feature, resolve_rows
+ * covers: divided_rows, leaf_rows, polygon_rows, resolve_feature, resolve_rows
  */
 #include "doors/penetration.h"
 #include "doors/work.h"

@@ -154,6 +154,9 @@ rows(Rows) :-
                    call(Row) ),
             Rows).
 
+written_by_rule(Set, Works) :-
+    maplist(sg_cut_rows:write_polygon_by_rule(Set), Works).
+
 written_by(Seed, Write, Rows) :-
     in_new_world(( crowns(Seed),
                    findall(A-B, ( segment(A, _, _), segment(B, _, _), A < B ),
@@ -179,7 +182,7 @@ test(same_surface, [ forall(between(1, 40, Seed)),
                    ) )).
 test(kernel_writes, [ forall(between(1, 30, Seed)), true(Kernel == Rule) ]) :-
     written_by(Seed, write_polygons, Kernel),
-    written_by(Seed, sg_cut_rows:write_polygons_by_rule, Rule).
+    written_by(Seed, test_fold:written_by_rule, Rule).
 test(cut_again, [ forall(between(1, 10, I)), true(Twice == Once) ]) :-
     Seed is 2*I+1,                      % of three
     in_new_world(( crowns(Seed),

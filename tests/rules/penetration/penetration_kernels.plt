@@ -148,6 +148,9 @@ same_works([], Rest, Set) :-
     ;   true
     ).
 
+written_by_rule(Set, Works) :-
+    maplist(sg_cut_rows:write_polygon_by_rule(Set), Works).
+
 %   written_by(+Write, -Rows): all that is in the world after this.
 
 written_by(Write, Rows) :-
@@ -224,7 +227,7 @@ test(write, Bad == []) :-
             ( between(1, 150, Seed),
               with_solids(Seed, written_by(write_polygons, Kernel)),
               with_solids(Seed,
-                          written_by(sg_cut_rows:write_polygons_by_rule, Rule)),
+                          written_by(user:written_by_rule, Rule)),
               Kernel \== Rule ),
             Bad).
 

@@ -1,5 +1,5 @@
-/* waiting_rows.c -- see waiting_rows.h. */
-#include "waiting_rows.h"
+/* divided_rows.c -- see divided_rows.h. */
+#include "divided_rows.h"
 
 #include "rows/append_rows.h"
 
@@ -15,32 +15,32 @@ wait_row(sg_call *call, sg_int_list *column, const int32_t *row, unsigned n)
 }
 
 bool
-sg_wait_edge(sg_call *call, sg_waiting *w, const int32_t row[5])
+sg_divided_edge(sg_call *call, sg_divided *w, const int32_t row[5])
 {
   return wait_row(call, w->e, row, 5);
 }
 
 bool
-sg_wait_triangle(sg_call *call, sg_waiting *w, const int32_t row[6])
+sg_divided_triangle(sg_call *call, sg_divided *w, const int32_t row[6])
 {
   return wait_row(call, w->t, row, 6);
 }
 
 bool
-sg_wait_origin(sg_call *call, sg_waiting *w, int32_t s, const uint32_t *item,
-               const uint32_t *origin)
+sg_divided_origin(sg_call *call, sg_divided *w, int32_t s, const uint32_t *item,
+                  const uint32_t *origin)
 {
   return sg_int_list_add(call, &w->s, s) &&
-         sg_waiting_terms_add(call, &w->item, item) &&
-         sg_waiting_terms_add(call, &w->origin, origin);
+         sg_divided_terms_add(call, &w->item, item) &&
+         sg_divided_terms_add(call, &w->origin, origin);
 }
 
 bool
-sg_wait_polygon(sg_call *call, sg_waiting *w, int32_t s, int32_t p,
-                const int32_t *edges)
+sg_divided_polygon(sg_call *call, sg_divided *w, int32_t s, int32_t p,
+                   const int32_t *edges)
 {
   return wait_row(call, w->p, (const int32_t[2]){s, p}, 2) &&
-         sg_waiting_lists_add(call, &w->edges, edges);
+         sg_divided_lists_add(call, &w->edges, edges);
 }
 
 /* The first n of columns are integers, the others are there already. */
@@ -58,7 +58,7 @@ write_columns(sg_call *call, sg_world *world, sg_relation relation,
 }
 
 bool
-sg_waiting_write(sg_call *call, sg_waiting *w, sg_world *world)
+sg_divided_write(sg_call *call, sg_divided *w, sg_world *world)
 {
   const void *column[6];
   bool good = write_columns(call, world, SG_E, w->e, 5, column);
