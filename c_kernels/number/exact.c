@@ -399,19 +399,46 @@ sg_orient2d(const double a[2], const double b[2], const double c[2])
                                             : orient2d_carefully(a, b, c);
 }
 
+/* The sign where two of four points differ along one axis only: there it is
+ * that of a turn seen along this axis. 2: no two do. */
+static int
+orient3d_along(const double *const point[4])
+{
+  /* Two points, and the others in the order of an even permutation. */
+  static const int order[6][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2},
+                                  {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}};
+
+  for (int i = 0; i < 18; i++) {
+    const int *of = order[i / 3];
+    const double *p = point[of[0]], *q = point[of[1]], *r = point[of[2]],
+                 *s = point[of[3]];
+    int u = (i + 1) % 3, v = (i + 2) % 3;
+
+    if (p[u] == q[u] && p[v] == q[v]) {
+      return sign(p[i % 3] - q[i % 3]) * sg_orient2d((double[2]){p[u], p[v]},
+                                                     (double[2]){r[u], r[v]},
+                                                     (double[2]){s[u], s[v]});
+    }
+  }
+  return 2;
+}
+
 /* Stages 2 and 3 of sg_orient3d(). Points in one place need neither. */
 static int
 orient3d_carefully(const double a[3], const double b[3], const double c[3],
                    const double d[3])
 {
-  const double *const point[3] = {a, b, c};
+  const double *const point[4] = {a, b, c, d};
   double rounded[9];
   pair x[9];
-  int answer = 2;
+  int answer;
 
   if (is_same_row(a, d) || is_same_row(b, d) || is_same_row(c, d) ||
       is_same_row(a, b) || is_same_row(b, c) || is_same_row(c, a)) {
     return 0;
+  }
+  if ((answer = orient3d_along(point)) != 2) {
+    return answer;
   }
   for (int i = 0; i < 9; i++) {
     x[i] = exact_difference(point[i / 3][i % 3], d[i % 3]);

@@ -385,6 +385,18 @@ typedef enum rounding {
   MAY_BE_DOUBLE /* they may be the point itself */
 } rounding;
 
+/* Whether lines 0-1 and 2-3 are plainly parallel as they are seen along `axis`:
+ * each product of their cross product has a zero. */
+static bool
+are_seen_parallel(int axis, const sg_point *const point[4])
+{
+  const double *a = point[0]->p, *b = point[1]->p, *c = point[2]->p,
+               *d = point[3]->p;
+  int u = (axis + 1) % 3, v = (axis + 2) % 3;
+
+  return (a[u] == b[u] || c[v] == d[v]) && (a[v] == b[v] || c[u] == d[u]);
+}
+
 /* The nearest doubles of the point where the quantity is 0. */
 static rounding
 round_zero(const double a[3], const double b[3], const sg_bounded at[2],
@@ -471,6 +483,9 @@ make(sg_point *out, int how, const sg_point *const *point)
   if (in_range(point, n)) {
     sg_bounded at[2];
 
+    if (how != LINE_AND_PLANE && are_seen_parallel(how, point)) {
+      return false;
+    }
     if (how == LINE_AND_PLANE) {
       heights_over_plane(point, at);
     } else {

@@ -193,6 +193,50 @@ test_last_place_of_turn(void)
   }
 }
 
+/* Four points, two of them on a line along `axis`, seen along which three turn
+ * as n says, by a step of a number. All orders of them. */
+static bool
+turn_about_line(int axis, double unit, double step, int n)
+{
+  const double up[4] = {1.3, -0.2, 0.7, 5}, across[4] = {1, 1, 3, unit},
+               along[4] = {1, 1, 3, unit * (1 + n * step)};
+  double p[4][3];
+  bool good = true;
+
+  for (int i = 0; i < 4; i++) {
+    p[i][axis] = up[i];
+    p[i][(axis + 1) % 3] = across[i];
+    p[i][(axis + 2) % 3] = along[i];
+  }
+  for (int i = 0; i < 24; i++) { /* i: digits of a permutation */
+    int a = i / 6, b = i / 2 % 3, c = i % 2, order[4] = {0, 1, 2, 3};
+    int chosen[4] = {a, b, c, 0}, parity = (a + b + c) % 2 ? -1 : 1;
+
+    for (int k = 0; k < 4; k++) {
+      int at = k + chosen[k], value = order[at];
+
+      for (; at > k; at--) {
+        order[at] = order[at - 1];
+      }
+      order[k] = value;
+    }
+    good = good && sg_orient3d(p[order[0]], p[order[1]], p[order[2]],
+                               p[order[3]]) == n * parity;
+  }
+  return good;
+}
+
+static void
+test_about_line(void)
+{
+  for (int i = 0; i < 9; i++) {
+    CHECK("plainly", turn_about_line(i / 3, 0.5, 0.5, i % 3 - 1));
+    CHECK("by a last place",
+          turn_about_line(i / 3, 0x1p-60, 0x1p-52, i % 3 - 1));
+    CHECK("for integers", turn_about_line(i / 3, 0x1p-300, 0x1p-52, i % 3 - 1));
+  }
+}
+
 /* Numbers whose products overflow, and those that vanish. */
 static void
 test_range_of_signs(void)
@@ -503,6 +547,7 @@ main(void)
   test_sides();
   test_last_place();
   test_last_place_of_turn();
+  test_about_line();
   test_range_of_signs();
   test_smallest();
   test_largest();
