@@ -96,16 +96,19 @@ start(int argc, char **argv)
   return started;
 }
 
-/* The verb is repl, where Ctrl-C stops a goal, or batch, where it lets the jobs
- * that run end. */
-static bool
-outlives_interrupt(char **words)
+/* What signals do depends on the verb. */
+static sg_signals_of
+signals_of(char **words)
 {
-  while (*words && strcmp(*words, "repl") != 0 &&
-         strcmp(*words, "batch") != 0) {
-    words++;
+  for (; *words; words++) {
+    if (strcmp(*words, "repl") == 0) {
+      return SG_SIGNALS_OF_REPL;
+    }
+    if (strcmp(*words, "batch") == 0) {
+      return SG_SIGNALS_OF_BATCH;
+    }
   }
-  return *words != NULL;
+  return SG_SIGNALS_OF_VERB;
 }
 
 /* What is said of an interrupt, in the user's language. */
@@ -145,7 +148,7 @@ main(int argc, char **argv)
 
   sg_signals_note();
   if (!arguments || !start(argc + PROLOG_WORDS - 1, arguments) ||
-      !sg_signals_start(interrupted_words(), outlives_interrupt(argv))) {
+      !sg_signals_start(interrupted_words(), signals_of(argv))) {
     fprintf(stderr, "sanggwan: cannot start SWI-Prolog\n");
     return CANNOT_START;
   }

@@ -32,7 +32,7 @@ static bool ignored[ENDINGS];
 static int wake[2] = {-1, -1};
 static const char *said;
 static atomic_bool is_said;
-static bool goals_only;     /* SIGINT stops a goal, not the program */
+static sg_signals_of signals_of;
 static atomic_int received; /* what is to end the process */
 
 static bool
@@ -74,12 +74,16 @@ end_now(int signal)
   _exit(AFTER_SIGNAL + signal);
 }
 
+/* Milliseconds; below 0: no end. */
 static int
 patience(void)
 {
   struct rusage used;
   long ms = PATIENCE_MS;
 
+  if (signals_of == SG_SIGNALS_OF_BATCH) {
+    return -1;
+  }
   if (getrusage(RUSAGE_SELF, &used) == 0) {
     ms -= used.ru_maxrss * FREE_GIGABYTE_MS / GIGABYTE_KB;
   }
@@ -102,7 +106,7 @@ listen(void *data)
     if (n < 0 || read(wake[0], &number, 1) != 1) {
       continue;
     }
-    if (number != SIGINT || !goals_only) {
+    if (number != SIGINT || signals_of == SG_SIGNALS_OF_VERB) {
       if (last) {
         end_now(last); /* asked twice */
       }
@@ -128,12 +132,12 @@ start_thread(void)
 }
 
 bool
-sg_signals_start(const char *words, bool interrupts_goals)
+sg_signals_start(const char *words, sg_signals_of of)
 {
   struct sigaction action = {0};
 
   said = words;
-  goals_only = interrupts_goals;
+  signals_of = of;
   if (pipe2(wake, O_CLOEXEC | O_NONBLOCK) != 0 || !start_thread()) {
     return false;
   }

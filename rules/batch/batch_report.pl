@@ -4,8 +4,8 @@
             json_text/2,                % +Value, -Text
             outcome/1                   % ?Outcome
           ]).
+:- use_module('../json_layout', [json_laid_out/3]).
 :- use_module('../plain', [plain_json/2]).
-:- use_module(library(http/json), [json_write_dict/3]).
 /** <module> The report of a batch: lines of JSON, one a job.
 */
 
@@ -70,7 +70,7 @@ report_line(Out, Text) :-
 
 %!  json_text(+Value, -Text) is det.
 %
-%   Text is Value, an atom or what json_write_dict/3 takes, as JSON in one line.
+%   Text is Value, an atom or what json_laid_out/3 takes, as JSON in one line.
 
 json_text(Value, Text) :-
     (   atom(Value),
@@ -85,11 +85,12 @@ json_text(Value, Text) :-
         with_output_to(
             string(Text),
             plain_json(current_output,
-                       json_write_dict(current_output, Value1, [width(0)])))
+                       json_laid_out(current_output, Value1, inf)))
     ).
 
 plain_name(Name) :-
-    atom_codes(Name, Codes),
+    atom_codes(Name, Codes0),
+    sort(Codes0, Codes),                % few are different
     plain_codes(Codes).
 
 plain_codes([]).

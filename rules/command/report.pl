@@ -3,10 +3,10 @@
           [ print_report/2,             % +Format, +Report
             counted/4                   % +Language, +What, +N, -Text
           ]).
+:- use_module('../json_layout', [json_laid_out/3]).
 :- use_module('../language', [language/1]).
 :- use_module('../plain', [plain_json/2, plain_term/2]).
 :- use_module(library(apply), [maplist/3]).
-:- use_module(library(http/json), [json_write_dict/3]).
 :- use_module(library(lists), [member/2]).
 /** <module> How the report of check.pl is printed.
 
@@ -20,7 +20,7 @@ of faults are those of model_defect/1; in Korean words stand before them.
 
 print_report(json, Report) :-
     plain_json(current_output,
-               json_write_dict(current_output, Report, [width(78)])),
+               json_laid_out(current_output, Report, 78)),
     nl.
 print_report(text, Report) :-
     language(Language),

@@ -7,6 +7,7 @@
             empty_roots_warned/0,
             solid_verb_run/4            % +Verb, +Files, +Options, -Status
           ]).
+:- use_module('../json_layout', [json_laid_out/3]).
 :- use_module('../decimal', [decimal_number/2]).
 :- use_module('../csg/csg',
               [root_segment/1, root_segments_after/2, is_node/1]).
@@ -33,7 +34,6 @@
               [some_files/2, outputs/3, output_written/2, usage_error/1]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [maplist/2, maplist/3, maplist/4, partition/4]).
-:- use_module(library(http/json), [json_write_dict/3]).
 :- use_module(library(lists), [append/2, append/3, member/2]).
 :- use_module(library(option), [option/2, option/3]).
 :- use_module(library(yall), [(>>)/3]).
@@ -380,7 +380,7 @@ summary(Options, Ss) :-
     maplist(measured(Parts), Ss, Dicts),
     (   option(json(true), Options)
     ->  plain_json(current_output,
-                   json_write_dict(current_output, Dicts, [width(0)])),
+                   json_laid_out(current_output, Dicts, inf)),
         nl
     ;   language(Language),
         forall(member(Dict, Dicts), print_summary(Language, Dict))

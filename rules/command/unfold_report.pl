@@ -7,6 +7,7 @@
 :- use_module('../decision', [decision_is_default/1]).
 :- use_module('../development/development_record', [development_measures/2]).
 :- use_module('../kernel', [census/1]).
+:- use_module('../json_layout', [json_laid_out/3]).
 :- use_module('../language', [language/1]).
 :- use_module('../plain', [plain_json/2, plain_text/2]).
 :- use_module('../pattern/pattern_yield', [pattern_yield/2]).
@@ -22,7 +23,6 @@
 :- use_module('../pattern/pattern_plate', [plate_measures/4]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [maplist/2, maplist/3]).
-:- use_module(library(http/json), [json_write_dict/3]).
 :- use_module(library(option), [option/2]).
 /** <module> What is said of patterns: their pieces, seams, sheet and area.
 */
@@ -39,7 +39,7 @@ unfold_report(Ds, Options) :-
     maplist(with_yield(Options), All1, All),
     (   option(json(true), Options)
     ->  plain_json(current_output,
-                   json_write_dict(current_output, All, [width(78)])),
+                   json_laid_out(current_output, All, 78)),
         nl
     ;   language(Language),
         maplist(print_pattern(Language), All)

@@ -23,6 +23,7 @@
 :- use_module('../picture/picture_cut',
               [penetrated/1, pieces_cut/1, segments_cut/1]).
 :- use_module(lines_out, [write_lines/2, line_format/1]).
+:- use_module('../json_layout', [json_laid_out/3]).
 :- use_module('../output', [when_written/1]).
 :- use_module('../penetration/chain', [chain/5, chain_length/2]).
 :- use_module('../model/model',
@@ -71,7 +72,6 @@
               ]).
 :- use_module(library(apply), [maplist/2, maplist/3, partition/4]).
 :- use_module(library(aggregate), [aggregate_all/3]).
-:- use_module(library(http/json), [json_write_dict/2]).
 :- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(option), [option/2, option/3]).
 :- use_module(library(solution_sequences), [distinct/2]).
@@ -528,7 +528,7 @@ print_chains :-
               chain_length(Lines, Length) ),
             Chains),
     aggregate_all(count, line(_, _, _, _, _, _, _, _, _), Pieces),
-    json_write_dict(current_output, _{pieces:Pieces, chains:Chains}),
+    json_laid_out(current_output, _{pieces:Pieces, chains:Chains}, 72),
     nl.
 
 lines_output(Options, File) :-

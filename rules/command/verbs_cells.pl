@@ -10,6 +10,7 @@
 :- use_module('../gluing/exploded', [cells_exploded/1]).
 :- use_module('../gluing/regions', [regions_made/2, law_fault/3]).
 :- use_module('../gluing/unglue', [meetings_unmeant/2]).
+:- use_module('../json_layout', [json_laid_out/3]).
 :- use_module('../language', [language/1]).
 :- use_module('../model/cells_file', [cells_format/1, write_cells/2]).
 :- use_module('../model/model', [load_model/2, save_model/1, save_model/2]).
@@ -23,7 +24,6 @@
               [ some_files/2, outputs/3, no_model_replaced/2, output_written/2
               ]).
 :- use_module(library(apply), [maplist/3]).
-:- use_module(library(http/json), [json_write_dict/3]).
 :- use_module(library(lists), [member/2, sum_list/2]).
 :- use_module(library(option), [option/2]).
 /** <module> The verb cells: the regions of space between faces.
@@ -113,7 +113,7 @@ reported(Outputs, Goal) :-
 printed(Options, Reports) :-
     (   option(json(true), Options)
     ->  plain_json(current_output,
-                   json_write_dict(current_output, Reports, [width(78)])),
+                   json_laid_out(current_output, Reports, 78)),
         nl
     ;   language(Language),
         forall(member(Report, Reports),

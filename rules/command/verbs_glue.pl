@@ -11,6 +11,7 @@
 :- use_module('../gluing/regions', [regions_made/2, regions_report/2]).
 :- use_module('../gluing/unglue',
               [unglued_between/4, unglued_polygons/3, unglued_region/4]).
+:- use_module('../json_layout', [json_laid_out/3]).
 :- use_module('../model/model', [load_model/2, save_model/1]).
 :- use_module('../plain', [plain_json/2]).
 :- use_module('../language', [language/1]).
@@ -27,7 +28,6 @@
               ]).
 :- use_module(verbs_cells, [print_cells/3, print_totals/3, reported/2]).
 :- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
-:- use_module(library(http/json), [json_write_dict/3]).
 :- use_module(library(lists), [member/2, nth1/3]).
 :- use_module(library(option), [option/2]).
 /** <module> The verbs glue and unglue.
@@ -156,7 +156,7 @@ counts_added(Operand, Counts0, Counts) :-
 printed(Options, Report) :-
     (   option(json(true), Options)
     ->  plain_json(current_output,
-                   json_write_dict(current_output, Report, [width(78)])),
+                   json_laid_out(current_output, Report, 78)),
         nl
     ;   language(Language),
         print_totals(Language, before, Report.before),

@@ -3,12 +3,12 @@
           ]).
 :- use_module(cells_face, [face_border/4, region_shells/3]).
 :- use_module('../disjoint_sets', [set_root/3, sets_joined/4]).
+:- use_module('../json_layout', [json_laid_out/3]).
 :- use_module('../store',
               [v/5, e/5, segment/3, sides/4, edge_polygon/3]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(assoc), [empty_assoc/1, get_assoc/3]).
-:- use_module(library(http/json), [json_write_dict/3]).
 :- use_module(library(lists), [member/2, nth1/3, reverse/2]).
 :- use_module(library(pairs), [group_pairs_by_key/2, pairs_values/2]).
 /** <module> Cells as CityJSON 2.0.
@@ -33,12 +33,12 @@ write_city(Out, Names, Vertices, Faces, Cells) :-
     findall(Id-Object, city_object(Vertices, Faces, Cells, Id, Object), Pairs),
     dict_pairs(Objects, _, Pairs),
     Written is float(Scale),
-    json_write_dict(Out,
-                    _{ type:"CityJSON", version:"2.0",
-                       transform:_{ scale:[Written,Written,Written],
-                                    translate:[0.0,0.0,0.0] },
-                       'CityObjects':Objects, vertices:Places },
-                    [width(0)]),
+    json_laid_out(Out,
+                  _{ type:"CityJSON", version:"2.0",
+                     transform:_{ scale:[Written,Written,Written],
+                                  translate:[0.0,0.0,0.0] },
+                     'CityObjects':Objects, vertices:Places },
+                  inf),
     nl(Out).
 
 %   scale_of(Points, Scale): the largest power of ten of which all coordinates

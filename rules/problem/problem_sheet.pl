@@ -2,6 +2,7 @@
           [ problem_sheets/3            % +File, +Folder, +Options
           ]).
 :- use_module('../drawing/drawing', [write_drawing/2]).
+:- use_module('../json_layout', [json_laid_out/3]).
 :- use_module('../language', [with_result_language/2]).
 :- use_module('../output', [when_written/1, writing/3]).
 :- use_module('../pattern/pattern_file', [write_pattern/4]).
@@ -13,7 +14,6 @@
                 variant_answered/3, variant_number/3, variant_question/2,
                 with_variant/5 ]).
 :- use_module(library(filesex), [directory_file_path/3, make_directory_path/1]).
-:- use_module(library(http/json), [json_write_dict/3]).
 :- use_module(library(lists), [append/3, member/2, nth0/3, nth1/3]).
 :- use_module(library(option), [option/3]).
 :- use_module(library(pairs), [pairs_keys_values/3]).
@@ -123,7 +123,7 @@ variant_made(Folder, Options, Variant) :-
     writing(KeyFile, text, sg_problem_sheet:key_written(Key)).
 
 key_written(Key, Stream) :-
-    json_write_dict(Stream, Key, [width(78)]),
+    json_laid_out(Stream, Key, 78),
     nl(Stream).
 
 file_of(Folder, Number, What, Format, File) :-

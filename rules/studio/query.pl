@@ -5,13 +5,13 @@
             answer_json/2,              % +Value, -Json
             print_table/2               % +Names, +Rows
           ]).
+:- use_module('../json_layout', [json_laid_out/3]).
 :- use_module('../language', [language/1]).
 :- use_module('../limits', [term_of_text/3, within_depth/1]).
 :- use_module('../part', [whole_program_for/1]).
 :- use_module('../plain', [plain_json/2, plain_text/2, shown_text/2]).
 :- use_module(library(apply),
               [exclude/3, foldl/4, include/3, maplist/3, maplist/4]).
-:- use_module(library(http/json), [json_write_dict/3]).
 :- use_module(library(lists), [member/2]).
 :- use_module(library(option), [option/3]).
 :- use_module(library(pairs), [pairs_keys_values/3]).
@@ -242,7 +242,7 @@ json_object(Names, Values0) :-
     dict_pairs(Dict, _, Pairs),
     put_char(' '),
     plain_json(current_output,
-               json_write_dict(current_output, Dict, [width(0)])).
+               json_laid_out(current_output, Dict, inf)).
 
 %!  answer_json(+Value, -Json) is det.
 %
