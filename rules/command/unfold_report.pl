@@ -10,6 +10,7 @@
 :- use_module('../json_layout', [json_laid_out/3]).
 :- use_module('../language', [language/1]).
 :- use_module('../plain', [plain_json/2, plain_text/2]).
+:- use_module('../pattern/plate_words', [material_word/3]).
 :- use_module('../pattern/pattern_yield', [pattern_yield/2]).
 :- use_module('../pattern/pattern_title', [pattern_title/2]).
 :- use_module(report, [counted/4]).
@@ -215,7 +216,8 @@ print_pattern(Language, M) :-
         say(Language, without, [M.area, Removed])
     ),
     (   get_dict(weight, M, Weight)
-    ->  say(Language, weight, [Weight, M.material])
+    ->  material_word(Language, M.material, Material),
+        say(Language, weight, [Weight, Material])
     ;   true
     ).
 

@@ -9,6 +9,10 @@
 :- use_module('../sheet/sheet_paper', [unit_millimetres/2]).
 :- use_module('../store', [e/5, edge_polygon/3, joint/6, t/6, v/5]).
 :- use_module('../unrolling/true_table', [table_marks/4]).
+:- use_module(plate_words,
+              [ bends_title/2, direction_word/3, material_word/3,
+                plate_column/3
+              ]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(assoc),
               [empty_assoc/1, get_assoc/3, list_to_assoc/2, put_assoc/4]).
@@ -206,7 +210,7 @@ bend_table(Plate, Options, Marks, Size) :-
     millimetres(Plate, F),
     findall(Word,
             ( member(Column, [thickness,weight,material]),
-              column(Column, Language, Word) ),
+              plate_column(Column, Language, Word) ),
             Columns),
     Thick is Plate.thickness*F,
     format(atom(Thickness), '~2f', [Thick]),
@@ -223,7 +227,7 @@ bend_table(Plate, Options, Marks, Size) :-
             Numbered0),
     keysort(Numbered0, Numbered),
     pairs_values(Numbered, Lines),
-    findall(Word, column_word(Language, Word), Columns),
+    findall(Word, bend_column(Language, Word), Columns),
     option(title(Name), Options, ""),
     plate_title(Language, Name, Plate, Title),
     table_marks([Columns|Lines], [title(Title)|Options], Marks, Size).
@@ -243,30 +247,9 @@ bend_line(Language, F, Bend, [Name,Degrees,Direction,Radius,Length]) :-
     Length0 is Bend.length*F,
     format(atom(Length), '~2f', [Length0]).
 
-column_word(Language, Word) :-
+bend_column(Language, Word) :-
     member(Column, [bend,angle,direction,radius,length]),
-    column(Column, Language, Word).
-
-column(bend, en, bend).
-column(angle, en, angle).
-column(direction, en, direction).
-column(radius, en, 'radius (mm)').
-column(length, en, 'length (mm)').
-column(thickness, en, 'thickness (mm)').
-column(weight, en, 'weight (kg)').
-column(material, en, material).
-column(bend, ko, '굽힘').
-column(angle, ko, '각도').
-column(direction, ko, '방향').
-column(radius, ko, '반지름 (mm)').
-column(length, ko, '길이 (mm)').
-column(thickness, ko, '두께 (mm)').
-column(weight, ko, '무게 (kg)').
-column(material, ko, '재료').
-
-direction_word(en, Word, Word).
-direction_word(ko, down, '아래').
-direction_word(ko, up, '위').
+    plate_column(Column, Language, Word).
 
 plate_title(Language, Name, Plate, Title) :-
     (   get_dict(weight, Plate, Weight)
@@ -279,21 +262,6 @@ plate_title(Language, Name, Plate, Title) :-
     ;   format(string(Title0), '~s: ~s', [Name,Weighs])
     ),
     (   Title0 == ""
-    ->  title_word(Language, Title)
+    ->  bends_title(Language, Title)
     ;   Title = Title0
     ).
-
-title_word(en, "bends").
-title_word(ko, "굽힘표").
-
-material_word(en, Name, Name).
-material_word(ko, Name, Word) :-
-    material_ko(Name, Word).
-
-material_ko(steel,     '강').
-material_ko(stainless, '스테인리스강').
-material_ko(aluminium, '알루미늄').
-material_ko(copper,    '구리').
-material_ko(brass,     '황동').
-material_ko(zinc,      '아연').
-material_ko(titanium,  '티타늄').

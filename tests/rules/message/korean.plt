@@ -21,8 +21,10 @@ korean_file(File) :-
     atom_concat(_, '_ko.pl', Name),
     atomic_list_concat([Folder,/,Name], File).
 korean_file(File) :-
-    member(Name, [command/usage, command/usage_unfold, command/usage_render,
-                  command/report, command/unfold_report]),
+    member(Name, [command/usage, command/usage_ko, command/usage_print,
+                  command/usage_unfold, command/usage_render,
+                  command/report, command/unfold_report,
+                  pattern/plate_words]),
     absolute_file_name(rules(Name), File, [extensions([pl]), access(read)]).
 
 %   korean_text(File, Text) is nondet: Text is an atom or a string of File with

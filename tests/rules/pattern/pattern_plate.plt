@@ -1,4 +1,5 @@
 :- module(test_pattern_plate, []).
+% covers: plate_words
 :- use_module(library(plunit)).
 :- use_module(library(lists)).
 :- use_module(library(pairs)).
