@@ -12,6 +12,7 @@
 :- use_module('../gluing/unglue',
               [unglued_between/4, unglued_polygons/3, unglued_region/4]).
 :- use_module('../json_layout', [json_laid_out/3]).
+:- use_module('../kernel', [census/1]).
 :- use_module('../model/model', [load_model/2, save_model/1]).
 :- use_module('../plain', [plain_json/2]).
 :- use_module('../language', [language/1]).
@@ -30,6 +31,7 @@
 :- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
 :- use_module(library(lists), [member/2, nth1/3]).
 :- use_module(library(option), [option/2]).
+:- use_module(library(ordsets), [list_to_ord_set/2, ord_memberchk/2]).
 /** <module> The verbs glue and unglue.
 
 What is glued is a node of the CSG tree, and its operands are there beside it:
@@ -43,6 +45,7 @@ so that is what is written, and taking it apart again only takes the node away.
 %   contacts: how many of each kind. What is written are the operands as they
 %   were read, and the glue. With 'dry-run'(true) nothing is; then the report
 %   has each contact, and where operands come near each other (glue_misses/2).
+%   With strict(true) nothing is written of operands that overlap.
 
 glue_run(Files, Options, 0) :-
     some_files(Files, 'MODEL'),
@@ -53,16 +56,23 @@ glue_run(Files, Options, 0) :-
     forall(option(only(What), Options), assert_fact(gluing(S, only(What)))),
     facts_snapshot(( operands_evaluated(Sources, Options),
                      report(S, Options, Report) )),
-    (   option('dry-run'(true), Options)
+    (   once(( option('dry-run'(true), Options)
+             ; option(strict(true), Options), overlaps(Report) ))
     ->  printed(Options, Report)
     ;   reported(Outputs, sg_verbs_glue:printed(Options, Report)),
         maplist(output_written(save_model), Outputs)
     ).
 
+overlaps(Report) :-
+    member(Region, Report.regions),
+    Region.inside = [_,_|_],
+    !.
+
 %   report(S, Options, Report): of the glue S, which is the only root.
 
 report(S, Options, Report) :-
     glue_report(S, Report0),
+    mended_warned(S),
     forall(member(Region, Report0.regions), overlap_warned(S, Region)),
     operand_counts(S, Before),
     contact_counts(S, Contacts),
@@ -97,6 +107,28 @@ place_text(face(P,_), Text) :-
 
 miss_dict(miss(S1-_,S2-_,Gap,p(X,Y,Z)-_),
           _{segment1:S1, segment2:S2, distance:Gap, at:[X,Y,Z]}).
+
+%   mended_warned(S): of operands of S what was there twice is there once, and
+%   what was inside out is not any more.
+
+mended_warned(S) :-
+    glue_operands(S, Operands),
+    list_to_ord_set(Operands, Set),
+    census(Parts),
+    forall(( member(Part, Parts),
+             arg(1, Part, S0),
+             ord_memberchk(S0, Set),
+             mended(S0, Part, What, N) ),
+           print_message(warning, sanggwan(operand(repaired(What, N), S0)))).
+
+mended(S0, part(_,_,_,_,Volume,_,Shells,_), turned, N) :-
+    Volume < 0.0,
+    once(segment(S0, solid, _)),
+    length(Shells, N).
+mended(S0, part(_,_,_,_,_,_,_,Defects), What, N) :-
+    \+ segment(S0, cells, _),
+    member(Kind-What, [twin_vertices-welded,duplicate_face-duplicate]),
+    memberchk(Kind-N, Defects).
 
 %!  glue_misses_told is det.
 %
