@@ -215,6 +215,8 @@ crossed(S, Reach, A, B, V1-V2, At) :-
     rational_place(S, V2, D),
     points_box([C,D], Around),
     boxes_near(Box, Around, Reach),
+    \+ in_line(A, B, C, D, Reach),
+    \+ in_line(C, D, A, B, Reach),
     passing(A, B, C, D, At1, At2),
     square_between(At1, At2, Square),
     Square =< Reach*Reach,
@@ -224,6 +226,18 @@ crossed(S, Reach, A, B, V1-V2, At) :-
          Near =< Reach*Reach ),
     vector_sum(At1, At2, Twice),
     scaled(1r2, Twice, At).
+
+%   in_line(A, B, C, D, Reach): C and D are on the line through A and B, so what
+%   is between meets it in no one point.
+
+in_line(A, B, C, D, Reach) :-
+    difference(B, A, Way),
+    dot_product(Way, Way, Length),
+    \+ ( member(End, [C,D]),
+         difference(End, A, W),
+         cross_product(W, Way, X),
+         dot_product(X, X, Off),
+         Off > Reach*Reach*Length ).
 
 %   passing(A, B, C, D, At1, At2): where lines through A and B, and C and D, are
 %   nearest, between these ends.

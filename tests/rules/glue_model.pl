@@ -242,6 +242,7 @@ term(plane_sheet(p(A,B,C,D), Off),
               Z is (Off*D-A*X-B*Y)/C ),
             [P1,P2,P3,P4]).
 term(triangle(Points), sheet(points(Points), faces([[1,2,3]]))).
+term(square(Points), sheet(points(Points), faces([[1,2,3,4]]))).
 term(turned_flat(A, B, Z),
      at([rotate(x,180),translate(0,0,Z)], rectangle(size(A,B)))).
 term(tetrahedron([O,A,B,C]), polyhedron(points([O,A,B,C]), faces(Faces))) :-
