@@ -1,6 +1,6 @@
-/* Random cubes, squares and edges of a grid, each an operand, against a count of
-   the cells of the grid: a flood fill that shares nothing with the engine. And
-   the figures of the paper, turned.
+/* Random cubes, squares and edges of a grid, each an operand, against a count
+   of the cells of the grid: a flood fill that shares nothing with the engine.
+   And the figures of the paper, turned.
    covers: glue */
 :- module(test_glue_grid, []).
 :- use_module(library(aggregate)).
