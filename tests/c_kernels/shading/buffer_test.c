@@ -255,6 +255,28 @@ threads(void)
   sg_shading_close(scene);
 }
 
+/* Of a sphere whose middle is so far below the frame, or above it, only what is
+ * in the frame is seen, whatever the height. */
+static void
+cut_by_frame(int32_t height, double beyond)
+{
+  const double r = 10, half = sqrt(r * r - beyond * beyond);
+
+  for (int below = 0; below < 2; below++) {
+    double y = below ? height + beyond : -beyond;
+    sg_shading *scene = sphere_scene(SIDE, height, 60.3, y, r);
+    sg_shading_extent box;
+
+    CHECK("cut by the frame",
+          sg_shading_extent_of(scene, NULL, NULL, &box) == SG_SHADING_GOOD &&
+              fabs(box.x1 - 60.3 + half) < 0.02 &&
+              fabs(box.x2 - 60.3 - half) < 0.02 &&
+              fabs(box.y1 - (below ? y - r : 0)) < 0.02 &&
+              fabs(box.y2 - (below ? height : y + r)) < 0.02);
+    sg_shading_close(scene);
+  }
+}
+
 int
 main(void)
 {
@@ -276,5 +298,8 @@ main(void)
   shine(13);
   shine(40);
   threads();
+  for (int32_t height = 33; height <= 64; height++) {
+    cut_by_frame(height, 1 + height % 7);
+  }
   return check_report();
 }
