@@ -1,3 +1,4 @@
+:- encoding(utf8).
 :- module(test_fold_file, []).
 :- use_module(library(plunit)).
 :- use_module(library(http/json)).
@@ -32,12 +33,23 @@ read_title(Text, Title) :-
     string(Dict.file_title),
     string_codes(Dict.file_title, Title).
 
+%   raw_control(Text): it has one that is not at the end of a line; the reader
+%   here lets them pass.
+
+raw_control(Text) :-
+    split_string(Text, "\n", "", Lines),
+    member(Line, Lines),
+    string_codes(Line, Codes),
+    member(Code, Codes),
+    Code < 32.
+
 :- begin_tests(fold_file).
 
 test(title, Read == Codes) :-
     findall(Code, spoken(Code), Codes),
     string_codes(Title, Codes),
     titled(Title, Text),
+    \+ raw_control(Text),
     read_title(Text, Read).
 test(not_spelled, true(sub_string(Text, _, _, _, "\"박공 roof~ /2\""))) :-
     titled("박공 roof~ /2", Text).
