@@ -327,6 +327,10 @@ picture(glue_cycles, '1996, figure 2',
         'The three cycles: three disks at a vertex, three pages round an \c
          edge, the two loops of a face with a hole.',
         ['facts/figures/glue_cycles.pl']).
+picture(glue_structure, '1996, figure 3',
+        'What a model is made of, by dimension, the cycles between, and where \c
+         it is. The paper stores the cycles; here they are asked.',
+        ['facts/figures/glue_structure.pl','--view',top]).
 picture(glue_vertex, '1996, figure 4',
         'Vertex glue: three pyramids with one apex, one in another, a wire. \c
          The formulas that the paper prints here are mended in docs/rules.md.',
