@@ -366,7 +366,7 @@ compile_commands.json: $(B)/doors.made $(B)/deps.mk
 
 # Every figure beside its peer of the same run; docs/performance.md explains.
 bench: all
-	@bench/run
+	@bench/run -d
 
 # --- installing ------------------------------------------------------------
 

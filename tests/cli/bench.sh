@@ -10,7 +10,7 @@ check "triangulation" output '^polygon +vertices' bench/triangulation 50
 check "startup" output '^draw figure 13 to SVG' bench/startup 1
 check "load" output 'triangles: read' bench/load 2000
 check "scale" output '^1,056' bench/scale 500
-check "growth" output 'kB  n.-*[0-9]' env RUNS=1 bench/growth apexes
+check "growth" output ' B  n.-*[0-9]' env RUNS=1 bench/growth apexes
 check "faces" output '^cube, all threads' bench/faces 1
 check "gluing" output '^1000 ' bench/gluing 3
 check "nesting" output '^50 ' bench/nesting 50
@@ -18,6 +18,21 @@ check "nesting" output '^50 ' bench/nesting 50
 check "hidden lines" output '^cube +feature' env NO_OCCT=1 ROUNDS=1 \
   VIEWED="$TMP/cube.obj" bench/hidden_lines "$TMP/cube.obj"
 check "redraw" output 'a second' swipl -p foreign="$B" bench/redraw.pl -- 64x48
+printf 'a\n\n`bench/run x`\n\n    old 1\n\n    old 2\n\ntext\n' >"$TMP/doc.md"
+printf 'new 3\n\nnew 4\n' >"$TMP/x"
+check "document" bench/document "$TMP/doc.md" x="$TMP/x"
+check "what was printed is in it" diff "$TMP/doc.md" - <<'END'
+a
+
+`bench/run x`
+
+    new 3
+
+    new 4
+
+text
+END
+check "no such block" eval "! bench/document $TMP/doc.md y=$TMP/x 2>/dev/null"
 if [ -n "${TEST_ALL:-}" ]; then
   check "batch" output '1000000 . looked through' bench/batch 20
   check "serve" output '^undo, picture' bench/serve 1
