@@ -121,7 +121,7 @@ steps :-
          sg_joints:merge_near_lines(Set, Works)),
     step('write vertices and lines', cut_write_lines(Set)),
     step('write polygons, triangulate', NP,
-         maplist(sg_cut_rows:write_polygon(Set), Works)),
+         sg_cut_rows:write_polygons(Set, Works)),
     aggregate_all(count, line(_, _, _, _, _, _, _, _, _), Lines),
     format("~D lines in ~D polygons~n", [Lines, NP]),
     cut_set_close(Set).
