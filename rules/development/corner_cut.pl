@@ -67,10 +67,9 @@ corner_cut(D, Bends, Wished, corner(Faces, flange(P1, G1, F1),
     once(e(D, G1, H1, K1, _)),
     once(e(D, G2, K2, H2, _)),
     maplist(place(D), [H1,K1,K2,H2], [H1At,K1At,K2At,H2At]),
-    (   crossing(H1At, K1At, K2At, H2At, X)
-    ->  Crossing = [X]
-    ;   Crossing = []
-    ),
+    maplist(face_corner(D), Faces, Corners),
+    append([[H1At,K1At],Corners,[K2At,H2At]], Way),
+    findall(X, way_crosses(Way, X), Crossing),
     maplist(face_zone(D, Bends), Faces, Zones),
     maplist(face_relief(D, Bends, Kind, Wished), Faces, Reliefs),
     (   memberchk(none, Reliefs)
@@ -86,6 +85,14 @@ corner_cut(D, Bends, Wished, corner(Faces, flange(P1, G1, F1),
     ;   tip_cut(D, Kind-Reliefs, Zones, Crossing, Faces, Flange1, Flange2,
                 Cuts)
     ).
+
+%   way_crosses(Way, X) is nondet: the way through the places round a corner
+%   crosses itself at X.
+
+way_crosses(Way, X) :-
+    append(_, [A,B|Rest], Way),
+    append(_, [C,D|_], Rest),
+    crossing(A, B, C, D, X).
 
 %   face_zone(D, Bends, Face, Zone): zone(Frame1-Back1-W1, Frame2-Back2-W2):
 %   what is near the corner is measured from where each of the two bend lines

@@ -113,6 +113,7 @@ with_sequence(Sequence, Bend0, Bend) :-
 
 %   fold_depths(D, Depths): Depths is an assoc from each fold to how many folds
 %   there are from the largest face of its piece to the farther one of its two.
+%   Two faces may have several folds.
 
 fold_depths(D, Depths) :-
     findall(P-fold(J,Q),
@@ -171,7 +172,10 @@ spread_over([fold(J,Q)|Folds], N, New, Seen0, Seen, Depths0, Depths) :-
     (   get_assoc(Q, Seen0, _)
     ->  New = New1,
         Seen1 = Seen0,
-        Depths1 = Depths0
+        (   get_assoc(J, Depths0, _)
+        ->  Depths1 = Depths0
+        ;   put_assoc(J, Depths0, N, Depths1)
+        )
     ;   New = [Q-N|New1],
         put_assoc(Q, Seen0, true, Seen1),
         put_assoc(J, Depths0, N, Depths1)

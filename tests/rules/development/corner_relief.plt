@@ -7,6 +7,7 @@
 :- use_module(library(random)).
 :- use_module(rules(decision), [use_rules/1]).
 :- use_module(rules(development/bend)).
+:- use_module(rules(development/corner_relief)).
 :- use_module(rules(drawing/drawing), [write_drawing_stream/3]).
 :- use_module(rules(pattern/pattern_drawing), [pattern_drawing/3]).
 :- use_module(rules(polygon/triangulation)).
@@ -275,6 +276,21 @@ turn(XA-YA, XB-YB, XC-YC, Sign) :-
 deep(XA-YA, XB-YB, XC-YC) :-
     Area is abs((XB-XA)*(YC-YA) - (YB-YA)*(XC-XA)),
     Area*Area > 9*((XB-XA)**2 + (YB-YA)**2).
+
+%   Many bends that end in one place, as those round the corners of a square that
+%   becomes round, do not make the outline cross itself, whether it is closed or
+%   not.
+
+fan(open_transition(base(rectangle(120,80)), top(circle(30)), height(70),
+                    shift(15,-5))).
+fan(open_transition(base(rectangle(100,100)), top(circle(45)), height(40))).
+fan(open_transition(base(circle(40)), top(rectangle(60,30)), height(80),
+                    shift(-20,10))).
+fan(transition(base(rectangle(100,100)), top(circle(30)), height(60))).
+
+test(fans, [forall(( fan(Term), member(T, [1,2]) )),
+            true(Count == 0)]) :-
+    plate(Term, [thickness(T)], D, outline_crossings(D, Count)).
 
 test(no_room, error(geometry_error(true(no_relief(1, _, _))), _)) :-
     plate(box(size(100,60,3.9)),

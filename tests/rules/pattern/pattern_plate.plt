@@ -71,6 +71,20 @@ test(table, Texts == [ 'B1','90.0\u00B0',down,'2.00','54.00' ]) :-
     findall(Y, member(text(_,Y,_,_), Marks), Ys),
     min_list(Ys, Lowest),
     findall(Text, member(text(_,Lowest,_,Text), Marks), Texts).
+%   Folds of a torus run round in rings: each has a place in the sequence.
+
+test(sequence_of_rings, Sequence == Numbers) :-
+    new_world(World),
+    in_world(World,
+             ( add_primitive(torus(radius(30), tube(9), facets(12), sides(8)),
+                             S),
+               unfold(S, [thickness(2)], D),
+               pattern_area(D, Area),
+               plate_measures(D, Area, [thickness(2)], M) )),
+    findall(N, ( member(B, M.bends), N = B.sequence ), Sequence0),
+    msort(Sequence0, Sequence),
+    length(Sequence, Count),
+    numlist(1, Count, Numbers).
 test(weight_alone, Texts == ['1.50','0.25',steel]) :-
     Plate = _{bends:[], thickness:1.5, material:steel, weight:0.25},
     with_result_language(en, bend_table(Plate, [], Marks, _)),
