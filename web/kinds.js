@@ -7,6 +7,7 @@
 import { h } from "./dom.js";
 import { w } from "./words.js";
 import { Folding } from "./fold.js";
+import { Lost } from "./wire.js";
 import { posed } from "./problems.js";
 import { penTools, penShown } from "./pens.js";
 
@@ -140,9 +141,20 @@ const folded = {
   ask: (port) => port.studio.wire.ask("fold"),
 };
 
-const KIND = { iso: { ...view, turns: true }, front: view, top: view, right: view, left: view, back: view,
-  bottom: view, unfold, folded, section, shaded, sheet, apart, problem: { fits: "frame", alone: true, ask: posed } };
+// What the teacher shows to all.
+const shown = {
+  alone: true,
+  fits: "frame",
+  ask: async (port) => {
+    const reply = await port.studio.wire.ask("shown");
+    if (!reply.head.kind) throw new Lost("none");
+    return reply;
+  },
+};
 
-// `problem` is chosen with a problem, not in the port.
+const KIND = { iso: { ...view, turns: true }, front: view, top: view, right: view, left: view, back: view,
+  bottom: view, unfold, folded, section, shaded, sheet, apart, shown, problem: { fits: "frame", alone: true, ask: posed } };
+
+// `problem` is chosen with a problem, `shown` by the teacher, not in the port.
 export const KINDS = Object.keys(KIND).filter((name) => !KIND[name].alone);
 export const kindOf = (name) => KIND[name] || KIND.iso;

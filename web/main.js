@@ -47,6 +47,7 @@ class Studio {
     this.wire.addEventListener("restarted", () => this.opened(this.file, "restarted"));
     this.wire.addEventListener("revision", (event) => this.revised(event.detail));
     this.wire.addEventListener("file", () => this.fileChanged());
+    this.wire.addEventListener("shown", (event) => this.taught(event.detail.shown));
     this.wire.addEventListener("class", () => this.problems.changed());
     this.wire.addEventListener("rev", (event) => { this.rev = event.detail; });
   }
@@ -205,6 +206,9 @@ class Studio {
     clearTimeout(this.awayTimer);
     const file = this.file || head.file;
     if (head.class) this.inClass(head.class);
+    this.teaches = head.shows === "all";
+    if (this.teaches) for (const port of this.ports.ports) port.tooled();
+    this.taught(head.shows === "seen");
     if (head.rev && this.file === file && this.ready) this.revised(head);
     else if (file) this.opened(file);
     else if (!head.class) this.banner("open", this.openMenu());
@@ -219,6 +223,25 @@ class Studio {
     this.leftTo("problems");
     if (!told.teacher) this.paneTo("left");
     this.problems.greeted(told);
+  }
+
+  // The teacher shows a picture to all, or does no more.
+  taught(on) {
+    const [port] = this.ports.ports;
+    if (on && port.kind === "shown") {
+      port.refresh();
+      return;
+    }
+    if (on === (port.kind === "shown")) return;
+    const { activeElement } = document;
+    if (on) this.own = port.kind;
+    port.turnTo(on ? "shown" : this.own);
+    if (port.element.classList.contains("alone") !== on) this.ports.enlarge(port);
+    if (on) {
+      this.paneTo("ports");
+      say(w("shown"));
+    }
+    activeElement?.focus();
   }
 
   away = () => {

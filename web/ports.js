@@ -22,10 +22,12 @@ class Port {
     this.choice.dataset.label = "view";
     this.remark = h("span", { class: "remark" });
     this.canvas = h("div", { class: "canvas", tabindex: 0, role: "img" }, this.image, this.picture.svg);
+    this.showing = h("button", { class: "large", "aria-pressed": "false", "data-word": "show_all",
+      onclick: () => studio.ports.showAll(this) });
     this.large = h("button", { class: "large", "aria-pressed": "false", "data-label": "larger",
       onclick: () => studio.ports.enlarge(this) }, "⤢");
     this.element = h("figure", { class: "port" },
-      h("figcaption", {}, this.choice, this.tools, this.remark, this.large), this.canvas);
+      h("figcaption", {}, this.choice, this.tools, this.remark, this.showing, this.large), this.canvas);
     this.kind = KINDS.includes(kind) ? kind : "iso";
     this.choice.value = this.kind;
     this.tooled();
@@ -54,6 +56,10 @@ class Port {
     return Boolean(kindOf(this.kind).turns);
   }
 
+  get alone() {
+    return Boolean(kindOf(this.kind).alone);
+  }
+
   get slow() {
     return Boolean(kindOf(this.kind).slow);
   }
@@ -78,7 +84,9 @@ class Port {
     this.tools.replaceChildren(...(tools ? tools(this) : []));
     reworded(this.tools);
     this.element.dataset.kind = this.kind;
-    this.choice.hidden = this.kind === "problem";
+    this.choice.hidden = this.alone;
+    this.showing.hidden = !this.studio.teaches || this.alone || this.kind === "folded";
+    if (this.showing.hidden && this.studio.ports?.shown === this) this.studio.ports.showAll(this);
     this.canvas.classList.add("empty");
     this.canvas.setAttribute("aria-label", w(this.kind));
   }
@@ -106,7 +114,7 @@ class Port {
 
   async draw() {
     const { clientWidth, clientHeight } = this.canvas;
-    if (!(this.studio.ready || this.kind === "problem") || clientWidth < 24 || clientHeight < 24) return;
+    if (!(this.studio.ready || this.alone) || clientWidth < 24 || clientHeight < 24) return;
     if (this.busy) {
       this.again = true;
       return;
@@ -114,8 +122,12 @@ class Port {
     this.busy = true;
     this.element.classList.toggle("late", this.slow);
     const { kind } = this;
+    const { wire, ports } = this.studio;
     try {
-      const reply = await kindOf(kind).ask(this, clientWidth, clientHeight);
+      wire.extra = ports.shown === this ? { shown: true } : {};
+      const asked = kindOf(kind).ask(this, clientWidth, clientHeight);
+      wire.extra = {};
+      const reply = await asked;
       if (kind !== this.kind) this.again = true;
       else if (!reply.head.replaced) this.show(reply);
     } catch (error) {
@@ -248,6 +260,7 @@ class Port {
       this.pixel(event);
       return;
     }
+    if (this.kind === "shown") return;
     const found = this.near(event, event.pointerType === "touch" ? 22 : 9);
     this.studio.chosen(found ? [found.name] : [], this, found && found.role);
   }
@@ -261,7 +274,7 @@ class Port {
   }
 
   doubled(event) {
-    const found = this.near(event);
+    const found = this.kind !== "shown" && this.near(event);
     if (found) this.studio.askAbout(found.name);
     else this.fit();
   }
@@ -411,6 +424,14 @@ export class Ports {
       other.large.setAttribute("aria-pressed", String(other === port && alone));
     }
     port.canvas.focus();
+  }
+
+  // A port that all others see, until it is chosen again.
+  showAll(port) {
+    this.shown = port === this.shown ? null : port;
+    for (const one of this.ports) one.showing.setAttribute("aria-pressed", String(one === this.shown));
+    if (this.shown) this.shown.refresh();
+    else this.studio.wire.ask("show").catch((error) => this.studio.failed(error));
   }
 
   // Lines that went, where they were.

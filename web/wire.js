@@ -20,6 +20,7 @@ export class Wire extends EventTarget {
     super();
     this.token = token;
     this.number = HELLO;
+    this.extra = {};
     this.waiting = new Map();
     this.wait = 250;
     this.alive = setInterval(() => this.open && this.send({ do: "alive" }), 25000);
@@ -90,7 +91,7 @@ export class Wire extends EventTarget {
     this.slow = ["unfold", "fold", "sheet"].includes(request) ? id : 0;
     return new Promise((resolve, reject) => {
       this.waiting.set(id, { resolve, reject });
-      this.send({ ...keys, id, do: request });
+      this.send({ ...this.extra, ...keys, id, do: request });
     });
   }
 }

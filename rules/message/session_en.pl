@@ -113,6 +113,8 @@ session_en(owner_alone(save)) -->
     [ 'only the owner may save: what pupils change is kept for them alone' ].
 session_en(owner_alone(class)) -->
     [ 'only the owner sees what all pupils answered' ].
+session_en(owner_alone(show)) -->
+    [ 'only the owner shows a picture to all' ].
 session_en(no_class) -->
     [ 'there is no class with problems here', nl,
       '  Start one: sanggwan serve --problems FILE' ].

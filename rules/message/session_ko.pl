@@ -109,6 +109,8 @@ session_ko(owner_alone(save)) -->
     [ '저장은 주인만 합니다. 학생이 바꾼 것은 그 학생에게만 남습니다' ].
 session_ko(owner_alone(class)) -->
     [ '모두의 답은 주인만 봅니다' ].
+session_ko(owner_alone(show)) -->
+    [ '모두에게 보여 주는 것은 주인만 합니다' ].
 session_ko(no_class) -->
     [ '여기에는 문제를 푸는 수업이 없습니다', nl,
       '  시작하십시오: sanggwan serve --problems FILE' ].

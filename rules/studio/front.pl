@@ -10,10 +10,11 @@
                 security_header/2 ]).
 :- use_module(page_file, [page_file/3, page_words/1]).
 :- use_module(visitor,
-              [ download_taken/3, upload_taken/2, uploads/2,
+              [ download_taken/3, picture_shown/0,
                 visitor_answered/3, visitor_asks/4,
                 visitor_joined/4, visitor_left/1, visitor_refused/3,
                 visitors_ended/0, visitors_watched/1 ]).
+:- use_module(visitor_upload, [upload_taken/2, uploads/2]).
 :- use_module(protocol, [text_octets/2]).
 :- use_module(library(http/json), [json_read_dict/2]).
 :- use_module(library(lists), [member/2]).
@@ -420,10 +421,24 @@ welcomed(Socket, Visitor, front(_,_,Folder,Owner0), Model, Revision, Head) :-
     models(Folder, Models),
     uploads(Visitor, Uploads),
     class_told(Visitor, Class),
+    may_show(Visitor, Shows),
     visitor_answered(Socket, Id,
                      _{ do:"hello", version:Version, file:File, rev:Revision,
                         owner:Owner, models:Models, uploads:Uploads,
-                        class:Class }).
+                        class:Class, shows:Shows }).
+
+%   may_show(Visitor, Shows): the owner of a class may show pictures to all; they
+%   see what he shows.
+
+may_show(Visitor, Shows) :-
+    (   Visitor == owner,
+        class_code(_)
+    ->  Shows = all
+    ;   Visitor \== owner,
+        picture_shown
+    ->  Shows = seen
+    ;   Shows = null
+    ).
 
 %   class_told(Visitor, Class): null without problems; else whether Visitor is
 %   the teacher, and by which name a pupil is in the class.

@@ -6,21 +6,19 @@
             visitor_refused/3,          % +Socket, +Id, +Error
             visitors_watched/1,         % +Now
             visitors_ended/0,
-            upload_taken/2,             % +Ticket, -File
-            uploads/2,                  % +Visitor, -Names
+            picture_shown/0,
             download_taken/3            % +Ticket, -Path, -Name
           ]).
 :- use_module('../message/message_object', [message_object/3]).
 :- use_module('../plain', [plain_json/2]).
 :- use_module(visitor_answer, [answers_recorded/2, class_request/4]).
 :- use_module(guard,
-              [ journal_folder/2, new_secret/1, request_allowed/3,
-                upload_folder/2, upload_name/1 ]).
+              [journal_folder/2, new_secret/1, request_allowed/3]).
 :- use_module(visitor_path, [paths_untold/5]).
+:- use_module(visitor_upload, [upload_ticket/3, visitor_folder/2]).
 :- use_module(protocol, [frame_read/4, frame_write/3, text_octets/2]).
 :- use_module(request, [request_error/1]).
-:- use_module(library(filesex),
-              [delete_directory_and_contents/1, make_directory_path/1]).
+:- use_module(library(filesex), [delete_directory_and_contents/1]).
 :- use_module(library(http/json), [json_write_dict/3]).
 :- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(process),
@@ -47,7 +45,7 @@ one, and the journal of the document has all that was answered.
 %   What a visitor may have: waiting requests, seconds for one until it is
 %   stopped and until its session is killed, seconds of the processor for one,
 %   seconds without any, megabytes of a session, seconds until a download is
-%   fetched, files that were sent. And how many sessions there may be.
+%   fetched. And how many sessions there may be.
 
 most(waiting,  64).
 most(stopped,  60).
@@ -57,7 +55,6 @@ most(sessions, 40).
 most(idle,     1800).
 most(memory,   1000).
 most(download, 60).
-most(uploads,  20).
 
 
                 /*******************************
@@ -90,6 +87,7 @@ used_now(Visitor) :-
 
 visitor_left(Socket) :-
     retractall(socket_(Socket, _, _)),
+    retractall(heard_of_picture_(Socket)),
     forall(retract(pending_(Number, Visitor, Socket, Id, Do, Since, File)),
            assertz(pending_(Number, Visitor, none, Id, Do, Since, File))).
 
@@ -154,6 +152,13 @@ front_or_session(Front, Visitor, Socket, Id, Head, Body) :-
     (   get_dict(do, Head, "upload")
     ->  upload_ticket(Visitor, Head, Ticket),
         visitor_answered(Socket, Id, _{do:"upload", ticket:Ticket})
+    ;   get_dict(do, Head, "show")
+    ->  nothing_shown(Visitor),
+        visitor_answered(Socket, Id, _{do:"show"})
+    ;   get_dict(do, Head, "shown")
+    ->  retractall(heard_of_picture_(Socket)),
+        ( shown_(Picture, Octets) -> true ; Picture = _{}, Octets = "" ),
+        sent(Socket, Picture.put(_{id:Id, do:"shown"}), Octets)
     ;   get_dict(do, Head, Do),
         class_request(Visitor, Do, Head, Reply)
     ->  visitor_answered(Socket, Id, Reply),
@@ -186,6 +191,11 @@ asked(Front, Visitor, Socket, Id, Head, Body) :-
     question_known(Socket, Allowed0, Allowed1),
     download_begun(Head, Number, Allowed1, Allowed, File0),
     file_opened(Front, Allowed, File0, File),
+    (   Visitor == owner,
+        get_dict(shown, Head, true)
+    ->  assertz(shows_(Number))
+    ;   true
+    ),
     visitor_mutex(Visitor, Mutex),
     get_time(Now),
     with_mutex(Mutex,
@@ -282,6 +292,10 @@ routed(Visitor, Head, Body) :-
         ),
         download_ready(File, Head, Head1),
         book_kept(Do, Visitor, Head1, Head2),
+        (   retract(shows_(Number))
+        ->  shown_to_all(Head2, Body)
+        ;   true
+        ),
         sent(Socket, Head2.put(id, Id), Body),
         revision_heard(Visitor, Socket, Head)
     ),
@@ -356,6 +370,53 @@ session_gone(Visitor, Generation) :-
         told(Visitor, none, _{event:"restarted"})
     ;   true
     ).
+
+
+
+                /*******************************
+                *         SHOWN TO ALL         *
+                *******************************/
+
+% shown_(Head, Body): the picture of the owner that all others may see now.
+% shows_(Number): the reply to that request will be one. heard_of_picture_(Socket):
+% its page was told that there is another one, and has not asked for it yet: who
+% never reads holds up nobody.
+:- dynamic shown_/2, shows_/1, heard_of_picture_/1.
+
+%!  picture_shown is semidet.
+%
+%   The owner shows a picture to all.
+
+picture_shown :-
+    shown_(_, _),
+    !.
+
+%   shown_to_all(Head, Body): a reply to the owner, if it is a picture.
+
+shown_to_all(Head, Body) :-
+    (   get_dict(kind, Head, Kind),
+        memberchk(Kind, ["strokes","png"])
+    ->  retractall(shown_(_, _)),
+        del_dict(rev, Head, _, Picture),
+        assertz(shown_(Picture, Body)),
+        others_hear(true)
+    ;   true
+    ).
+
+nothing_shown(Visitor) :-
+    (   Visitor == owner
+    ->  retractall(shown_(_, _)),
+        retractall(heard_of_picture_(_)),
+        others_hear(false)
+    ;   request_error(owner_alone(show))
+    ).
+
+others_hear(Shown) :-
+    forall(( socket_(Socket, Visitor, _),
+             Visitor \== owner,
+             \+ heard_of_picture_(Socket) ),
+           ( assertz(heard_of_picture_(Socket)),
+             sent(Socket, _{event:"shown", shown:Shown}, "") )).
 
 
                 /*******************************
@@ -445,69 +506,6 @@ download_ready(file(Path,Name), Head0, Head) :-
 download_taken(Ticket, Path, Name) :-
     retract(download_(Ticket, Path, Name, _)),
     !.
-
-
-                /*******************************
-                *            UPLOADS           *
-                *******************************/
-
-% upload_(Ticket, File, Until).
-:- dynamic upload_/3.
-
-%   upload_ticket(Visitor, Head, Ticket): with Ticket the page may send the file
-%   Head.name, once.
-%
-%   @error request_error(too_many_uploads(Most))
-
-upload_ticket(Visitor, Head, Ticket) :-
-    ( get_dict(name, Head, Name) -> true ; Name = "" ),
-    upload_name(Name),
-    uploads(Visitor, Names),
-    length(Names, Length),
-    most(uploads, Most),
-    (   ( Length < Most ; memberchk(Name, Names) )
-    ->  true
-    ;   request_error(too_many_uploads(Most))
-    ),
-    visitor_folder(Visitor, Folder),
-    make_directory_path(Folder),
-    atomic_list_concat([Folder,/,Name], File),
-    new_secret(Ticket),
-    get_time(Now),
-    most(download, Seconds),
-    Until is Now+Seconds,
-    assertz(upload_(Ticket, File, Until)).
-
-visitor_folder(Visitor, Folder) :-
-    (   atom_concat('pupil ', Secret, Visitor)
-    ->  Owner = pupil(Secret)
-    ;   Owner = true
-    ),
-    upload_folder(Owner, Folder).
-
-%!  upload_taken(+Ticket:string, -File) is semidet.
-%
-%   With Ticket a page sends File; once.
-
-upload_taken(Ticket, File) :-
-    get_time(Now),
-    retract(upload_(Ticket, File, Until)),
-    Until >= Now,
-    !.
-
-%!  uploads(+Visitor, -Names) is det.
-%
-%   Names of files that Visitor sent.
-
-uploads(Visitor, Names) :-
-    visitor_folder(Visitor, Folder),
-    catch(directory_files(Folder, Files), error(_, _), Files = []),
-    findall(Name,
-            ( member(File, Files),
-              atom_string(File, Name),
-              catch(upload_name(Name), error(_, _), fail) ),
-            Names0),
-    sort(Names0, Names).
 
 
                 /*******************************

@@ -2,8 +2,8 @@
 # studio.sh -- the studio: tests/studio/front_test.py asks its front as pages do,
 # and attacks its guard; tests/studio/browser_test.py uses the page in a real
 # browser, if there is one.
-# covers: front, guard, visitor, visitor_path, page_file, model_tree, answer_name
-# covers: studio_words, visitor_answer, ask_problem
+# covers: front, guard, visitor, visitor_path, visitor_upload, page_file, model_tree
+# covers: answer_name, studio_words, visitor_answer, ask_problem
 . "$(dirname "$0")/harness.bash"
 cd "$here" || exit 2
 

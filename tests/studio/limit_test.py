@@ -1,5 +1,6 @@
 """limit_test.py PROGRAM FOLDER: line 10 of what guards the studio: how much a
-visitor may use, and that no message names a folder of this machine."""
+visitor may use, and that no message names a folder of this machine. And what a
+teacher shows to all."""
 # covers: visitor, visitor_path, process_limit
 import glob
 import http.client
@@ -152,5 +153,42 @@ for page, journals in ((front.page(), ""), (pupil("a" * 32), "class/")):
     untold("not written", reply, code(reply))
     check("it is an error", code(reply) is not None, reply[0])
     os.rmdir(journal + ".new")
+
+# ---- shown to all ----
+
+teacher, ann, ben = front.page(), pupil("a" * 32), pupil("b" * 32)
+check("who may show", (teacher.hello["shows"], ann.hello["shows"])
+      == ("all", None), (teacher.hello, ann.hello))
+teacher.ask("open", file="cube.pl")
+ben.ask("open", file="cube.pl")
+kept = ben.ask("text")[1]
+check("nothing yet", "kind" not in ann.ask("shown")[0])
+mine = teacher.ask("view", format="strokes", view=[30, 60], shown=True)
+check("all hear of it", ann.hear()[0] == ben.hear()[0]
+      == {"event": "shown", "shown": True})
+theirs = ann.ask("shown")
+check("all see it", theirs[1] == mine[1] and theirs[0]["kind"] == "strokes"
+      and "rev" not in theirs[0] and theirs[0]["sheet"] == mine[0]["sheet"],
+      theirs[0])
+for angle in range(20):
+    mine = teacher.ask("view", format="strokes", view=[angle, 60], shown=True)
+check("who does not ask is told once", ben.ask("shown")[1] == mine[1] and
+      ben.events == [], ben.events)
+ann.ask("view", format="strokes", view=[1, 1], shown=True)
+check("a pupil shows nothing", teacher.ask("tree")[0].get("do") == "tree" and
+      ann.ask("shown")[1] == mine[1])
+check("nor ends it", code(ann.ask("show")) == "request_error.owner_alone" and
+      ann.ask("shown")[1] == mine[1])
+late = pupil("c" * 32)
+check("who comes later sees it", late.hello["shows"] == "seen" and
+      late.ask("shown")[1] == mine[1], late.hello)
+check("it changes nothing of theirs", ben.ask("text")[1] == kept)
+teacher.ask("view", format="strokes", view=[2, 2])
+check("other pictures are the teacher's", ben.ask("shown")[1] == mine[1])
+ben.events.clear()
+teacher.ask("show")
+check("no more", ben.hear()[0] == {"event": "shown", "shown": False} and
+      "kind" not in ben.ask("shown")[0] and
+      pupil("d" * 32).hello["shows"] is None)
 front.end()
 checks.finish()
