@@ -142,19 +142,20 @@ const folded = {
 };
 
 // What the teacher shows to all.
-const shown = {
+const taught = {
   alone: true,
   fits: "frame",
   ask: async (port) => {
     const reply = await port.studio.wire.ask("shown");
     if (!reply.head.kind) throw new Lost("none");
+    port.said = w("taught");
     return reply;
   },
 };
 
 const KIND = { iso: { ...view, turns: true }, front: view, top: view, right: view, left: view, back: view,
-  bottom: view, unfold, folded, section, shaded, sheet, apart, shown, problem: { fits: "frame", alone: true, ask: posed } };
+  bottom: view, unfold, folded, section, shaded, sheet, apart, taught, problem: { fits: "frame", alone: true, ask: posed } };
 
-// `problem` is chosen with a problem, `shown` by the teacher, not in the port.
+// `problem` is chosen with a problem, `taught` by the teacher, not in the port.
 export const KINDS = Object.keys(KIND).filter((name) => !KIND[name].alone);
 export const kindOf = (name) => KIND[name] || KIND.iso;

@@ -188,6 +188,7 @@ class Studio {
     this.tree.draw();
     this.ports.refresh();
     this.problems.reworded();
+    if (this.ready && this.pane === "rules") this.rules.refresh().catch((error) => this.failed(error));
     this.state();
     this.why.show(this.names || [], this.from);
   }
@@ -228,18 +229,18 @@ class Studio {
   // The teacher shows a picture to all, or does no more.
   taught(on) {
     const [port] = this.ports.ports;
-    if (on && port.kind === "shown") {
+    if (on && port.kind === "taught") {
       port.refresh();
       return;
     }
-    if (on === (port.kind === "shown")) return;
+    if (on === (port.kind === "taught")) return;
     const { activeElement } = document;
     if (on) this.own = port.kind;
-    port.turnTo(on ? "shown" : this.own);
+    port.turnTo(on ? "taught" : this.own);
     if (port.element.classList.contains("alone") !== on) this.ports.enlarge(port);
     if (on) {
       this.paneTo("ports");
-      say(w("shown"));
+      say(w("taught"));
     }
     activeElement?.focus();
   }

@@ -261,8 +261,8 @@ export class Rules extends Editor {
     const { head, body } = await this.studio.wire.ask("rules");
     this.field.value = textOf(body);
     this.field.readOnly = !this.studio.owner || !this.studio.isText;
-    this.decisions.replaceChildren(...head.decisions.map(({ decision, doc, by }) =>
-      h("li", { class: by, title: doc }, h("code", {}, decision), " ", doc)));
+    this.decisions.replaceChildren(...head.decisions.map(({ decision, words, by }) =>
+      h("li", { class: by, title: words[tongue()] }, h("code", {}, decision), " ", words[tongue()])));
   }
 
   async done() {

@@ -260,7 +260,7 @@ class Port {
       this.pixel(event);
       return;
     }
-    if (this.kind === "shown") return;
+    if (this.kind === "taught") return;
     const found = this.near(event, event.pointerType === "touch" ? 22 : 9);
     this.studio.chosen(found ? [found.name] : [], this, found && found.role);
   }
@@ -274,7 +274,7 @@ class Port {
   }
 
   doubled(event) {
-    const found = this.kind !== "shown" && this.near(event);
+    const found = this.kind !== "taught" && this.near(event);
     if (found) this.studio.askAbout(found.name);
     else this.fit();
   }

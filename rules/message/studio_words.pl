@@ -28,7 +28,7 @@ studio_word(export, 'Export', '내보내기').
 studio_word(open, 'Open', '열기').
 studio_word(upload, 'A file of this computer …', '이 컴퓨터의 파일 …').
 studio_word(show_all, 'Show to all', '모두에게 보이기').
-studio_word(shown, 'shown by the teacher', '선생님이 보여 줌').
+studio_word(taught, 'shown by the teacher', '선생님이 보여 줌').
 studio_word(language, '한국어', 'English').
 studio_word(tree, 'Tree', '트리').
 studio_word(form, 'Sizes', '치수').

@@ -3,6 +3,7 @@
           ]).
 :- use_module('../decision', [decision/4]).
 :- use_module('../kernel', [reader_gone/1, stdio_apart/2]).
+:- use_module('../message/decision_ko', [decision_ko/2]).
 :- use_module('../message/message_object', [message_object/3, objects_heard/2]).
 :- use_module('../progress', [with_progress_told/3]).
 :- use_module('../spelling', [near_words/3]).
@@ -591,8 +592,8 @@ rules_told(_{decisions:Decisions, tried:Tried}, Octets) :-
     document_rules(Rules, Tried),
     document_world(World),
     in_world(World,
-             findall(_{decision:Name, doc:Doc, by:By},
-                     ( decision(PI, Doc, _, By0),
+             findall(_{decision:Name, words:_{en:Doc, ko:Ko}, by:By},
+                     ( decision(PI, Doc, _, By0), decision_ko(PI, Ko),
                        format(string(Name), "~w", [PI]),
                        atom_string(By0, By) ),
                      Decisions)),

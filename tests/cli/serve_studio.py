@@ -427,7 +427,12 @@ begun = rev()
 head, octets = s.ask("rules")
 check("decisions", octets == b"" and head["tried"] is False and
       len(head["decisions"]) > 10 and
-      all(d["by"] == "default" for d in head["decisions"]), head)
+      all(d["by"] == "default" and d["words"]["en"] != d["words"]["ko"]
+          for d in head["decisions"]), head)
+missing = alone("query", "facts/cube.pl",
+                "sg_decision:decision(D, _, _, _), \\+ sg_decision_ko:ko(D, _)")
+check("each decision has its Korean", missing[0] == 1 and missing[1] == b"",
+      missing)
 refused("not the owner", "request_error.owner_alone", "owner", "rules", RULES)
 refused("nothing to keep", "request_error.nothing_tried", "Try", "rules",
         keep=True, owner=True)

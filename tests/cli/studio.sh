@@ -24,6 +24,8 @@ asked limit_test.py
 asked kill_test.py
 if command -v chromedriver >/dev/null && command -v chromium >/dev/null; then
   asked browser_test.py
+  asked kill_browser_test.py
+  asked matrix_test.py
 else
   echo 'skipped: the page in a browser: chromium, chromium-driver are not there'
 fi
