@@ -64,6 +64,12 @@ zeroes(void)
     }
   }
   CHECK("what is new is zeros, what was there stays", good);
+
+  size_t before = room;
+
+  CHECK("too much of zeros",
+        !sg_list_need_zeroed(&bit, SIZE_MAX / 2, &room, sizeof *bit));
+  CHECK("changes nothing", room == before && bit[room - 1] == 1);
   sg_list_trim(&bit, 10, &room, sizeof *bit);
   CHECK("trimmed", room == 10 && bit[9] == 1);
   sg_list_trim(&bit, 20, &room, sizeof *bit);
