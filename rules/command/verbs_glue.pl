@@ -20,8 +20,8 @@
               [unglue/1, glue_report/2, glue_misses/2]).
 :- use_module('../solid/glue_contact', [contact/4, contact_counts/2]).
 :- use_module('../store',
-              [ v/5, segment/3, region/3, assert_fact/1, facts_snapshot/1,
-                facts_transaction/1 ]).
+              [ v/5, segment/3, region/3, from_r/4, assert_fact/1,
+                facts_snapshot/1, facts_transaction/1 ]).
 :- use_module(solid_verbs, [operands_loaded/4, operands_evaluated/2]).
 :- use_module(verb_output,
               [ some_files/2, outputs/3, some_outputs/1, no_model_replaced/2,
@@ -133,11 +133,22 @@ mended(S0, part(_,_,_,_,_,_,_,Defects), What, N) :-
 %!  glue_misses_told is det.
 %
 %   Notices of where operands of the glues that are roots come near each other
-%   and were not glued: of three pairs each, and how many more.
+%   and were not glued: of three pairs each, and how many more; and warnings of
+%   those that overlap.
 
 glue_misses_told :-
     forall(( root_segment(S), node(S, glue, _, _) ),
-           misses_told(S)).
+           ( overlaps_warned(S),
+             misses_told(S) )).
+
+overlaps_warned(S) :-
+    (   from_r(S, R, S1, _),
+        from_r(S, R, S2, _),
+        S1 < S2
+    ->  glue_report(S, Report),
+        forall(member(Region, Report.regions), overlap_warned(S, Region))
+    ;   true
+    ).
 
 misses_told(S) :-
     glue_misses(S, Misses),

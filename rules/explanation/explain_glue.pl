@@ -12,7 +12,8 @@
 :- use_module('../solid/glue', [glue_report/2]).
 :- use_module('../store',
               [ v/5, e/5, p/3, plane/6, segment/3, from_v/4, from_p/5,
-                from_r/4, region/3, sides/4, lies_in/3, edge_polygon/3 ]).
+                from_r/4, origin/3, gluing/2, region/3, sides/4, lies_in/3,
+                edge_polygon/3 ]).
 :- use_module(library(lists), [append/2, append/3, member/2, nth1/3]).
 /** <module> Explain: what was glued, what a region is, and why two faces were
 not glued (NG-1 to NG-7).
@@ -209,6 +210,18 @@ facet(S-What, S, P) :-
     integer(P).
 
 %   apart(S, Facet1, Facet2, Fact) is nondet: how they lie.
+
+apart(S, S1-P1, S2-P2, kept_apart(By)) :-
+    from_p(S, P, S1, P1, _),
+    from_p(S, Q, S2, P2, _),
+    once(( origin(S, p(Q), slit(P)) ; origin(S, p(P), slit(Q)) )),
+    !,
+    (   gluing(S, Wish),
+        Wish \= glued(_, _),
+        Wish \= dissolve(_, _)
+    ->  format(atom(By), '~q', [gluing(S, Wish)])
+    ;   By = 'may_glue/3'
+    ).
 
 apart(S, S1-P1, S2-P2, in_common(Vs)) :-
     facet_vertices(S, S1, P1, Vs1),

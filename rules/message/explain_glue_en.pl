@@ -95,6 +95,8 @@ glue_statement_en(is_glued(S1, P1, S2, P2)) -->
 glue_statement_en(not_glued(S1, P1, S2, P2)) -->
     pair_en(S1, P1, S2, P2),
     [ ' have no face in common' ].
+glue_statement_en(kept_apart(By)) -->
+    [ 'they lie on each other, and are kept apart by ~w'-[By] ].
 glue_statement_en(in_common(Vs)) -->
     { atomic_list_concat(Vs, ', ', List), length(Vs, N) },
     (   { N =:= 1 }

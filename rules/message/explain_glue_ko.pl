@@ -95,6 +95,8 @@ glue_statement_ko(is_glued(S1, P1, S2, P2)) -->
 glue_statement_ko(not_glued(S1, P1, S2, P2)) -->
     pair_ko(S1, P1, S2, P2),
     [ '은 함께 가진 면이 없다' ].
+glue_statement_ko(kept_apart(By)) -->
+    [ '서로 포개져 있으나 ~w에 따라 떨어져 있다'-[By] ].
 glue_statement_ko(in_common(Vs)) -->
     { atomic_list_concat(Vs, ', ', List) },
     [ '붙인 모델의 꼭짓점 ~w번을 함께 가진다'-[List] ].

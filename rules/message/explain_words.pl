@@ -203,6 +203,7 @@ statement_keys(laminar, [polygon]).
 statement_keys(wire_in, [edge]).
 statement_keys(is_glued, [segment1, polygon1, segment2, polygon2]).
 statement_keys(not_glued, [segment1, polygon1, segment2, polygon2]).
+statement_keys(kept_apart, [by]).
 statement_keys(in_common, [vertices]).
 statement_keys(gap, [distance, point1, point2]).
 statement_keys(plane_angle, [angle]).
