@@ -121,6 +121,7 @@ said(laminar(4)).
 said(wire_in(4)).
 said(is_glued(1,2,2,1)).
 said(not_glued(1,2,2,1)).
+said(kept_apart('may_glue/3')).
 said(in_common([3])).
 said(in_common([3,4])).
 said(gap(0.0,point(0.0,0.0,1.0),point(0.0,0.0,1.0))).
