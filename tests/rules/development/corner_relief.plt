@@ -277,9 +277,9 @@ deep(XA-YA, XB-YB, XC-YC) :-
     Area is abs((XB-XA)*(YC-YA) - (YB-YA)*(XC-XA)),
     Area*Area > 9*((XB-XA)**2 + (YB-YA)**2).
 
-%   Many bends that end in one place, as those round the corners of a square that
-%   becomes round, do not make the outline cross itself, whether it is closed or
-%   not.
+%   Many bends that end in one place, as those round the corners of a square
+%   that becomes round, do not make the outline cross itself, whether it is
+%   closed or not.
 
 fan(open_transition(base(rectangle(120,80)), top(circle(30)), height(70),
                     shift(15,-5))).
