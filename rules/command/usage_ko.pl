@@ -31,6 +31,7 @@ option_ko(class, '학생들이 코드로 들어온다 (코드를 출력한다). 
                   세션을 하나씩 가진다').
 option_ko(problems, '학생들이 페이지에서 푸는 수업의 문제 (docs/problems.md). \c
                      --class와 같이 들어온다').
+option_ko(embed, '이 페이지를 틀 안에 보일 수 있는 출처. 보기: https://h.example').
 option_ko(behind, '프록시가 페이지를 보이는 주소. 보기: https://h.example/sanggwan/').
 option_ko(open, '이 데스크톱의 브라우저에서 페이지를 연다 (기본)').
 option_ko(output, '결과 파일. 확장자가 형식을 정하며 여러 번 쓸 수 있다').

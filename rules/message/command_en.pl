@@ -78,6 +78,9 @@ command_en(host_needs_class(Host)) -->
 command_en(behind(URL)) -->
     [ '--behind ~w is no address of a page'-[URL], nl,
       '  Write it as people see it, like https://h.example/sanggwan/.' ].
+command_en(embed(URL)) -->
+    [ '--embed ~w is no origin of pages'-[URL], nl,
+      '  Write it without a path, like https://h.example.' ].
 command_en(no_address(Host)) -->
     [ 'this machine has no address ~p to listen at'-[Host], nl,
       '  Leave --host out: only this machine can reach it then.' ].

@@ -83,6 +83,9 @@ command_ko(host_needs_class(Host)) -->
 command_ko(behind(URL)) -->
     [ '--behind ~w: 페이지의 주소가 아닙니다'-[URL], nl,
       '  사람들이 보는 대로 쓰십시오. 보기: https://h.example/sanggwan/' ].
+command_ko(embed(URL)) -->
+    [ '--embed ~w: 페이지의 출처가 아닙니다'-[URL], nl,
+      '  경로 없이 쓰십시오. 보기: https://h.example' ].
 command_ko(no_address(Host)) -->
     [ '이 컴퓨터에는 ~p 주소가 없습니다'-[Host], nl,
       '  --host를 빼십시오. 그러면 이 컴퓨터에서만 열 수 있습니다.' ].

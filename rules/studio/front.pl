@@ -5,7 +5,7 @@
 :- use_module('../version', [version/1]).
 :- use_module(visitor_answer, [class_begun/1, class_file/1, class_pupil/2]).
 :- use_module(guard,
-              [ behind_begun/1, host_allowed/2, is_loopback/1, new_secret/1,
+              [ behind_begun/1, embed_begun/1, host_allowed/2, is_loopback/1, new_secret/1,
                 origin_allowed/2, pupil_secret/1, same_secret/2,
                 security_header/2 ]).
 :- use_module(page_file, [page_file/3, page_words/1]).
@@ -46,7 +46,7 @@ usual_port(1989).
 %   Serve the studio until it is interrupted, which is raised. Model is the
 %   file that pages show first, or `none`. Options are those of the verb serve:
 %   port(N), host(Address), class(Boolean), problems(File), behind(URL),
-%   open(Boolean).
+%   embed(Origin), open(Boolean).
 %
 %   @error usage_error(port_taken(Port)), usage_error(no_address(Host)),
 %   usage_error(host_needs_class(Host))
@@ -66,6 +66,8 @@ front(Model, Options, 130) :-
     ),
     option(behind(Behind), Options, none),
     behind_begun(Behind),
+    option(embed(Embed), Options, none),
+    embed_begun(Embed),
     (   ( is_loopback(Host) ; Class == true ; Behind \== none )
     ->  true
     ;   throw(error(usage_error(host_needs_class(Host)), _))

@@ -2,6 +2,7 @@
           [ host_allowed/2,             % +Request, +Front
             origin_allowed/2,           % +Request, +Front
             behind_begun/1,             % +URL
+            embed_begun/1,              % +URL
             is_loopback/1,              % +Address
             same_secret/2,              % +Given, +Token
             new_secret/1,               % -Token
@@ -34,8 +35,9 @@ get there.
                 *******************************/
 
 % behind_(Place, Origin): a proxy has the page of this front at Place, host and
-% port, and Origin is that of pages there.
-:- dynamic behind_/2.
+% port, and Origin is that of pages there. embed_(Origin): pages of it show this
+% one.
+:- dynamic behind_/2, embed_/1.
 
 %!  behind_begun(+URL) is det.
 %
@@ -48,18 +50,42 @@ behind_begun(URL) :-
     retractall(behind_(_, _)),
     (   URL == none
     ->  true
-    ;   member(Scheme-Port, ['https://'-443,'http://'-80]),
-        atom_concat(Scheme, Rest, URL),
-        atomic_list_concat([Place0|_], /, Rest),
-        place_of(Place0, Port, Host, Given),
-        atom_chars(Host, Chars),
-        Chars \== [],
-        forall(member(Char, Chars),
-               ( char_type(Char, csym) ; memberchk(Char, [.,-]) ))
-    ->  downcase_atom(Place0, Place),
-        atom_concat(Scheme, Place, Origin),
-        assertz(behind_(Host-Given, Origin))
+    ;   page_origin(URL, Place, Origin, _)
+    ->  assertz(behind_(Place, Origin))
     ;   throw(error(usage_error(behind(URL)), _))
+    ).
+
+%   page_origin(URL, Place, Origin, Path) is semidet: of a page; Path are the
+%   names after the host.
+
+page_origin(URL, Host-Given, Origin, Path) :-
+    member(Scheme-Port, ['https://'-443,'http://'-80]),
+    atom_concat(Scheme, Rest, URL),
+    !,
+    atomic_list_concat([Place0|Path], /, Rest),
+    place_of(Place0, Port, Host, Given),
+    atom_codes(Host, Codes),
+    Codes \== [],
+    forall(member(Code, Codes),
+           ( Code < 128, ( code_type(Code, csym) ; memberchk(Code, `.-`) ) )),
+    downcase_atom(Place0, Place),
+    atom_concat(Scheme, Place, Origin).
+
+%!  embed_begun(+URL) is det.
+%
+%   Pages of the origin URL, as https://host, may show this one in a frame; none
+%   may, if URL is `none`.
+%
+%   @error usage_error(embed(URL))
+
+embed_begun(URL) :-
+    retractall(embed_(_)),
+    (   URL == none
+    ->  true
+    ;   page_origin(URL, _, Origin, Path),
+        memberchk(Path, [[],['']])
+    ->  assertz(embed_(Origin))
+    ;   throw(error(usage_error(embed(URL)), _))
     ).
 
 %   place_of(Place, Usual, Host, Port)
@@ -202,12 +228,14 @@ pupil_secret(Secret) :-
 %!  security_header(?Name, ?Value) is nondet.
 %
 %   Every reply has these: the page runs nothing but its own files, speaks with
-%   nobody else, and stands in no frame of another.
+%   nobody else, and stands in no frame of another that may not embed it.
 
-security_header('Content-Security-Policy',
-    'default-src \'none\'; script-src \'self\'; style-src \'self\'; \c
-     img-src \'self\' blob:; connect-src \'self\'; base-uri \'none\'; \c
-     form-action \'none\'; frame-ancestors \'none\'').
+security_header('Content-Security-Policy', Policy) :-
+    ( embed_(Frames) -> true ; Frames = '\'none\'' ),
+    atom_concat('default-src \'none\'; script-src \'self\'; \c
+        style-src \'self\'; img-src \'self\' blob:; \c
+        connect-src \'self\'; base-uri \'none\'; form-action \'none\'; \c
+        frame-ancestors ', Frames, Policy).
 security_header('X-Content-Type-Options', nosniff).
 security_header('Referrer-Policy', 'no-referrer').
 security_header('Cross-Origin-Resource-Policy', 'same-origin').

@@ -7,13 +7,14 @@ import http.client
 import json
 import math
 import os
+import subprocess
 import sys
 import time
 
 sys.path[:0] = [os.path.dirname(os.path.abspath(__file__)),
                 os.path.join(os.path.dirname(os.path.abspath(__file__)),
                              "../cli")]
-from front import Front  # noqa: E402
+from front import Front, Refused  # noqa: E402
 from session import Checks  # noqa: E402
 
 program, folder = sys.argv[1:3]
@@ -153,6 +154,33 @@ for page, journals in ((front.page(), ""), (pupil("a" * 32), "class/")):
     untold("not written", reply, code(reply))
     check("it is an error", code(reply) is not None, reply[0])
     os.rmdir(journal + ".new")
+
+# ---- whose frames it may stand in ----
+
+def policy():
+    return front.get("/")[1]["Content-Security-Policy"]
+
+
+check("no frames", policy().endswith("; frame-ancestors 'none'"), policy())
+for origin in ("h.example", "https://", "https://a b", "https://a;b", "*",
+               "https://h.example/x", "https://h.example:x", "https://*.a",
+               "https://h.example\r\nX: y", "https://\u0435.example"):
+    done = subprocess.run([program, "serve", "cube.pl", "--no-open", "--embed",
+                           origin], cwd=models, env=env, check=False,
+                          capture_output=True, timeout=20)
+    check("embed %r" % origin, done.returncode == 2 and b"--embed" in
+          done.stderr and done.stdout == b"", done)
+front.end()
+front = started("--embed", "https://H.example:8443/")
+check("frames of one origin", policy().endswith(
+    "; frame-ancestors https://h.example:8443") and policy().startswith(
+        "default-src 'none'; script-src 'self'"), policy())
+check("it opens no socket for that", front.page().hello["owner"] is True)
+try:
+    front.socket(Origin="https://h.example:8443")
+    check("no socket of that page", False)
+except Refused as error:
+    check("no socket of that page", error.args == (403,), error.args)
 
 # ---- shown to all ----
 
