@@ -39,6 +39,7 @@ unsaid(session_en, session_en(open_to_others(_,_))).
 unsaid(session_en, session_en(behind(_,_,_))).
 unsaid(session_en, session_en(owner_alone(save))).
 unsaid(session_en, session_en(owner_alone(class))).
+unsaid(session_en, session_en(owner_alone(show))).
 unsaid(session_en, session_en(no_class)).
 unsaid(session_en, session_en(not_in_class)).
 unsaid(session_en, session_en(too_many_sessions(_))).
