@@ -2,12 +2,21 @@
 
        bench/gluing.pl [N...]
 
-   N^3 unit cubes that fill a larger one, in place and turned; seconds of the
-   processor for the glue alone, without making the cubes. The same cubes as a
-   soup of faces without operands: seconds for the regions, and microseconds for
+   N^3 unit cubes that fill a larger one: seconds of the processor for the
+   glue, without making the cubes, in place and turned; the exponent of the
+   first from the size before; and how much higher the peak of memory is, in
+   bytes a cube. Then milliseconds for one cube more (asserted, and evaluated
+   again), undo of that, and unglue. The same cubes as a soup of faces without
+   operands: seconds for the regions, their exponent, and microseconds for
    each of all answers about neighbours. Then the regions of a book of pages at
    one edge.
 */
+:- use_module(library(apply)).
+:- use_module(library(lists)).
+:- use_module(library(process)).
+:- use_module(library(readutil)).
+:- use_module(library(yall)).
+:- use_module('../rules/csg/csg', [complete_tree/2]).
 :- use_module('../rules/sanggwan').
 :- use_module('../rules/gluing/regions').
 :- use_module('../rules/polygon/triangulation').
@@ -17,32 +26,58 @@
 
 main :-
     current_prolog_flag(argv, Words),
-    (   Words == []
-    ->  Sizes = [5,10,22]
-    ;   maplist(atom_number, Words, Sizes)
-    ),
-    format("~w~t~8|~w~t~10+~w~n", [cubes,glue,turned]),
-    forall(member(N, Sizes), cubes_told(N)),
+    (   Words = [peak,N,What]
+    ->  atom_number(N, Number),
+        peak_told(Number, What)
+    ;   Words == []
+    ->  told([5,10,22,46])
+    ;   maplist(atom_number, Words, Sizes),
+        told(Sizes)
+    ).
+
+told(Sizes) :-
+    table([cubes,glue,exponent,turned,bytes,more,undo,unglue]),
+    foldl(cubes_told, Sizes, none, _),
     last(Sizes, Most),
-    Larger is round(1.82*Most),
-    format("~n~w~t~8|~w~t~10+~w~t~10+~w~n", [cells,faces,regions,answer]),
-    forall(( member(N, Sizes) ; N = Larger ), soup_told(N)),
-    format("~n~w~t~8|~w~n", [pages,seconds]),
+    Larger is round(1.4*Most),
+    append(Sizes, [Larger], Soups),
+    nl,
+    table([cells,faces,regions,exponent,answer]),
+    foldl(soup_told, Soups, none, _),
+    nl,
+    table([pages,seconds]),
     forall(member(K, [10,100,1000]), book_told(K)).
 
-cubes_told(N) :-
+table([First|Others]) :-
+    findall("~t~w~10+", member(_, Others), Columns),
+    atomic_list_concat(['~w~t~8|'|Columns], Format),
+    format(Format, [First|Others]),
+    nl.
+
+cubes_told(N, Before, Cubes-Glue) :-
     Cubes is N**3,
-    in_world(glued(N, [], Glue)),
-    in_world(glued(N, [rotate(axis(1,2,3),17.3)], Turned)),
-    format("~d~t~8|~w~t~10+~w~n", [Cubes,Glue,Turned]).
+    in_new_world(glued(N, [], Glue, [More,Undo,Unglue])),
+    in_new_world(glued(N, [rotate(axis(1,2,3),17.3)], Turned, _)),
+    maplist(peak(N), [cubes,glue], [Without,With]),
+    Bytes is round((With-Without)/Cubes),
+    exponent(Before, Cubes-Glue, Exponent),
+    table([Cubes,Glue,Exponent,Turned,Bytes,More,Undo,Unglue]).
 
-soup_told(N) :-
+soup_told(N, Before, Cells-Seconds) :-
     Cells is N**3,
-    in_world(soup(N, Seconds, Faces, Each)),
-    format("~d~t~8|~d~t~10+~w~t~10+~w~n", [Cells,Faces,Seconds,Each]).
+    in_new_world(soup(N, Seconds, Faces, Each)),
+    exponent(Before, Cells-Seconds, Exponent),
+    table([Cells,Faces,Seconds,Exponent,Each]).
 
-in_world(Goal) :-
-    facts_snapshot(( retractall_facts(segment(_, _, _)), Goal )).
+exponent(none, _, -).
+exponent(N0-T0, N-T, Exponent) :-
+    Exponent is round(log(T/T0)/log(N/N0)*100)/100.
+
+:- meta_predicate in_new_world(0), timed(0, -).
+
+in_new_world(Goal) :-
+    new_world(World),
+    in_world(World, Goal).
 
 timed(Goal, Seconds) :-
     garbage_collect,
@@ -51,19 +86,82 @@ timed(Goal, Seconds) :-
     statistics(cputime, T1),
     Seconds is round((T1-T0)*10000)/10000.
 
-glued(N, Steps, Seconds) :-
+milliseconds(Goal, Milliseconds) :-
+    timed(Goal, Seconds),
+    Milliseconds is round(Seconds*10000)/10.
+
+%   peak(N, What, Bytes): the most memory of a process of its own that makes
+%   the cubes, and glues them if What is `glue`.
+
+peak(N, What, Bytes) :-
+    once(file_search_path(foreign, Build)),
+    current_prolog_flag(executable, Swipl),
+    source_file(main, Script),
+    format(string(Foreign), "foreign=~w", [Build]),
+    setup_call_cleanup(
+        process_create(Swipl, ['-p',Foreign,Script,'--',peak,N,What],
+                       [stdout(pipe(Out))]),
+        read_term(Out, Bytes, []),
+        close(Out)).
+
+peak_told(N, What) :-
+    cubes_made(N, [], S),
+    (   What == glue
+    ->  evaluate(S)
+    ;   true
+    ),
+    read_file_to_string('/proc/self/status', Text, []),
+    split_string(Text, "\n", "", Lines),
+    member(Line, Lines),
+    split_string(Line, "\t ", "\t ", ["VmHWM:"|Words]),
+    member(Word, Words),
+    number_string(KiB, Word),
+    !,
+    Bytes is KiB*1024,
+    format("~d.~n", [Bytes]).
+
+cube(Steps, X-Y-Z, at([translate(X,Y,Z)|Steps], box(size(1,1,1)))).
+
+%   cubes_made(N, Steps, S): S is the glue of them, which is not made yet.
+
+cubes_made(N, Steps, S) :-
     M is N-1,
-    findall(at([translate(X,Y,Z)|Steps], box(size(1,1,1))),
-            ( between(0, M, X), between(0, M, Y), between(0, M, Z) ), Terms),
-    foldl([Term,S,S1]>>( assert_fact(segment(S, solid, Term)), S1 is S+1 ),
-          Terms, 1, Last),
-    complete_segments,
-    Most is Last-1,
-    numlist(1, Most, Ss),
-    assert_fact(segment(Last, cells, glue(Ss))),
-    timed(evaluate(Last), Seconds).
+    findall(Term,
+            ( between(0, M, X), between(0, M, Y), between(0, M, Z),
+              cube(Steps, X-Y-Z, Term) ),
+            Terms),
+    foldl([Term,K,K1]>>( assert_fact(segment(K, solid, Term)), K1 is K+1 ),
+          Terms, 1, S),
+    Cubes is S-1,
+    numlist(1, Cubes, Ss),
+    assert_fact(segment(S, cells, glue(Ss))),
+    facts_transaction(( complete_tree([S], Incomplete),
+                        complete_segments(Incomplete) )).
+
+glued(N, Steps, Seconds, [More,Undo,Unglue]) :-
+    cubes_made(N, Steps, S),
+    timed(evaluate(S), Seconds),
+    cube(Steps, N-0-0, Term),
+    milliseconds(one_more(S, Term), More),
+    milliseconds(facts_undo, Undo),
+    milliseconds(unglue(S), Unglue).
+
+one_more(S, Term) :-
+    N is S+1,
+    segment(S, cells, glue(Ss)),
+    append(Ss, [N], All),
+    facts_transaction(( assert_fact(segment(N, solid, Term)),
+                        retractall_facts(segment(S, _, _)),
+                        assert_fact(segment(S, cells, glue(All))),
+                        evaluate(S) )).
 
 soup(N, Seconds, Faces, Each) :-
+    facts_transaction(soup_made(N, Faces)),
+    timed(regions_made(1, _), Seconds),
+    timed(aggregate_all(count, region_neighbour(1, _, _, _), Answers), Asked),
+    Each is round(Asked/max(1, Answers)*1000000000)/1000.
+
+soup_made(N, Faces) :-
     assert_fact(segment(1, cells, soup)),
     M is N+1,
     forall(( between(0, N, X), between(0, N, Y), between(0, N, Z) ),
@@ -71,10 +169,7 @@ soup(N, Seconds, Faces, Each) :-
     findall(Face, face(N, M, Face), All),
     foldl(face_written, All, 1-1, _),
     complete_segments,
-    length(All, Faces),
-    timed(regions_made(1, _), Seconds),
-    timed(aggregate_all(count, region_neighbour(1, _, _, _), Answers), Asked),
-    Each is round(Asked/max(1, Answers)*1000000000)/1000.
+    length(All, Faces).
 
 number(M, X, Y, Z, V) :-
     V is (X*M+Y)*M+Z+1.
@@ -105,8 +200,8 @@ face_written([A,B,C,D], E-P, E4-P1) :-
     P1 is P+1.
 
 book_told(K) :-
-    in_world(book(K, Seconds)),
-    format("~d~t~8|~w~n", [K,Seconds]).
+    in_new_world(book(K, Seconds)),
+    table([K,Seconds]).
 
 book(K, Seconds) :-
     assert_fact(segment(1, surface, book)),
