@@ -8,8 +8,8 @@
    bytes a cube. Then milliseconds for one cube more (asserted, and evaluated
    again), undo of that, and unglue. The same cubes as a soup of faces without
    operands: seconds for the regions, their exponent, and microseconds for
-   each of all answers about neighbours. Then the regions of a book of pages at
-   one edge.
+   each of all answers about neighbours. Then the regions of a book of pages
+   at one edge.
 */
 :- use_module(library(apply)).
 :- use_module(library(lists)).
