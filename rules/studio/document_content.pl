@@ -22,8 +22,8 @@ What the model of a text is does not depend on the way to it, so a text that
 comes again, as undo brings it, finds its world again.
 */
 
-% content_(Key, Text, Rules): Rules "" are none. kept_world(Key, World): the last
-% used one comes last.
+% content_(Key, Text, Rules): Rules "" are none. kept_world(Key, World): the
+% last used one comes last.
 :- dynamic content_/3, kept_world/2.
 
 %   most_worlds(N), most_contents(N): kept to go back to.
@@ -77,8 +77,8 @@ contents_swept(state(Now, Past, Future)) :-
 %!  model_world(+Kind, +File, +Key, -World, -Objects) is det.
 %
 %   World holds the model that is in File, if Kind is `other`, or else that of
-%   the text with this Key, by its rules. Objects are the messages of loading, []
-%   if it is there already.
+%   the text with this Key, by its rules. Objects are the messages of loading,
+%   [] if it is there already.
 %
 %   @error model_error(What)
 

@@ -5,8 +5,8 @@
 :- use_module('../version', [version/1]).
 :- use_module(visitor_answer, [class_begun/1, class_file/1, class_pupil/2]).
 :- use_module(guard,
-              [ behind_begun/1, embed_begun/1, host_allowed/2, is_loopback/1, new_secret/1,
-                origin_allowed/2, pupil_secret/1, same_secret/2,
+              [ behind_begun/1, embed_begun/1, host_allowed/2, is_loopback/1,
+                new_secret/1, origin_allowed/2, pupil_secret/1, same_secret/2,
                 security_header/2 ]).
 :- use_module(page_file, [page_file/3, page_words/1]).
 :- use_module(visitor,
@@ -429,8 +429,8 @@ welcomed(Socket, Visitor, front(_,_,Folder,Owner0), Model, Revision, Head) :-
                         owner:Owner, models:Models, uploads:Uploads,
                         class:Class, shows:Shows }).
 
-%   may_show(Visitor, Shows): the owner of a class may show pictures to all; they
-%   see what he shows.
+%   may_show(Visitor, Shows): the owner of a class may show pictures to all;
+%   they see what he shows.
 
 may_show(Visitor, Shows) :-
     (   Visitor == owner,

@@ -378,9 +378,9 @@ session_gone(Visitor, Generation) :-
                 *******************************/
 
 % shown_(Head, Body): the picture of the owner that all others may see now.
-% shows_(Number): the reply to that request will be one. heard_of_picture_(Socket):
-% its page was told that there is another one, and has not asked for it yet: who
-% never reads holds up nobody.
+% shows_(Number): the reply to that request will be one.
+% heard_of_picture_(Socket): its page was told that there is another one, and
+% has not asked for it yet: who never reads holds up nobody.
 :- dynamic shown_/2, shows_/1, heard_of_picture_/1.
 
 %!  picture_shown is semidet.

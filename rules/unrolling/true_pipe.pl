@@ -9,7 +9,7 @@
           ]).
 :- use_module('../near', [is_exactly/2]).
 :- use_module(library(apply), [foldl/4, maplist/3, maplist/4]).
-:- use_module(library(lists), [append/2, member/2, min_list/2]).
+:- use_module(library(lists), [append/2, append/3, member/2, min_list/2]).
 /** <module> Where generators of a cylinder or cone go through a convex solid.
 
 The generator at T is a line; a cylinder, a cone, a sphere or a hemisphere with

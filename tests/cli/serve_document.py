@@ -1,6 +1,7 @@
 """serve_document.py PROGRAM FOLDER: the document of a session: pictures and
 explanations are those of the command line, questions have limits, changes go
 into the text and into the journal, and kill -9 loses nothing."""
+# covers: document_content, document_journal, document_step
 import os
 import random
 import struct

@@ -1,7 +1,7 @@
 """serve_studio.py PROGRAM FOLDER: what a studio asks of a session: strokes,
 selections, patterns, wishes, rules that are tried, words, progress."""
 # covers: complete, line_change, pen_plan, picture_cut, port_cut, seen_stroke,
-# covers: select, verb_session, world_state
+# covers: decision_ko, select, verb_session, world_state
 import json
 import os
 import struct
