@@ -5,6 +5,14 @@
 #include <math.h>
 #include <string.h>
 
+/* Whether it is the side where the gradient comes towards the eye: by signs, for
+ * where it is seen edge-on the gradient itself says what rounding left. */
+static bool
+faces_eye(const sg_shading_quadric *s, int sense)
+{
+  return (sense > 0) == (s->q[2] > 0);
+}
+
 static double
 quadric_depth(const sg_shading_quadric *s, int sense, double x, double y)
 {
@@ -15,7 +23,7 @@ quadric_depth(const sg_shading_quadric *s, int sense, double x, double y)
   double root = square > 0 ? sqrt(square) : 0.0;
 
   /* the side that is nearer, or the other one; without cancelling */
-  bool same = (sense > 0) == (a > 0);
+  bool same = faces_eye(s, sense);
   double big = same ? -b - root : -b + root;
   double other = same ? -b + root : -b - root;
 
@@ -86,7 +94,7 @@ sg_shading_point(const sg_shading *scene, const sg_span *span, double x,
   p[2] = quadric_depth(quadric, span->sense, p[0], p[1]);
   *depth = at[2] + p[2];
   tangent_plane(quadric, p, plane);
-  double way = plane[2] > 0 ? -1.0 : 1.0;
+  double way = faces_eye(quadric, span->sense) ? 1.0 : -1.0;
 
   for (int k = 0; k < 3; k++) {
     normal[k] = 0.0;

@@ -11,6 +11,10 @@
 /* Dots, of each of the two circles. */
 #define FARTHEST 0.0625
 
+/* Dots: where nothing is wanted but a box, each circle has as many facets as
+ * one of this radius, in whatever unit, so a box is as exact at any scale. */
+#define BOX_RADIUS 100.0
+
 /* Facets round, at most. */
 #define MOST 4096
 
@@ -186,8 +190,10 @@ sg_shading_add_ring(sg_shading *s, const sg_shading_ring *ring)
   const quarter *round = NULL, *side = NULL;
 
   fill_quarters(q);
-  t.n = parts_for((1.0 + ring->k) * fmax(u, v), q, &round);
-  t.m = parts_for(ring->k * fmax(fmax(u, v), dots(s, f[3], nearest)), q, &side);
+  double wide[2] = {(1.0 + ring->k) * fmax(u, v),
+                    ring->k * fmax(fmax(u, v), dots(s, f[3], nearest))};
+  t.n = parts_for(s->frame.box ? BOX_RADIUS : wide[0], q, &round);
+  t.m = parts_for(s->frame.box ? BOX_RADIUS : wide[1], q, &side);
   t.round = malloc(t.n * sizeof *t.round);
   t.side = malloc(t.m * sizeof *t.side);
   uint32_t *corner = malloc(t.n * t.m * sizeof *corner);
@@ -200,7 +206,7 @@ sg_shading_add_ring(sg_shading *s, const sg_shading_ring *ring)
     sg_cross(f[1], f[2], across);
     end = add_corners(s, &t, corner);
     sg_shading_stand_for(s, known);
-    end = end != SG_SHADING_GOOD
+    end = end != SG_SHADING_GOOD || s->frame.box
               ? end
               : add_facets(s, &t, sg_dot(across, f[3]) < 0, corner);
     sg_shading_stand_for(s, 0);

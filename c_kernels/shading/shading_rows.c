@@ -230,10 +230,11 @@ read_root(sg_call *call, sg_shading *scene, size_t leaves,
 /* ---- scenes ---- */
 
 static bool
-read_leaves(sg_call *call, const sg_shading_frame_fact *fact,
+read_leaves(sg_call *call, const sg_shading_frame_fact *fact, bool box,
             const sg_shading_leaf_fact_list *leaves, sg_shading **scene)
 {
-  sg_shading_frame frame = {.width = fact->width,
+  sg_shading_frame frame = {.box = box,
+                            .width = fact->width,
                             .height = fact->height,
                             .tolerance = fact->tolerance};
 
@@ -260,7 +261,7 @@ sg_door_shading_open(sg_call *call, const sg_shading_frame_fact *frame,
                      const sg_shading_root_fact_list *roots, sg_shading **out)
 {
   sg_shading *scene = NULL;
-  bool good = read_leaves(call, frame, leaves, &scene);
+  bool good = read_leaves(call, frame, false, leaves, &scene);
 
   for (size_t i = 0; good && i < roots->n; i++) {
     good = read_root(call, scene, leaves->n, &roots->at[i]);
@@ -281,7 +282,7 @@ sg_door_shading_box(sg_call *call, const sg_shading_frame_fact *frame,
 {
   sg_shading *scene = NULL;
   double low[3], high[3];
-  bool good = read_leaves(call, frame, leaves, &scene) &&
+  bool good = read_leaves(call, frame, true, leaves, &scene) &&
               sg_shading_box(scene, low, high);
 
   sg_shading_close(scene);

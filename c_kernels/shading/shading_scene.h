@@ -37,6 +37,7 @@ typedef struct sg_shading_frame {
   double matrix[4][4];
   int32_t width, height; /* dots, at least 1; width at most 2^22 */
   double tolerance;      /* dots: what is nearer in depth is in one place */
+  bool box;              /* nothing is wanted but sg_shading_box() */
 } sg_shading_frame;
 
 /* What a leaf has of a quadric. In coordinates x, y, h along U, V, W from C: a
