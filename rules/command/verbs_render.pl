@@ -158,7 +158,7 @@ bent_leaf(model(Leaves,_,_), S, Count, P, Off) :-
 
 shown_roots(Options, Roots) :-
     (   option(segment(Texts), Options)
-    ->  maplist(segment_asked, Texts, All)
+    ->  maplist(segment_asked('--segment', 'N'), Texts, All)
     ;   findall(S, root_segment(S), All)
     ),
     include(is_shaded, All, Shaded),
@@ -186,7 +186,9 @@ see_through_told(Wanted, Scene) :-
                     A < 1 )) ),
            print_message(warning, sanggwan(surface_see_through(R)))).
 
-segment_asked(Text, S) :-
+%   segment_asked(Option, Form, Text, S): S, as Option says, which takes a Form.
+
+segment_asked(Option, Form, Text, S) :-
     (   atom_number(Text, S),
         integer(S),
         S > 0
@@ -195,7 +197,7 @@ segment_asked(Text, S) :-
         ;   findall(Known, segment(Known, _, _), All),
             usage_error(no_segment(S, All))
         )
-    ;   usage_error(bad_value('--segment', Text, 'N'))
+    ;   usage_error(bad_value(Option, Text, Form))
     ).
 
 %   placed(Options, Roots, Turned, Model0, Model, Away, Eye): an eye looks at
@@ -386,8 +388,7 @@ window_box(Text, b(X1,Y1,X2,Y2)) :-
     ).
 
 finite(Text, X) :-
-    catch(number_string(X0, Text), error(_, _), fail),
-    X is float(X0),
+    catch(( number_string(X0, Text), X is float(X0) ), error(_, _), fail),
     abs(X) =< 1.0e90.
 
 background_named(none, none) :-
@@ -479,14 +480,18 @@ seen_through(Text) :-
            ( retractall_facts(look(S, opacity(_))),
              assert_fact(look(S, opacity(A))) )).
 seen_through(Text) :-
-    usage_error(bad_value('--see-through', Text, 'N, N=A (A: 0..1)')).
+    see_through_form(Form),
+    usage_error(bad_value('--see-through', Text, Form)).
+
+see_through_form('N, N=A (A: 0..1)').
 
 named_segments(Name, Ss) :-
     (   \+ atom_number(Name, _),
         findall(S, ( segment(S, _, Term), plain_name(Term, Name) ), Ss0),
         Ss0 = [_|_]
     ->  Ss = Ss0
-    ;   segment_asked(Name, S),
+    ;   see_through_form(Form),
+        segment_asked('--see-through', Form, Name, S),
         Ss = [S]
     ).
 

@@ -1,8 +1,9 @@
 """Texts of every reader, changed at random: whatever is in a file, the program
 ends by itself, soon, with a status of its own and in words of its own.
 
-    text_fuzz.py PROGRAM FOLDER CASES SEED
+    text_fuzz.py PROGRAM FOLDER CASES SEED [pictures]
 
+(`pictures`: only looks, lights and what else a shaded picture is told)
 prints a line for each case that is not so; tests/cli/text_fuzz.sh counts."""
 import glob
 import os
@@ -13,6 +14,7 @@ import sys
 
 program, folder, cases, seed = (sys.argv[1], sys.argv[2], int(sys.argv[3]),
                                 int(sys.argv[4]))
+pictures = sys.argv[5:] == ['pictures']
 chance = random.Random(seed)
 
 facts = [open(name, 'rb').read() for name in sorted(glob.glob('facts/*.pl') +
@@ -29,6 +31,13 @@ csg = [b'group(){multmatrix([[1,0,0,1],[0,1,0,0],[0,0,1,0],[0,0,0,1]])'
 styles = [b"line(any, crease, any, [width(0.5), colour(red)]).\n"
           b"line(hidden, any, 1, [dashes([2,1]), layer('a b'), pen(3)]).\n"
           b"paper(white).\n"]
+looks = [b'look(2, colour(rgb(200, 60, 50))).\nlook(2, opacity(0.3)).\n'
+         b'look(1, shine(0.4, 30)).\nlook(3, face(curved(side), '
+         b'colour(blue))).\nlight(1, picture(-5, 6, 8)).\n'
+         b'light(1, strength(0.75)).\nlight(0, strength(0.25)).\n',
+         b'look(1, colour(grey)).\nlook(2, face(top, opacity(0.5))).\n'
+         b'light(1, direction(0, 0, -1)).\nlight(2, picture(1, 0, 0)).\n'
+         b'look(3, shine(1, 1)).\n']
 titles = [b'title_block(name, "a box").\ntitle_block(scale, \'1:2\').\n'
           b'title_block(number, 12).\n']
 goals = [b"v(1, V, X, Y, Z), X > 0.5", b"segment(S, K, N) ; p(1, P, [A|_])",
@@ -85,6 +94,67 @@ def command():
              '-o', picture]][kind], name, text
 
 
+hostile = ['nan', 'inf', '-inf', '1.0Inf', '-1', '0', '-0.0', '1e308', '1e-308',
+           '1e400', '9' * 400, '', ' ', 'x', "'", '(', 'a,b', '1,2', '1,2,3',
+           '0,0,0', '1,2,3,4', '0,0,0,1', 'inf,0,0', 'nan,1,1', '1e308,1e308,1',
+           '1e-320,0,0', 'none', 'red', 'rgb(1,2,300)', 'x=1', 'y=1e300', 'z',
+           '2=0.5', '2=nan', '2=-1', '99', 'front', '0x0', '1x1', '7x5', '3x9x2',
+           '1x999999999', '4194305x1', '-3x4', '1.5x2', 'cel=0', 'cel=3',
+           'cel=1e9', 'zebra=-1', 'zebra=2', 'gooch', 'xray', 'hatch', 'flat',
+           'facets', 'true', 'leaf', 'root', 'central', 'parallel', '16', '3',
+           '2147483648', '99999999999999999999', '\x1b[2J', '\u202e']
+told = {'--eye': '3,-4,5', '--view': 'front', '--projection': 'central',
+        '--look-at': '0,0,1', '--window': '-1,-1,1,1', '--smooth': '16',
+        '--shade': 'cel=3', '--surface': 'facets', '--section': 'z',
+        '--see-through': '1=0.4', '--colours': 'leaf', '--light': '1,2,3',
+        '--background': 'none', '--palette': '16', '--dpi': '90', '--up': 'y',
+        '--size': '31x17', '--scan-line': '3'}
+
+
+def option():
+    name = chance.choice(list(told))
+    value = told[name]
+    if chance.random() < 0.5:
+        value = chance.choice(hostile)
+    elif chance.random() < 0.2:
+        value += chance.choice([',', 'x', '=', '1', '']) + chance.choice(hostile)
+    if name == '--scan-line' and value.isdigit():
+        value += '=' + os.path.join(folder, 'line.svg')
+    return name + '=' + value
+
+
+def picture():
+    """As command(), of render: a file of looks that is changed, or options."""
+    name, out = os.path.join(folder, 'a.pl'), os.path.join(folder, 'a.png')
+    if os.path.exists(out):
+        os.remove(out)
+    model = chance.choice(['facts/figures/csg05.pl', 'facts/smooth.pl',
+                           'facts/pipe_tee.pl'])
+    arguments = ['render', model, '-o', out, '--size=24x16']
+    if chance.random() < 0.5:
+        text = changed(chance.choice(looks))
+        with open(name, 'wb') as file:
+            file.write(text)
+        return arguments + ['--look', name], name, text
+    options = [option() for _ in range(chance.randint(1, 3))]
+    return arguments + options, name, ' '.join(options).encode()
+
+
+def picture_faults(status, said, arguments):
+    """A picture, or an error that says where."""
+    out = arguments[3]
+    if status == 0:
+        with open(out, 'rb') as file:
+            good = file.read(8) == b'\x89PNG\r\n\x1a\n'
+        return [] if good else ['no picture']
+    faults = ['a picture all the same'] if os.path.exists(out) else []
+    places = [place for told in arguments[5:] for place in told.split('=')]
+    if not (re.match('sanggwan: segment [0-9]+ ', said) or
+            any(place and os.path.basename(place) in said for place in places)):
+        faults.append('no place')
+    return faults
+
+
 raw = re.compile(r'Unknown procedure|[Ss]tack limit|I/O error|Domain error|'
                  r'Type error|unexpectedly failed|Arguments are not|'
                  r'sg_[a-z_]+:|No permission to')
@@ -105,7 +175,7 @@ def limited():
 
 statuses = {}
 for case in range(cases):
-    arguments, name, text = command()
+    arguments, name, text = picture() if pictures else command()
     try:
         done = subprocess.run([program] + arguments, stdin=subprocess.DEVNULL,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE,
@@ -121,6 +191,8 @@ for case in range(cases):
         faults.append('words of Prolog')
     if control.search(said):
         faults.append('control characters')
+    if pictures and status in (0, 1, 2, 3, 4):
+        faults += picture_faults(status, said, arguments)
     if len(said) > 8000:
         faults.append('%d characters' % len(said))
     if faults:
