@@ -148,6 +148,7 @@ gradient(const sg_known_surface *s, const double p[3], double out[3])
   case SG_KNOWN_TORUS:
     return torus_gradient(p, out);
   case SG_KNOWN_BEZIER:
+  case SG_KNOWN_BENT:
   case SG_KNOWN_FREE:
     break;
   }
@@ -185,15 +186,35 @@ placed_gradient(const sg_known_surface *s, const double p[3], double out[3])
   return true;
 }
 
+static bool
+bent_normal(const sg_known_surface *s, const double p[3], double out[3])
+{
+  for (int k = 0; k < 3; k++) {
+    out[k] = s->frame[1][k];
+    for (int i = 0; i < 3; i++) {
+      out[k] += (p[i] - s->frame[0][i]) * s->frame[2 + i][k];
+    }
+  }
+  return true;
+}
+
+/* The normal, of any length, at a point of the model. False: it has none. */
+static bool
+own_normal(const sg_known_surface *s, const double p[3], double out[3])
+{
+  return s->kind == SG_KNOWN_BEZIER
+             ? sg_bezier_patch_normal((const double(*)[3])s->frame, p, out)
+         : s->kind == SG_KNOWN_BENT ? bent_normal(s, p, out)
+                                    : placed_gradient(s, p, out);
+}
+
 bool
 sg_known_surface_normal(const sg_known_surface *s, const double p[3],
                         const double facet[3], double out[3])
 {
   double size, lean;
 
-  if (!(s->kind == SG_KNOWN_BEZIER
-            ? sg_bezier_patch_normal((const double(*)[3])s->frame, p, out)
-            : placed_gradient(s, p, out))) {
+  if (!own_normal(s, p, out)) {
     return false;
   }
   size = sg_length(out);

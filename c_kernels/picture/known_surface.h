@@ -16,6 +16,8 @@
  *   torus    (sqrt(x^2 + y^2) - 1)^2 + h^2 = a^2
  *   bezier   a bicubic Bezier patch (bezier_patch.h), which has its control
  *            points as its frame
+ *   bent     a facet that is smooth with others: of a point C, the normal N
+ *            there, DX, DY, DZ the normal at p is N + (p - C).x DX + ..
  *   turned   as tapered, one of several that a divided curve was turned into
  *   free     anything: its facets have the normals that they have
  *
@@ -48,12 +50,13 @@ typedef enum sg_known_surface_kind {
   SG_KNOWN_SPHERE,
   SG_KNOWN_TORUS,
   SG_KNOWN_BEZIER,
+  SG_KNOWN_BENT,
   SG_KNOWN_FREE
 } sg_known_surface_kind;
 
 typedef struct sg_known_surface {
   sg_known_surface_kind kind;
-  double frame[16][3]; /* the centre, U, V and W, or 16 control points */
+  double frame[16][3]; /* the centre, U, V and W; or as `kind` says */
   double unit;         /* a power of two that makes U, V, W at most 1 */
   double row[3][3];    /* times unit * (p - centre): the coordinates x, y, h */
   double a, b;
@@ -73,7 +76,7 @@ enum { SG_NOT_KNOWN = -1 };
 static inline int
 sg_known_surface_rows(sg_known_surface_kind kind)
 {
-  return kind == SG_KNOWN_BEZIER ? 16 : 4;
+  return kind == SG_KNOWN_BEZIER ? 16 : kind == SG_KNOWN_BENT ? 5 : 4;
 }
 
 /* A frame without volume makes the surface free. frame[rows][3] */

@@ -80,6 +80,18 @@ same_quadric(const merging *m, const sg_shading_quadric *a,
          m->tolerance * radius;
 }
 
+/* Facets of one plane that are seen bent are so each in its own way. */
+static bool
+may_merge(const sg_shading *s, const sg_shading_surface *a,
+          const sg_shading_surface *b)
+{
+  const sg_known_surface *known = s->known.item;
+
+  return a->of == b->of ||
+         (a->of > 0 && b->of > 0 && known[a->of - 1].kind != SG_KNOWN_BENT &&
+          known[b->of - 1].kind != SG_KNOWN_BENT);
+}
+
 static bool
 same_surface(const merging *m, uint32_t i, uint32_t j)
 {
@@ -89,7 +101,7 @@ same_surface(const merging *m, uint32_t i, uint32_t j)
   const sg_shading_quadric *quadric = m->scene->quadric.item;
 
   return a->quadric ? same_quadric(m, &quadric[a->of], &quadric[b->of])
-                    : (a->of > 0) == (b->of > 0) && same_plane(m, a->q, b->q);
+                    : may_merge(m->scene, a, b) && same_plane(m, a->q, b->q);
 }
 
 /* Those of a kind, in order of their keys: each goes to that of the nearest

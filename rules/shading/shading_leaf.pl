@@ -10,7 +10,8 @@
 :- use_module('../csg/known_surface',
               [plain_surface/2, stands_for/2, term_surfaces/3]).
 :- use_module('../kernel', [fill_triangles/2, shape_write/4]).
-:- use_module('../primitive/primitive_facets', [finer_primitive/3]).
+:- use_module('../primitive/primitive_facets',
+              [finer_patches/4, finer_primitive/3]).
 :- use_module('../primitive/primitive',
               [ primitive_faces/3, primitive_name/2, primitive_parts/3,
                 primitive_shape/4
@@ -18,6 +19,7 @@
 :- use_module('../polygon/triangulation', [complete_segments/1]).
 :- use_module('../store',
               [assert_fact/1, facts_transaction/1, segment/3, t/6]).
+:- use_module(shading_bend, [bent_polygons/5]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [append/2, append/3, last/2, member/2, nth1/3]).
@@ -107,16 +109,35 @@ term_leaf(Term, [flat(Points,[],Polygons)], leaf, Faces) :-
     findall(F-What, nth1(F, Whats, What), Faces),
     findall(polygon(F,0,[[A,B,C]]), member(F-[A,B,C], Triangles), Polygons).
 term_leaf(Term0, [flat(Points,Surfaces,Polygons)], leaf, Faces) :-
-    (   widest_facet(Term0, Turn),
-        finer_primitive(Term0, Turn, Finer)
+    (   finer(Term0, Finer)
     ->  Term = Finer
     ;   Term = Term0
     ),
     primitive_shape(Term, _, Points, Chains),
     primitive_faces(Term, Whats, _),
-    term_surfaces(Term, Surfaces, Runs),
+    term_surfaces(Term, Surfaces0, Runs),
     maplist(chain_loops, Chains, Loops),
-    face_polygons(Whats, Loops, face(1,0,none), 1, Runs, Polygons, Faces).
+    face_polygons(Whats, Loops, face(1,0,none), 1, Runs, Polygons0, Faces),
+    primitive_parts(Term, Parts, _),
+    (   Surfaces0 == [],
+        memberchk(part(_,divided), Parts)
+    ->  bent_polygons(Parts, Points, Polygons0, Polygons, Surfaces)
+    ;   Polygons = Polygons0,
+        Surfaces = Surfaces0
+    ).
+
+%   finer(Term0, Term): what is curved in Term0 has more facets in Term.
+
+finer(Term0, Term) :-
+    widest_facet(Term0, Turn),
+    finer_primitive(Term0, Turn, Term).
+finer(Term0, Term) :-
+    primitive_name(Term0, bezier),
+    primitive_parts(Term0, Parts, Named),
+    length(Named, Count),
+    aggregate_all(sum(N), member(part(N,_), Parts), Facets),
+    N0 is round(sqrt(Facets/(2*Count))),
+    finer_patches(Term0, Count, N0, Term).
 
 %   widest_facet(Term, Turn): of those that stand for a surface with normals.
 

@@ -149,7 +149,7 @@ def picture_faults(status, said, arguments):
         return [] if good else ['no picture']
     faults = ['a picture all the same'] if os.path.exists(out) else []
     places = [place for told in arguments[5:] for place in told.split('=')]
-    if not (re.match('sanggwan: segment [0-9]+ ', said) or
+    if not (re.search('sanggwan: segment [0-9]+ ', said) or
             any(place and os.path.basename(place) in said for place in places)):
         faults.append('no place')
     return faults
