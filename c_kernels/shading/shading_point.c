@@ -5,8 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-/* Whether it is the side where the gradient comes towards the eye: by signs, for
- * where it is seen edge-on the gradient itself says what rounding left. */
+/* Whether it is the side where the gradient comes towards the eye: by signs,
+ * for where it is seen edge-on the gradient itself says what rounding left. */
 static bool
 faces_eye(const sg_shading_quadric *s, int sense)
 {

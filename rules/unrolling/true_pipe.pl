@@ -8,6 +8,8 @@
             pipe_centers/2              % +Pipe, -Centers
           ]).
 :- use_module('../near', [is_exactly/2]).
+:- use_module('../vector',
+              [cross_product/3, difference/3, dot_product/3]).
 :- use_module(library(apply), [foldl/4, maplist/3, maplist/4]).
 :- use_module(library(lists), [append/2, append/3, member/2, min_list/2]).
 /** <module> Where generators of a cylinder or cone go through a convex solid.
@@ -47,10 +49,10 @@ pipe_met(Kind, Surface, Other, pipe(Rows, Quadric, Caps, Extremes)) :-
     own_frame(Surface, [C,U,V,W], F),
     other_frame(Kind, Other, [C2,U2,V2,W2], Quadric, Caps),
     maplist(exact, [C,U,V,W,C2,U2,V2,W2], [QC,QU,QV,QW,QC2,QU2,QV2,QW2]),
-    cross(QV2, QW2, Row1),
-    cross(QW2, QU2, Row2),
-    cross(QU2, QV2, Row3),
-    dot(QU2, Row1, Volume),
+    cross_product(QV2, QW2, Row1),
+    cross_product(QW2, QU2, Row2),
+    cross_product(QU2, QV2, Row3),
+    dot_product(QU2, Row1, Volume),
     difference(QC, QC2, From),
     maplist(row_form(Volume, F, [From,QU,QV,QW]), [Row1,Row2,Row3], Rows),
     \+ runs_along(Rows, Quadric),
@@ -73,32 +75,19 @@ runs_along([row(_, A1, A2, A3, 0),row(_, B1, B2, B3, 0)|_],
     Radii is float(A1*A1 + B1*B1 + A2*A2 + B2*B2 + A3*A3 + B3*B3),
     is_exactly(Along, Radii).
 
-exact(point(X0,Y0,Z0), v(X,Y,Z)) :-
+exact(point(X0,Y0,Z0), p(X,Y,Z)) :-
     maplist(as_rational, [X0,Y0,Z0], [X,Y,Z]).
-exact(vector(X0,Y0,Z0), v(X,Y,Z)) :-
+exact(vector(X0,Y0,Z0), p(X,Y,Z)) :-
     maplist(as_rational, [X0,Y0,Z0], [X,Y,Z]).
 
 as_rational(X, Q) :-
     Q is rational(X).
 
-cross(v(X1,Y1,Z1), v(X2,Y2,Z2), v(X,Y,Z)) :-
-    X is Y1*Z2 - Z1*Y2,
-    Y is Z1*X2 - X1*Z2,
-    Z is X1*Y2 - Y1*X2.
-
-dot(v(X1,Y1,Z1), v(X2,Y2,Z2), Dot) :-
-    Dot is X1*X2 + Y1*Y2 + Z1*Z2.
-
-difference(v(X1,Y1,Z1), v(X2,Y2,Z2), v(X,Y,Z)) :-
-    X is X1-X2,
-    Y is Y1-Y2,
-    Z is Z1-Z2.
-
 row_form(Volume, F, Vectors, Row, row(A0, A1, A2, A3, F)) :-
     maplist(divided_dot(Volume, Row), Vectors, [A0,A1,A2,A3]).
 
 divided_dot(Volume, Row, Vector, Q) :-
-    dot(Row, Vector, Dot),
+    dot_product(Row, Vector, Dot),
     Q is rdiv(Dot, Volume).
 
 

@@ -1,7 +1,7 @@
-/* Pictures of what is scaled are the same, to the last byte: by a power of two
-   because nothing is rounded otherwise then; by other factors, from 1e-8 to 1e6,
-   as long as no end of a slice lies within what is rounded of the middle between
-   two places of 1/256 dot, which is so nowhere here.
+/* Pictures of what is scaled are the same, to the last byte: by a power of
+   two because nothing is rounded otherwise then; by other factors, from 1e-8 to
+   1e6, as long as no end of a slice lies within what is rounded of the middle
+   between two places of 1/256 dot, which is so nowhere here.
 
 covers: shading_body, shading_ring, shading_point, extent
 */
