@@ -31,7 +31,9 @@
                 fresh_id/3 ]).
 :- use_module('../polygon/triangulation', [complete_segments/0]).
 :- use_module(verb_output,
-              [some_files/2, outputs/3, output_written/2, usage_error/1]).
+              [ some_files/2, outputs/3, output_written/2, reported/2,
+                usage_error/1
+              ]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [maplist/2, maplist/3, maplist/4, partition/4]).
 :- use_module(library(lists), [append/2, append/3, member/2]).
@@ -71,7 +73,7 @@ solid_verb_run(Verb, Files, Options, 0) :-
     ->  summary(Options, Ss),
         summary_sent_told
     ;   (   option(json(true), Options)
-        ->  summary(Options, Ss)
+        ->  reported(Outputs, sg_solid_verbs:summary(Options, Ss))
         ;   true
         ),
         partition(takes_one(Verb, Ss), Outputs, Apart, Together),

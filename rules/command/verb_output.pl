@@ -6,6 +6,7 @@
             some_outputs/1,             % +Outputs
             no_model_replaced/2,        % +Files, +Outputs
             output_written/2,           % :Writer, +Output
+            reported/2,                 % +Outputs, :Goal
             usage_error/1               % +What
           ]).
 :- use_module('../kernel', [device_file/1]).
@@ -132,3 +133,21 @@ output_written(Writer, output(File, Format)) :-
 output_written(Writer, output(File, _)) :-
     call(Writer, File),
     when_written(print_message(informational, sanggwan(wrote(File)))).
+
+%!  reported(+Outputs, :Goal) is det.
+%
+%   Call Goal, which prints a report, when the files are there: who reads the
+%   beginning of a report only, as `head` does, has his files. On standard error
+%   if standard output is one of Outputs.
+
+:- meta_predicate reported(+, 0).
+
+reported(Outputs, Goal) :-
+    when_written(sg_verb_output:printed(Outputs, Goal)).
+
+printed(Outputs, Goal) :-
+    (   memberchk(output(-, _), Outputs)
+    ->  current_output(Out),
+        setup_call_cleanup(set_output(user_error), Goal, set_output(Out))
+    ;   call(Goal)
+    ).

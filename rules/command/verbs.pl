@@ -53,8 +53,7 @@
 :- use_module('../drawing/style_file', [segment_in_vain/2]).
 :- use_module(verb_output,
               [ some_files/2, outputs/3, some_outputs/1, no_model_replaced/2,
-                output_written/2,
-                usage_error/1
+                output_written/2, reported/2, usage_error/1
               ]).
 :- use_module(verbs_batch, [batch_run_verb/3]).
 :- use_module('../gluing/exploded', [cells_exploded/1]).
@@ -142,7 +141,7 @@ verb_run(penetrate, Files, Options, 0) :-
     penetrated(Options),
     points_alone,
     (   option(json(true), Options)
-    ->  print_chains,
+    ->  reported(Outputs0, sg_verbs:print_chains),
         Outputs = Outputs0
     ;   Outputs0 == [],
         line(_, _, _, _, _, _, _, _, _)

@@ -2,8 +2,7 @@
 :- module(sg_verbs_cells,
           [ cells_run/3,                % +Files, +Options, -Status
             print_cells/3,              % +Language, +Options, +Report
-            print_totals/3,             % +Language, +Word, +Counts
-            reported/2                  % +Outputs, :Goal
+            print_totals/3              % +Language, +Word, +Counts
           ]).
 :- use_module('../csg/csg', [node/4, root_segment/1]).
 :- use_module('../csg/csg_roots', [roots_alone/0]).
@@ -21,7 +20,8 @@
 :- use_module(cells_table, [write_cells_table/3]).
 :- use_module(solid_verbs, [empty_roots_warned/0]).
 :- use_module(verb_output,
-              [ some_files/2, outputs/3, no_model_replaced/2, output_written/2
+              [ some_files/2, outputs/3, no_model_replaced/2, output_written/2,
+                reported/2
               ]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [member/2, sum_list/2]).
@@ -95,20 +95,6 @@ apart_warned(Glues) :-
              findall(N, member(_-N, Counts), Ns),
              sum_list(Ns, Sum) ),
            print_message(warning, sanggwan(cells_apart(S, Sum, P1, P2)))).
-
-%!  reported(+Outputs, :Goal) is det.
-%
-%   Call Goal, which prints a report: on standard error if standard output is
-%   for the model.
-
-:- meta_predicate reported(+, 0).
-
-reported(Outputs, Goal) :-
-    (   memberchk(output(-, _), Outputs)
-    ->  current_output(Out),
-        setup_call_cleanup(set_output(user_error), Goal, set_output(Out))
-    ;   call(Goal)
-    ).
 
 printed(Options, Reports) :-
     (   option(json(true), Options)

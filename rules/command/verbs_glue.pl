@@ -25,9 +25,9 @@
 :- use_module(solid_verbs, [operands_loaded/4, operands_evaluated/2]).
 :- use_module(verb_output,
               [ some_files/2, outputs/3, some_outputs/1, no_model_replaced/2,
-                output_written/2
+                output_written/2, reported/2
               ]).
-:- use_module(verbs_cells, [print_cells/3, print_totals/3, reported/2]).
+:- use_module(verbs_cells, [print_cells/3, print_totals/3]).
 :- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
 :- use_module(library(lists), [member/2, nth1/3]).
 :- use_module(library(option), [option/2]).

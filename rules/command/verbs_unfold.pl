@@ -29,7 +29,9 @@
 :- use_module('../unfolding/unfold_true', [true_patterns/4]).
 :- use_module('../unfolding/unfold_whole', [pattern_whole/1]).
 :- use_module(verb_output,
-              [some_files/2, outputs/3, no_model_replaced/2, usage_error/1]).
+              [ some_files/2, outputs/3, no_model_replaced/2, reported/2,
+                usage_error/1
+              ]).
 :- use_module(unfold_names,
               [ trims/1, flag_wishes/2, flag_option/2, flag_terms/3,
                 in_file/5
@@ -106,7 +108,7 @@ patterns_reported(Files, Options0, Flags, Outputs, Ds, Options) :-
     ->  with_sheet_stack(Ds, sheets_laid(Options0, Ds, Options))
     ;   Options = Options0
     ),
-    reported(Ds, Options, Outputs).
+    reported(Outputs, sg_unfold_report:unfold_report(Ds, Options)).
 
 %!  world_patterns(+Options:list, -Ds:list, -DrawingOptions:list) is det.
 %
@@ -150,19 +152,6 @@ table_output(Options, Tables) :-
     (   option(table(File0), Options)
     ->  outputs([output([File0])], [csv], Tables)
     ;   Tables = []
-    ).
-
-%   reported(Ds, Options, Outputs): on standard error if standard output is for
-%   what is written.
-
-reported(Ds, Options, Outputs) :-
-    (   memberchk(output(-, _), Outputs)
-    ->  current_output(Out),
-        setup_call_cleanup(
-            set_output(user_error),
-            unfold_report(Ds, Options),
-            set_output(Out))
-    ;   unfold_report(Ds, Options)
     ).
 
 %   patterns(Options, Flags, Ds): Ds are the patterns of all that is to be

@@ -31,6 +31,24 @@ status=$?
 check 'closed standard output' status_is 2
 check 'closed standard output: message' has 'cannot be written'
 
+# A reader that ends early has no report, but the files are there.
+while read -r file verb; do
+  # shellcheck disable=SC2086
+  "$sanggwan" $verb -o "$work/to/$file" 2>"$work/err" | true
+  status=${PIPESTATUS[0]}
+  check "nobody reads the report: $verb" status_is 141
+  check "nobody reads the report: $file" [ -s "$work/to/$file" ]
+done <<'VERBS'
+early.svg unfold facts/patterns/saddle.pl --true
+early.json unfold facts/patterns/saddle.pl --json
+early.pl glue facts/cube.pl facts/pipe_tee.pl
+early2.pl glue facts/cube.pl facts/pipe_tee.pl --json
+early.stl union facts/two_cubes.pl --json
+early.csv penetrate facts/two_cubes.pl --json
+early.dot cells facts/two_rooms.pl
+VERBS
+rm "$work/to"/early*
+
 run draw facts/cube.pl -o /proc/a.svg
 check 'folder that takes nothing' status_is 2
 check 'folder that takes nothing: message' \
