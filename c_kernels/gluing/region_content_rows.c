@@ -8,7 +8,8 @@
 
 #include <stdlib.h>
 
-/* A polygon and the regions beside it; or one and a solid. */
+/* A polygon and the regions beside it; or one, a solid that it is a part of,
+ * and in which sense. */
 typedef struct triple {
   int32_t p, a, b;
 } triple;
@@ -20,8 +21,9 @@ compare_triples(const void *x, const void *y)
 {
   const triple *s = x, *t = y;
 
-  return s->p != t->p ? (s->p > t->p) - (s->p < t->p)
-                      : (s->a > t->a) - (s->a < t->a);
+  return s->p != t->p   ? (s->p > t->p) - (s->p < t->p)
+         : s->a != t->a ? (s->a > t->a) - (s->a < t->a)
+                        : (s->b > t->b) - (s->b < t->b);
 }
 
 static int32_t
@@ -30,11 +32,11 @@ int_at(const sg_view *view, int column, uint32_t row)
   return view->column[column].page[row / SG_PAGE_ROWS].i[row % SG_PAGE_ROWS];
 }
 
-/* The polygons of s with three columns, by polygon; `wanted`: of these in the
- * second alone, or all. */
+/* The polygons of s with the second and the `last` column, by polygon;
+ * `wanted`: of these in the second alone, or all. */
 static bool
 list_rows(sg_call *call, const sg_version *version, sg_relation relation,
-          int32_t s, const sg_int_list *wanted, triples *out)
+          int last, int32_t s, const sg_int_list *wanted, triples *out)
 {
   sg_view view = {0};
   sg_segment_rows rows = {0};
@@ -46,7 +48,7 @@ list_rows(sg_call *call, const sg_version *version, sg_relation relation,
   for (size_t i = 0; good && i < rows.begin[1]; i++) {
     uint32_t row = rows.row[i];
     triple one = {int_at(&view, 1, row), int_at(&view, 2, row),
-                  int_at(&view, 3, row)};
+                  int_at(&view, last, row)};
 
     if (!wanted || sg_find_id(wanted->at, wanted->n, one.a) != SIZE_MAX) {
       out->item[out->n++] = one;
@@ -84,10 +86,26 @@ find_outside(sg_call *call, const sg_version *version, int32_t s, reading *r)
   return good && r->regions > 0;
 }
 
+/* Several polygons of a solid may be parts of one: each sense counts once. */
+static void
+keep_different(triples *list)
+{
+  size_t n = 0;
+
+  for (size_t i = 0; i < list->n; i++) {
+    if (n == 0 || compare_triples(&list->item[n - 1], &list->item[i]) != 0) {
+      list->item[n++] = list->item[i];
+    }
+  }
+  list->n = n;
+}
+
 static void
 arrange(reading *r)
 {
   size_t from = 0;
+
+  keep_different(&r->from);
 
   for (size_t f = 0; f < r->sides.n; f++) {
     const triple *sides = &r->sides.item[f];
@@ -115,8 +133,8 @@ read_all(sg_call *call, const sg_version *version, int32_t s,
   if (!find_outside(call, version, s, r)) {
     return false;
   }
-  if (!list_rows(call, version, SG_SIDES, s, NULL, &r->sides) ||
-      !list_rows(call, version, SG_FROM_P, s, solids, &r->from)) {
+  if (!list_rows(call, version, SG_SIDES, 3, s, NULL, &r->sides) ||
+      !list_rows(call, version, SG_FROM_P, 4, s, solids, &r->from)) {
     return sg_call_ended(call);
   }
   r->side = malloc((2 * r->sides.n + 1) * sizeof *r->side);

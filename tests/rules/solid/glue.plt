@@ -15,7 +15,8 @@
 :- use_module(rules(solid/glue)).
 :- use_module(rules(store)).
 :- use_module(tests(rules/glue_model)).
-:- use_module(tests(rules/polyhedron), [in_new_world/1]).
+:- use_module(tests(rules/polyhedron),
+              [box_faces/1, box_points/3, in_new_world/1, polyhedron/4]).
 
 :- dynamic quiet/0.
 :- multifile user:message_hook/3.
@@ -194,6 +195,30 @@ test(void, Roles == [cell,cell,cell,cell,cell,cell,outside,void]) :-
     in_new_world(( glue_made(Walls, [], S),
                    findall(Role, region(S, _, Role), Roles0) )),
     msort(Roles0, Roles).
+
+%   Faces in two triangles each, as in a mesh: a face of the glue comes from both.
+
+test(triangles, Insides == [[1],[1,2],[2],[]]) :-
+    in_new_world(( triangle_box(1, p(0,0,0), p(2,2,2)),
+                   triangle_box(2, p(1,1,1), p(3,3,3)),
+                   assert_fact(segment(3, cells, glue([1,2]))),
+                   evaluate(3),
+                   findall(Inside,
+                           ( region(3, R, Role),
+                             memberchk(Role, [cell,outside]),
+                             findall(S, from_r(3, R, S, _), Inside) ),
+                           Insides0) )),
+    msort(Insides0, [Outside|Others]),
+    append(Others, [Outside], Insides).
+
+triangle_box(S, Low, High) :-
+    box_points(Low, High, Points),
+    box_faces(Faces0),
+    findall(Face,
+            ( member([A,B,C,D], Faces0),
+              member(Face, [[A,B,C],[A,C,D]]) ),
+            Faces),
+    polyhedron(S, solid, Points, Faces).
 
 insides(Parts, Insides) :-
     in_new_world(( glue_made(Parts, [], S),
