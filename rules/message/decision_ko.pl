@@ -24,13 +24,13 @@ ko(pixel_colour/4,   "음영도의 점의 색").
 ko(may_join/2,       "전개도에서 이을 수 있는 모서리").
 ko(join_order/3,     "전개도의 모서리를 잇는 순서 (DV-6)").
 ko(corner_relief/3,  "두 굽힘이 만나는 곳에서 따내는 모양").
-ko(tab_shape/4,      "풀칠 날개가 가질 수 있는 모양").
+ko(tab_shape/4,      "풀칠면이 가질 수 있는 모양").
 ko(merge_line/2,     "하나가 되는 한 직선 위의 선 조각 (PL-9)").
 ko(may_cut/2,        "서로 자르는 세그먼트 (PL-8)").
 ko(may_glue/3,       "붙이는 피연산자의 접촉 (NG-2에서 NG-5)").
 ko(disk_relation/3,  "한 꼭짓점의 두 원판이 놓인 관계 (NG-2)").
 ko(line_style/4,     "보임, 역할, 세그먼트에 따른 선의 모양").
-ko(paper_style/1,    "종이의 색").
+ko(paper_style/1,    "용지의 색").
 ko(edge_role/5,      "그림에서 선의 역할 (PL-13)").
 ko(hides/4,          "선을 가릴 수 있는 삼각형 (PL-13)").
 ko(hides/2,          "다른 세그먼트의 선을 가릴 수 있는 세그먼트 (PL-13)").
