@@ -43,7 +43,8 @@ finer_primitive(Term0, Turn, Term) :-
     Term =.. [Name,facets(N)|Arguments1].
 
 %   Cells of a side of a patch, of one alone: it is seen to be no curve where it
-%   is thousands of dots wide. And of all patches of a net, which take their time.
+%   is thousands of dots wide. And of all patches of a net, which take their
+%   time.
 
 fine_patch(40).
 most_cells(3200).

@@ -1,6 +1,6 @@
 :- module(sg_shading_bend,
-          [ bent_polygons/5             % +Parts, +Points, +Polygons0, -Polygons,
-                                        %   -Surfaces
+          [ bent_polygons/5             % +Parts, +Points, +Polygons0,
+                                        % -Polygons, -Surfaces
           ]).
 :- use_module('../vector',
               [ cross_product/3, difference/3, dot_product/3, scaled/3, unit/2,
@@ -11,9 +11,9 @@
 :- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> Normals of what a term says is smooth, divided into facets before.
 
-Of a curve that was divided nothing is known but its corners. There a facet looks
-the mean way of all facets of the corner that bend from it by no more than a
-crease, and between its corners every way between. As a surface of a facet that
+Of a curve that was divided nothing is known but its corners. There a facet
+looks the mean way of all facets of the corner that bend from it by no more than
+a crease, and between its corners every way between. The surface of such a facet
 is `bent`: the point C of the model, the normal N there, and by how much it
 grows along X, Y and Z.
 */
@@ -30,8 +30,9 @@ same_way(0.9999).
 %!  bent_polygons(+Parts, +Points, +Polygons0, -Polygons, -Surfaces) is det.
 %
 %   Polygons are Polygons0, polygon(F, 0, Loops) of the places of Points, of
-%   which those that Parts (primitive_parts/3) call `divided` stand for a surface
-%   of their own of Surfaces, if it is one that three or four corners tell.
+%   which those that Parts (primitive_parts/3) call `divided` stand for a
+%   surface of their own of Surfaces, if it is one that three or four corners
+%   tell.
 
 bent_polygons(Parts, Points, Polygons0, Polygons, Surfaces) :-
     compound_name_arguments(Table, points, Points),

@@ -196,7 +196,8 @@ test(void, Roles == [cell,cell,cell,cell,cell,cell,outside,void]) :-
                    findall(Role, region(S, _, Role), Roles0) )),
     msort(Roles0, Roles).
 
-%   Faces in two triangles each, as in a mesh: a face of the glue comes from both.
+%   Faces in two triangles each, as in a mesh: a face of the glue comes from
+%   both.
 
 test(triangles, Insides == [[1],[1,2],[2],[]]) :-
     in_new_world(( triangle_box(1, p(0,0,0), p(2,2,2)),
