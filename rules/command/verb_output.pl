@@ -137,17 +137,14 @@ output_written(Writer, output(File, _)) :-
 %!  reported(+Outputs, :Goal) is det.
 %
 %   Call Goal, which prints a report, when the files are there: who reads the
-%   beginning of a report only, as `head` does, has his files. On standard error
-%   if standard output is one of Outputs.
+%   beginning of a report only, as `head` does, has his files. If standard output
+%   is one of Outputs the report goes to standard error, at once.
 
 :- meta_predicate reported(+, 0).
 
 reported(Outputs, Goal) :-
-    when_written(sg_verb_output:printed(Outputs, Goal)).
-
-printed(Outputs, Goal) :-
     (   memberchk(output(-, _), Outputs)
     ->  current_output(Out),
         setup_call_cleanup(set_output(user_error), Goal, set_output(Out))
-    ;   call(Goal)
+    ;   when_written(Goal)
     ).
