@@ -137,8 +137,8 @@ output_written(Writer, output(File, _)) :-
 %!  reported(+Outputs, :Goal) is det.
 %
 %   Call Goal, which prints a report, when the files are there: who reads the
-%   beginning of a report only, as `head` does, has his files. If standard output
-%   is one of Outputs the report goes to standard error, at once.
+%   beginning of a report only, as `head` does, has his files. If standard
+%   output is one of Outputs the report goes to standard error, at once.
 
 :- meta_predicate reported(+, 0).
 
