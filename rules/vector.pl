@@ -6,6 +6,7 @@
             scaled/3,                   % +Factor, +U, -V
             left_of/4,                  % +Normal, +A, +B, +P
             unit/2,                     % +U, -Unit
+            doubled_area/2,             % +Points, -Vector
             angle_between/3             % +U, +V, -Radians
           ]).
 /** <module> Points and vectors p(X,Y,Z).
@@ -58,6 +59,23 @@ scaled(Factor, p(X0,Y0,Z0), p(X,Y,Z)) :-
     X is Factor*X0,
     Y is Factor*Y0,
     Z is Factor*Z0.
+
+%!  doubled_area(+Points:list, -Vector) is det.
+%
+%   Vector is twice the vector area of the polygon with these corners: it points
+%   to where they are seen counter-clockwise.
+
+doubled_area([First|Points], Vector) :-
+    fan_added(Points, First, p(0,0,0), Vector).
+
+fan_added([P,Q|Points], First, Sum0, Sum) :-
+    !,
+    difference(P, First, U),
+    difference(Q, First, V),
+    cross_product(U, V, W),
+    vector_sum(Sum0, W, Sum1),
+    fan_added([Q|Points], First, Sum1, Sum).
+fan_added(_, _, Sum, Sum).
 
 %!  angle_between(+U, +V, -Radians) is det.
 %

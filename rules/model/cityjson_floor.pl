@@ -3,7 +3,7 @@
           ]).
 :- use_module('../near', [tolerance/2]).
 :- use_module('../vector',
-              [cross_product/3, difference/3, dot_product/3, vector_sum/3]).
+              [difference/3, dot_product/3, doubled_area/2]).
 :- use_module(library(apply), [maplist/3, partition/4]).
 :- use_module(library(lists), [append/3, member/2, selectchk/3]).
 :- use_module(library(ordsets), [ord_subtract/3]).
@@ -64,9 +64,7 @@ loop(A, First, Steps0, Steps, [A|Loop]) :-
 
 measured(Vertices, Loop, ring(Square,Area,Points,Loop)) :-
     maplist(place(Vertices), Loop, Points),
-    Points = [First|_],
-    append(Points, [First], Round),
-    vector_area(Round, First, p(0,0,0), Area),
+    doubled_area(Points, Area),
     dot_product(Area, Area, Square).
 
 place(Vertices, Index, p(X,Y,Z)) :-
@@ -75,15 +73,6 @@ place(Vertices, Index, p(X,Y,Z)) :-
     X is rational(X0),
     Y is rational(Y0),
     Z is rational(Z0).
-
-vector_area([A,B|Points], First, Sum0, Sum) :-
-    !,
-    difference(A, First, U),
-    difference(B, First, W),
-    cross_product(U, W, X),
-    vector_sum(Sum0, X, Sum1),
-    vector_area([B|Points], First, Sum1, Sum).
-vector_area([_], _, Sum, Sum).
 
 %   floors(Rings, Floors): the largest ring first; those in its plane that run
 %   the other way, inside it, are its holes.

@@ -3,8 +3,8 @@
                                         % -Polygons, -Surfaces
           ]).
 :- use_module('../vector',
-              [ cross_product/3, difference/3, dot_product/3, scaled/3, unit/2,
-                vector_sum/3 ]).
+              [ cross_product/3, difference/3, dot_product/3, doubled_area/2,
+                scaled/3, unit/2, vector_sum/3 ]).
 :- use_module(library(apply), [foldl/4, maplist/3, maplist/4]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- use_module(library(lists), [member/2, nth1/3, same_length/2]).
@@ -64,21 +64,12 @@ divided_facets([part(N0,What)|Parts], [polygon(_,_,Loops)|Polygons], Table,
     divided_facets([part(N,What)|Parts], Polygons, Table, Facets).
 
 loop_normal(Loop, Table, Normal) :-
-    maplist(corner(Table), Loop, [P|Ps]),
-    fan_area(Ps, P, p(0.0,0.0,0.0), Area),
+    maplist(corner(Table), Loop, Points),
+    doubled_area(Points, Area),
     unit(Area, Normal).
 
 corner(Table, V, p(X,Y,Z)) :-
     arg(V, Table, point(X,Y,Z)).
-
-fan_area([Q,R|Ps], P, Area0, Area) :-
-    !,
-    difference(Q, P, U),
-    difference(R, P, V),
-    cross_product(U, V, W),
-    vector_sum(Area0, W, Area1),
-    fan_area([R|Ps], P, Area1, Area).
-fan_area(_, _, Area, Area).
 
 %   bent(Polygons0, Facets, Table, Normals, K, Polygons, Surfaces)
 

@@ -9,6 +9,9 @@ test(difference, D == p(1.0,2.0,3.0)) :-
     difference(p(2.0,4.0,6.0), p(1.0,2.0,3.0), D).
 test(sum, S == p(3.0,0.0,1.0)) :-
     vector_sum(p(1.0,2.0,3.0), p(2.0,-2.0,-2.0), S).
+test(doubled_area, A == p(0r1,0r1,8r9)) :-
+    doubled_area([p(0r1,0r1,1r3),p(2r3,0r1,1r3),p(2r3,2r3,1r3),p(0r1,2r3,1r3)],
+                 A).
 test(right_handed, W == p(0.0,0.0,1.0)) :-
     cross_product(p(1.0,0.0,0.0), p(0.0,1.0,0.0), W).
 test(dot, Dot =:= 4.0-10.0+18.0) :-
