@@ -25,15 +25,16 @@ pattern_en(opened_by_itself(Before, After)) -->
     pattern_en(opened(Before, After)),
     [ nl, '  With --no-open-slits they stay whole; much of the seam has no \c
            tab then.' ].
-pattern_en(without_tab(D, N, Share, Seam, Es)) -->
+pattern_en(without_tab(D, N, Share, _, Seam, Es)) -->
     { memberchk(Seam, [lap,lock]) },
     !,
     [ 'pattern ~d: seams without an allowance: ~D (~3g % of the length of \c
        all); there is no room for it'-[D, N, Share] ],
     without_tab_en(Es).
-pattern_en(without_tab(D, N, Share, Help, Es)) -->
+pattern_en(without_tab(D, N, Share, Whys, Help, Es)) -->
     [ 'pattern ~d: seams without a tab: ~D (~3g % of the length of all); \c
-       neither side has room for one'-[D, N, Share] ],
+       neither side has room for one'-[D, N, Share], nl, '  ' ],
+    whys_en(Whys),
     without_tab_en(Es),
     without_tab_help_en(Help).
 pattern_en(too_large(N)) -->
@@ -50,6 +51,19 @@ pattern_en(no_room(Role, N)) -->
     { role_en(Role, Words) },
     [ '~w left out: ~D; there is no room for letters that can be read'
       -[Words, N] ].
+
+whys_en([Why-N|Whys]) -->
+    { why_en(Why, Words) },
+    [ '~w: ~D'-[Words, N] ],
+    (   { Whys == [] }
+    ->  []
+    ;   [ ', ' ],
+        whys_en(Whys)
+    ).
+
+why_en(short, 'too short').
+why_en(slit, 'in slits that are too narrow').
+why_en(taken, 'beside other tabs').
 
 without_tab_en([]) -->
     !.

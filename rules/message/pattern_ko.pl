@@ -25,15 +25,16 @@ pattern_ko(opened_by_itself(Before, After)) -->
     pattern_ko(opened(Before, After)),
     [ nl, '  --no-open-slits를 쓰면 나누지 않지만, 접합선의 많은 부분에 풀칠면이 없습니다.'
     ].
-pattern_ko(without_tab(D, N, Share, Seam, Es)) -->
+pattern_ko(without_tab(D, N, Share, _, Seam, Es)) -->
     { memberchk(Seam, [lap,lock]) },
     !,
     [ '전개도 ~d: 이음 여유가 들어갈 자리가 없는 접합선 ~D개(전체 길이의 ~3g %)'
       -[D, N, Share] ],
     without_tab_ko(Es).
-pattern_ko(without_tab(D, N, Share, Help, Es)) -->
+pattern_ko(without_tab(D, N, Share, Whys, Help, Es)) -->
     [ '전개도 ~d: 접합선 ~D개(모든 길이의 ~3g %)에는 양쪽 어디에도 자리가 없어 \c
-       풀칠면이 없습니다'-[D, N, Share] ],
+       풀칠면이 없습니다'-[D, N, Share], nl, '  ' ],
+    whys_ko(Whys),
     without_tab_ko(Es),
     without_tab_help_ko(Help).
 pattern_ko(too_large(N)) -->
@@ -49,6 +50,19 @@ pattern_ko(yield(Share, Sheets)) -->
 pattern_ko(no_room(Role, N)) -->
     { role_ko(Role, Words) },
     [ '읽을 수 있는 크기로 쓸 자리가 없어 ~w ~D개를 뺐습니다'-[Words, N] ].
+
+whys_ko([Why-N|Whys]) -->
+    { why_ko(Why, Words) },
+    [ '~w: ~D개'-[Words, N] ],
+    (   { Whys == [] }
+    ->  []
+    ;   [ ', ' ],
+        whys_ko(Whys)
+    ).
+
+why_ko(short, '너무 짧은 것').
+why_ko(slit, '너무 좁은 틈에 있는 것').
+why_ko(taken, '다른 풀칠면과 겹치는 것').
 
 without_tab_ko([]) -->
     !.

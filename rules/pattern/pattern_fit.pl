@@ -5,21 +5,26 @@
 :- use_module(pattern_allowance, [allowances/5]).
 :- use_module(pattern_lines, [outline_loops/2, piece_outline/3]).
 :- use_module(pattern_nest, [fits_on/2]).
-:- use_module(pattern_slit, [opened_slits/3]).
+:- use_module(pattern_slit, [opened_slits/5]).
 :- use_module(pattern_split, [split_piece/4]).
-:- use_module(pattern_tab, [deepest_tab/3, side_length/2, tabs/5]).
+:- use_module(pattern_tab,
+              [butt_reasons/4, deepest_tab/3, side_length/2, tabs/5]).
 :- use_module(library(apply),
               [foldl/4, foldl/5, include/3, maplist/3, maplist/4]).
 :- use_module(library(assoc),
-              [gen_assoc/3, get_assoc/3, list_to_assoc/2, put_assoc/4]).
+              [ empty_assoc/1, gen_assoc/3, get_assoc/3, list_to_assoc/2,
+                put_assoc/4
+              ]).
 :- use_module(library(error), [must_be/2]).
 :- use_module(library(lists),
-              [ append/2, append/3, member/2, nth1/3, same_length/2,
+              [ append/2, append/3, clumped/2, member/2, nth1/3, same_length/2,
                 selectchk/3, subtract/3, sum_list/2
               ]).
 :- use_module(library(option), [option/2, option/3]).
 :- use_module(library(pairs),
-              [ group_pairs_by_key/2, pairs_keys_values/3, pairs_values/2 ]).
+              [ group_pairs_by_key/2, pairs_keys/2, pairs_keys_values/3,
+                pairs_values/2
+              ]).
 /** <module> Pieces with their tabs, none larger than the paper.
 
 Whether a piece with its tabs fits on the paper is known only when it has them;
@@ -53,13 +58,13 @@ fitted_pieces(Pieces0, Paper, Options, Fitted, Tabs) :-
     ->  Open = false
     ;   option(open_slits(Open), Options, auto)
     ),
-    pieces_opened(Open, Width, Pieces0, Pieces1, Known),
     option(fold_threshold(Flat), Options, 0.5),
-    pieces_fitted(Pieces1, on(Paper,Flat), Width, [], Known, Fitted, Tabs),
+    On = on(Paper, Flat),
+    pieces_opened(Open, On, Width, Pieces0, Pieces1, Known),
+    pieces_fitted(Pieces1, On, Width, [], Known, Fitted, Tabs),
     (   option(told(false), Options)
     ->  true
-    ;   Width = wide(_, On),
-        told(On, Open, Pieces0, Pieces1, Fitted, Tabs)
+    ;   told(Width, Open, Pieces0, Pieces1, Fitted, Tabs)
     ).
 
 %   joints(Options, Width): Width is wide(Deep,On), On as of tabs/5, or of
@@ -77,16 +82,26 @@ joints(Options, wide(Deep,On)) :-
         must_be(oneof([one,both,alternate]), On)
     ).
 
-told(On, Open, Pieces0, Pieces1, Fitted, Tabs) :-
+told(wide(Deep,Joint), Open, Pieces0, Pieces1, Fitted, Tabs) :-
     told_opened(Open, Pieces0, Pieces1),
     told_more(divided, Pieces1, Fitted),
-    (   memberchk(On, [lap,lock])
-    ->  Help = On
-    ;   ( Open == true ; Pieces1 \== Pieces0 )
-    ->  Help = none
-    ;   Help = open_slits
-    ),
-    told_butt(Pieces1, Help, Tabs).
+    Tabs = tabs(_, Butt),
+    (   memberchk(Joint, [lap,lock])
+    ->  told_butt(Pieces1, Joint, [], Butt)
+    ;   fitted_reasons(Deep, Fitted, Butt, Whys),
+        (   Open == true
+        ->  Help = none
+        ;   Help = open_slits
+        ),
+        told_butt(Pieces1, Help, Whys, Butt)
+    ).
+
+fitted_reasons(Deep, Fitted, Butt, Whys) :-
+    (   empty_assoc(Butt)
+    ->  Whys = []
+    ;   findall(Piece, member(fitted(Piece,_), Fitted), Pieces),
+        butt_reasons(Deep, Pieces, Butt, Whys)
+    ).
 
 told_opened(Open, Before, After) :-
     (   Open == auto
@@ -103,12 +118,13 @@ told_more(What, Before, After) :-
     ;   true
     ).
 
-%   told_butt(Pieces, Help, Tabs): seams without tabs are told by their edges,
-%   pattern by pattern, with the share of the seam that they are; Pieces are as
-%   they were before they were divided. Help is `open_slits` if these pieces may
-%   still be parted.
+%   told_butt(Pieces, Help, Whys, Butt): seams without tabs are told by their
+%   edges, pattern by pattern, with the share of the seam that they are, and
+%   how many there are of each of Whys (butt_reasons/4); Pieces are as they
+%   were before they were divided. Help is `open_slits` if these may still be
+%   parted.
 
-told_butt(Pieces, Help, tabs(_,Butt)) :-
+told_butt(Pieces, Help0, Whys, Butt) :-
     findall(D-E, gen_assoc(D-_, Butt, E), Pairs),
     group_pairs_by_key(Pairs, Groups),
     forall(member(D-Es0, Groups),
@@ -118,9 +134,22 @@ told_butt(Pieces, Help, tabs(_,Butt)) :-
              include(is_of(D), Pieces, Own),
              seam_lengths(Own, Butt, Without, All),
              Share is 100*Without/All,
+             findall(Why-D, member(Why-(D-_), Whys), Ws0),
+             msort(Ws0, Ws),
+             pairs_keys(Ws, Keys),
+             clumped(Keys, Counts),
+             helped_by(Help0, Counts, Help),
              print_message(informational,
-                           sanggwan(pattern(without_tab(D, N, Share, Help,
-                                                        Es)))) )).
+                           sanggwan(pattern(without_tab(D, N, Share, Counts,
+                                                        Help, Es)))) )).
+
+%   Parting pieces makes no short seam longer.
+
+helped_by(open_slits, Counts, none) :-
+    \+ memberchk(slit-_, Counts),
+    \+ memberchk(taken-_, Counts),
+    !.
+helped_by(Help, _, Help).
 
 is_of(D, piece(name(D,_,_),_,_)).
 
@@ -148,65 +177,70 @@ seam_lengths(Pieces, Butt, Without, All) :-
                 *            SLITS             *
                 *******************************/
 
-%   pieces_opened(Open, Width, Pieces0, Pieces, Known): until no slit is left
-%   that opens; parting a piece moves tabs, which may close others. Known is
-%   Pieces-Tabs as of pieces_tabs/3, or `none`.
+%   pieces_opened(Open, On, Width, Pieces0, Pieces, Known): On is
+%   on(Paper,Flat), as of split_piece/4; parting a piece moves tabs, which may
+%   close other slits. Known is Pieces-Tabs as of pieces_tabs/3, or `none`.
 
-pieces_opened(_, wide(Deep,_), Pieces, Pieces, none) :-
+pieces_opened(false, _, _, Pieces, Pieces, none) :-
+    !.
+pieces_opened(_, _, wide(Deep,_), Pieces, Pieces, none) :-
     Deep =< 0,
     !.
-pieces_opened(true, Width, Pieces0, Pieces, Known) :-
-    !,
-    rounds(Most),
-    slits_opened(Most, Width, Pieces0, Pieces, Known).
-pieces_opened(auto, Width, Pieces0, Pieces, Pieces-Tabs) :-
+pieces_opened(Open, on(_,Flat), Width, Pieces0, Pieces, Pieces-Tabs) :-
     findall(D-Piece, ( member(Piece, Pieces0), Piece = piece(name(D,_,_),_,_) ),
             Keyed),
     group_pairs_by_key(Keyed, Groups0),
     pairs_values(Groups0, Groups),
-    maplist(pattern_opened(Width), Groups, Opened, Tabss),
+    maplist(pattern_opened(Open, Flat, Width), Groups, Opened, Tabss),
     append(Opened, Pieces),
     tabs_together(Tabss, Tabs).
-pieces_opened(false, _, Pieces, Pieces, none).
 
-%   pattern_opened(Width, Pieces0, Pieces, Tabs): the pieces of one pattern are
-%   parted if that is worth it.
-
-pattern_opened(Width, Pieces0, Pieces, Tabs) :-
+pattern_opened(Open, Flat, Width, Pieces0, Pieces, Tabs) :-
     pieces_tabs(Width, Pieces0, Tabs0),
-    share_without_tab(Pieces0, Tabs0, Share0),
-    (   few_without_tab(Few),
-        Share0 > Few,
-        Tabs0 = tabs(_, Butt0),
-        opened_slits(Pieces0, Butt0, First),
-        length(Pieces0, N0),
-        length(First, N),
-        worth_parting(Share0-0, N-N0),
-        rounds(Most),
-        slits_opened(Most, Width, Pieces0, Pieces0-Tabs0, Pieces1,
-                     Pieces1-Tabs1),
-        share_without_tab(Pieces1, Tabs1, Share1),
-        length(Pieces1, N1),
-        worth_parting(Share0-Share1, N1-N0)
-    ->  Pieces = Pieces1,
-        Tabs = Tabs1
-    ;   Pieces = Pieces0,
-        Tabs = Tabs0
+    rounds(Most),
+    slits_opened(Most, Open-Flat, Width, Pieces0-Tabs0, Pieces1-Tabs1),
+    (   ( Open == true ; is_worth_it(Pieces0-Tabs0, Pieces1-Tabs1) )
+    ->  Pieces-Tabs = Pieces1-Tabs1
+    ;   Pieces-Tabs = Pieces0-Tabs0
     ).
 
-%   worth_parting(Share0-Share1, More): pieces that are connected are wanted
-%   too, so More pieces are only made if more than a tenth of the seam would be
-%   without tabs, more than half of that gets some, and as much of the seam for
-%   each of them as this.
+%   is_worth_it(Before, After): no more than a tenth of the seam has no tab now,
+%   or half of what it was: seams that are too short have none among parts
+%   either.
 
-few_without_tab(0.1).
+is_worth_it(Pieces0-tabs(_,Butt0), Pieces-tabs(_,Butt)) :-
+    seam_lengths(Pieces0, Butt0, Without0, _),
+    seam_lengths(Pieces, Butt, Without, All),
+    Without =< max(All/10, Without0/2).
 
-worth_parting(Share0-Share1, More) :-
-    Share1 < Share0/2,
-    least_gain(Least),
-    Share0-Share1 >= Least*More.
+rounds(6).
 
-least_gain(0.003).
+slits_opened(N, Open-Flat, Width, Pieces0-Tabs0, Known) :-
+    Tabs0 = tabs(_, Butt),
+    (   N > 0,
+        worth_parting(Open, Pieces0, Butt, Worth),
+        opened_slits(Worth, Flat, Pieces0, Butt, Pieces1),
+        \+ same_length(Pieces0, Pieces1)
+    ->  numbered_parts(Pieces1, Pieces2),
+        N1 is N-1,
+        pieces_tabs(Width, Pieces2, Tabs),
+        slits_opened(N1, Open-Flat, Width, Pieces2-Tabs, Known)
+    ;   Known = Pieces0-Tabs0
+    ).
+
+%   worth_parting(Open, Pieces, Butt, Worth): Worth is as of opened_slits/5.
+%   Pieces that are connected are wanted too, so by itself a fold is only cut if
+%   more than a tenth of the seam is without tabs, and where it brings some for
+%   three thousandths of it; until no more than a tenth has none, also for one
+%   thousandth.
+
+worth_parting(true, _, _, worth(1,1,0)).
+worth_parting(auto, Pieces, Butt, worth(Most,Least,Need)) :-
+    seam_lengths(Pieces, Butt, Without, All),
+    Need is 1000*Without - 100*All,
+    Need > 0,
+    Most is 3*All,
+    Least is All.
 
 tabs_together(Tabss, tabs(Tabs,Butt)) :-
     findall(Pair, ( member(tabs(Own,_), Tabss), gen_pair(Own, Pair) ), Pairs),
@@ -216,32 +250,6 @@ tabs_together(Tabss, tabs(Tabs,Butt)) :-
 
 gen_pair(Assoc, Key-Value) :-
     gen_assoc(Key, Assoc, Value).
-
-%   share_without_tab(Pieces, Tabs, Share): how much of the seam of Pieces.
-
-share_without_tab(Pieces, tabs(_,Butt), Share) :-
-    seam_lengths(Pieces, Butt, Without, All),
-    Share is Without/max(All, 1.0e-300).
-
-rounds(6).
-
-slits_opened(N, Width, Pieces0, Pieces, Known) :-
-    pieces_tabs(Width, Pieces0, Tabs),
-    slits_opened(N, Width, Pieces0, Pieces0-Tabs, Pieces, Known).
-
-slits_opened(0, _, Pieces, Known, Pieces, Known) :-
-    !.
-slits_opened(N, Width, Pieces0, Known0, Pieces, Known) :-
-    Known0 = _-tabs(_, Butt),
-    opened_slits(Pieces0, Butt, Pieces1),
-    (   same_length(Pieces0, Pieces1)
-    ->  Pieces = Pieces0,
-        Known = Known0
-    ;   numbered_parts(Pieces1, Pieces2),
-        N1 is N-1,
-        pieces_tabs(Width, Pieces2, Tabs),
-        slits_opened(N1, Width, Pieces2, Pieces2-Tabs, Pieces, Known)
-    ).
 
 pieces_tabs(wide(Deep,On), Pieces, tabs(Tabs,Butt)) :-
     (   memberchk(On, [lap,lock])

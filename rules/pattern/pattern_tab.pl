@@ -1,6 +1,7 @@
 :- module(sg_pattern_tab,
           [ piece_shapes/3,             % +Width, +Piece, -Named
             tabs/5,                     % +Width, +On, +Pieces, -Tabs, -Butt
+            butt_reasons/4,             % +Width, +Pieces, +Butt, -Whys
             least_tab/2,                % +Width, -Least
             deepest_tab/3,              % +Width, +Pieces, -Deep
             side_length/2,              % +Side, -Length
@@ -102,6 +103,38 @@ tabs(Width, On, Pieces, Tabs, Butt) :-
     foldl(seam_tabs(Wanted, Width, Shapes), Seams, Tabs0-Butt0, []-[]),
     append(Strips, Tabs0, Tabs),
     sort(1, @<, Butt0, Butt).
+
+%!  butt_reasons(+Width, +Pieces, +Butt, -Whys) is det.
+%
+%   Whys are Why-(D-J) for the seams of Butt, an assoc with keys D-J: `short`,
+%   too short for a tab; `slit`, the faces beside it leave no room on either
+%   side; or `taken`, other tabs do.
+
+butt_reasons(Width, Pieces, Butt, Whys) :-
+    maplist(piece_shapes(Width), Pieces, Named),
+    list_to_assoc(Named, Shapes),
+    findall(Seam-(Name-Side),
+            ( seam_side(Pieces, Seam, Name, Side),
+              get_assoc(Seam, Butt, _)
+            ),
+            Sides0),
+    keysort(Sides0, Sides),
+    group_pairs_by_key(Sides, Seams),
+    findall(Why-Seam,
+            ( member(Seam-Own, Seams), butt_reason(Width, Shapes, Own, Why) ),
+            Whys).
+
+butt_reason(Width, Shapes, Sides, Why) :-
+    Sides = [_-Side|_],
+    side_length(Side, Length),
+    (   \+ tab_shape(Width, Length, _, _)
+    ->  Why = short
+    ;   member(Some, Sides),
+        glue_side(Shapes, Some, Glue),
+        best_tab(0.0, Length, part(Length,Width,[Glue]), _)
+    ->  Why = taken
+    ;   Why = slit
+    ).
 
 seam_side(Pieces, D-J, Name, Side) :-
     member(piece(Name,_,Sides), Pieces),

@@ -239,7 +239,7 @@ command(pattern(yield(_,_)), [unfold, @('cube.pl'), '--page', 'A4',
                               '-o', @('a.svg')]).
 command(pattern(scale(_)), [unfold, @('cube.pl'), '--height', '100',
         '-o', @('x.svg')]).
-command(pattern(without_tab(_,_,_,_,_)),
+command(pattern(without_tab(_,_,_,_,_,_)),
         [unfold, @('saw.pl'), '--tabs', '5', '--no-open-slits',
          '-o', @('a.svg')]).
 command(unfold(outline_crosses(_,_)),
