@@ -10,6 +10,7 @@
 :- use_module('../development/polygon_name', [polygon_name/3]).
 :- use_module('../language', [language/1]).
 :- use_module('../store', [origin/3, segment/3]).
+:- use_module('../unrolling/true_elbow', [throat_and_heel/3]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
@@ -104,8 +105,8 @@ generator_texts(placed(Name,Faces,_,_,Sides), Wanted) :-
     ).
 
 %   quarter_text(Placed, Want) is nondet: the generators at quarter turns have
-%   their degrees along them; of an elbow also which is its throat, and its
-%   heel.
+%   their degrees along them; of an elbow the throat and the heel say that they
+%   are, wherever they are.
 
 quarter_text(placed(Name,Faces,_,_,Sides),
              want(generator_number,Name,Text,[3.2,2.5,2.0,1.6],
@@ -114,15 +115,21 @@ quarter_text(placed(Name,Faces,_,_,Sides),
     once(( member(side(E0,_,_,_,generator(_)), Sides),
            origin(D, e(E0), _) )),
     quarters(D, Quarters),
+    elbow_words(D, Words),
+    findall(Degrees, ( member(Degrees, Quarters)
+                     ; member(Degrees-_, Words),
+                       \+ ( member(Quarter, Quarters),
+                            same_direction(Degrees, Quarter) ) ),
+            Wanted),
     findall(Shape, ( member(face(_,Own), Faces), member(Shape, Own) ), Shapes),
-    member(Quarter, Quarters),
+    member(Direction, Wanted),
     findall(A-B,
             ( member(side(E,_,_-A,_-B,generator(_)), Sides),
               once(origin(D, e(E), generator(_, Degrees, _, _, _))),
-              same_direction(Degrees, Quarter) ),
+              same_direction(Degrees, Direction) ),
             Places),
     Places \== [],
-    quarter_words(D, Quarter, Text).
+    quarter_words(Words, Quarters, Direction, Text).
 
 %   quarters(D, Quarters): those at which D has generators; one alone is chance.
 
@@ -131,37 +138,39 @@ quarters(D, Quarters) :-
             ( member(Quarter, [0,90,180,270]),
               once(( origin(D, e(_), generator(_, Degrees, _, _, _)),
                      same_direction(Degrees, Quarter) )) ),
-            Quarters),
-    Quarters = [_,_|_].
-
-quarter_words(D, Quarter, Text) :-
-    format(string(Degrees), '~d°', [Quarter]),
-    (   of_elbow(D),
-        language(Language),
-        elbow_word(Quarter, Language, Word)
-    ->  format(string(Long), '~s ~w', [Degrees,Word]),
-        Text = either(Long, Degrees)
-    ;   Text = Degrees
+            Quarters0),
+    (   Quarters0 = [_,_|_]
+    ->  Quarters = Quarters0
+    ;   Quarters = []
     ).
 
-of_elbow(D) :-
-    segment(D, _, true_development(S, _)),
-    segment(S, _, Term),
-    named_term(Term, Inner),
-    functor(Inner, elbow, _).
+%   elbow_words(D, Words): Degrees-Word of the throat and the heel, if any.
 
-named_term(named(_, Term), Inner) :-
-    !,
-    named_term(Term, Inner).
-named_term(at(_, Term), Inner) :-
-    !,
-    named_term(Term, Inner).
-named_term(Term, Term).
+elbow_words(D, Words) :-
+    (   throat_and_heel(D, Throat, Heel)
+    ->  language(Language),
+        elbow_word(throat, Language, Word1),
+        elbow_word(heel, Language, Word2),
+        Words = [Throat-Word1,Heel-Word2]
+    ;   Words = []
+    ).
 
-elbow_word(0,   en, throat).
-elbow_word(180, en, heel).
-elbow_word(0,   ko, '안쪽(목)').
-elbow_word(180, ko, '바깥쪽(등)').
+quarter_words(Words, Quarters, Direction, Text) :-
+    (   member(Degrees-Word, Words),
+        same_direction(Degrees, Direction)
+    ->  (   memberchk(Direction, Quarters)
+        ->  format(string(Long), '~d° ~w', [Direction,Word]),
+            format(string(Short), '~d°', [Direction]),
+            Text = either(Long, Short)
+        ;   atom_string(Word, Text)
+        )
+    ;   format(string(Text), '~d°', [Direction])
+    ).
+
+elbow_word(throat, en, throat).
+elbow_word(heel,   en, heel).
+elbow_word(throat, ko, '안쪽(목)').
+elbow_word(heel,   ko, '바깥쪽(등)').
 
 generator_text(Name, Shapes, generator(N,A,B),
                want(generator_number,Name,Text,[2.5,2.0,1.6],

@@ -2,8 +2,9 @@
           [ plate_layer/2,              % +Options, -Layer
             plate_fits/2,               % +S, +Options
             plate_alone/4,              % +S, +Options0, -Options, -S1
-            plate_parts/5               % +S, +Others, +Options0, -Options,
+            plate_parts/5,              % +S, +Others, +Options0, -Options,
                                         % -Parts
+            part_role/4                 % +Options, +S, +Others, -Role
           ]).
 :- use_module('../near', [longer/2]).
 :- use_module('../csg/placed_surface', [placed_surface/3, placed_term/2]).
@@ -217,6 +218,13 @@ touching_sides(outside, _-Outer, OtherInner-_, Outer, OtherInner).
 touching_sides(middle, Inner-Outer, OtherInner-OtherOuter, By, OtherBy) :-
     By is (Inner+Outer)/2.0,
     OtherBy is (OtherInner+OtherOuter)/2.0.
+
+%!  part_role(+Options, +S, +Others, -Role) is det.
+%
+%   Role is that of S among Others, parts that it meets: `branch`, `header`, or
+%   `mitre` if none is wider and none narrower; or what Options say.
+%
+%   @error type_error if Options have another role
 
 part_role(Options, S, Others, Role) :-
     (   option(role(Role), Options)

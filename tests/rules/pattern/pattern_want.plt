@@ -1,5 +1,7 @@
 :- module(test_pattern_want, []).
 :- use_module(library(plunit)).
+:- use_module(library(readutil)).
+:- use_module(rules(command/cli)).
 :- use_module(rules(store)).
 :- use_module(rules(development/development), [develop/2]).
 :- use_module(rules(pattern/pattern_drawing)).
@@ -8,7 +10,8 @@
 :- use_module(rules(unfolding/unfold_true), [true_patterns/4]).
 :- use_module(rules(primitive/primitive_rows), [add_primitive/2]).
 
-/* What is written on pieces, and how much of it finds room. */
+/* What is written on pieces, and how much of it finds room.
+   covers: true_elbow */
 
 :- dynamic left_out/2.
 
@@ -62,4 +65,73 @@ test(quarters, Texts == Wanted) :-
               "180\u00B0 heel","270\u00B0","270\u00B0","90\u00B0",
               "90\u00B0"].
 
+% So do pipes that planes split, whatever generator it is: with and without
+% trimming, in plate, 9 degrees from a quarter. A pipe that is cut alone, pipes
+% that end on a saddle, and a pipe between two parallel planes have neither.
+test(throat_and_heel, [ forall(elbow(Name, Model, Arguments, Wanted)),
+                        true(Name-Said == Name-Wanted) ]) :-
+    tmp_file_stream(File, Out, [extension(pl)]),
+    write(Out, Model),
+    close(Out),
+    tmp_file(drawing, Base),
+    atom_concat(Base, '.dxf', Dxf),
+    append([unfold,File,'--true','--no-lengths','-q','-o',Dxf], Arguments,
+           All),
+    with_output_to(string(_), sanggwan(All, 0)),
+    read_file_to_string(Dxf, Text, []),
+    split_string(Text, "\n", "\r", Lines),
+    findall(Line,
+            ( member(Line, Lines),
+              ( sub_string(Line, _, _, 0, "throat")
+              ; sub_string(Line, _, _, 0, "heel") ) ),
+            Said0),
+    msort(Said0, Said).
+
 :- end_tests(pattern_want).
+
+pipes("segment(1, solid, split(at([translate(0,0,-200)],
+                         cylinder(radius(50), height(400), facets(40))),
+                         plane(-1,0,1,0), below)).
+segment(2, solid, split(at([rotate(y,90), translate(-200,0,0)],
+                         cylinder(radius(50), height(400), facets(40))),
+                         plane(-1,0,1,0), above)).\n").
+
+elbow(trimmed, Pipes, ['--trim',outside], Wanted) :-
+    pipes(Pipes),
+    two_pieces(Wanted).
+elbow(plate, Pipes, ['--trim',outside,'--thickness','4'], Wanted) :-
+    pipes(Pipes),
+    two_pieces(Wanted).
+elbow(united, Model, [], Wanted) :-
+    pipes(Pipes),
+    string_concat(Pipes, "segment(3, solid, union([1,2])).\n", Model),
+    two_pieces(Wanted).
+elbow(turned,
+      "segment(1, solid, split(at([translate(0,0,-200), rotate(z,9)],
+                         cylinder(radius(50), height(400), facets(40))),
+                         plane(-1,0,1,0), below)).
+segment(2, solid, split(at([rotate(y,90), translate(-200,0,0)],
+                         cylinder(radius(50), height(400), facets(40))),
+                         plane(-1,0,1,0), above)).\n",
+      ['--trim',outside],
+      ["0\\U+00B0 throat","180\\U+00B0 heel","heel","throat"]).
+elbow(alone,
+      "segment(1, solid, split(at([translate(0,0,-200)],
+                         cylinder(radius(50), height(400), facets(40))),
+                         plane(-1,0,1,0), below)).\n", [], []).
+elbow(tee,
+      "segment(1, solid, at([rotate(y,90), translate(-200,0,0)],
+                         cylinder(radius(50), height(400), facets(40)))).
+segment(2, solid, cylinder(radius(50), height(200), facets(40))).\n",
+      ['--trim',outside], []).
+elbow(offset,
+      "segment(1, solid, mitred_pipe(diameter(60), facets(24),
+                         through([[0,0,0],[0,0,100],[100,0,200],
+                                  [100,0,300]]))).\n",
+      ['--remove','base,top'],
+      Wanted) :-
+    Wanted = ["0\\U+00B0 heel","0\\U+00B0 throat","180\\U+00B0 heel",
+              "180\\U+00B0 throat"].
+
+two_pieces(["0\\U+00B0 heel","0\\U+00B0 throat","180\\U+00B0 heel",
+            "180\\U+00B0 throat"]).
