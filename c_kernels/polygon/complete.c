@@ -35,7 +35,9 @@ typedef struct model {
   edge *e;
   polygon_key *with_plane, *with_triangles;
   sg_keys vertices, edges, planes, triangles;
-  sg_flatness flatness;
+  const sg_completion_input *in;
+  sg_flatness own, whole; /* of what is read; of the model, once it is asked */
+  bool asked;
   const sg_cancel *cancel;
   bool stopped;
 } model;
@@ -102,6 +104,7 @@ read_vertices(const sg_view *view, model *out)
       for (int k = 0; k < 3; k++) {
         v->p[k] = view->column[2 + k].page[i].f[r];
       }
+      sg_flatness_see(&out->own, v->p);
     }
   }
   return sort_keys(out, out->v, sizeof *out->v, n, &out->vertices);
@@ -154,15 +157,16 @@ model_clear(model *m)
   free(m->with_triangles);
 }
 
-/* What is flat depends on the size of the whole model. */
-static bool
-see_size(const sg_view *view, double grain, model *out)
+/* What is flat depends on the size of the whole model, which is at least that
+ * of what is read: most often nobody needs to ask. */
+static double
+flat_reach(model *m)
 {
-  sg_flatness_init(&out->flatness, grain);
-  for (size_t i = 0; i < view->pages && !stops(out); i++) {
-    sg_flatness_page(&out->flatness, view, i);
+  if (!m->asked) {
+    m->asked = true;
+    m->stopped = !m->in->see(m->in->of, &m->whole) || m->stopped;
   }
-  return !out->stopped;
+  return sg_flatness_flat(&m->whole);
 }
 
 static bool
@@ -281,12 +285,12 @@ name_edge(const task *t, int32_t stuck, int32_t out[2])
 static sg_outcome
 find_triangles(task *t, int32_t bad[2])
 {
-  double reach[2] = {0, sg_flatness_flat(&t->model->flatness)};
   sg_outcome outcome = SG_STUCK;
   int32_t stuck;
 
   for (int i = 0; i < 2 && outcome == SG_STUCK; i++) {
-    if ((i > 0 && !fill_work(t)) || !sg_work_resolve(t->work, reach[i])) {
+    if ((i > 0 && !fill_work(t)) ||
+        !sg_work_resolve(t->work, i > 0 ? flat_reach(t->model) : 0)) {
       return SG_NO_SPACE;
     }
     t->found.n = 0;
@@ -296,6 +300,14 @@ find_triangles(task *t, int32_t bad[2])
     }
   }
   return outcome;
+}
+
+/* Whether it is off its plane by more than counts as flat. */
+static bool
+is_bent(const task *t)
+{
+  return t->n > 3 && t->off > sg_flatness_flat(&t->model->own) &&
+         t->off > flat_reach(t->model);
 }
 
 /* Looks along the axis of which the normal has the largest part, the next, and
@@ -327,7 +339,7 @@ static sg_outcome
 find_all_triangles(task *t, int32_t bad[2])
 {
   sg_outcome outcome = find_triangles(t, bad);
-  bool bent = t->n > 3 && t->off > sg_flatness_flat(&t->model->flatness);
+  bool bent = is_bent(t);
 
   for (int rank = 1; bent && rank <= 3; rank++) {
     bool missing = outcome == SG_DONE && t->found.n + 2 < t->n;
@@ -348,8 +360,7 @@ find_all_triangles(task *t, int32_t bad[2])
 static bool
 is_missing_some(const task *t)
 {
-  return t->n > 3 && t->off > sg_flatness_flat(&t->model->flatness) &&
-         t->found.n + 2 < t->n;
+  return t->found.n + 2 < t->n && is_bent(t);
 }
 
 /* Whether it is a quadrangle that is not flat: it is two triangles, also where
@@ -357,7 +368,7 @@ is_missing_some(const task *t)
 static bool
 is_bent_quadrangle(const task *t)
 {
-  return t->n == 4 && t->off > sg_flatness_flat(&t->model->flatness);
+  return t->n == 4 && is_bent(t);
 }
 
 /* A ring that is seen edge-on along each axis, or crosses itself; *done tells
@@ -455,8 +466,7 @@ quick_triangle(task *t, bool *done)
 static bool
 note_bent(task *t)
 {
-  return t->off <= sg_flatness_flat(&t->model->flatness) ||
-         fault(t, SG_FAULT_BENT, 0, 0, t->off);
+  return !is_bent(t) || fault(t, SG_FAULT_BENT, 0, 0, t->off);
 }
 
 /* Its plane: false if it has none. */
@@ -513,7 +523,7 @@ do_polygon(task *t)
   }
   if (t->needs_plane &&
       (!sg_complete_add_plane(&t->out->planes, t->s, t->p, &t->plane) ||
-       (t->n > 3 && !note_bent(t)))) {
+       !note_bent(t))) {
     return false;
   }
   if (!t->needs_triangles) {
@@ -539,7 +549,8 @@ do_row(task *t, const sg_view *view, size_t i, unsigned r)
   t->needs_triangles =
       sg_keys_find(&t->model->triangles, t->s, t->p) == SG_NOWHERE;
   return (!t->needs_plane && !t->needs_triangles) ||
-         (look_up(t, view->column[2].page[i].list[r]) && do_polygon(t));
+         (look_up(t, view->column[2].page[i].list[r]) && do_polygon(t) &&
+          !t->model->stopped);
 }
 
 static bool
@@ -563,11 +574,12 @@ do_polygons(task *t, const sg_view *view)
 }
 
 static bool
-complete(const sg_completion_input *in, const sg_view *vertices, task *t)
+complete(const sg_completion_input *in, task *t)
 {
   model *m = t->model;
-  bool done = see_size(vertices, in->grain, m) && model_read(in, m) &&
-              do_polygons(t, in->p);
+
+  m->in = in;
+  bool done = model_read(in, m) && do_polygons(t, in->p);
 
   model_clear(m);
   return done;
@@ -579,14 +591,14 @@ complete_some(const sg_completion_input *in, task *t)
 {
   const sg_view *const all[] = {in->v, in->e, in->p, in->plane, in->t};
   sg_view some[5] = {{0}};
-  sg_completion_input of = {&some[0], &some[1], &some[2], &some[3],
-                            &some[4], NULL,     0,        in->grain};
+  sg_completion_input of = {&some[0], &some[1], &some[2], &some[3], &some[4],
+                            NULL,     0,        in->see,  in->of};
   bool good = true;
 
   for (int k = 0; k < 5 && good; k++) {
     good = sg_segment_view_make(all[k], in->segment, in->segments, &some[k]);
   }
-  good = good && complete(&of, in->v, t);
+  good = good && complete(&of, t);
   for (int k = 0; k < 5; k++) {
     sg_segment_view_clear(&some[k]);
   }
@@ -602,7 +614,7 @@ sg_complete(const sg_completion_input *in, sg_completion *out, bool *stopped,
 
   *out = (sg_completion){0};
   sg_key_table_init(&t.counts, 1);
-  bool done = in->segment ? complete_some(in, &t) : complete(in, in->v, &t);
+  bool done = in->segment ? complete_some(in, &t) : complete(in, &t);
   *stopped = t.stopped || m.stopped;
   sg_key_table_clear(&t.counts);
   sg_work_close(t.work);

@@ -10,6 +10,7 @@
 
 #include "engine/cancel.h"
 #include "engine/column.h"
+#include "flatness.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -56,7 +57,9 @@ typedef struct sg_completion_input {
   const sg_view *v, *e, *p, *plane, *t;
   const int32_t *segment;
   size_t segments;
-  double grain; /* of the coarsest source of all v (flatness.h) */
+  /* What counts as flat in the whole model. False: stopped, or no memory. */
+  bool (*see)(void *of, sg_flatness *out);
+  void *of;
 } sg_completion_input;
 
 /* False: no memory, or stopped (*stopped). Polygons in row order. Owner: the

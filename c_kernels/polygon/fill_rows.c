@@ -88,6 +88,26 @@ list_faults(sg_call *call, const sg_completion *found, sg_fault_fact_list *out)
 
 static const sg_relation READ[5] = {SG_V, SG_E, SG_P, SG_PLANE, SG_T};
 
+/* All that there is. */
+static bool
+see_all(void *of, sg_flatness *out)
+{
+  sg_call *call = of;
+  const sg_version *version = sg_call_version(call);
+  sg_view view = {0};
+  double grain = 0;
+  bool good = version && sg_grain_of_all(version, &grain) &&
+              sg_version_view(version, SG_V, &view);
+
+  sg_flatness_init(out, grain);
+  for (size_t i = 0; good && i < view.pages; i++) {
+    sg_flatness_page(out, &view, i);
+    good = !sg_cancelled(&call->cancel);
+  }
+  sg_view_clear(&view);
+  return good;
+}
+
 /* Of n segments, null: of all. */
 static bool
 find_missing(sg_call *call, const int32_t *segment, size_t n,
@@ -95,8 +115,7 @@ find_missing(sg_call *call, const int32_t *segment, size_t n,
 {
   const sg_version *version = sg_call_version(call);
   sg_view view[5] = {{0}};
-  double grain;
-  bool stopped, good = version && sg_grain_of_all(version, &grain);
+  bool stopped, good = version;
 
   *found = (sg_completion){0};
   for (int i = 0; good && i < 5; i++) {
@@ -105,7 +124,7 @@ find_missing(sg_call *call, const int32_t *segment, size_t n,
   good =
       good &&
       sg_complete(&(sg_completion_input){&view[0], &view[1], &view[2], &view[3],
-                                         &view[4], segment, n, grain},
+                                         &view[4], segment, n, see_all, call},
                   found, &stopped, &call->cancel);
   for (int i = 0; i < 5; i++) {
     sg_view_clear(&view[i]);

@@ -210,10 +210,10 @@ static bool
 make_view(const sg_view *view, walk w, sg_view *out)
 {
   const uint64_t **live = malloc((view->pages + 1) * sizeof *live);
-  size_t lived = 0; /* pages with rows */
+  size_t lived = 0; /* pages with rows that are looked at */
 
   for (size_t page = 0; page < view->pages; page++) {
-    lived += view->live[page] != view->none;
+    lived += may_have(view, page, &w);
   }
   uint64_t *word = malloc((lived + 1) * SG_LIVE_WORDS * sizeof *word);
 
@@ -227,8 +227,8 @@ make_view(const sg_view *view, walk w, sg_view *out)
   }
   live[view->pages] = word; /* so that it can be freed */
   for (size_t page = 0; page < view->pages; page++) {
-    live[page] = view->none;
-    if (view->live[page] != view->none) {
+    live[page] = w.without ? view->live[page] : view->none;
+    if (may_have(view, page, &w)) {
       want_page(&w, view, page, word);
       live[page] = word;
       word += SG_LIVE_WORDS;

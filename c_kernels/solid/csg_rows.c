@@ -3,6 +3,7 @@
  */
 #include "doors/boolean.h"
 #include "rows/append_rows.h"
+#include "rows/live_rows.h"
 
 #include "engine/symbol.h"
 #include "engine/term.h"
@@ -17,11 +18,20 @@ typedef struct record_form {
   uint32_t header[HEADERS];
 } record_form;
 
+/* Of a segment: its kind, its term, and origin(S, node(S), Record); null: there
+ * is none. */
+typedef struct leaf_row {
+  int32_t kind;
+  const uint32_t *term, *record;
+} leaf_row;
+
 /* What tells leaves from others, found once a call. */
 typedef struct looking {
   const sg_version *version;
   record_form form;
-  int32_t other; /* the symbol */
+  int32_t other;  /* the symbol */
+  leaf_row *leaf; /* [leaves], by segment; null: they are looked up */
+  size_t leaves;
 } looking;
 
 static void
@@ -69,35 +79,99 @@ says(const record_form *form, const uint32_t *record, const uint32_t *term,
   return same;
 }
 
-/* origin(S, node(S), Record): null, there is none. */
-static const uint32_t *
-record_of(const sg_version *version, int32_t s)
+static leaf_row
+look_up(const sg_version *version, int32_t s)
 {
+  leaf_row leaf = {0};
   sg_term_builder b;
 
   sg_term_open(&b);
   sg_term_unary(&b, SG_SYMBOL_NODE, s);
   sg_value key[SG_MAX_COLUMNS] = {{.i = s}, {.term = sg_term_words(&b)}};
-  sg_row row = sg_version_find(version, SG_ORIGIN, key);
+  sg_row of = sg_version_find(version, SG_SEGMENT, key);
+  sg_row by = of == SG_NO_ROW ? of : sg_version_find(version, SG_ORIGIN, key);
 
   sg_term_close(&b);
-  return row == SG_NO_ROW ? NULL
-                          : sg_version_value(version, SG_ORIGIN, row, 2).term;
+  if (by != SG_NO_ROW) {
+    leaf.kind = sg_version_value(version, SG_SEGMENT, of, 1).i;
+    leaf.term = sg_version_value(version, SG_SEGMENT, of, 2).term;
+    leaf.record = sg_version_value(version, SG_ORIGIN, by, 2).term;
+  }
+  return leaf;
 }
 
 /* The symbol of its kind, or of `other`; stamp: that of its rows. */
 static int32_t
 kind_of(const looking *k, int32_t s, uint64_t stamp)
 {
-  sg_row row = sg_version_find(k->version, SG_SEGMENT,
-                               (sg_value[SG_MAX_COLUMNS]){{.i = s}});
-  const uint32_t *record = row == SG_NO_ROW ? NULL : record_of(k->version, s);
+  leaf_row leaf = !k->leaf                ? look_up(k->version, s)
+                  : (size_t)s < k->leaves ? k->leaf[s]
+                                          : (leaf_row){0};
 
-  return record && says(&k->form, record,
-                        sg_version_value(k->version, SG_SEGMENT, row, 2).term,
-                        stamp)
-             ? sg_version_value(k->version, SG_SEGMENT, row, 1).i
+  return leaf.term && leaf.record &&
+                 says(&k->form, leaf.record, leaf.term, stamp)
+             ? leaf.kind
              : k->other;
+}
+
+/* ---- of many segments ---------------------------------------------------- */
+
+static leaf_row *
+leaf_at(const looking *k, int32_t s)
+{
+  return s > 0 && (size_t)s < k->leaves ? &k->leaf[s] : NULL;
+}
+
+static const uint32_t *
+row_term(const sg_live_row *row, unsigned column)
+{
+  return (const uint32_t *)sg_row_list(row, column);
+}
+
+static void
+see_segment(void *reader, const sg_live_row *row)
+{
+  leaf_row *leaf = leaf_at(reader, sg_row_int(row, 0));
+
+  if (leaf) {
+    leaf->kind = sg_row_int(row, 1);
+    leaf->term = row_term(row, 2);
+  }
+}
+
+static void
+see_origin(void *reader, const sg_live_row *row)
+{
+  int32_t s = sg_row_int(row, 0);
+  leaf_row *leaf = leaf_at(reader, s);
+  sg_term_builder b;
+
+  sg_term_open(&b);
+  sg_term_unary(&b, SG_SYMBOL_NODE, s);
+  if (leaf && sg_term_equal(row_term(row, 1), sg_term_words(&b))) {
+    leaf->record = row_term(row, 2);
+  }
+  sg_term_close(&b);
+}
+
+/* Of a good part of all segments, n of them, the last of which is `last`: two
+ * walks are faster than to look each up. */
+static bool
+look_at_all(sg_call *call, looking *k, size_t n, int64_t last)
+{
+  size_t leaves = (size_t)last + 1;
+
+  if (n < 64 || n < sg_version_count(k->version, SG_SEGMENT) / 8 ||
+      leaves > 8 * n) {
+    return true;
+  }
+  if (!(k->leaf = sg_call_alloc(call, leaves * sizeof *k->leaf))) {
+    return false;
+  }
+  memset(k->leaf, 0, leaves * sizeof *k->leaf);
+  k->leaves = leaves;
+  return sg_each_row(call, SG_SEGMENT, see_segment, k) &&
+         sg_each_row(call, SG_ORIGIN, see_origin, k);
 }
 
 bool
@@ -119,7 +193,12 @@ sg_door_changed_leaves(sg_call *call, const sg_int_list *ss, int64_t since,
                        sg_int_list *changed)
 {
   looking k;
-  bool good = look(call, &k);
+  int64_t last = 0;
+
+  for (size_t i = 0; i < ss->n; i++) {
+    last = ss->at[i] > last ? ss->at[i] : last;
+  }
+  bool good = look(call, &k) && look_at_all(call, &k, ss->n, last);
 
   for (size_t i = 0; good && i < ss->n; i++) {
     uint64_t stamp = sg_segment_stamp(k.version, ss->at[i]);
@@ -136,7 +215,12 @@ sg_door_kept_leaves(sg_call *call, const sg_integer_list *ss,
                     sg_int_list *kinds)
 {
   looking k;
-  bool good = look(call, &k);
+  int64_t last = 0;
+
+  for (size_t i = 0; i < ss->n; i++) {
+    last = ss->at[i] > last ? ss->at[i] : last;
+  }
+  bool good = look(call, &k) && look_at_all(call, &k, ss->n, last);
 
   for (size_t i = 0; good && i < ss->n; i++) {
     int64_t s = ss->at[i];
