@@ -335,6 +335,17 @@ sg_index_ready(const sg_version *version, sg_relation relation, uint16_t mask,
   return true;
 }
 
+/* True: no row of the segment that is asked for was ever there. */
+static bool
+has_never(const sg_walk *walk)
+{
+  const sg_map *map = walk->version->map[walk->relation];
+  unsigned column = sg_relation_id_column(walk->relation);
+
+  return (walk->mask & 1) && column != SG_MAX_COLUMNS && column != 0 &&
+         (!map || !sg_ids_find(map->ids, walk->row[0].i));
+}
+
 bool
 sg_walk_open(sg_walk *walk, const sg_version *version, sg_relation relation,
              uint16_t mask, const sg_value *row)
@@ -348,6 +359,10 @@ sg_walk_open(sg_walk *walk, const sg_version *version, sg_relation relation,
   for (unsigned m = mask; m; m &= m - 1) {
     unsigned c = (unsigned)__builtin_ctz(m);
     walk->row[c] = row[c];
+  }
+  if (has_never(walk)) {
+    walk->gathered = true;
+    return true;
   }
   if (!index) {
     walk->live = sg_map_live(version->map[relation], 0);

@@ -30,7 +30,7 @@ be raised, for the process: set_limit/2, on the command line `--limits`.
 %     - name     characters of a name or a text
 %     - fact     characters of a fact
 %     - file     octets of a .csg or CityJSON file, read as a whole
-%     - text     octets of another text: of facts, 5 MB are read in a second
+%     - text     octets of another text: plain facts are 30 MB a second
 %     - facets   corners of a primitive, for every facet has some
 %     - nodes    leaves of a tree, each as often as it is used
 

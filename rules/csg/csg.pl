@@ -345,15 +345,16 @@ rows_wanted(N, From) :-
     up_to_date(N, From0),
     !.
 rows_wanted(N, _) :-
+    \+ v(N, 1, _, _, _),
     \+ v(N, _, _, _, _).
 
 %   lacking(N, Incomplete0, Incomplete): with N if it has polygons and no
-%   triangles. Triangle 1, mostly there, needs no index.
+%   triangles. Number 1, mostly there, needs no search.
 
 lacking(N, Incomplete0, Incomplete) :-
     (   \+ t(N, _, 1, _, _, _),
         \+ t(N, _, _, _, _, _),
-        p(N, _, _)
+        once(( p(N, 1, _) ; p(N, _, _) ))
     ->  Incomplete = [N|Incomplete0]
     ;   Incomplete = Incomplete0
     ).

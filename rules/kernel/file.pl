@@ -17,6 +17,22 @@ Foreign predicates; see kernel.pl.
 %   and `fact`. Limits is limits(Depth, Blocks, Digits, Name, Fact, File).
 %   Kind is `facts`, `goal` or `program`. See c_kernels/model/text_limits.h.
 
+/* - - - plain_facts_rows.c - - - */
+
+%!  plain_facts_open(+Source:text, -Facts:plain_facts) is det.
+%!  plain_facts_take(+Facts:plain_facts, +Shift:int, +From:text_place,
+%!                   -To:text_place) is det.
+%!  plain_facts_segments(+Facts:plain_facts, -Ss:list(int)) is det.
+%!  plain_facts_add(+Facts:plain_facts, +Relation:name) is semidet.
+%!  plain_facts_close(+Facts:plain_facts) is det.
+%
+%   Facts are those of the model file Source that are plain, as of
+%   c_kernels/model/plain_facts_rows.h. Those from the place From on, places of
+%   the stream, are taken as long as they are; Shift is added to the numbers of
+%   their segments. Ss are the segments of vertices, edges and polygons, in
+%   order. plain_facts_add/2 adds the rows of a Relation, for p/3 also the edges
+%   of lists of vertices. It fails if one is wrong: some may be there then.
+
 /* - - - csg_text_rows.c - - - */
 
 %!  csg_nodes(+Stream:input, +File:name, +Limits:text_limits,

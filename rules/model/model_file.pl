@@ -11,6 +11,10 @@
               [ model_text_bytes/3, next_written/3, formed_fact/4,
                 place_error/2, place_error/3, place_location/3
               ]).
+:- use_module(model_plain,
+              [ with_plain_facts/3, plain_taken/3, plain_added/2,
+                plain_segments/2
+              ]).
 :- use_module('../csg/csg', [complete_tree/1, is_node/1]).
 :- use_module('../csg/csg_term', [is_node_term/1]).
 :- use_module('../polygon/polygon_list',
@@ -97,31 +101,47 @@ Errors besides those of model_text.pl:
 read_model(File, Settings, Names) :-
     with_text(facts, File, Text,
               ( progress_by(model_text_bytes(Text)),
-                facts_transaction(
-                    sg_model_file:text_added(Text, Settings, Names))
+                text_read(Text, Settings, Names)
               )).
 
-text_added(Text, Settings, Names) :-
+%   text_read(Text, Settings, Names): plain facts all at once; where one of them
+%   is wrong all is read once more, now for the error.
+
+text_read(Text, Settings, Names) :-
+    (   with_plain_facts(Text, Facts,
+                         text_added_at_once(Text, Facts, Settings, Names))
+    ->  true
+    ;   text_added_at_once(Text, none, Settings, Names)
+    ).
+
+text_added_at_once(Text, Facts, Settings, Names) :-
+    facts_transaction(
+        sg_model_file:text_added(Text, Facts, Settings, Names)).
+
+text_added(Text, Facts, Settings, Names) :-
     shifts(Shift),
-    catch(text_added(Text, Shift, Settings, Names),
+    catch(text_added(Text, Facts, Shift, Settings, Names),
           error(model_error(What), Location),
           own_numbers(What, Location, Shift)).
 
-text_added(Text, Shift, Settings, Names) :-
+text_added(Text, Facts, Shift, Settings, Names) :-
     arg(1, Text, Name),
-    streamed(Text, Shift, [], Ss0, Later0),
+    plain_taken(Facts, Text, Shift),
+    streamed(Text, Facts, Shift, [], Ss0, Later0),
+    plain_segments(Facts, Plain),
     later_formed(Later0, Name, Shift, Settings, Later, Names, Formulas),
     foldl(formed_segment, Formulas, Ss0, Ss1),
+    append(Plain, Ss1, Ss),
     abouts_kept(Later, [], Abouts),
-    catch(later_completed(Ss1, Name, Later), Error,
+    catch(later_completed(Ss, Name, Facts, Later), Error,
           ( ranges_told(Abouts), throw(Error) )),
     forall(member(formula(Row, Written), Formulas),
            row_written(Row, Written)).
 
 %   A value out of its range is told before the error that may come of it.
 
-later_completed(Ss0, Name, Later) :-
-    later_added(Later),
+later_completed(Ss0, Name, Facts, Later) :-
+    later_added(Facts, Later),
     sort(Ss0, Ss),
     (   Ss == []
     ->  throw(error(model_error(empty), location(Name, 0, 0)))
@@ -155,35 +175,38 @@ greatest(N, Goal, Greatest) :-
                 *           STREAMING          *
                 *******************************/
 
-%   streamed(Text, Shift, Ss0, Ss, Later): rows whose references are in the
-%   world already go into it as they are read, so a file in canonical order
-%   takes no memory but the world's. Later is the list of later(Row, Place) of
-%   the others, in order; Ss has the segments of all rows, some more than once.
+%   streamed(Text, Facts, Shift, Ss0, Ss, Later): what is plain goes to Facts.
+%   Rows of the others whose references are in the world already go into it as
+%   they are read. Later is the list of later(Row, Place) of what is left, in
+%   order; Ss has the segments of all rows that were not plain, some more than
+%   once.
 
-streamed(Text, Shift, Ss0, Ss, Later) :-
+streamed(Text, Facts, Shift, Ss0, Ss, Later) :-
     next_written(Text, Fact, Place),
+    plain_taken(Facts, Text, Shift),
     (   Fact == end_of_file
     ->  Ss = Ss0,
         Later = []
     ;   Fact = waiting(Term)
-    ->  segment_commas_told(Term, Place),
+    ->  segment_commas_told(Facts, Term, Place),
         Later = [later(Fact, Place)|Later1],
-        streamed(Text, Shift, Ss0, Ss, Later1)
-    ;   segment_commas_told(Fact, Place),
+        streamed(Text, Facts, Shift, Ss0, Ss, Later1)
+    ;   segment_commas_told(Facts, Fact, Place),
         shifted(Shift, Fact, Row),
         with_segment(Row, Ss0, Ss1),
         (   added_now(Row, Place)
         ->  Later = Later1
         ;   Later = [later(Row, Place)|Later1]
         ),
-        streamed(Text, Shift, Ss1, Ss, Later1)
+        streamed(Text, Facts, Shift, Ss1, Ss, Later1)
     ).
 
-%   segment_commas_told(Fact, Place): of what the file itself has, not of
-%   values of formulas.
+%   segment_commas_told(Facts, Fact, Place): of what the file itself has, not of
+%   values of formulas; nor of what is read once more.
 
-segment_commas_told(Fact, Place) :-
-    (   Fact = segment(_, _, Term),
+segment_commas_told(Facts, Fact, Place) :-
+    (   Facts \== none,
+        Fact = segment(_, _, Term),
         once(comma_argument(Term, _))
     ->  place_location(Place, 3, Location),
         commas_told(Term, Location)
@@ -315,37 +338,26 @@ row_written(Row, Written) :-
                 *             LATER            *
                 *******************************/
 
-%   later_added(Later): what had to wait, in the order of reference. Edges
-%   made from lists are numbered after those that are given.
+%   later_added(Facts, Later): what had to wait, in the order of reference.
+%   Edges made from lists are numbered after those that are given.
 
-later_added(Later) :-
-    later_rows(Later, v/5),
-    later_rows(Later, e/5),
+later_added(Facts, Later) :-
+    later_rows(v/5, Facts, Later),
+    later_rows(e/5, Facts, Later),
     later_of(Later, segment/3, Segments),
     maplist(later_segment, Segments),
     later_of(Later, p/3, Polygons0),
     maplist(later_form, Polygons0, Polygons),
+    plain_added(Facts, p),
     empty_assoc(Numbers0),
     foldl(later_polygon, Polygons, Numbers0, Numbers),
     later_of(Later, curve/2, Curves),
     foldl(later_curve, Curves, Numbers, _),
-    later_rows(Later, plane/6),
-    later_rows(Later, t/6),
-    later_rows(Later, leaf_v/5),
-    later_rows(Later, leaf_e/5),
-    later_rows(Later, leaf_p/3),
-    later_rows(Later, leaf_t/6),
-    later_rows(Later, from_v/4),
-    later_rows(Later, from_p/5),
-    later_rows(Later, line/9),
-    later_rows(Later, piece/3),
-    later_rows(Later, joint/6),
-    later_rows(Later, region/3),
-    later_rows(Later, sides/4),
-    later_rows(Later, from_r/4),
-    later_rows(Later, lies_in/3),
-    later_rows(Later, gluing/2),
-    later_rows(Later, unfolding/2),
+    forall(member(Relation, [ plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3,
+                              leaf_t/6, from_v/4, from_p/5, line/9, piece/3,
+                              joint/6, region/3, sides/4, from_r/4, lies_in/3,
+                              gluing/2, unfolding/2 ]),
+           later_rows(Relation, Facts, Later)),
     later_setting(Later, view/3),
     later_setting(Later, projection/1),
     later_title(Later),
@@ -360,7 +372,9 @@ later_of([Item|Later], Name/Arity, Items) :-
     ),
     later_of(Later, Name/Arity, Items1).
 
-later_rows(Later, Relation) :-
+later_rows(Relation, Facts, Later) :-
+    Relation = Name/_,
+    plain_added(Facts, Name),
     later_of(Later, Relation, Items),
     forall(member(later(Row, Place), Items), row_added(Row, Place)).
 

@@ -88,12 +88,19 @@ has_item(S, r(R)) :-
 %!  has_edges(+S) is semidet.
 %!  has_polygon(+S, ?P) is semidet.
 %
-%   True when segment S has such rows.
+%   True when segment S has such rows. Number 1, mostly there, needs no search.
 
 has_vertex(S, V) :-
-    once(v(S, V, _, _, _)).
+    (   var(V),
+        v(S, 1, _, _, _)
+    ->  V = 1
+    ;   once(v(S, V, _, _, _))
+    ).
 has_edges(S) :-
-    once(e(S, _, _, _, _)).
+    (   e(S, 1, _, _, _)
+    ->  true
+    ;   once(e(S, _, _, _, _))
+    ).
 has_polygon(S, P) :-
     once(p(S, P, _)).
 has_edge(S, E) :-
