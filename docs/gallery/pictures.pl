@@ -275,6 +275,13 @@ picture(pattern_bird, 'A bird of paper',
 picture(pattern_lock_seam, 'Lock seams',
         'A tray and a duct of sheet metal with allowances for lock seams.',
         [unfold,'facts/patterns/sheet_metal.pl','--lock-seam','6']).
+picture(pattern_kerf, 'Room for the cut',
+        'A hood with its outline 2 mm outside and its hole 2 mm inside of \c
+         where they are to be, for a cut 4 mm wide; folds stay.',
+        [unfold,'facts/patterns/hood.pl','--kerf','4','--no-numbers']).
+picture(pattern_mirror, 'Both hands',
+        'The hood and its mirror image: both are folded away from the reader.',
+        [unfold,'facts/patterns/hood.pl','--mirror']).
 
 % The figures of H.-C. Chae and I.-S. Chung, Constructing the Development of
 % Solids by Personal Computer, KSME Journal, 1989: docs/unfolding.md.
