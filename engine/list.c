@@ -4,6 +4,26 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
+
+/* Bytes: of more, whole pages of this size are asked for. */
+#define LARGE_PAGE ((size_t)1 << 21)
+
+/* What is large is made of large pages, where the system has them: each small
+ * one costs a fault at its first use. */
+static void
+ask_large_pages(void *memory, size_t bytes)
+{
+  uintptr_t at = (uintptr_t)memory;
+  uintptr_t from = (at + LARGE_PAGE - 1) & ~(LARGE_PAGE - 1);
+  uintptr_t to = (at + bytes) & ~(LARGE_PAGE - 1);
+
+#ifdef MADV_HUGEPAGE
+  if (from < to) {
+    (void)madvise((void *)from, to - from, MADV_HUGEPAGE);
+  }
+#endif
+}
 
 bool
 sg_list_widen(void *item, size_t need, size_t *room, size_t size)
@@ -17,6 +37,7 @@ sg_list_widen(void *item, size_t need, size_t *room, size_t size)
     return false;
   }
   memcpy(item, &grown, sizeof grown);
+  ask_large_pages(grown, more * size);
   *room = more;
   return true;
 }

@@ -19,7 +19,7 @@ typedef struct merging {
   sg_shading *scene;
   double tolerance, reach; /* dots; from the middle to the farthest */
   uint32_t *to;            /* [surfaces]: the one that stays */
-  sg_measured *key;
+  uint64_t *key; /* rounded, in order; the surface in the lower half */
   size_t n;
 } merging;
 
@@ -104,6 +104,33 @@ same_surface(const merging *m, uint32_t i, uint32_t j)
                     : may_merge(m->scene, a, b) && same_plane(m, a->q, b->q);
 }
 
+/* Unsigned integers in the order of numbers, which are rounded to floats. */
+static uint32_t
+rounded_key(double value)
+{
+  const uint32_t sign = UINT32_C(1) << 31;
+  float rounded = (float)value;
+  uint32_t bits;
+
+  memcpy(&bits, &rounded, sizeof bits);
+  return bits & sign ? ~bits : bits | sign;
+}
+
+/* The least key of what may be one surface with what has this key. */
+static uint32_t
+least_key(const merging *m, bool quadric, uint32_t key)
+{
+  const uint32_t sign = UINT32_C(1) << 31;
+  uint32_t bits = key & sign ? key & ~sign : ~key;
+  float rounded;
+
+  memcpy(&rounded, &bits, sizeof rounded);
+  double value = rounded, off = fabs(value) * 0x1p-23;
+  return rounded_key(
+      value - off -
+      (quadric ? 1e-9 * (1.0 + fabs(value)) : 2.0 * m->tolerance));
+}
+
 /* Those of a kind, in order of their keys: each goes to that of the nearest
  * before it to which it may: of many in one plane the first that is asked. */
 static sg_shading_end
@@ -114,24 +141,24 @@ merge_kind(merging *m, bool quadric, const sg_cancel *cancel)
   m->n = 0;
   for (uint32_t i = 0; i < s->surface.n; i++) {
     if (s->surface.item[i].quadric == quadric) {
-      m->key[m->n++] = (sg_measured){key_of(m, &s->surface.item[i]), i};
+      m->key[m->n++] =
+          (uint64_t)rounded_key(key_of(m, &s->surface.item[i])) << 32 | i;
     }
   }
-  sg_sort_end end = sg_sort_measured(m->key, m->n, cancel);
-  if (end != SG_SORTED) {
-    return end == SG_SORT_STOPPED ? SG_SHADING_STOPPED : SG_SHADING_NO_MEMORY;
+  if (!sg_sort_upper(&m->key, m->n)) {
+    return SG_SHADING_NO_MEMORY;
   }
   for (size_t i = 0; i < m->n; i++) {
-    double value = m->key[i].value;
-    double width = quadric ? 1e-9 * (1.0 + fabs(value)) : 2.0 * m->tolerance;
+    uint32_t of = (uint32_t)m->key[i];
+    uint32_t least = least_key(m, quadric, (uint32_t)(m->key[i] >> 32));
 
     if (sg_cancel_every(cancel, i)) {
       return SG_SHADING_STOPPED;
     }
-    for (size_t k = i; k > 0 && value - m->key[k - 1].value <= width; k--) {
-      uint32_t other = m->to[m->key[k - 1].of];
-      if (same_surface(m, m->key[i].of, other)) {
-        m->to[m->key[i].of] = other;
+    for (size_t k = i; k > 0 && m->key[k - 1] >> 32 >= least; k--) {
+      uint32_t other = m->to[(uint32_t)m->key[k - 1]];
+      if (same_surface(m, of, other)) {
+        m->to[of] = other;
         break;
       }
     }

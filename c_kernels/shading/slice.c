@@ -2,6 +2,7 @@
 #include "shading_private.h"
 
 #include "engine/search.h"
+#include "number/bounds.h"
 
 #include <math.h>
 
@@ -120,37 +121,83 @@ find_corners(sg_shading_work *w, const sg_shading_polygon *p, double y)
   return true;
 }
 
+/* A slice from x1 to x2; null: it is too narrow for one. */
+static sg_slice *
+next_slice(sg_shading_work *w, const sg_shading_polygon *p, double x1,
+           double x2)
+{
+  int32_t from = end_of(w, x1), to = end_of(w, x2);
+
+  if (from >= to) {
+    return NULL;
+  }
+  sg_slice *out = &w->slice.item[w->slice.n++];
+  *out = (sg_slice){.x1 = from,
+                    .x2 = to,
+                    .leaf = p->leaf,
+                    .surface = p->surface,
+                    .face = p->face,
+                    .sense = p->sense};
+  return out;
+}
+
+/* A triangle, which is met in two places: most polygons of what is large. Its
+ * edges to the corner that is alone on its side of the line cross it, and
+ * nothing is asked on which the processor would have to guess. */
+static void
+slice_triangle(sg_shading_work *w, const sg_shading_polygon *p,
+               const sg_shading_surface *plane, double y)
+{
+  static const uint8_t alone[8] = {0, 0, 1, 2, 2, 1, 0, 0};
+  const sg_shading *s = w->scene;
+  const uint32_t *of = &s->corner_of.item[p->corner];
+  const double *at[3];
+  unsigned low = 0;
+
+  for (unsigned i = 0; i < 3; i++) {
+    at[i] = s->corner.item[of[i]].at;
+    low |= (unsigned)(at[i][1] <= y) << i;
+  }
+  unsigned one = alone[low];
+  const double *a = at[one], *b = at[one == 2 ? 0 : one + 1];
+  const double *c = at[one == 0 ? 2 : one - 1];
+  bool is_low = low >> one & 1;
+  double xb = meet_edge(is_low ? a : b, is_low ? b : a, y).x;
+  double xc = meet_edge(is_low ? a : c, is_low ? c : a, y).x;
+  sg_slice *out = next_slice(w, p, sg_smaller(xb, xc), sg_larger(xb, xc));
+
+  if (out) {
+    slice_plane(s, plane, y, out);
+  }
+}
+
 static bool
 slice_polygon(sg_shading_work *w, const sg_shading_polygon *p, double y)
 {
   const sg_shading_surface *plane = &w->scene->surface.item[p->surface];
+  bool edge_on = fabs(plane->q[2]) < SG_EDGE_ON;
 
-  if (!find_corners(w, p, y) ||
-      !sg_list_need(&w->slice.item, w->slice.n + w->crossing.n / 2,
-                    &w->slice.room, sizeof *w->slice.item)) {
+  if (!sg_list_need(&w->slice.item, w->slice.n + p->corners / 2, &w->slice.room,
+                    sizeof *w->slice.item)) {
     w->failed = true;
+    return false;
+  }
+  if (p->corners == 4 && !edge_on) {
+    slice_triangle(w, p, plane, y);
+    return true;
+  }
+  if (!find_corners(w, p, y)) {
     return false;
   }
   const corner *at = w->crossing.item;
 
   for (size_t i = 0; i + 1 < w->crossing.n; i += 2, at += 2) {
-    sg_slice *out = &w->slice.item[w->slice.n];
-    int32_t x1 = end_of(w, at[0].x), x2 = end_of(w, at[1].x);
-    if (x1 >= x2) {
-      continue;
-    }
-    *out = (sg_slice){.x1 = x1,
-                      .x2 = x2,
-                      .leaf = p->leaf,
-                      .surface = p->surface,
-                      .face = p->face,
-                      .sense = p->sense};
-    if (fabs(plane->q[2]) < SG_EDGE_ON) {
+    sg_slice *out = next_slice(w, p, at[0].x, at[1].x);
+    if (out && edge_on) {
       slice_between(&at[0], &at[1], out);
-    } else {
+    } else if (out) {
       slice_plane(w->scene, plane, y, out);
     }
-    w->slice.n++;
   }
   return true;
 }
