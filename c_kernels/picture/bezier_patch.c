@@ -22,21 +22,100 @@ typedef struct place {
   double at[3], along[2][3];
 } place;
 
-/* The four Bernstein polynomials and their derivatives. */
+/* At t, m being 1 - t: what is turned round is the same the other way. */
 static void
-bernstein(double t, double value[4], double slope[4])
+polynomials(double t, double m, double value[4])
+{
+  value[0] = m * m * m;
+  value[1] = 3.0 * (m * m) * t;
+  value[2] = 3.0 * (t * t) * m;
+  value[3] = t * t * t;
+}
+
+static void
+slopes(double t, double slope[4])
 {
   double m = 1.0 - t;
 
-  value[0] = m * m * m;
-  value[1] = 3.0 * m * m * t;
-  value[2] = 3.0 * m * t * t;
-  value[3] = t * t * t;
   slope[0] = -3.0 * m * m;
   slope[1] = 3.0 * m * m - 6.0 * m * t;
   slope[2] = 6.0 * m * t - 3.0 * t * t;
   slope[3] = 3.0 * t * t;
 }
+
+void
+sg_bezier_weights(size_t i, size_t n, double weight[4])
+{
+  polynomials((double)i / (double)n, (double)(n - i) / (double)n, weight);
+}
+
+/* The same, whichever end is first. */
+static double
+mixed(const double weight[4], double a, double b, double c, double d)
+{
+  return (weight[0] * a + weight[3] * d) + (weight[1] * b + weight[2] * c);
+}
+
+void
+sg_bezier_row(const double control[16][3], const double weight[4],
+              double row[4][3])
+{
+  for (int u = 0; u < 4; u++) {
+    for (int k = 0; k < 3; k++) {
+      row[u][k] = mixed(weight, control[u][k], control[4 + u][k],
+                        control[8 + u][k], control[12 + u][k]);
+    }
+  }
+}
+
+void
+sg_bezier_point(const double row[4][3], const double weight[4], double out[3])
+{
+  for (int k = 0; k < 3; k++) {
+    out[k] = mixed(weight, row[0][k], row[1][k], row[2][k], row[3][k]);
+  }
+}
+
+/* ---- how much it bends ---- */
+
+/* The length of A - B - C + D, where `map` brings it, of these control points.
+ */
+static double
+bend_of(const double control[16][3], const double map[3][3], const int of[4])
+{
+  double v[3], out[3];
+
+  for (int k = 0; k < 3; k++) {
+    v[k] = control[of[0]][k] - control[of[1]][k] - control[of[2]][k] +
+           control[of[3]][k];
+  }
+  for (int k = 0; k < 3; k++) {
+    out[k] = sg_dot(map[k], v);
+  }
+  return sg_any_length(out);
+}
+
+double
+sg_bezier_bend(const double control[16][3], const double map[3][3])
+{
+  double most[3] = {0, 0, 0}; /* along u, along v, of both */
+
+  for (int i = 0; i < 16; i++) {
+    int u = i % 4, v = i / 4;
+    const int of[3][4] = {{i, i + 1, i + 1, i + 2},
+                          {i, i + 4, i + 4, i + 8},
+                          {i, i + 1, i + 4, i + 5}};
+    const bool is[3] = {u < 2, v < 2, u < 3 && v < 3};
+    for (int k = 0; k < 3; k++) {
+      if (is[k]) {
+        most[k] = sg_larger(most[k], bend_of(control, map, of[k]));
+      }
+    }
+  }
+  return 6.0 * most[0] + 6.0 * most[1] + 18.0 * most[2];
+}
+
+/* ---- the nearest point ---- */
 
 static void
 place_at(const double control[16][3], const double uv[2], place *out)
@@ -44,8 +123,10 @@ place_at(const double control[16][3], const double uv[2], place *out)
   double value[2][4], slope[2][4];
 
   *out = (place){0};
-  bernstein(uv[0], value[0], slope[0]);
-  bernstein(uv[1], value[1], slope[1]);
+  for (int k = 0; k < 2; k++) {
+    polynomials(uv[k], 1.0 - uv[k], value[k]);
+    slopes(uv[k], slope[k]);
+  }
   for (int i = 0; i < 16; i++) {
     int u = i % 4, v = i / 4;
     for (int k = 0; k < 3; k++) {
@@ -56,46 +137,21 @@ place_at(const double control[16][3], const double uv[2], place *out)
   }
 }
 
-/* A row of the net: the points where v has these polynomials, as the control
- * points of a curve. */
-static void
-row_of_net(const double control[16][3], const double weight[4],
-           double out[4][3])
-{
-  for (int u = 0; u < 4; u++) {
-    for (int k = 0; k < 3; k++) {
-      out[u][k] = weight[0] * control[u][k] + weight[1] * control[4 + u][k] +
-                  weight[2] * control[8 + u][k] +
-                  weight[3] * control[12 + u][k];
-    }
-  }
-}
-
-static double
-square_off(const double row[4][3], const double weight[4], const double p[3])
-{
-  double sum = 0.0;
-
-  for (int k = 0; k < 3; k++) {
-    double off = weight[0] * row[0][k] + weight[1] * row[1][k] +
-                 weight[2] * row[2][k] + weight[3] * row[3][k] - p[k];
-    sum += off * off;
-  }
-  return sum;
-}
-
 static void
 nearest_of_net(const double control[16][3], const double p[3], double uv[2])
 {
-  double value[NET + 1][4], slope[4], row[4][3], least = INFINITY;
+  double value[NET + 1][4], row[4][3], at[3], least = INFINITY;
 
-  for (int i = 0; i <= NET; i++) {
-    bernstein((double)i / NET, value[i], slope);
+  for (size_t i = 0; i <= NET; i++) {
+    sg_bezier_weights(i, NET, value[i]);
   }
-  for (int j = 0; j <= NET; j++) {
-    row_of_net(control, value[j], row);
-    for (int i = 0; i <= NET; i++) {
-      double square = square_off((const double(*)[3])row, value[i], p);
+  for (size_t j = 0; j <= NET; j++) {
+    sg_bezier_row(control, value[j], row);
+    for (size_t i = 0; i <= NET; i++) {
+      double off[3];
+      sg_bezier_point((const double(*)[3])row, value[i], at);
+      sg_minus(at, p, off);
+      double square = sg_dot(off, off);
       if (square < least) {
         least = square;
         uv[0] = (double)i / NET;

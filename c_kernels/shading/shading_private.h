@@ -191,6 +191,13 @@ sg_snapped(double x)
              : __builtin_nearbyint(x * SG_SNAP) / SG_SNAP;
 }
 
+/* shading_scene.c: a model point in the picture. False: not in front of the
+ * eye. */
+bool sg_shading_seen(const sg_shading *s, const double p[3], double out[3]);
+
+/* The box of all faces reaches as far as `off` dots from a point. */
+void sg_shading_reach(sg_shading *s, const double at[3], double off);
+
 /* shading_scene.c: a plane, as sg_shading_surface has it; its place,
  * UINT32_MAX: no memory. */
 uint32_t sg_shading_add_plane(sg_shading *s, const double q[4]);

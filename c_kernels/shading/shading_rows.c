@@ -152,6 +152,23 @@ read_ring(sg_call *call, sg_shading *scene, const sg_shading_leaf_fact *fact)
   return ended(call, sg_shading_add_ring(scene, &ring), fact->ring.number);
 }
 
+static bool
+read_net(sg_call *call, sg_shading *scene, const sg_shading_leaf_fact *fact)
+{
+  const sg_shading_patch_fact_list *facts = &fact->net.patches;
+  sg_shading_patch *patch = sg_call_alloc(call, (facts->n + 1) * sizeof *patch);
+
+  for (size_t i = 0; patch && i < facts->n; i++) {
+    if (facts->at[i].control.n != 48) {
+      return sg_call_domain(call, "shading_patch", 2);
+    }
+    patch[i].face = facts->at[i].face;
+    memcpy(patch[i].control, facts->at[i].control.at, sizeof patch[i].control);
+  }
+  return patch && ended(call, sg_shading_add_net(scene, patch, facts->n),
+                        fact->net.number);
+}
+
 static int32_t
 number_of(const sg_shading_leaf_fact *fact)
 {
@@ -162,6 +179,8 @@ number_of(const sg_shading_leaf_fact *fact)
     return fact->round.number;
   case SG_SHADING_LEAF_FACT_RING:
     return fact->ring.number;
+  case SG_SHADING_LEAF_FACT_NET:
+    return fact->net.number;
   case SG_SHADING_LEAF_FACT_ROWS:
     return fact->rows.number;
   }
@@ -184,6 +203,8 @@ read_faces(sg_call *call, sg_shading *scene, const sg_shading_leaf_fact *fact)
     return good;
   case SG_SHADING_LEAF_FACT_RING:
     return read_ring(call, scene, fact);
+  case SG_SHADING_LEAF_FACT_NET:
+    return read_net(call, scene, fact);
   case SG_SHADING_LEAF_FACT_ROWS:
     return fact->rows.map.n == 12
                ? ended(call,

@@ -9,9 +9,8 @@
 
 /* ---- places ---- */
 
-/* A model point in the picture. False: not in front of the eye. */
-static bool
-place(sg_shading *s, const double p[3], double out[3])
+bool
+sg_shading_seen(const sg_shading *s, const double p[3], double out[3])
 {
   double h[4];
 
@@ -24,10 +23,17 @@ place(sg_shading *s, const double p[3], double out[3])
   }
   for (int k = 0; k < 3; k++) {
     out[k] = h[k] / h[3];
-    s->low[k] = out[k] < s->low[k] ? out[k] : s->low[k];
-    s->high[k] = out[k] > s->high[k] ? out[k] : s->high[k];
   }
   return isfinite(out[0]) && isfinite(out[1]) && isfinite(out[2]);
+}
+
+void
+sg_shading_reach(sg_shading *s, const double at[3], double off)
+{
+  for (int k = 0; k < 3; k++) {
+    s->low[k] = at[k] - off < s->low[k] ? at[k] - off : s->low[k];
+    s->high[k] = at[k] + off > s->high[k] ? at[k] + off : s->high[k];
+  }
 }
 
 /* ---- opening ---- */
@@ -165,9 +171,10 @@ sg_shading_add_corner(sg_shading *s, const double p[3], uint32_t *corner)
 {
   sg_shading_corner exact;
 
-  if (!place(s, p, exact.at)) {
+  if (!sg_shading_seen(s, p, exact.at)) {
     return SG_SHADING_BEHIND_EYE;
   }
+  sg_shading_reach(s, exact.at, 0);
   const double *at = exact.at;
   sg_shading_corner snapped = {{sg_snapped(at[0]), sg_snapped(at[1]), at[2]}};
   *corner = (uint32_t)s->corner.n;

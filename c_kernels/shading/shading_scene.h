@@ -86,6 +86,16 @@ typedef struct sg_shading_ring {
 
 sg_shading_end sg_shading_add_ring(sg_shading *scene,
                                    const sg_shading_ring *ring);
+/* A bicubic Bezier patch (picture/bezier_patch.h), a face of the last leaf. */
+typedef struct sg_shading_patch {
+  double control[16][3]; /* model units */
+  int32_t face;
+} sg_shading_patch;
+
+/* Patches, as facets no farther from them than an eighth of a dot. What is not
+ * in the picture has none. */
+sg_shading_end sg_shading_add_net(sg_shading *scene,
+                                  const sg_shading_patch *patch, size_t n);
 /* Starts a root: its nodes follow, each before its operands. */
 bool sg_shading_add_root(sg_shading *scene, int32_t root);
 /* As sg_expression_add(), of the last root: `parent` counts from 0 in it, and

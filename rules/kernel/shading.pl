@@ -26,6 +26,10 @@ Leaves are, each with its Number, which several may have:
                                       that it is not bounded there
     ring(Number, Frame, K, Face)      a torus of Frame and K, made of facets
                                       for the picture, with its own normals
+    net(Number, Patches)              patch(Controls, Face): a bicubic Bezier
+                                      patch, its 16 control points (48 numbers),
+                                      made of facets for the picture, with its
+                                      own normals; seen from both sides
     rows(Number, S, Map)              the triangles of segment S, its polygons
                                       being the faces, where Map brings them:
                                       12 numbers, X' = A*X + B*Y + C*Z + D, ...

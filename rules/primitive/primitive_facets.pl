@@ -1,6 +1,5 @@
 :- module(sg_primitive_facets,
-          [ finer_primitive/3,          % +Term0, +Turn, -Term
-            finer_patches/4             % +Term0, +Count, +N, -Term
+          [ finer_primitive/3           % +Term0, +Turn, -Term
           ]).
 :- use_module(library(apply), [exclude/3]).
 :- use_module(library(lists), [selectchk/3]).
@@ -41,35 +40,5 @@ finer_primitive(Term0, Turn, Term) :-
     ),
     N is N0*Times,
     Term =.. [Name,facets(N)|Arguments1].
-
-%   Cells of a side of a patch, of one alone: it is seen to be no curve where it
-%   is thousands of dots wide. And of all patches of a net, which take their
-%   time.
-
-fine_patch(40).
-most_cells(3200).
-
-%!  finer_patches(+Term0, +Count, +N, -Term) is semidet.
-%
-%   Term is the Bezier net Term0 of Count patches, divided N by N, with more
-%   facets, as for a picture. Fails if it has as many.
-
-finer_patches(at(Steps,Term0), Count, N0, at(Steps,Term)) :-
-    !,
-    finer_patches(Term0, Count, N0, Term).
-finer_patches(named(Name,Term0), Count, N0, named(Name,Term)) :-
-    !,
-    finer_patches(Term0, Count, N0, Term).
-finer_patches(Term0, Count, N0, Term) :-
-    fine_patch(Fine),
-    most_cells(Most),
-    N is min(Fine, floor(sqrt(Most/Count))),
-    N > N0,
-    compound_name_arguments(Term0, Name, Arguments0),
-    exclude(is_fineness, Arguments0, Arguments),
-    Term =.. [Name,facets(N)|Arguments].
-
-is_fineness(facets(_)).
-is_fineness(tolerance(_)).
 
 is_tolerance(tolerance(_)).

@@ -53,6 +53,7 @@ no_fact(Number, _, flat(Number,[],[],[])).
 
 is_curved(round(_,_)).
 is_curved(ring(_,_,_,_)).
+is_curved(net(_,_)).
 is_curved(flat(_,_,[_|_],_)).
 
 facets(Term, Points, Polygons, Faces) :-

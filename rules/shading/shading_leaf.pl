@@ -10,8 +10,7 @@
 :- use_module('../csg/known_surface',
               [plain_surface/2, stands_for/2, term_surfaces/3]).
 :- use_module('../kernel', [fill_triangles/2, shape_write/4]).
-:- use_module('../primitive/primitive_facets',
-              [finer_patches/4, finer_primitive/3]).
+:- use_module('../primitive/primitive_facets', [finer_primitive/3]).
 :- use_module('../primitive/primitive',
               [ primitive_faces/3, primitive_name/2, primitive_parts/3,
                 primitive_shape/4
@@ -23,14 +22,16 @@
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [append/2, append/3, last/2, member/2, nth1/3]).
+:- use_module(library(pairs), [pairs_keys_values/3]).
 /** <module> The leaves of a shaded picture, from terms and from rows.
 
-A part is flat(Points, Surfaces, Polygons) or round(Pieces), see
-kernel/shading.pl. Spheres, hemispheres, eggs, cylinders and cones are round,
-also hollow ones: what their terms say (known_surface.pl), if they have enough
-facets to stand for it. What else is curved (turnings, mitred pipes,
-transitions) has facets, with the normals of the surfaces for which they stand,
-and as many as a picture needs. All others are flat: a facet is seen as a facet.
+A part is flat(Points, Surfaces, Polygons), round(Pieces), ring(Frame, K, Face)
+or net(Patches), see kernel/shading.pl. Spheres, hemispheres, eggs, cylinders and
+cones are round, also hollow ones: what their terms say (known_surface.pl), if
+they have enough facets to stand for it; tori are rings, Bezier nets nets. What
+else is curved (turnings, mitred pipes, transitions) has facets, with the normals
+of the surfaces for which they stand, and as many as a picture needs. All others
+are flat: a facet is seen as a facet.
 */
 
 %!  known_leaf(+S, +Term, +Matrix, -Leaf) is det.
@@ -108,6 +109,15 @@ term_leaf(Term, [flat(Points,[],Polygons)], leaf, Faces) :-
     primitive_faces(Term, Whats, _),
     findall(F-What, nth1(F, Whats, What), Faces),
     findall(polygon(F,0,[[A,B,C]]), member(F-[A,B,C], Triangles), Polygons).
+term_leaf(Term, [net(Patches)], leaf, Faces) :-
+    primitive_name(Term, bezier),
+    !,
+    primitive_parts(Term, _, Named),
+    findall(patch(Controls,F)-(F-curved(Part)),
+            ( nth1(F, Named, Part-Surface),
+              plain_surface(Surface, surface(bezier,Controls,_,_)) ),
+            Pairs),
+    pairs_keys_values(Pairs, Patches, Faces).
 term_leaf(Term0, [flat(Points,Surfaces,Polygons)], leaf, Faces) :-
     (   finer(Term0, Finer)
     ->  Term = Finer
@@ -131,13 +141,6 @@ term_leaf(Term0, [flat(Points,Surfaces,Polygons)], leaf, Faces) :-
 finer(Term0, Term) :-
     widest_facet(Term0, Turn),
     finer_primitive(Term0, Turn, Term).
-finer(Term0, Term) :-
-    primitive_name(Term0, bezier),
-    primitive_parts(Term0, Parts, Named),
-    length(Named, Count),
-    aggregate_all(sum(N), member(part(N,_), Parts), Facets),
-    N0 is round(sqrt(Facets/(2*Count))),
-    finer_patches(Term0, Count, N0, Term).
 
 %   widest_facet(Term, Turn): of those that stand for a surface with normals.
 

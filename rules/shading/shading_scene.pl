@@ -323,6 +323,7 @@ part_fact(flat(Points,Surfaces,Polygons), Number,
           flat(Number,Points,Surfaces,Polygons)).
 part_fact(round(Pieces), Number, round(Number,Pieces)).
 part_fact(ring(Frame,K,Face), Number, ring(Number,Frame,K,Face)).
+part_fact(net(Patches), Number, net(Number,Patches)).
 part_fact(rows(S,Map), Number, rows(Number,S,Map)).
 
 %   half_added(Plane, Side, At, Nodes0, Nodes, Before, Built0, Built): the part
