@@ -9,6 +9,7 @@
 
 enum {
   AXIS_BITS = 18,
+  GROUP_BITS = 8,
   LOW_BITS = 3 * AXIS_BITS - 32, /* of a code, beside the 32 that are sorted */
   DIGIT_BITS = 11,
   DIGITS = 3, /* 3 * 11 >= 32 */
@@ -26,6 +27,7 @@ typedef struct grower {
   sg_bvh_boxes32 *let_out;
   const void *data;
   const uint32_t *name;
+  const unsigned char *kind; /* by name, or null */
   size_t block, blocks;
   sg_bvh_frame frame;
   double cells[3];     /* Morton cells in a unit */
@@ -201,6 +203,18 @@ morton(const grower *g, const sg_box32 *box)
   return code;
 }
 
+/* The same, below the group of the item. */
+static uint64_t
+code_of(const grower *g, size_t i)
+{
+  uint64_t code = morton(g, &g->box[i]);
+
+  return g->kind ? (uint64_t)g->kind[g->name ? g->name[i] : i]
+                           << (3 * AXIS_BITS - GROUP_BITS) |
+                       code >> GROUP_BITS
+                 : code;
+}
+
 /* ---- the tasks ---- */
 
 static size_t
@@ -238,7 +252,7 @@ take_boxes(void *data, size_t block)
     if ((i - block * g->block) % PART == 0) {
       ask_boxes(g, i, i + PART < end ? i + PART : end);
     }
-    g->code[i] = morton(g, &g->box[i]);
+    g->code[i] = code_of(g, i);
     g->from[i] = g->code[i] >> LOW_BITS << 32 | i;
   }
 }
@@ -503,6 +517,16 @@ sg_bvh_grow(size_t n, sg_bvh_boxes *boxes, const void *data,
 {
   return grow_tree(&(grower){.boxes = boxes, .data = data, .name = name}, n,
                    all, pool, cancel);
+}
+
+sg_bvh *
+sg_bvh_grow_grouped(size_t n, sg_bvh_boxes *boxes, const void *data,
+                    const uint32_t *name, const unsigned char *group,
+                    const sg_box *all, sg_pool *pool, const sg_cancel *cancel)
+{
+  return grow_tree(
+      &(grower){.boxes = boxes, .data = data, .name = name, .kind = group}, n,
+      all, pool, cancel);
 }
 
 sg_bvh *

@@ -90,6 +90,13 @@ sg_bvh *sg_bvh_grow(size_t n, sg_bvh_boxes *boxes, const void *data,
                     const uint32_t *name, const sg_box *all, sg_pool *pool,
                     const sg_cancel *cancel);
 
+/* The same; the boxes of items of one group, a byte for each name, are
+ * together. `group` may be null. */
+sg_bvh *sg_bvh_grow_grouped(size_t n, sg_bvh_boxes *boxes, const void *data,
+                            const uint32_t *name, const unsigned char *group,
+                            const sg_box *all, sg_pool *pool,
+                            const sg_cancel *cancel);
+
 /* The same of boxes that are already in sg_bvh_frame_of(all), let out. */
 sg_bvh *sg_bvh_grow_let_out(size_t n, sg_bvh_boxes32 *boxes, const void *data,
                             const uint32_t *name, const sg_box *all,

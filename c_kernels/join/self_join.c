@@ -52,7 +52,7 @@ find_run(sg_self_joiner *j)
   sg_run_end(&j->run);
 }
 
-/* The tree over a list of triangles. */
+/* The tree over a list of triangles: those of the same stars together. */
 static sg_bvh *
 grow(sg_self_joiner *j, const uint32_t *list, size_t n, sg_pool *pool,
      const sg_cancel *cancel)
@@ -64,14 +64,14 @@ grow(sg_self_joiner *j, const uint32_t *list, size_t n, sg_pool *pool,
     sg_box_join(&all, &box);
   }
   j->filling = list;
-  return sg_bvh_grow(n, fill_boxes, j, list, &all, pool, cancel);
+  return sg_bvh_grow_grouped(n, fill_boxes, j, list, j->star, &all, pool,
+                             cancel);
 }
 
 /* ---- pairs ---- */
 
-/* The triangle at a place of a tree. */
-static uint32_t
-triangle_at(const sg_self_joiner *j, const sg_bvh *tree, uint32_t place)
+uint32_t
+sg_self_triangle_at(const sg_self_joiner *j, const sg_bvh *tree, uint32_t place)
 {
   return tree == j->of->tree ? place : tree->item[place];
 }
@@ -93,13 +93,28 @@ is_asked(const sg_self_joiner *j, const sg_bvh_pair *pair, uint32_t i,
 }
 
 static bool
+are_equal(const sg_fan_triangle *a, const sg_fan_triangle *b)
+{
+  int same = 0;
+
+  for (int i = 0; i < 9; i++) {
+    same += a->name[i / 3] == b->name[i % 3];
+  }
+  return same >= 3;
+}
+
+static bool
 ask(const sg_self_joiner *j, uint32_t i, uint32_t k)
 {
   sg_fan_triangle a, b;
 
+  if (j->star && (j->star[i] & j->star[k])) {
+    return false;
+  }
   j->of->read(j->of->data, i < k ? i : k, &a);
   j->of->read(j->of->data, i < k ? k : i, &b);
-  return j->of->wants(j->of->data, &a, &b);
+  return !(j->of->but_equal && are_equal(&a, &b)) &&
+         j->of->wants(j->of->data, &a, &b);
 }
 
 static bool
@@ -107,8 +122,8 @@ wants_pair(void *data, const sg_bvh_hit *hit)
 {
   const sg_self_joiner *j = data;
   const sg_bvh_pair *pair = &j->pair[hit->pair];
-  uint32_t i = triangle_at(j, pair->a, hit->a);
-  uint32_t k = triangle_at(j, pair->b, hit->b);
+  uint32_t i = sg_self_triangle_at(j, pair->a, hit->a);
+  uint32_t k = sg_self_triangle_at(j, pair->b, hit->b);
 
   return is_asked(j, pair, i, k) && ask(j, i, k);
 }
@@ -119,7 +134,8 @@ wants_face(void *data, const sg_bvh_hit *hit)
 {
   const sg_self_joiner *j = data;
   const sg_bvh_pair *pair = &j->pair[hit->pair];
-  uint32_t f = pair->a->item[hit->a], i = triangle_at(j, pair->b, hit->b);
+  uint32_t f = pair->a->item[hit->a],
+           i = sg_self_triangle_at(j, pair->b, hit->b);
   sg_fan_triangle t;
 
   if (j->face_of[i] != SG_NO_KEY && j->face_of[i] >= f) {
@@ -135,8 +151,8 @@ wants_of_face(void *data, const sg_bvh_hit *hit)
 {
   const sg_self_joiner *j = data;
   const sg_bvh_pair *pair = &j->pair[hit->pair];
-  uint32_t i = triangle_at(j, pair->a, hit->a);
-  uint32_t k = triangle_at(j, pair->b, hit->b);
+  uint32_t i = sg_self_triangle_at(j, pair->a, hit->a);
+  uint32_t k = sg_self_triangle_at(j, pair->b, hit->b);
   sg_fan_triangle t;
 
   if (!is_changed(j, i) && !is_changed(j, k)) {
@@ -160,8 +176,8 @@ take(sg_self_joiner *j, const sg_bvh_hits *found, const sg_bvh_pair *pair)
   }
   for (size_t i = 0; i < found->n; i++) {
     const sg_bvh_pair *of = &pair[found->hit[i].pair];
-    uint32_t a = triangle_at(j, of->a, found->hit[i].a);
-    uint32_t b = triangle_at(j, of->b, found->hit[i].b);
+    uint32_t a = sg_self_triangle_at(j, of->a, found->hit[i].a);
+    uint32_t b = sg_self_triangle_at(j, of->b, found->hit[i].b);
 
     j->hits.hit[j->hits.n++] = (sg_bvh_hit){0, a < b ? a : b, a < b ? b : a};
   }
@@ -189,8 +205,9 @@ join(sg_self_joiner *j, const sg_bvh_pair *pair, size_t n, sg_bvh_wants *wants,
 typedef struct rooted {
   const sg_self_joiner *j;
   const sg_bvh *tree;
-  sg_fans *fans;     /* null: none */
-  sg_spines *spines; /* the same */
+  sg_self_stars stars; /* empty: none */
+  sg_fans *fans;       /* null: none */
+  sg_spines *spines;   /* the same */
 } rooted;
 
 /* An sg_fan_read. */
@@ -200,7 +217,7 @@ read_place(const void *data, size_t place, sg_fan_triangle *out)
   const rooted *r = data;
   const sg_self_joining *of = r->j->of;
 
-  of->read(of->data, triangle_at(r->j, r->tree, (uint32_t)place), out);
+  of->read(of->data, sg_self_triangle_at(r->j, r->tree, (uint32_t)place), out);
   out->polygon = of->in_polygons ? -1 : out->polygon;
 }
 
@@ -211,7 +228,9 @@ are_apart(const void *data, unsigned level, size_t a, size_t b)
   const rooted *r = data;
   const atomic_bool *done = r->j->of->done;
 
-  return (done && atomic_load_explicit(done, memory_order_relaxed)) ||
+  return (r->j->star &&
+          (r->stars.level[level][a] & r->stars.level[level][b])) ||
+         (done && atomic_load_explicit(done, memory_order_relaxed)) ||
          (r->fans && sg_fans_apart(r->fans, level, a, b)) ||
          (r->spines && sg_spines_apart(r->spines, level, a, b));
 }
@@ -227,14 +246,16 @@ join_itself(sg_self_joiner *j, const sg_bvh *tree, sg_pool *pool,
   j->only = (sg_bvh_pair){tree, tree};
   j->pair = &j->only;
   bool good =
+      sg_self_stars_open(j, tree, &r.stars) &&
       sg_fans_open(tree, read_place, &r, j->of->by_place, &r.fans) &&
       (j->of->reach > 0 ||
        sg_spines_open(tree, read_place, &r, j->of->by_place, &r.spines)) &&
       sg_bvh_join_itself(tree, j->of->reach, wants_pair, j,
-                         r.fans || r.spines ? are_apart : NULL, &r, pool,
-                         cancel, &found) &&
+                         j->star || r.fans || r.spines ? are_apart : NULL, &r,
+                         pool, cancel, &found) &&
       take(j, &found, j->pair);
 
+  sg_self_stars_close(&r.stars);
   sg_fans_close(r.fans);
   sg_spines_close(r.spines);
   free(found.hit);
@@ -307,7 +328,8 @@ meet_faces(sg_self_joiner *j, const sg_bvh *tree, sg_pool *pool,
 
   for (size_t i = 0; i < out->n; i++) {
     sg_bvh_hit *hit = &out->hit[i];
-    *hit = (sg_bvh_hit){0, faces->item[hit->a], triangle_at(j, tree, hit->b)};
+    *hit = (sg_bvh_hit){0, faces->item[hit->a],
+                        sg_self_triangle_at(j, tree, hit->b)};
   }
   if (out->n > 0) {
     qsort(out->hit, out->n, sizeof *out->hit, by_pair);
@@ -399,9 +421,9 @@ sg_self_join(const sg_self_joining *joining, sg_pool *pool,
   sg_key_table_init(&j.corner, 2);
   sg_key_table_init(&j.border, 3);
   find_run(&j);
-  bool good = sg_self_find_faces(&j);
+  bool good = sg_self_find_faces(&j) && sg_self_find_stars(&j, cancel);
 
-  if (good && (!joining->tree || j.run.askew)) {
+  if (good && (!joining->tree || j.run.askew || j.star)) {
     j.tree = grow(&j, NULL, joining->n, pool, cancel);
     good = j.tree != NULL;
   }
@@ -413,6 +435,7 @@ sg_self_join(const sg_self_joining *joining, sg_pool *pool,
                       : join_list(&j, NULL, joining->n, tree, pool, cancel));
   put_in_order(&j);
   sg_bvh_close(j.tree);
+  free(j.star);
   sg_self_clear_faces(&j);
   if (!good) {
     free(j.hits.hit);

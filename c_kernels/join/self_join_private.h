@@ -32,10 +32,15 @@ typedef struct sg_self_joiner {
   size_t singles;
   sg_key_table corner;     /* face, vertex */
   sg_key_table border;     /* face, two vertices -> how many triangles */
+  unsigned char *star;     /* [n] bits: settled at these hubs; null: no hub */
   const sg_bvh_pair *pair; /* of the join under way */
   sg_bvh_pair only;        /* where it has one */
   sg_bvh_hits hits;
 } sg_self_joiner;
+
+/* The triangle at a place of a tree. */
+uint32_t sg_self_triangle_at(const sg_self_joiner *j, const sg_bvh *tree,
+                             uint32_t place);
 
 /* The box of triangle i, along the run. */
 sg_box sg_self_box_of(const sg_self_joiner *j, uint32_t i);
@@ -50,5 +55,19 @@ void sg_self_clear_faces(sg_self_joiner *j);
  * that is an edge of the face. Exact. */
 bool sg_self_misses(const sg_self_joiner *j, uint32_t f,
                     const sg_fan_triangle *t);
+
+/* Sets star, if it is worth it: triangles with a bit in common are not asked
+ * about (self_star.c). False: no memory, or stopped. */
+bool sg_self_find_stars(sg_self_joiner *j, const sg_cancel *cancel);
+
+/* The bits that all triangles below a node have; if there are hubs. */
+typedef struct sg_self_stars {
+  unsigned char *level[SG_BVH_LEVELS]; /* from 1 on */
+} sg_self_stars;
+
+/* False: no memory. Owner: sg_self_stars_close() in any case. */
+bool sg_self_stars_open(const sg_self_joiner *j, const sg_bvh *tree,
+                        sg_self_stars *out);
+void sg_self_stars_close(sg_self_stars *stars);
 
 #endif

@@ -82,19 +82,6 @@ may_meet(void *data, const sg_fan_triangle *a, const sg_fan_triangle *b)
   return sg_self_may_meet(&two) || (j->reach > 0 && !share_corner(a, b));
 }
 
-/* The same of leaves whose corners are named by place: equal ones are none of
- * them, these have edges in common. */
-static bool
-may_meet_beyond(void *data, const sg_fan_triangle *a, const sg_fan_triangle *b)
-{
-  int same = 0;
-
-  for (int i = 0; i < 9; i++) {
-    same += a->name[i / 3] == b->name[i % 3];
-  }
-  return same < 3 && may_meet(data, a, b);
-}
-
 /* Whether they go through each other; nobody need ask after one that does. */
 static bool
 goes_through(void *data, const sg_fan_triangle *a, const sg_fan_triangle *b)
@@ -129,14 +116,15 @@ read_leaves(joiner *j, sg_pool *pool, const sg_cancel *cancel)
 }
 
 static bool
-join(joiner *j, sg_self_wants *wants, bool by_place, sg_pool *pool,
-     const sg_cancel *cancel)
+join(joiner *j, sg_self_wants *wants, bool by_place, bool but_equal,
+     sg_pool *pool, const sg_cancel *cancel)
 {
   const sg_self_joining joining = {.n = j->tree->boxes->n,
                                    .read = read_leaf,
                                    .wants = wants,
                                    .data = j,
                                    .by_place = by_place,
+                                   .but_equal = but_equal,
                                    .reach = j->reach,
                                    .tree = j->tree->boxes,
                                    .done = &j->met};
@@ -150,8 +138,9 @@ sg_self_leaf_join(const sg_leaf_tree *tree, const sg_leaf_views *views,
                   sg_bvh_hits *out)
 {
   joiner j = {.tree = tree, .views = views, .reach = reach};
-  bool done = has_none(tree) || (read_leaves(&j, pool, cancel) &&
-                                 join(&j, may_meet, false, pool, cancel));
+  bool done =
+      has_none(tree) || (read_leaves(&j, pool, cancel) &&
+                         join(&j, may_meet, false, false, pool, cancel));
 
   free(j.leaf);
   *out = j.hits;
@@ -189,7 +178,7 @@ join_few(joiner *j, const uint32_t *place, sg_pool *pool,
     j->leaf[i] = named[i];
     memcpy(j->leaf[i].name, &place[3 * i], sizeof j->leaf[i].name);
   }
-  good = good && join(j, may_meet_beyond, true, pool, cancel);
+  good = good && join(j, may_meet, true, true, pool, cancel);
   free(j->leaf);
   j->leaf = named;
   return good &&
@@ -210,7 +199,7 @@ sg_self_leaf_join_few(const sg_leaf_tree *tree, const sg_leaf_views *views,
         place &&
         sg_self_sheets_are_many(j.leaf, tree->boxes->n, place, cancel, &many) &&
         (many ? join_few(&j, place, pool, cancel)
-              : join(&j, may_meet, false, pool, cancel));
+              : join(&j, may_meet, false, false, pool, cancel));
   }
   if (!done) {
     free(j.hits.hit);
@@ -246,7 +235,7 @@ sg_self_leaf_meets(const sg_leaf_tree *tree, const sg_leaf_views *views,
 
   if (done && j.leaf) {
     j.tolerance = tolerance_of(&j, grain);
-    done = join(&j, goes_through, true, pool, cancel);
+    done = join(&j, goes_through, true, false, pool, cancel);
   }
   free(j.leaf);
   free(j.hits.hit);

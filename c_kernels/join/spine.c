@@ -43,9 +43,8 @@ struct sg_spines {
   size_t n;
 };
 
-/* A name for a place: mostly no other has it. */
-static uint32_t
-name_of_place(const double at[3])
+uint32_t
+sg_name_of_place(const double at[3])
 {
   uint64_t h = 0;
 
@@ -65,7 +64,7 @@ read_at(const sg_spines *s, size_t place, sg_fan_triangle *out)
 {
   s->read(s->data, place, out);
   for (int k = 0; s->by_place && k < 3; k++) {
-    out->name[k] = name_of_place(out->at[k]);
+    out->name[k] = sg_name_of_place(out->at[k]);
   }
 }
 

@@ -12,6 +12,9 @@
 
 #include "fan.h"
 
+/* A name for a place: mostly no other has it. */
+uint32_t sg_name_of_place(const double at[3]);
+
 typedef struct sg_spines sg_spines;
 
 /* *out is null if no edge is one. Corners are one where their names are equal,

@@ -242,10 +242,30 @@ make_brush(size_t n)
   }
 }
 
-static long
-asked_of(size_t n, bool book)
+/* Corners of a room, each in the next one, on three points: seen from the
+ * middle one the triangles lie in one another. */
+static void
+make_corners(size_t n)
 {
-  if (book) {
+  for (uint32_t i = 0; i < n; i++) {
+    sg_fan_triangle *t = &triangle[i];
+    uint32_t wall = i % 2;
+
+    place(t, 0, 1 - wall, wall, 0, wall);
+    place(t, 1, -(double)wall, 1 - 1.0 * wall, 0, 1 + wall);
+    place(t, 2, 0, 0, 1 + 8.0 * (i / 2) / (double)n, 4 + i / 2);
+    t->polygon = (int32_t)i;
+  }
+}
+
+enum { BRUSH, BOOK, BOOK_BY_PLACE, CORNERS, MODELS };
+
+static long
+asked_of(size_t n, int model)
+{
+  if (model == CORNERS) {
+    make_corners(n);
+  } else if (model != BRUSH) {
     make_book(n);
   } else {
     make_brush(n);
@@ -263,11 +283,9 @@ asked_of(size_t n, bool book)
 static void
 test_growth(void)
 {
-  for (int way = 0; way < 3; way++) {
-    bool book = way > 0;
-
-    by_place = way == 2;
-    long few = asked_of(1024, book), more = asked_of(MOST, book);
+  for (int model = 0; model < MODELS; model++) {
+    by_place = model == BOOK_BY_PLACE;
+    long few = asked_of(1024, model), more = asked_of(MOST, model);
 
     CHECK("some of each", few < 40L * 1024);
     CHECK("of many no more", more < 40L * MOST);
