@@ -2,7 +2,7 @@
           [ jobs_checked/3              % +Manifest, +Show, -Count
           ]).
 :- use_module(job_name, [stem_path/3]).
-:- use_module(job_words, [output_option/1]).
+:- use_module(job_words, [output_file/3]).
 :- use_module(manifest, [manifest_job/3]).
 :- use_module('../kernel', [atomic_scratch/3, atomic_drop/1]).
 :- use_module('../model/model_text', [place_error/2]).
@@ -107,8 +107,8 @@ raised(Place, State) :-
 path_of(job(_, _, Stem, _, _, _, _, _), Path) :-
     atom_concat('%', Stem, Path).       % no file is called so
 path_of(job(_, _, Stem, _, _, Options, _, _), Path) :-
-    member(Name-Pattern, Options),
-    output_option(Name),
+    member(Option, Options),
+    output_file(Option, _, Pattern),
     stem_path(Pattern, Stem, Path).
 
 %   few(Lines): so many are sorted here.

@@ -17,7 +17,7 @@
               ]).
 :- use_module(job_key, [job_inputs/3, also_read/5, read_as_before/1]).
 :- use_module(job_name, [stem_path/3]).
-:- use_module(job_words, [option_words/3, output_option/1]).
+:- use_module(job_words, [option_words/3, output_file/3]).
 :- use_module(run_state, [counted/1, stop_begun/0]).
 :- use_module('../language', [language/1]).
 :- use_module('../message/message_object', [message_object/3]).
@@ -71,7 +71,8 @@ cached_job(Job, Key, Run, Out) :-
 %   not be searched.
 
 named_files(job(_, _, _, _, _, Options, _, _), Files) :-
-    findall(File, ( member(Name-File, Options), output_option(Name) ), Files0),
+    findall(File, ( member(Option, Options), output_file(Option, _, File) ),
+            Files0),
     sort(Files0, Files).
 
 %   cached_files(Place, Files, Status, Said): Files are what was put in Place.

@@ -5,7 +5,7 @@
             limit_fault/2,              % +Pair, -Fault
             options_over/4,             % +Own, +Defaults, +Specs, -Options
             option_words/3,             % +Options, +Folder, -Words
-            output_option/1,            % ?Name
+            output_file/3,              % +Option, -Before, -File
             input_option/2,             % ?Verb, ?Name
             text_of/2                   % +Value, -Text
           ]).
@@ -20,6 +20,7 @@ behind `=`, or `true` of a flag. Terms are
     name                 --name
     name(Value)          --name=Value
     name(A, B)           --name=A,B
+    name(Key=Value)      --name=Key=Value
     set(Name, Value)     --set=Name=Value
 
 with `_` in a name for the `-` of the option. Beside those of the verb there are
@@ -83,6 +84,10 @@ text_of(Value, Text) :-
     ;   is_list(Value)
     ->  maplist(text_of, Value, Texts),
         atomic_list_concat(Texts, ',', Text)
+    ;   compound(Value),
+        Value = (Key=Of)
+    ->  maplist(text_of, [Key,Of], Texts),
+        atomic_list_concat(Texts, =, Text)
     ;   format(atom(Text), '~w', [Value])
     ).
 
@@ -195,12 +200,27 @@ option_known(Specs, No) :-
     atom_concat('no-', Name, No),
     memberchk(option(Name, _, flag, _, _), Specs).
 
-%!  output_option(?Name) is nondet.
+%!  output_file(+Option, -Before, -File) is semidet.
 %
-%   The value of the option Name is a file that the verb writes.
+%   The verb writes File; the value of Option is File with Before in front, as
+%   in depth=FILE.
 
-output_option(output).
-output_option(table).
+output_file(Name-Value, Before, File) :-
+    output_form(Name, Form),
+    (   Form == file
+    ->  Before = '',
+        File = Value
+    ;   sub_atom(Value, B, 1, _, =)
+    ->  Length is B+1,
+        sub_atom(Value, 0, Length, After, Before),
+        sub_atom(Value, _, After, 0, File)
+    ).
+
+output_form(output, file).
+output_form(table, file).
+output_form(spans, file).
+output_form(buffer, key_file).
+output_form('scan-line', key_file).
 
 %!  input_option(?Verb, ?Name) is nondet.
 %
@@ -209,6 +229,7 @@ output_option(table).
 input_option(_, rules).
 input_option(_, style).
 input_option(_, 'title-block').
+input_option(_, look).
 input_option(split, by).
 
 %!  option_words(+Options, +Folder, -Words) is det.
@@ -222,7 +243,7 @@ option_words(Options, Folder, Words) :-
 option_word(Folder, Name-Value, Word) :-
     (   Value == true
     ->  atom_concat(--, Name, Word)
-    ;   output_option(Name)
-    ->  atomic_list_concat([--, Name, =, Folder, /, Value], Word)
+    ;   output_file(Name-Value, Before, File)
+    ->  atomic_list_concat([--, Name, =, Before, Folder, /, File], Word)
     ;   atomic_list_concat([--, Name, =, Value], Word)
     ).

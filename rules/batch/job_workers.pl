@@ -4,13 +4,14 @@
             worker_with_room/4,         % +Job, +Worker0, +Run, -Worker
             job_given/6,                % +Job, +Key, +Inputs, +Worker, +Run,
                                         % +Out
+            results_kept/2,             % +Run, +Out
             drained/2,                  % +Run, +Out
             workers_gone/0
           ]).
 :- use_module(batch_store, [job_folder/3]).
 :- use_module(job_result,
               [job_ended/9, ended_badly/9, failed_by_error/5, folder_gone/1]).
-:- use_module(job_words, [option_words/3, output_option/1]).
+:- use_module(job_words, [option_words/3, output_file/3]).
 :- use_module(worker,
               [ worker_started/2, worker_asked/2, workers_ready/3,
                 worker_answer/3, worker_ended/2, worker_kilobytes/2,
@@ -24,12 +25,19 @@
 
 A job that loops, that wants too much memory or that crashes takes one worker
 with it. Run and Out are those of job_result.pl.
+
+A worker that has answered gets its next job before its answer is kept, so it
+does not wait for that. What failed is kept at once, since it may be the last.
 */
 
 %   worker(Worker, State): State is idle(Grace), or busy(Job, Key, Inputs,
 %   Folder, Start, Deadline).
 
 :- dynamic worker/2.
+
+%   answered(Job, Key, Inputs, Folder, Start, Head, Body): not yet kept.
+
+:- dynamic answered/7.
 
 %!  workers_reset is det.
 %!  workers_gone is det.
@@ -38,6 +46,7 @@ with it. Run and Out are those of job_result.pl.
 
 workers_reset :-
     retractall(worker(_, _)),
+    retractall(answered(_, _, _, _, _, _, _)),
     flag(sg_batch_id, _, 0).
 
 workers_gone :-
@@ -129,8 +138,8 @@ job_given(Job, Key, Inputs, Worker, Run, Out) :-
 %   folders_made(Options, Folder): those in the names of outputs.
 
 folders_made(Options, Folder) :-
-    forall(( member(Name-Pattern, Options),
-             output_option(Name),
+    forall(( member(Option, Options),
+             output_file(Option, _, Pattern),
              file_directory_name(Pattern, Inner),
              Inner \== '.' ),
            ( atomic_list_concat([Folder, /, Inner], Path),
@@ -152,6 +161,7 @@ request(Id, Argv, Limits, Head) :-
 %   All workers have answered.
 
 drained(Run, Out) :-
+    results_kept(Run, Out),
     (   worker(_, busy(_, _, _, _, _, _))
     ->  answers_heard(Run, Out),
         drained(Run, Out)
@@ -210,16 +220,31 @@ answer_taken(Worker, Run, Out) :-
         ->  worker_ended(Worker, _)
         ;   assertz(worker(Worker, idle(0)))
         ),
-        catch(( job_ended(Job, Key, Inputs, Folder, Start, Head, Body, Run, Out)
-              ->  Fault = none
-              ;   Fault = sanggwan(no_end)
-              ),
-              error(Formal, Context), Fault = error(Formal, Context)),
-        (   Fault == none
+        assertz(answered(Job, Key, Inputs, Folder, Start, Head, Body)),
+        (   get_dict(status, Head, 0)
         ->  true
-        ;   folder_gone(Folder),
-            failed_by_error(Job, Key, Fault, Run, Out)
+        ;   results_kept(Run, Out)
         )
+    ).
+
+%!  results_kept(+Run, +Out) is det.
+%
+%   What workers have answered is in the store, and in the report.
+
+results_kept(Run, Out) :-
+    forall(retract(answered(Job, Key, Inputs, Folder, Start, Head, Body)),
+           result_kept(Job, Key, Inputs, Folder, Start, Head, Body, Run, Out)).
+
+result_kept(Job, Key, Inputs, Folder, Start, Head, Body, Run, Out) :-
+    catch(( job_ended(Job, Key, Inputs, Folder, Start, Head, Body, Run, Out)
+          ->  Fault = none
+          ;   Fault = sanggwan(no_end)
+          ),
+          error(Formal, Context), Fault = error(Formal, Context)),
+    (   Fault == none
+    ->  true
+    ;   folder_gone(Folder),
+        failed_by_error(Job, Key, Fault, Run, Out)
     ).
 
 %   worn_out(Head): the worker ends, or has more memory than it should keep.

@@ -8,7 +8,7 @@
 :- use_module(job_name, [name_text/2, file_stem/2, output_fault/2]).
 :- use_module(job_words,
               [ option_pairs/2, json_pairs/2, parted_pairs/3, limit_fault/2,
-                options_over/4, option_words/3, output_option/1, input_option/2,
+                options_over/4, option_words/3, output_file/3, input_option/2,
                 text_of/2
               ]).
 :- use_module('../model/model_text',
@@ -63,8 +63,9 @@ rows(File, Line, Why), json(Text), no_key(Key) or key(Key, Keys).
 %   Verb may be that of a job.
 
 batch_verb(Verb) :-
-    member(Verb, [ check, convert, penetrate, draw, union, intersection,
-                   difference, split, eval, unfold, query, explain ]).
+    member(Verb, [ check, cells, glue, unglue, convert, penetrate, draw, render,
+                   union, intersection, difference, split, eval, unfold, query,
+                   explain ]).
 
 %!  with_manifest(+File, +Tools, -Manifest, :Goal) is semidet.
 %
@@ -125,13 +126,16 @@ manifest_folder(manifest(_, _, _, Folder, _), Folder).
 manifest_job(Manifest, Checked, Job) :-
     Manifest = manifest(_, Path, _, _, tools(_, _, Given)),
     first_defaults(Given, Defaults),
-    retractall(checked_before(_, _)),
-    State = state(0, Defaults),         % the last Number, defaults from here on
+    State = state(0, Defaults, none),
     setup_call_cleanup(
         open(Path, read, In, [encoding(utf8)]),
         ( manifest_entry(Manifest, In, Entry, Place),
           entry_job(Entry, Place, Manifest, Checked, State, Job) ),
         close(In)).
+
+%   A State is state(Number, Defaults, Before): the Number of the last job, the
+%   defaults from here on, and checked(Verb, Files, Options) of the job checked
+%   last.
 
 %   manifest_entry(Manifest, In, Entry, Place) is nondet: Entry is
 %   entry(Term, Names).
@@ -320,7 +324,7 @@ made_job(Name, Verb, Files0, Pairs, Place, Manifest, Checked, State, Job) :-
     arg(2, State, defaults(Limits0, Defaults)),
     options_over(OwnLimits, Limits0, any, Limits),
     options_over(Own, Defaults, Specs, Options),
-    job_checked(Checked, Verb, Files, Options, Specs, Manifest, Place),
+    job_checked(Checked, Verb, Files, Options, Specs, Manifest, State, Place),
     arg(1, State, Last),
     Number is Last+1,
     nb_setarg(1, State, Number),
@@ -455,19 +459,21 @@ dict_value(Key, Dict, Place, Value) :-
                 *            CHECKS            *
                 *******************************/
 
-:- dynamic checked_before/2.            % Verb, Options
+%   job_checked(Checked, Verb, Files, Options, Specs, Manifest, State, Place):
+%   what is as in the job before is right.
 
-%   job_checked(Checked, Verb, Files, Options, Specs, Manifest, Place): what is
-%   as in the job before is right.
-
-job_checked(false, _, _, _, _, _, _).
-job_checked(true, Verb, Files, Options, Specs, Manifest, Place) :-
+job_checked(false, _, _, _, _, _, _, _).
+job_checked(true, Verb, Files, Options, Specs, Manifest, State, Place) :-
     Manifest = manifest(_, _, _, Folder, tools(_, Parse, _)),
-    model_files(Verb, Files, Models),
-    forall(member(File, Models), file_checked(File, Folder, Place)),
-    (   checked_before(Verb, Before),
-        maplist(same_name, Before, Options)
-    ->  changed(Before, Options, Changed)
+    arg(3, State, Before),
+    (   Before = checked(Verb, Files, _)
+    ->  true
+    ;   model_files(Verb, Files, Models),
+        forall(member(File, Models), file_checked(File, Folder, Place))
+    ),
+    (   Before = checked(Verb, _, Old),
+        maplist(same_name, Old, Options)
+    ->  changed(Old, Options, Changed)
     ;   Changed = Options
     ),
     (   Changed == []
@@ -476,10 +482,9 @@ job_checked(true, Verb, Files, Options, Specs, Manifest, Place) :-
                ( option_checked(Option, Place, 4),
                  option_file_checked(Verb, Option, Folder, Place),
                  ending_checked(Option, Specs, Place) )),
-        words_parsed(Changed, Specs, Parse, Place, 4),
-        retractall(checked_before(_, _)),
-        assertz(checked_before(Verb, Options))
+        words_parsed(Changed, Specs, Parse, Place, 4)
     ),
+    nb_setarg(3, State, checked(Verb, Files, Options)),
     output_there(Verb, Options, Place).
 
 same_name(Name-_, Name-_).
@@ -521,7 +526,7 @@ option_file_checked(Verb, Name-File, Folder, Place) :-
 %   output_there(Verb, Options, Place): a verb that only writes has where to.
 
 output_there(Verb, Options, Place) :-
-    (   memberchk(Verb, [draw,convert]),
+    (   memberchk(Verb, [draw,convert,render,unglue]),
         \+ memberchk(output-_, Options)
     ->  entry_error(Place, 4, no_output(Verb))
     ;   true
@@ -542,6 +547,7 @@ ending_checked(Name-Pattern, Specs, Place) :-
 ending_formats(output, Specs, Formats) :-
     memberchk(option(format, _, one_of(Formats), _, _), Specs).
 ending_formats(table, _, [csv]).
+ending_formats(spans, _, [csv]).
 
 %   option_checked(Option, Place, Argument): what a job may not have, and where
 %   its files go.
@@ -549,8 +555,8 @@ ending_formats(table, _, [csv]).
 option_checked(Name-Value, Place, Argument) :-
     (   memberchk(Name, [help,from])
     ->  entry_error(Place, Argument, option(Name))
-    ;   output_option(Name),
-        output_fault(Value, Fault)
+    ;   output_file(Name-Value, _, Pattern),
+        output_fault(Pattern, Fault)
     ->  entry_error(Place, Argument, Fault)
     ;   true
     ).

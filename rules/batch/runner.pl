@@ -11,7 +11,7 @@
                 failed_by_error/5 ]).
 :- use_module(job_workers,
               [ workers_reset/0, worker_found/3, worker_with_room/4,
-                job_given/6, drained/2, workers_gone/0 ]).
+                job_given/6, results_kept/2, drained/2, workers_gone/0 ]).
 :- use_module(manifest, [with_manifest/4, manifest_folder/2, manifest_job/3]).
 :- use_module(run_state,
               [ run_state_reset/0, interrupts_noted/1, is_interrupted/0,
@@ -218,4 +218,5 @@ job_taken(Job, Run, Out) :-
     ->  worker_with_room(Job, Worker, Run, Roomy),
         job_given(Job, Key, Inputs, Roomy, Run, Out)
     ;   true
-    ).
+    ),
+    results_kept(Run, Out).

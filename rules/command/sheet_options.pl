@@ -5,6 +5,7 @@
                                         % -Request
             request_title/2,            % +Request, -Title
             looking/2,                  % +Options, -View
+            view_told/2,                % +Text, -View
             points_wanted/2,            % +Options, -Most
             scale_option/2              % +Options, -Millimetres
           ]).
@@ -217,6 +218,24 @@ looking_option(Options, '--eye', Value) :-
     option(eye(Value), Options).
 
 looking_view('--view', Text, _, View) :-
+    view_told(Text, View).
+looking_view('--direction', Text, _, View) :-
+    vector_option('--direction', Text, [X,Y,Z]),
+    direction_view('--direction', Text, d(X,Y,Z), View).
+looking_view('--eye', Text, Options, eye(Eye,Target)) :-
+    vector_option('--eye', Text, Eye),
+    (   option(target(TargetText), Options)
+    ->  vector_option('--target', TargetText, Target)
+    ;   Target = middle
+    ).
+
+%!  view_told(+Text, -View) is det.
+%
+%   View is how `--view Text` looks.
+%
+%   @error usage_error(sheet(no_view(Text, Near, Names)))
+
+view_told(Text, View) :-
     (   downcase_atom(Text, Name),
         view_named(Name, View0)
     ->  View = View0
@@ -230,15 +249,6 @@ looking_view('--view', Text, _, View) :-
     ;   findall(Name, view_named(Name, _), Names),
         near_words(Text, Names, Near),
         usage_error(sheet(no_view(Text, Near, Names)))
-    ).
-looking_view('--direction', Text, _, View) :-
-    vector_option('--direction', Text, [X,Y,Z]),
-    direction_view('--direction', Text, d(X,Y,Z), View).
-looking_view('--eye', Text, Options, eye(Eye,Target)) :-
-    vector_option('--eye', Text, Eye),
-    (   option(target(TargetText), Options)
-    ->  vector_option('--target', TargetText, Target)
-    ;   Target = middle
     ).
 
 vector_option(Name, Text, Numbers) :-

@@ -7,7 +7,7 @@
 :- use_module('../model/parameter', [settings_of/2]).
 :- use_module('../problem/problem_sheet', [problem_sheets/3]).
 :- use_module('../version', [version/1]).
-:- use_module(sheet_options, [looking/2]).
+:- use_module(sheet_options, [view_told/2]).
 :- use_module(usage, [job_options/2]).
 :- use_module(verb_output, [usage_error/1]).
 :- use_module(library(apply), [convlist/3]).
@@ -65,7 +65,7 @@ job_arguments(Specs, Words, Files, Options) :-
     parsed_arguments(Specs, Words, Files, Options),
     (   memberchk(option(direction, _, _, _, _), Specs),
         option(view(Text), Options)
-    ->  looking([view(Text)], _)
+    ->  view_told(Text, _)
     ;   true
     ),
     (   option(set(Texts), Options)

@@ -74,6 +74,41 @@ echo '% more' >>turned.pl
 batch turned_batch.pl -o turned
 check 'changed input' report_is 'done 1'
 
+# A job of any verb; every file that it writes is its own, and stays with it.
+echo 'look(1, colour(red)).' >look.pl
+cat >verbs.pl <<'END'
+job(glued, glue, ['two_cubes.pl'], [output('%.pl')]).
+job(cells, cells, ['two_cubes.pl'], [json, output('%.csv')]).
+job(seen, render, ['two_cubes.pl'],
+    [ size('80x60'), look('look.pl'), output('%.png'), spans('%-spans.csv'),
+      buffer(depth='%.pfm'), buffer(id='of/%.csv'), scan_line(30='%.svg') ]).
+END
+batch verbs.pl -o verbs -j 2
+check 'verbs' report_is 'done 3'
+check 'verbs: their files' is "$(cd verbs && find . -type l | sort | xargs)" \
+  './cells.csv ./cells.stdout.json ./glued.pl ./glued.stdout.txt ./of/seen.csv'\
+' ./seen-spans.csv ./seen.pfm ./seen.png ./seen.svg'
+run render two_cubes.pl --size 80x60 --look look.pl -o one.png \
+  --buffer depth=one.pfm -q
+check 'verbs: the bytes of render' \
+  is "$(cat one.png one.pfm | sha256sum)" \
+  "$(cat verbs/seen.png verbs/seen.pfm | sha256sum)"
+echo "job(back, unglue, ['verbs/glued.pl'], [output('%.pl')])." >back.pl
+batch back.pl -o back
+check 'verbs: unglue' report_is 'done 1'
+echo 'look(1, colour(blue)).' >look.pl
+batch verbs.pl -o verbs
+check 'verbs: another look' report_is 'cached 2 done 1'
+for option in "buffer(depth='d.pfm')" "buffer(depth='../%.pfm')" \
+  "spans('%.txt')" "look('none.pl')"; do
+  echo "job(a, render, ['cube.pl'], [output('%.png'), $option])." >bad.pl
+  batch bad.pl -o bad
+  check "verbs: $option" status_is 3
+done
+echo "job(a, render, ['cube.pl'], [])." >bad.pl
+batch bad.pl -o bad
+check 'verbs: no output' has 'a job of render writes files, and this one says none'
+
 # Shards: together they are the whole, and each job is in one.
 for i in 1 2 3; do
   batch many.pl -o shards --shard $i/3 -j 1
