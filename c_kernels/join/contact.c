@@ -67,6 +67,15 @@ all_beyond(const double h[3], double reach)
          (h[0] < -reach && h[1] < -reach && h[2] < -reach);
 }
 
+/* Edge i is, whatever rounding does: it passes no edge of the other. */
+static bool
+edge_beyond(const double h[3], int i, double reach)
+{
+  double a = h[i], b = h[(i + 1) % 3];
+
+  return (a > 2 * reach && b > 2 * reach) || (a < -2 * reach && b < -2 * reach);
+}
+
 /* ---- exactly ---- */
 
 static bool
@@ -311,8 +320,10 @@ sg_contacts(const double a[3][3], const double b[3][3], double reach,
     }
   }
   for (int i = 0; i < 3; i++) {
-    for (int j = 0; j < 3; j++) {
-      edges(&find, i, j);
+    for (int j = 0; j < 3 && !edge_beyond(h[0], i, reach); j++) {
+      if (!edge_beyond(h[1], j, reach)) {
+        edges(&find, i, j);
+      }
     }
   }
   return find.n;

@@ -285,32 +285,31 @@ turn_exactly(sg_exact_question question, int axis, const sg_point *a,
              const sg_point *b, const sg_point *c)
 {
   const sg_point *point[3] = {a, b, c};
-  mpz_t x[3], y[3], w[3], minor, det;
+  mpz_t room[3][3], minor, det;
+  mpz_srcptr of[3][3];
 
   count_fallback(question);
-  sg_integers_init3(x);
-  sg_integers_init3(y);
-  sg_integers_init3(w);
   for (int i = 0; i < 3; i++) {
-    sg_integers_of_two(point[i], (axis + 1) % 3, (axis + 2) % 3, x[i], y[i],
-                       w[i]);
+    sg_integers_init3(room[i]);
+    sg_integers_of_two(point[i], (axis + 1) % 3, (axis + 2) % 3, room[i],
+                       of[i]);
   }
-  mpz_init(minor);
-  mpz_init(det);
+  mpz_init2(minor, 2 * SG_INTEGER_BITS);
+  mpz_init2(det, 2 * SG_INTEGER_BITS);
   for (int i = 0; i < 3; i++) {
-    int k = (i + 1) % 3, l = (i + 2) % 3;
+    mpz_srcptr *k = of[(i + 1) % 3], *l = of[(i + 2) % 3];
 
-    mpz_mul(minor, x[k], y[l]);
-    mpz_submul(minor, x[l], y[k]);
-    mpz_addmul(det, minor, w[i]);
+    mpz_mul(minor, k[0], l[1]);
+    mpz_submul(minor, l[0], k[1]);
+    mpz_addmul(det, minor, of[i][2]);
   }
   int answer = mpz_sgn(det);
 
   mpz_clear(det);
   mpz_clear(minor);
-  sg_integers_clear3(x);
-  sg_integers_clear3(y);
-  sg_integers_clear3(w);
+  for (int i = 0; i < 3; i++) {
+    sg_integers_clear3(room[i]);
+  }
   return answer;
 }
 

@@ -76,21 +76,24 @@ of_two_doubles(double p, double q, mpz_ptr x, mpz_ptr y, mpz_ptr w)
 }
 
 void
-sg_integers_of_two(const sg_point *point, int u, int v, mpz_ptr x, mpz_ptr y,
-                   mpz_ptr w)
+sg_integers_of_two(const sg_point *point, int u, int v, mpz_t room[3],
+                   mpz_srcptr out[3])
 {
   mpq_t *q = sg_point_q(point);
 
+  for (int k = 0; k < 3; k++) {
+    out[k] = room[k];
+  }
   if (!q) {
-    of_two_doubles(point->p[u], point->p[v], x, y, w);
+    of_two_doubles(point->p[u], point->p[v], room[0], room[1], room[2]);
   } else if (mpz_cmp(mpq_denref(q[u]), mpq_denref(q[v])) == 0) {
-    mpz_set(x, mpq_numref(q[u]));
-    mpz_set(y, mpq_numref(q[v]));
-    mpz_set(w, mpq_denref(q[u]));
+    out[0] = mpq_numref(q[u]);
+    out[1] = mpq_numref(q[v]);
+    out[2] = mpq_denref(q[u]);
   } else {
-    mpz_mul(x, mpq_numref(q[u]), mpq_denref(q[v]));
-    mpz_mul(y, mpq_numref(q[v]), mpq_denref(q[u]));
-    mpz_mul(w, mpq_denref(q[u]), mpq_denref(q[v]));
+    mpz_mul(room[0], mpq_numref(q[u]), mpq_denref(q[v]));
+    mpz_mul(room[1], mpq_numref(q[v]), mpq_denref(q[u]));
+    mpz_mul(room[2], mpq_denref(q[u]), mpq_denref(q[v]));
   }
 }
 
@@ -106,7 +109,7 @@ sg_integers_open(sg_integers *out, mpz_t (*room)[3],
     mpq_t *q = sg_point_q(point[i]);
 
     for (int k = 0; k < 3; k++) {
-      mpz_init(room[i][k]);
+      mpz_init2(room[i][k], SG_INTEGER_BITS);
       if (q) {
         mpz_divexact(room[i][k], out->w, mpq_denref(q[k]));
         mpz_mul(room[i][k], room[i][k], mpq_numref(q[k]));
@@ -146,7 +149,9 @@ sg_integers_subtract(mpz_t out[3], mpz_t a[3], mpz_t b[3])
 void
 sg_integers_init3(mpz_t v[3])
 {
-  mpz_inits(v[0], v[1], v[2], NULL);
+  for (int k = 0; k < 3; k++) {
+    mpz_init2(v[k], SG_INTEGER_BITS);
+  }
 }
 
 void

@@ -15,18 +15,21 @@ typedef struct sg_integers {
   int n;
 } sg_integers;
 
-/* The coordinates u and v of a point over a denominator of their own: x / w and
- * y / w, w > 0. All three are
- * initialised. Where
- * only signs of determinants are wanted, no common denominator has to be found.
+/* The coordinates u and v of a point over a denominator of their own: out[0] /
+ * out[2] and out[1] / out[2], out[2] > 0. They are the point's, or in room[],
+ * which is initialised. Where only signs of determinants are wanted, no common
+ * denominator has to be found.
  */
-void sg_integers_of_two(const sg_point *point, int u, int v, mpz_ptr x,
-                        mpz_ptr y, mpz_ptr w);
+void sg_integers_of_two(const sg_point *point, int u, int v, mpz_t room[3],
+                        mpz_srcptr out[3]);
 
 /* Initialises room[n][3] too; sg_integers_close() clears it. */
 void sg_integers_open(sg_integers *out, mpz_t (*room)[3],
                       const sg_point *const *point, int n);
 void sg_integers_close(sg_integers *in);
+
+/* Room that hardly any number needs more of. */
+enum { SG_INTEGER_BITS = 256 };
 
 void sg_integers_init3(mpz_t v[3]);
 void sg_integers_clear3(mpz_t v[3]);

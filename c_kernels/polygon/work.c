@@ -430,13 +430,17 @@ sg_work_place(const sg_work *work, int32_t v, int32_t w)
 }
 
 bool
+sg_work_inside(const sg_work *work, int32_t a, int32_t b, int32_t v)
+{
+  int along = between_on_axis(work, 0, a, b, v);
+
+  return along ? along > 0 : between_on_axis(work, 1, a, b, v) > 0;
+}
+
+bool
 sg_work_between(const sg_work *work, int32_t a, int32_t b, int32_t v)
 {
-  if (sg_work_turn(work, a, b, v) != 0) {
-    return false;
-  }
-  int along = between_on_axis(work, 0, a, b, v);
-  return along ? along > 0 : between_on_axis(work, 1, a, b, v) > 0;
+  return sg_work_turn(work, a, b, v) == 0 && sg_work_inside(work, a, b, v);
 }
 
 /* ---- searching by place ------------------------------------------------- */

@@ -89,6 +89,17 @@ on_one_line(const sg_work *work, int32_t v1, int32_t v2,
   return in != 0;
 }
 
+/* Do they share an end, and turn there? Then that is all they share. */
+static bool
+turn_apart(const sg_work *work, int32_t v1, int32_t v2, int32_t a, int32_t b)
+{
+  if (v1 == a || v1 == b) {
+    return sg_work_turn(work, v1, v2, v1 == a ? b : a) != 0;
+  }
+  return (v2 == a || v2 == b) &&
+         sg_work_turn(work, v1, v2, v2 == a ? b : a) != 0;
+}
+
 /* False: they do not meet, or only in a shared end. */
 static bool
 meet(const sg_work *work, int32_t v1, int32_t v2, const sg_work_edge *edge,
@@ -97,13 +108,15 @@ meet(const sg_work *work, int32_t v1, int32_t v2, const sg_work_edge *edge,
   int32_t a = edge->start, b = edge->end;
   const sg_work_vertex_row *v = work->vertex;
 
-  if (apart(v[v1].at, v[v2].at, v[a].at, v[b].at)) {
+  if (apart(v[v1].at, v[v2].at, v[a].at, v[b].at) ||
+      turn_apart(work, v1, v2, a, b)) {
     return false;
   }
-  int side_a = sg_work_turn(work, v1, v2, a);
-  int side_b = sg_work_turn(work, v1, v2, b);
-  int side_1 = sg_work_turn(work, a, b, v1);
-  int side_2 = sg_work_turn(work, a, b, v2);
+  bool shared = v1 == a || v1 == b || v2 == a || v2 == b;
+  int side_a = shared ? 0 : sg_work_turn(work, v1, v2, a);
+  int side_b = shared ? 0 : sg_work_turn(work, v1, v2, b);
+  int side_1 = shared ? 0 : sg_work_turn(work, a, b, v1);
+  int side_2 = shared ? 0 : sg_work_turn(work, a, b, v2);
   if (side_a * side_b > 0 || side_1 * side_2 > 0) {
     return false;
   }
@@ -113,10 +126,10 @@ meet(const sg_work *work, int32_t v1, int32_t v2, const sg_work_edge *edge,
   }
   *out = (sg_meeting){.how = SG_TOUCHES};
   out->inside =
-      (side_1 == 0 && sg_work_between(work, a, b, v1) ? SG_V1_INSIDE : 0u) |
-      (side_2 == 0 && sg_work_between(work, a, b, v2) ? SG_V2_INSIDE : 0u) |
-      (side_a == 0 && sg_work_between(work, v1, v2, a) ? SG_START_INSIDE : 0u) |
-      (side_b == 0 && sg_work_between(work, v1, v2, b) ? SG_END_INSIDE : 0u) |
+      (side_1 == 0 && sg_work_inside(work, a, b, v1) ? SG_V1_INSIDE : 0u) |
+      (side_2 == 0 && sg_work_inside(work, a, b, v2) ? SG_V2_INSIDE : 0u) |
+      (side_a == 0 && sg_work_inside(work, v1, v2, a) ? SG_START_INSIDE : 0u) |
+      (side_b == 0 && sg_work_inside(work, v1, v2, b) ? SG_END_INSIDE : 0u) |
       ends_together(work, v1, v2, edge);
   if (side_a == 0 && side_b == 0) {
     return on_one_line(work, v1, v2, edge, out);

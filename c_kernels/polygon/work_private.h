@@ -66,6 +66,9 @@ sg_work_grid_segment *sg_work_segments(const sg_work *work);
 /* Bounds the rounding errors of the picture's coordinates. */
 double sg_work_error(const sg_work *work);
 
+/* v strictly between a and b, where it is known to be on their line. Exact. */
+bool sg_work_inside(const sg_work *work, int32_t a, int32_t b, int32_t v);
+
 /* The order of places: along the picture's first axis, then the second. Exact;
  * 0: one place. */
 int sg_work_place(const sg_work *work, int32_t v, int32_t w);

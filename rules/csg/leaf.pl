@@ -66,8 +66,10 @@ curve_kept(S-E) :-
 were_cut(S1, S2) :-
     line(_, S1, _, _, _, S2, _, _, _).
 were_cut(S1, S2) :-
+    S1 \== S2,
     findall(Curve-(S1-S2),
             ( ( Curve = S1, Other = S2 ; Curve = S2, Other = S1 ),
+              may_be_curve(Curve),
               origin(Curve, v(_), Origin),
               origin_segment(Origin, Other),
               S1 < S2 ),
@@ -75,6 +77,13 @@ were_cut(S1, S2) :-
     sort(Named0, Named),                % is_curve/1 is dear: once for each
     member(Curve-(S1-S2), Named),
     is_curve(Curve).
+
+%   may_be_curve(?S): solids are none, so the origins that results have, which
+%   are many, are not looked at.
+
+may_be_curve(S) :-
+    segment(S, Kind, _),
+    memberchk(Kind, [surface,curve,cells]).
 
 %   is_curve(+S): it has no triangles. That is looked for among all, so last.
 
@@ -119,11 +128,9 @@ all_cuts(Cuts) :-
     ord_union(Lines, Curves, Cuts).
 
 %   curve_cut(-S1, -S2): one of them is a curve that has a point on the other.
-%   Solids are no curves, so what results were made from is not looked at.
 
 curve_cut(S1, S2) :-
-    member(Kind, [surface,curve,cells]),
-    segment(Curve, Kind, _),
+    may_be_curve(Curve),
     is_curve(Curve),
     origin(Curve, v(_), Origin),
     origin_segment(Origin, Other),
