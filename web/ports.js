@@ -5,6 +5,7 @@ import { w, said, reworded } from "./words.js";
 import { Picture, strokesOf, laidOf } from "./picture.js";
 import { KINDS, kindOf } from "./kinds.js";
 import { Lost, textOf } from "./wire.js";
+import { Turning } from "./turning.js";
 
 const PICTORIAL = [315, 54.735610317245346];
 
@@ -34,6 +35,8 @@ class Port {
     this.angles = [...PICTORIAL];
     this.sheet = 1;
     this.scale = null;
+    this.turning = new Turning(this);
+    this.slowest = 0;
     this.listen();
   }
 
@@ -122,6 +125,7 @@ class Port {
     this.busy = true;
     this.element.classList.toggle("late", this.slow);
     const { kind } = this;
+    const { turns } = this.turning;
     const { wire, ports } = this.studio;
     try {
       wire.extra = ports.shown === this ? { shown: true } : {};
@@ -130,6 +134,7 @@ class Port {
       const reply = await asked;
       if (kind !== this.kind) this.again = true;
       else if (!reply.head.replaced) this.show(reply);
+      if (turns === this.turning.turns) this.turning.leave();
     } catch (error) {
       if (error.message === "interrupted") this.again = true;
       else if (!(error instanceof Lost)) this.failed(error);
@@ -158,6 +163,7 @@ class Port {
   showStrokes(reply) {
     const { head } = reply;
     this.picture.show(strokesOf(reply));
+    this.slowest = head.ms ?? 0;
     const { fits } = kindOf(this.kind);
     if (fits && !this.zoomed) this.picture.fit(fits === "bar" ? fits : null);
     if (this.zoomed) this.picture.look(...this.zoomed);
@@ -289,9 +295,16 @@ class Port {
     }
     const { shown } = this.picture;
     if (!this.scale && shown && shown.place && this.kind !== "section") this.scale = shown.place[0] / 1000;
+    if (this.turning.turned()) return;
     this.refresh();
     this.settled();
   }
+
+  // The picture that the page turned itself is drawn exactly.
+  rests = calm(120, () => {
+    this.refresh();
+    this.settled();
+  });
 
   fit() {
     this.scale = null;

@@ -347,6 +347,8 @@ verb_option(serve, option(problems, '', value, 'FILE',
      page; as --class')).
 verb_option(serve, option(behind, '', value, 'URL',
     'where a proxy shows the page, like https://h.example/sanggwan/')).
+verb_option(serve, option(socket, '', value, 'PATH',
+    'listen at a Unix socket, for the proxy of --behind, not at a port')).
 verb_option(serve, option(embed, '', value, 'ORIGIN',
     'whose pages may show this one in a frame, like https://h.example')).
 verb_option(serve, option(open, '', flag, '',

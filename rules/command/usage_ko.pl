@@ -33,6 +33,7 @@ option_ko(problems, '학생들이 페이지에서 푸는 수업의 문제 (docs/
                      --class와 같이 들어온다').
 option_ko(embed, '이 페이지를 틀 안에 보일 수 있는 출처. 보기: https://h.example').
 option_ko(behind, '프록시가 페이지를 보이는 주소. 보기: https://h.example/sanggwan/').
+option_ko(socket, '번호 대신 유닉스 소켓에서 받는다. --behind의 프록시가 묻는다').
 option_ko(open, '이 데스크톱의 브라우저에서 페이지를 연다 (기본)').
 option_ko(output, '결과 파일. 확장자가 형식을 정하며 여러 번 쓸 수 있다').
 option_ko(format, '-o - 의 형식').

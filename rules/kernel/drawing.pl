@@ -93,6 +93,19 @@ Foreign predicates; see kernel.pl.
 %   A substitute outline yields to a line that is nearer than Near,
 %   standardised: 1/400 of the picture's longer side.
 
+/* - - - scene_mesh_rows.c - - - */
+
+%!  scene_mesh(+Scene:scene, +Crease:number, -Middle:point,
+%!             -Counts:mesh_counts, -Octets:bytes) is det.
+%
+%   The model of Scene for who turns it himself: numbers of four octets, the
+%   lowest first. Middle is that of its box. Octets have the places of its
+%   vertices, seen from there, three float32 each; of its triangles three
+%   vertices each, numbered from 0; of its lines two, first those that are drawn
+%   wherever they are seen from, because they bend by more than Crease degrees
+%   or for another reason. Counts is counts(Vertices,Triangles,Lines,Sharp),
+%   Sharp of the Lines being these.
+
 /* - - - occluder_rows.c - - - */
 
 %!  occluder(+Scene:scene, +S:id, +E:int, ?S2:id, ?T:id, -From:number,

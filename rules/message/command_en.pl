@@ -78,6 +78,17 @@ command_en(host_needs_class(Host)) -->
 command_en(behind(URL)) -->
     [ '--behind ~w is no address of a page'-[URL], nl,
       '  Write it as people see it, like https://h.example/sanggwan/.' ].
+command_en(socket_alone(Path)) -->
+    [ '--socket ~w is for a proxy'-[Path], nl,
+      '  Add --behind URL, where people see the page, and leave --port and \c
+       --host out.' ].
+command_en(socket_taken(Path)) -->
+    [ 'another program listens at ~w'-[Path], nl,
+      '  Give another --socket, or end that program.' ].
+command_en(no_socket(Path)) -->
+    [ 'no socket can be made at ~w'-[Path], nl,
+      '  Its folder must be there and be writable, and nothing else have this \c
+       name, which is at most 107 octets long.' ].
 command_en(embed(URL)) -->
     [ '--embed ~w is no origin of pages'-[URL], nl,
       '  Write it without a path, like https://h.example.' ].

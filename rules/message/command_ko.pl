@@ -83,6 +83,17 @@ command_ko(host_needs_class(Host)) -->
 command_ko(behind(URL)) -->
     [ '--behind ~w: 페이지의 주소가 아닙니다'-[URL], nl,
       '  사람들이 보는 대로 쓰십시오. 보기: https://h.example/sanggwan/' ].
+command_ko(socket_alone(Path)) -->
+    [ '--socket ~w: 프록시가 쓰는 것입니다'-[Path], nl,
+      '  사람들이 페이지를 보는 주소를 --behind에 쓰고 --port와 --host를 \c
+       빼십시오.' ].
+command_ko(socket_taken(Path)) -->
+    [ '다른 프로그램이 ~w에서 받고 있습니다'-[Path], nl,
+      '  --socket에 다른 경로를 쓰거나 그 프로그램을 끝내십시오.' ].
+command_ko(no_socket(Path)) -->
+    [ '~w에 소켓을 만들지 못합니다'-[Path], nl,
+      '  폴더가 있고 쓸 수 있어야 하며, 같은 이름의 다른 것이 없어야 하고, \c
+       경로는 107바이트까지입니다.' ].
 command_ko(embed(URL)) -->
     [ '--embed ~w: 페이지의 출처가 아닙니다'-[URL], nl,
       '  경로 없이 쓰십시오. 보기: https://h.example' ].

@@ -140,11 +140,11 @@ session_en(open_to_others(Host, Port)) -->
        this model; nothing is encrypted'-[Host, Port], nl,
       '  Rules, which run code, are not changed there. Without --host only \c
        this machine is let in.' ].
-session_en(behind(URL, Host, Port)) -->
+session_en(behind(URL, Place)) -->
     [ 'whoever the proxy at ~w lets through and knows the address below sees \c
        and changes this model'-[URL], nl,
-      '  It listens at ~w:~w. Rules, which run code, are not changed \c
-       there.'-[Host, Port] ].
+      '  It listens at ~w. Rules, which run code, are not changed \c
+       there.'-[Place] ].
 session_en(too_many_uploads(Most)) -->
     [ '~D files were sent already, as many as may be'-[Most], nl,
       '  Send one by the name of another, which it replaces.' ].

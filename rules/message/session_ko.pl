@@ -135,11 +135,11 @@ session_ko(open_to_others(Host, Port)) -->
        암호화는 없습니다'-[Host, Port], nl,
       '  코드를 실행하는 규칙은 거기서 바꾸지 못합니다. --host를 빼면 이 \c
        컴퓨터에서만 열 수 있습니다.' ].
-session_ko(behind(URL, Host, Port)) -->
+session_ko(behind(URL, Place)) -->
     [ '~w의 프록시를 지나고 아래 주소를 아는 사람은 누구나 이 모델을 보고 \c
        고칩니다'-[URL], nl,
-      '  이 프로그램은 ~w:~w에서 받습니다. 코드를 실행하는 규칙은 거기서 바꾸지 \c
-       못합니다.'-[Host, Port] ].
+      '  이 프로그램은 ~w에서 받습니다. 코드를 실행하는 규칙은 거기서 바꾸지 \c
+       못합니다.'-[Place] ].
 session_ko(too_many_uploads(Most)) -->
     [ '보낸 파일이 이미 ~D개라 더 보낼 수 없습니다'-[Most], nl,
       '  이미 있는 이름으로 보내면 그것을 바꿉니다.' ].

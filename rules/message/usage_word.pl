@@ -37,6 +37,7 @@ word_ko('FORMAT', '형식').
 word_ko('HOW', '방식').
 word_ko('KIND', '종류').
 word_ko('ORIGIN', '출처').
+word_ko('PATH', '경로').
 word_ko('LANGUAGE', '언어').
 word_ko('LOD', '단계').
 word_ko('MM', 'mm').

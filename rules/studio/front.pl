@@ -4,6 +4,7 @@
 :- use_module('../problem/problem_file', [problems_read/3]).
 :- use_module('../version', [version/1]).
 :- use_module(visitor_answer, [class_begun/1, class_file/1, class_pupil/2]).
+:- use_module(front_socket, [called/2, front_socket/4, front_socket_gone/1]).
 :- use_module(guard,
               [ behind_begun/1, embed_begun/1, host_allowed/2, is_loopback/1,
                 new_secret/1, origin_allowed/2, pupil_secret/1, same_secret/2,
@@ -39,17 +40,16 @@ library(http) is loaded when the front starts: no other verb pays for it.
 longest(1_048_576).
 most_sockets(40).
 hello_within(10).
-usual_port(1989).
 
 %!  front(+Model, +Options, -Status) is det.
 %
 %   Serve the studio until it is interrupted, which is raised. Model is the
 %   file that pages show first, or `none`. Options are those of the verb serve:
-%   port(N), host(Address), class(Boolean), problems(File), behind(URL),
-%   embed(Origin), open(Boolean).
+%   port(N), host(Address), socket(Path), class(Boolean), problems(File),
+%   behind(URL), embed(Origin), open(Boolean).
 %
-%   @error usage_error(port_taken(Port)), usage_error(no_address(Host)),
-%   usage_error(host_needs_class(Host))
+%   @error usage_error(host_needs_class(Host)), usage_error(socket_alone(Path)),
+%   and those of front_socket/4
 
 front(Model, Options, 130) :-
     option(problems(Problems0), Options, none),
@@ -59,7 +59,6 @@ front(Model, Options, 130) :-
     ->  file_directory_name(Problems, Folder)
     ;   model_folder(Model, Folder)
     ),
-    option(host(Host), Options, '127.0.0.1'),
     (   Problems == none
     ->  option(class(Class), Options, false)
     ;   Class = true
@@ -68,15 +67,12 @@ front(Model, Options, 130) :-
     behind_begun(Behind),
     option(embed(Embed), Options, none),
     embed_begun(Embed),
-    (   ( is_loopback(Host) ; Class == true ; Behind \== none )
-    ->  true
-    ;   throw(error(usage_error(host_needs_class(Host)), _))
-    ),
-    libraries_loaded,
-    bound_socket(Host, Options, Socket, Port),
+    place_checked(Options, Class, Behind),
+    front_socket(Options, Socket, Host, Port),
     (   Behind \== none
     ->  Owner = false,
-        print_message(warning, sanggwan(studio(behind(Behind, Host, Port))))
+        ( Port == none -> Host = unix(Place) ; Place = Host:Port ),
+        print_message(warning, sanggwan(studio(behind(Behind, Place))))
     ;   is_loopback(Host)
     ->  Owner = true
     ;   Owner = false,
@@ -86,9 +82,10 @@ front(Model, Options, 130) :-
     Front = front(Host,Port,Folder,Owner),
     retractall(front_(_, _, _)),
     assertz(front_(Front, Token, Model)),
+    place_name(Host, Name),
     called(thread_httpd,
            http_server(sg_front:answered,
-                       [ port(Host:Port), tcp_socket(Socket), workers(5),
+                       [ port(Name:Port), tcp_socket(Socket), workers(5),
                          timeout(20), keep_alive_timeout(5), silent(true) ])),
     page_address(Behind, Host, Port, Page),
     format(string(Address), "~w#~w", [Page, Token]),
@@ -97,7 +94,35 @@ front(Model, Options, 130) :-
     class_begun(Problems),
     flush_output,
     opened_in_browser(Options, Address),
-    setup_call_cleanup(true, watching, ( pages_closed, visitors_ended )).
+    setup_call_cleanup(true, watching,
+                       ( pages_closed, visitors_ended,
+                         front_socket_gone(Host) )).
+
+%   place_checked(Options, Class, Behind): whom the front lets in there is what
+%   was asked for.
+
+place_checked(Options, Class, Behind) :-
+    (   option(socket(Path), Options)
+    ->  (   Behind \== none,
+            \+ option(port(_), Options),
+            \+ option(host(_), Options)
+        ->  true
+        ;   throw(error(usage_error(socket_alone(Path)), _))
+        )
+    ;   option(host(Host), Options, '127.0.0.1'),
+        ( is_loopback(Host) ; Class == true ; Behind \== none )
+    ->  true
+    ;   option(host(Host), Options),
+        throw(error(usage_error(host_needs_class(Host)), _))
+    ).
+
+%   place_name(Bound, Name): what people call it.
+
+place_name(Bound, Name) :-
+    (   Bound = unix(Name)
+    ->  true
+    ;   Name = Bound
+    ).
 
 %   page_address(Behind, Host, Port, Page): where people find the page.
 
@@ -139,45 +164,6 @@ model_folder(Model, Folder) :-
     (   exists_file(Path)
     ->  file_directory_name(Path, Folder)
     ;   throw(error(model_error(cannot_read(missing)), location(Model, 0, 0)))
-    ).
-
-%   called(Module, Goal): of a library that is loaded late.
-
-called(Module, Goal) :-
-    Module:Goal.
-
-libraries_loaded :-
-    load_files([ library(socket), library(http/thread_httpd),
-                 library(http/websocket), library(http/http_dispatch) ],
-               [if(not_loaded), imports([]), silent(true)]).
-
-%   bound_socket(Host, Options, Socket, Port): answers are sent at once; a
-%   socket that waits for more to send costs 40 ms each.
-
-bound_socket(Host, Options, Socket, Port) :-
-    (   option(port(Port0), Options)
-    ->  bound(Host, Port0, Socket, Port)
-    ;   usual_port(Usual),
-        catch(bound(Host, Usual, Socket, Port),
-              error(usage_error(port_taken(_)), _),
-              bound(Host, _, Socket, Port))
-    ).
-
-bound(Host, Port, Socket, Port) :-
-    called(socket, tcp_socket(Socket)),
-    called(socket, tcp_setopt(Socket, reuseaddr)),
-    called(socket, tcp_setopt(Socket, nodelay(true))),
-    catch(called(socket, tcp_bind(Socket, Host:Port)), error(Why, _),
-          ( called(socket, tcp_close_socket(Socket)),
-            not_bound(Why, Host, Port) )),
-    called(socket, tcp_listen(Socket, 64)).
-
-not_bound(Why, Host, Port) :-
-    (   Why = socket_error(eaddrinuse, _)
-    ->  throw(error(usage_error(port_taken(Port)), _))
-    ;   Why = socket_error(eacces, _)
-    ->  throw(error(usage_error(port_refused(Port)), _))
-    ;   throw(error(usage_error(no_address(Host)), _))
     ).
 
 shown_at('0.0.0.0', Name) :-

@@ -47,6 +47,7 @@ script(wire).
 script(words).
 script(picture).
 script(ports).
+script(turning).
 script(tree).
 script(panels).
 script(kinds).

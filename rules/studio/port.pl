@@ -7,9 +7,10 @@
           ]).
 :- use_module('../drawing/drawing',
               [drawing_format/2, write_drawing_stream/3]).
-:- use_module('../kernel', [stroke_octets/3]).
+:- use_module('../kernel', [scene_mesh/5, stroke_octets/3]).
 :- use_module('../message/message_object', [objects_heard/2]).
-:- use_module('../picture/hidden_lines', [picture/1]).
+:- use_module('../picture/hidden_lines', [open_scene/2, picture/1]).
+:- use_module('../picture/role', [usual_crease/1]).
 :- use_module('../picture/view',
               [ named_view/3, set_projection/1, set_view/1, set_view/3,
                 with_up/2 ]).
@@ -22,6 +23,7 @@
 :- use_module(request, [request_error/1]).
 :- use_module(library(apply), [maplist/2, maplist/3, partition/4]).
 :- use_module(library(lists), [append/3, list_to_set/2, member/2]).
+:- use_module(library(option), [option/3]).
 /** <module> A port of a session: one picture of the document, as a body.
 */
 
@@ -140,6 +142,15 @@ formatted(strokes, Options, More, Octets) :-
     !,
     sheet_strokes(210-148, Options, Sheet, Place, Strokes),
     placed_body(Sheet, Place, Strokes, More, Octets).
+formatted(mesh, Options, More, Octets) :-
+    !,
+    open_scene(Scene, Options),
+    usual_crease(Usual),
+    option(crease(Crease), Options, Usual),
+    scene_mesh(Scene, Crease, point(X,Y,Z),
+               counts(Vertices,Triangles,Lines,Sharp), Octets),
+    More = _{ middle:[X,Y,Z], vertices:Vertices, triangles:Triangles,
+              lines:Lines, sharp:Sharp }.
 formatted(Format, Options, _{}, Octets) :-
     drawing_format(Format, Type),
     printed_octets(Type, sg_port:drawing_out(Format, Options), Octets).
@@ -201,7 +212,7 @@ look_json(look(Visibility,Role,_), [Visibility,Role]).
 
 view_format(Head, Format) :-
     (   get_dict(format, Head, Text)
-    ->  (   memberchk(Text, ["strokes","svg","json","pdf","png","dxf"])
+    ->  (   memberchk(Text, ["strokes","svg","json","pdf","png","dxf","mesh"])
         ->  atom_string(Format, Text)
         ;   request_error(bad_key(format, format))
         )

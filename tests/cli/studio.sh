@@ -22,8 +22,10 @@ asked front_test.py
 asked class_test.py
 asked limit_test.py
 asked kill_test.py
+asked socket_test.py
 if command -v chromedriver >/dev/null && command -v chromium >/dev/null; then
   asked browser_test.py
+  asked turning_test.py
   asked kill_browser_test.py
   asked matrix_test.py
 else

@@ -16,16 +16,20 @@ class Refused(Exception):
 
 class Front:
     def __init__(self, program, folder, model=None, arguments=(), env=None,
-                 port=None):
+                 port=None, path=None):
+        self.path = path
         self.process = subprocess.Popen(
             [program, "serve", "--no-open",
              *([model] if model else []), *arguments,
-             *(["--port", str(port)] if port else [])],
+             *(["--port", str(port)] if port else []),
+             *(["--socket", path] if path else [])],
             cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
             stderr=subprocess.PIPE, env=env)
         self.address = self.process.stdout.readline().decode().strip()
         place, self.token = self.address.split("/#")
-        if port is None:
+        if path:
+            self.host, port = place.split("/")[2], 80
+        elif port is None:
             self.host, port = place[len("http://"):].split(":")
         else:
             self.host = "127.0.0.1"
@@ -37,11 +41,23 @@ class Front:
                                                 timeout=20)
         given = {"Host": "%s:%d" % (self.host, self.port)}
         given.update(headers or {})
+        if self.path:
+            connection.sock = self.connected()
         connection.request(method, path, body, given)
         answer = connection.getresponse()
         octets = answer.read()
         connection.close()
         return answer.status, dict(answer.getheaders()), octets
+
+    def connected(self):
+        if self.path is None:
+            out = socket.create_connection(("127.0.0.1", self.port), 30)
+            out.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+            return out
+        out = socket.socket(socket.AF_UNIX)
+        out.settimeout(30)
+        out.connect(self.path)
+        return out
 
     def socket(self, **headers):
         return Socket(self, headers)
@@ -68,8 +84,7 @@ class Socket:
     """A websocket, as a browser has it."""
 
     def __init__(self, front, headers):
-        self.socket = socket.create_connection(("127.0.0.1", front.port), 30)
-        self.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        self.socket = front.connected()
         place = "%s:%d" % (front.host, front.port)
         given = {"Host": place, "Origin": "http://" + place,
                  "Upgrade": "websocket", "Connection": "Upgrade",

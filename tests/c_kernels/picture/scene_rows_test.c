@@ -12,6 +12,7 @@
 
 #include "engine/symbol.h"
 
+#include <math.h>
 #include <string.h>
 
 enum { CUBE = 1, OTHER = 2 };
@@ -81,6 +82,49 @@ lines(sg_scene_index *scene)
   CHECK("not there", !sg_door_scene_edge(&call, scene, &one, &none, &other) &&
                          is_refused(SG_REFUSED_NOTHING, 0, 0));
   CHECK("near", sg_door_scene_near(&call, scene, &near) && near > 0);
+}
+
+/* Word k of a mesh: a float. */
+static float
+float_at(const sg_bytes *octets, size_t k)
+{
+  uint32_t word = 0;
+  float out;
+
+  for (int i = 0; i < 4; i++) {
+    word |= (uint32_t)octets->at[4 * k + (size_t)i] << 8 * i;
+  }
+  memcpy(&out, &word, sizeof out);
+  return out;
+}
+
+/* Seen from its middle, the corners of a cube are as far from there as its
+ * faces. Its edges bend by 90 degrees. */
+static void
+mesh(sg_scene_index *scene)
+{
+  sg_xyz middle;
+  sg_mesh_counts counts, blunt;
+  sg_bytes octets, other;
+  bool near = true;
+
+  CHECK("a mesh",
+        sg_door_scene_mesh(&call, scene, 30, &middle, &counts, &octets));
+  CHECK("of a cube", counts.vertices == 8 && counts.triangles == 12 &&
+                         counts.lines == 12 && counts.sharp == 12 &&
+                         octets.n == 4 * (3 * 8 + 3 * 12 + 2 * 12));
+  for (size_t k = 1; k < 24; k++) {
+    near = near && fabsf(float_at(&octets, k)) == fabsf(float_at(&octets, 0));
+  }
+  CHECK("from its middle", near && float_at(&octets, 0) != 0);
+  for (size_t k = 24; k < octets.n / 4; k++) {
+    near = near && octets.at[4 * k] < 8 && octets.at[4 * k + 1] == 0;
+  }
+  CHECK("of its vertices", near);
+  CHECK("all blunt",
+        sg_door_scene_mesh(&call, scene, 100, &middle, &blunt, &other) &&
+            blunt.sharp == 0 && blunt.lines == 12 && other.n == octets.n &&
+            memcmp(other.at, octets.at, octets.n) == 0);
 }
 
 /* The three edges at the corner behind are hidden, each of them whole. */
@@ -276,6 +320,7 @@ main(void)
   scene = opened(&kept);
   CHECK("kept", scene != NULL);
   lines(scene);
+  mesh(scene);
   joins(scene);
   drawn(scene);
   outlines();

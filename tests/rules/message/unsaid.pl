@@ -32,11 +32,12 @@ unsaid(true_en, true_en(bent_over(_,_))).
 % The studio says it to a page, or listens already: tests/studio/front_test.py.
 unsaid(command_en, command_en(port_taken(_))).
 unsaid(command_en, command_en(port_refused(_))).
+unsaid(command_en, command_en(socket_taken(_))).
 unsaid(session_en, session_en(not_offered(_))).
 unsaid(session_en, session_en(outside(_))).
 unsaid(session_en, session_en(session_ended)).
 unsaid(session_en, session_en(open_to_others(_,_))).
-unsaid(session_en, session_en(behind(_,_,_))).
+unsaid(session_en, session_en(behind(_,_))).
 unsaid(session_en, session_en(owner_alone(save))).
 unsaid(session_en, session_en(owner_alone(class))).
 unsaid(session_en, session_en(owner_alone(show))).

@@ -1,0 +1,116 @@
+:- module(sg_front_socket,
+          [ front_socket/4,             % +Options, -Socket, -Bound, -Port
+            front_socket_gone/1,        % +Bound
+            called/2                    % +Module, +Goal
+          ]).
+:- use_module(library(filesex), [chmod/2]).
+:- use_module(library(option), [option/2, option/3]).
+/** <module> Where the front of the studio listens: at a port, or at a Unix
+socket, which a proxy on the same machine asks.
+
+library(http) and library(socket) are loaded when the front starts: no other
+verb pays for them.
+*/
+
+usual_port(1989).
+
+%!  front_socket(+Options, -Socket, -Bound, -Port) is det.
+%
+%   Socket listens at Bound:Port. Of option socket(Path), Bound is unix(Path)
+%   and Port is `none`; otherwise they are those of the options host(Address)
+%   and port(N), if these are there.
+%
+%   @error usage_error(port_taken(Port)), usage_error(port_refused(Port)),
+%   usage_error(no_address(Host)), usage_error(socket_taken(Path)),
+%   usage_error(no_socket(Path))
+
+front_socket(Options, Socket, Bound, Port) :-
+    libraries_loaded,
+    (   option(socket(Path), Options)
+    ->  Bound = unix(Path),
+        Port = none,
+        bound_path(Path, Socket)
+    ;   option(host(Bound), Options, '127.0.0.1'),
+        bound_port(Bound, Options, Socket, Port)
+    ).
+
+%!  called(+Module, +Goal) is semidet.
+%
+%   Call Goal, of a library that is loaded late.
+
+called(Module, Goal) :-
+    Module:Goal.
+
+libraries_loaded :-
+    load_files([ library(socket), library(http/thread_httpd),
+                 library(http/websocket), library(http/http_dispatch) ],
+               [if(not_loaded), imports([]), silent(true)]).
+
+%   bound_port(Host, Options, Socket, Port): answers are sent at once; a socket
+%   that waits for more to send costs 40 ms each.
+
+bound_port(Host, Options, Socket, Port) :-
+    (   option(port(Port0), Options)
+    ->  bound(Host, Port0, Socket, Port)
+    ;   usual_port(Usual),
+        catch(bound(Host, Usual, Socket, Port),
+              error(usage_error(port_taken(_)), _),
+              bound(Host, _, Socket, Port))
+    ).
+
+bound(Host, Port, Socket, Port) :-
+    called(socket, tcp_socket(Socket)),
+    called(socket, tcp_setopt(Socket, reuseaddr)),
+    called(socket, tcp_setopt(Socket, nodelay(true))),
+    catch(called(socket, tcp_bind(Socket, Host:Port)), error(Why, _),
+          ( called(socket, tcp_close_socket(Socket)),
+            not_bound(Why, Host, Port) )),
+    called(socket, tcp_listen(Socket, 64)).
+
+not_bound(Why, Host, Port) :-
+    (   Why = socket_error(eaddrinuse, _)
+    ->  throw(error(usage_error(port_taken(Port)), _))
+    ;   Why = socket_error(eacces, _)
+    ->  throw(error(usage_error(port_refused(Port)), _))
+    ;   throw(error(usage_error(no_address(Host)), _))
+    ).
+
+%   bound_path(Path, Socket): the user and his group may connect. What another
+%   front left there when it was killed is taken away, and nothing else.
+
+bound_path(Path, Socket) :-
+    (   connects(Path)
+    ->  throw(error(usage_error(socket_taken(Path)), _))
+    ;   exists_file(Path)
+    ->  throw(error(usage_error(no_socket(Path)), _))
+    ;   left_behind(Path)
+    ->  front_socket_gone(unix(Path))
+    ;   true
+    ),
+    called(socket, unix_domain_socket(Socket)),
+    catch(called(socket, tcp_bind(Socket, Path)), error(_, _),
+          ( called(socket, tcp_close_socket(Socket)),
+            throw(error(usage_error(no_socket(Path)), _)) )),
+    chmod(Path, 0o660),
+    called(socket, tcp_listen(Socket, 64)).
+
+connects(Path) :-
+    catch(setup_call_cleanup(
+              called(socket, unix_domain_socket(Socket)),
+              called(socket, tcp_connect(Socket, Path)),
+              called(socket, tcp_close_socket(Socket))),
+          error(_, _), fail).
+
+left_behind(Path) :-
+    access_file(Path, exist),
+    \+ exists_directory(Path).
+
+%!  front_socket_gone(+Bound) is det.
+%
+%   A Unix socket is a file, which is deleted.
+
+front_socket_gone(Bound) :-
+    (   Bound = unix(Path)
+    ->  catch(delete_file(Path), error(_, _), true)
+    ;   true
+    ).
