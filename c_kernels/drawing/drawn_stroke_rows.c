@@ -1,5 +1,6 @@
 /* drawn_stroke_rows.c -- the edges of drawn/7 as strokes on a sheet, without a
- * term for each part: the fused kernel of sheet.pl, sheet_strokes_by_rule/4.
+ * term for each part or stroke: the fused kernel of sheet.pl,
+ * sheet_strokes_by_rule/4.
  */
 #include "stroke_rows.h"
 
@@ -152,17 +153,17 @@ typedef struct parts {
 } parts;
 
 static bool
-on_sheet(const parts *p, const double at[2], int64_t out[2])
+on_sheet(const parts *p, const double at[2], int32_t out[2])
 {
-  static const double far = 0x1p52;
+  static const double far = 0x1p31;
   double x = round((at[0] - p->place->x) * p->place->scale + p->place->left);
   double y = round((p->place->y - at[1]) * p->place->scale + p->place->top);
 
   if (!(fabs(x) < far && fabs(y) < far)) {
     return false;
   }
-  out[0] = (int64_t)x;
-  out[1] = (int64_t)y;
+  out[0] = (int32_t)x;
+  out[1] = (int32_t)y;
   return true;
 }
 
@@ -184,18 +185,59 @@ part_add(sg_call *call, void *data, const drawn *row)
   if (!on_sheet(p, row->a, part.a) || !on_sheet(p, row->b, part.b)) {
     return sg_call_cannot_hold(call, "sheet_coordinate");
   }
-  return sg_stroke_parts_add(call, &p->part, part);
+  return sg_part_add(call, &p->part, part);
+}
+
+/* No more strokes than that go through Prolog at a time. */
+enum { RUN = 1000 };
+
+static const sg_stroke_part *
+first_part(const sg_chains *chains, size_t k)
+{
+  const sg_strokes *strokes = &chains->strokes;
+  int32_t step = strokes->step[strokes->item[k].first];
+
+  return &strokes->part[(step < 0 ? -step : step) - 1];
+}
+
+/* Neighbours that look alike, of one segment. */
+static bool
+add_runs(sg_call *call, const sg_chains *chains, sg_chain_run_list *runs)
+{
+  bool good = true;
+
+  for (size_t i = 0, j; i < chains->strokes.n && good; i = j) {
+    const sg_stroke_part *first = first_part(chains, i), *next = first;
+    const sg_ranked_look *look = &chains->look[first->look];
+
+    for (j = i + 1; j < chains->strokes.n && j - i < RUN; j++) {
+      next = first_part(chains, j);
+      if (next->look != first->look || next->s != first->s) {
+        break;
+      }
+    }
+    good = sg_chain_run_list_add(
+        call, runs,
+        (sg_chain_run){look->visibility, look->role, first->s, i + 1, j});
+  }
+  return good;
 }
 
 bool
 sg_door_drawn_strokes(sg_call *call, const sg_drawing_place *place,
                       int32_t removed, const sg_ranked_look_list *looks,
-                      const sg_sheet_part_list *others,
-                      sg_sheet_stroke_list *strokes)
+                      const sg_sheet_part_list *others, sg_chains **out,
+                      sg_chain_run_list *runs)
 {
   parts p = {.place = place, .removed = removed, .looks = looks};
+  bool good = each_drawn(call, part_add, &p) &&
+              sg_parts_add(call, others, 4, looks, &p.part);
+  sg_chains *chains = sg_chains_of(call, good, looks, &p.part);
 
-  return each_drawn(call, part_add, &p) &&
-         sg_parts_add(call, others, 4, looks, &p.part) &&
-         sg_strokes_of(call, looks, &p.part, strokes);
+  if (chains && !add_runs(call, chains, runs)) {
+    sg_chains_close(chains);
+    chains = NULL;
+  }
+  *out = chains;
+  return chains != NULL;
 }

@@ -1,6 +1,7 @@
 /* stroke.c -- see stroke.h */
 #include "stroke.h"
 
+#include "engine/list.h"
 #include "rows/sort.h"
 
 #include <math.h>
@@ -14,16 +15,21 @@
 /* At a node of more ends only those across from each other are paired. */
 #define SG_MANY 12
 
-#define NONE SIZE_MAX
+#define NONE UINT32_MAX
 
-enum { ASK_EVERY = 4096 };
+enum { ASK_EVERY = 4096, MOST_PARTS = 1 << 30 };
 
-/* End 2i is the start of part i, 2i + 1 its end; dx, dy point away from it. The
- * part is of edge e of segment s. */
+/* Where end `end` is: 2i is the start of part i, 2i + 1 its end. */
+typedef struct place {
+  int32_t at[2];
+  uint32_t end;
+} place;
+
+/* An end of the place that is looked at; dx, dy point away from it. The part is
+ * of edge e of segment s. */
 typedef struct end {
-  int64_t at[2];
-  size_t end;
   double dx, dy;
+  uint32_t end;
   int32_t s, e;
 } end;
 
@@ -31,25 +37,19 @@ typedef struct work {
   const sg_stroke_look *look;
   sg_stroke_part *part;
   size_t n;
-  end *ends;     /* [2n], by place and number */
-  size_t *mate;  /* [2n], of an end: another end, or NONE */
-  uint8_t *kind; /* [2n], of an end without a mate: sg_stroke_end */
-  bool *used;    /* [n] */
+  place *places; /* [2n], by place and number */
+  SG_LIST_OF(end) ends;
+  uint32_t *mate; /* [2n], of an end: another end, or NONE */
+  uint8_t *kind;  /* [2n], of an end without a mate: sg_stroke_end */
+  bool *used;     /* [n] */
   const sg_cancel *cancel;
   bool memory;
 } work;
 
 /* -------------------------------------------------------------- orders */
 
-/* A part with the keys it is sorted by. */
-typedef struct keyed {
-  sg_stroke_part part;
-  int rank;
-  bool turned; /* b comes before a */
-} keyed;
-
 static int
-compare_points(const int64_t a[2], const int64_t b[2])
+compare_points(const int32_t a[2], const int32_t b[2])
 {
   return a[0] != b[0] ? (a[0] > b[0]) - (a[0] < b[0])
                       : (a[1] > b[1]) - (a[1] < b[1]);
@@ -94,48 +94,38 @@ compare_places(const sg_stroke_part *a, const sg_stroke_part *b)
 static int
 by_edge(const void *a, const void *b)
 {
-  return compare_places(&((const keyed *)a)->part, &((const keyed *)b)->part);
+  return compare_places(a, b);
 }
 
-static const int64_t *
-low(const keyed *k)
-{
-  return k->turned ? k->part.b : k->part.a;
-}
-
-static const int64_t *
-high(const keyed *k)
-{
-  return k->turned ? k->part.a : k->part.b;
-}
-
+/* Of two parts, whichever way they go. */
 static int
-compare_ends(const keyed *a, const keyed *b)
+compare_ends(const sg_stroke_part *a, const sg_stroke_part *b)
 {
-  int order = compare_points(low(a), low(b));
+  bool x = compare_points(a->a, a->b) > 0, y = compare_points(b->a, b->b) > 0;
+  int order = compare_points(x ? a->b : a->a, y ? b->b : b->a);
 
-  return order ? order : compare_points(high(a), high(b));
+  return order ? order : compare_points(x ? a->a : a->b, y ? b->a : b->b);
 }
 
 /* The foremost of those with the same ends comes first. */
 static int
 by_ends(const void *x, const void *y)
 {
-  const keyed *a = x, *b = y;
+  const sg_stroke_part *a = x, *b = y;
   int order = compare_ends(a, b);
 
   order = order ? order : compare_integers(b->rank, a->rank);
-  return order ? order : compare_places(&a->part, &b->part);
+  return order ? order : compare_places(a, b);
 }
 
 static int
 by_paint(const void *x, const void *y)
 {
-  const keyed *a = x, *b = y;
+  const sg_stroke_part *a = x, *b = y;
   int order = compare_integers(a->rank, b->rank);
 
-  order = order ? order : compare_integers(a->part.look, b->part.look);
-  return order ? order : compare_places(&a->part, &b->part);
+  order = order ? order : compare_integers(a->look, b->look);
+  return order ? order : compare_places(a, b);
 }
 
 static bool
@@ -158,34 +148,32 @@ is_same_group(const sg_stroke_part *a, const sg_stroke_part *b)
 /* Neighbours of one edge that look alike become one; what has no length goes.
  * Returns how many are left. */
 static size_t
-join_neighbours(keyed *k, size_t n)
+join_neighbours(sg_stroke_part *part, size_t n)
 {
   size_t out = 0;
 
   for (size_t i = 0; i < n;) {
-    keyed whole = k[i++];
-    while (i < n && is_same_group(&whole.part, &k[i].part) &&
-           whole.part.e == k[i].part.e && whole.part.to == k[i].part.from) {
-      whole.part.to = k[i].part.to;
-      memcpy(whole.part.b, k[i++].part.b, sizeof whole.part.b);
+    sg_stroke_part whole = part[i++];
+    while (i < n && is_same_group(&whole, &part[i]) && whole.e == part[i].e &&
+           whole.to == part[i].from) {
+      whole.to = part[i].to;
+      memcpy(whole.b, part[i++].b, sizeof whole.b);
     }
-    int order = compare_points(whole.part.a, whole.part.b);
-    if (order) {
-      whole.turned = order > 0;
-      k[out++] = whole;
+    if (compare_points(whole.a, whole.b)) {
+      part[out++] = whole;
     }
   }
   return out;
 }
 
 static size_t
-keep_foremost(keyed *k, size_t n)
+keep_foremost(sg_stroke_part *part, size_t n)
 {
   size_t out = 0;
 
   for (size_t i = 0; i < n; i++) {
-    if (!out || compare_ends(&k[out - 1], &k[i])) {
-      k[out++] = k[i];
+    if (!out || compare_ends(&part[out - 1], &part[i])) {
+      part[out++] = part[i];
     }
   }
   return out;
@@ -195,28 +183,18 @@ keep_foremost(keyed *k, size_t n)
 static bool
 choose_parts(work *w)
 {
-  keyed *k = malloc((w->n + 1) * sizeof *k);
-  bool done = false;
-
-  if (!k) {
-    w->memory = false;
+  for (size_t i = 0; i < w->n; i++) {
+    w->part[i].rank = w->look[w->part[i].look].rank;
+  }
+  if (!sorted(w, w->part, w->n, sizeof *w->part, by_edge)) {
     return false;
   }
-  for (size_t i = 0; i < w->n; i++) {
-    k[i] = (keyed){w->part[i], w->look[w->part[i].look].rank, false};
+  w->n = join_neighbours(w->part, w->n);
+  if (!sorted(w, w->part, w->n, sizeof *w->part, by_ends)) {
+    return false;
   }
-  if (sorted(w, k, w->n, sizeof *k, by_edge)) {
-    w->n = join_neighbours(k, w->n);
-    if (sorted(w, k, w->n, sizeof *k, by_ends)) {
-      w->n = keep_foremost(k, w->n);
-      done = sorted(w, k, w->n, sizeof *k, by_paint);
-    }
-  }
-  for (size_t i = 0; done && i < w->n; i++) {
-    w->part[i] = k[i].part;
-  }
-  free(k);
-  return done;
+  w->n = keep_foremost(w->part, w->n);
+  return sorted(w, w->part, w->n, sizeof *w->part, by_paint);
 }
 
 /* ---------------------------------------------------------------- mates */
@@ -224,7 +202,7 @@ choose_parts(work *w)
 /* Two ends that could be mates; bend: the cosine between them, -1 straight. */
 typedef struct pair {
   double bend;
-  size_t a, b;
+  uint32_t a, b;
 } pair;
 
 static int
@@ -403,32 +381,51 @@ node(work *w, end *at, size_t m)
 static int
 by_place(const void *x, const void *y)
 {
-  const end *a = x, *b = y;
+  const place *a = x, *b = y;
   int order = compare_points(a->at, b->at);
 
   return order ? order : (a->end > b->end) - (a->end < b->end);
 }
 
-static void
-part_ends(const sg_stroke_part *p, size_t i, end out[2])
+static end
+end_of(const work *w, uint32_t e)
 {
-  double x = (double)(p->b[0] - p->a[0]), y = (double)(p->b[1] - p->a[1]);
-  double length = sqrt(x * x + y * y);
+  const sg_stroke_part *p = &w->part[e / 2];
+  double x = (double)p->b[0] - p->a[0], y = (double)p->b[1] - p->a[1];
+  double length = e % 2 ? -sqrt(x * x + y * y) : sqrt(x * x + y * y);
 
-  x /= length;
-  y /= length;
-  out[0] = (end){{p->a[0], p->a[1]}, 2 * i, x, y, p->s, p->e};
-  out[1] = (end){{p->b[0], p->b[1]}, 2 * i + 1, -x, -y, p->s, p->e};
+  return (end){x / length, y / length, e, p->s, p->e};
+}
+
+/* The node of the n places, which are one. */
+static bool
+node_at(work *w, const place *at, size_t n)
+{
+  w->ends.n = 0;
+  for (size_t i = 0; i < n && w->memory; i++) {
+    w->memory = SG_PUSH(w->ends, end_of(w, at[i].end));
+  }
+  return w->memory && node(w, w->ends.item, n);
+}
+
+static bool
+sort_places(work *w)
+{
+  for (size_t i = 0; i < w->n; i++) {
+    const sg_stroke_part *p = &w->part[i];
+    uint32_t e = 2 * (uint32_t)i;
+
+    w->places[e] = (place){{p->a[0], p->a[1]}, e};
+    w->places[e + 1] = (place){{p->b[0], p->b[1]}, e + 1};
+    w->mate[e] = w->mate[e + 1] = NONE;
+  }
+  return sorted(w, w->places, 2 * w->n, sizeof *w->places, by_place);
 }
 
 static bool
 find_mates(work *w)
 {
-  for (size_t i = 0; i < w->n; i++) {
-    part_ends(&w->part[i], i, &w->ends[2 * i]);
-    w->mate[2 * i] = w->mate[2 * i + 1] = NONE;
-  }
-  if (!sorted(w, w->ends, 2 * w->n, sizeof *w->ends, by_place)) {
+  if (!sort_places(w)) {
     return false;
   }
   for (size_t i = 0, j, nodes = 0; i < 2 * w->n; i = j) {
@@ -436,9 +433,10 @@ find_mates(work *w)
       return false;
     }
     for (j = i + 1;
-         j < 2 * w->n && !compare_points(w->ends[i].at, w->ends[j].at); j++) {
+         j < 2 * w->n && !compare_points(w->places[i].at, w->places[j].at);
+         j++) {
     }
-    if (!node(w, &w->ends[i], j - i)) {
+    if (!node_at(w, &w->places[i], j - i)) {
       return false;
     }
   }
@@ -447,8 +445,8 @@ find_mates(work *w)
 
 /* --------------------------------------------------------------- chains */
 
-static const int64_t *
-end_point(const work *w, size_t e)
+static const int32_t *
+end_point(const work *w, uint32_t e)
 {
   const sg_stroke_part *p = &w->part[e / 2];
 
@@ -457,22 +455,22 @@ end_point(const work *w, size_t e)
 
 /* The chain that begins with end e. */
 static void
-chain(work *w, size_t e, sg_strokes *out)
+chain(work *w, uint32_t e, sg_strokes *out)
 {
   sg_stroke *s = &out->item[out->n++];
-  size_t first = e, last = e;
+  uint32_t first = e, last = e;
 
-  s->first = out->parts;
+  s->first = (uint32_t)out->parts;
   for (; e != NONE && !w->used[e / 2]; e = w->mate[last]) {
     w->used[e / 2] = true;
     out->step[out->parts++] =
-        e % 2 ? -(int64_t)(e / 2) - 1 : (int64_t)(e / 2) + 1;
+        e % 2 ? -(int32_t)(e / 2) - 1 : (int32_t)(e / 2) + 1;
     last = e ^ 1;
   }
-  s->n = out->parts - s->first;
+  s->n = (uint32_t)out->parts - s->first;
   if (compare_points(end_point(w, first), end_point(w, last))) {
-    s->start = (sg_stroke_end)w->kind[first];
-    s->end = (sg_stroke_end)w->kind[last];
+    s->start = w->kind[first];
+    s->end = w->kind[last];
   } else {
     s->start = s->end = SG_END_RING;
   }
@@ -480,14 +478,14 @@ chain(work *w, size_t e, sg_strokes *out)
 
 /* Chains from every end without a mate, then the rings that are left. */
 static void
-group_chains(work *w, size_t from, size_t to, sg_strokes *out)
+group_chains(work *w, uint32_t from, uint32_t to, sg_strokes *out)
 {
-  for (size_t e = 2 * from; e < 2 * to; e++) {
+  for (uint32_t e = 2 * from; e < 2 * to; e++) {
     if (!w->used[e / 2] && w->mate[e] == NONE) {
       chain(w, e, out);
     }
   }
-  for (size_t i = from; i < to; i++) {
+  for (uint32_t i = from; i < to; i++) {
     if (!w->used[i]) {
       chain(w, 2 * i, out);
     }
@@ -502,42 +500,49 @@ all_chains(work *w, sg_strokes *out)
   for (size_t i = 0, j; i < w->n; i = j) {
     for (j = i + 1; j < w->n && is_same_group(&w->part[i], &w->part[j]); j++) {
     }
-    group_chains(w, i, j, out);
+    group_chains(w, (uint32_t)i, (uint32_t)j, out);
   }
 }
 
 static bool
-make_room(work *w, sg_strokes *out)
+find_chains(work *w, sg_strokes *out)
 {
   size_t n = w->n;
+  bool done;
 
-  w->ends = malloc((2 * n + 1) * sizeof *w->ends);
+  w->places = malloc((2 * n + 1) * sizeof *w->places);
   w->mate = malloc((2 * n + 1) * sizeof *w->mate);
   w->kind = calloc(2 * n + 1, sizeof *w->kind);
+  w->memory = w->places && w->mate && w->kind;
+  done = w->memory && find_mates(w);
+  free(w->places);
   w->used = calloc(n + 1, sizeof *w->used);
   out->item = malloc((n + 1) * sizeof *out->item);
   out->step = malloc((n + 1) * sizeof *out->step);
-  w->memory =
-      w->ends && w->mate && w->kind && w->used && out->item && out->step;
-  return w->memory;
+  w->memory = w->memory && w->used && out->item && out->step;
+  if (done && w->memory) {
+    all_chains(w, out);
+  }
+  return done && w->memory;
 }
 
 bool
 sg_strokes_make(sg_stroke_part *part, size_t n, const sg_stroke_look *look,
                 const sg_cancel *cancel, sg_strokes *out, bool *memory)
 {
-  work w = {
-      .look = look, .part = part, .n = n, .cancel = cancel, .memory = true};
+  work w = {.look = look,
+            .part = part,
+            .n = n,
+            .cancel = cancel,
+            .memory = n <= MOST_PARTS};
   bool done;
 
   *out = (sg_strokes){0};
-  done = choose_parts(&w) && make_room(&w, out) && find_mates(&w);
-  if (done) {
-    all_chains(&w, out);
-  } else {
+  done = w.memory && choose_parts(&w) && find_chains(&w, out);
+  if (!done) {
     sg_strokes_clear(out);
   }
-  free(w.ends);
+  free(w.ends.item);
   free(w.mate);
   free(w.kind);
   free(w.used);

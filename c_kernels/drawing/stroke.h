@@ -25,12 +25,14 @@ typedef struct sg_stroke_look {
   bool hidden;
 } sg_stroke_look;
 
-/* A part of edge e of segment s, from a to b on the sheet (x, y). */
+/* A part of edge e of segment s, from a to b on the sheet (x, y). There may be
+ * millions, so all that is kept of them is small. */
 typedef struct sg_stroke_part {
   uint32_t look; /* place in the array of looks */
+  int32_t rank;  /* of that look: sg_strokes_make() sets it */
   int32_t s, e;
   double from, to; /* where on the edge */
-  int64_t a[2], b[2];
+  int32_t a[2], b[2];
 } sg_stroke_part;
 
 typedef enum sg_stroke_end {
@@ -40,23 +42,24 @@ typedef enum sg_stroke_end {
 } sg_stroke_end;
 
 typedef struct sg_stroke {
-  size_t first, n; /* its steps: step[first .. first + n - 1] */
-  sg_stroke_end start, end;
+  uint32_t first, n;  /* its steps: step[first .. first + n - 1] */
+  uint8_t start, end; /* sg_stroke_end */
 } sg_stroke;
 
 /* A step is the number of a part, counted from 1; below zero: from b to a. */
 typedef struct sg_strokes {
   sg_stroke *item; /* [n], in painting order */
-  int64_t *step;   /* [parts]: every part is in one stroke */
+  int32_t *step;   /* [parts]: every part is in one stroke */
   sg_stroke_part *part;
   size_t n, parts;
 } sg_strokes;
 
 /* The strokes of the parts. Takes part[n], sorts it in place and leaves out
  * what is not drawn; look[] in the order of the names, so that equal ranks are
- * told apart by place. |x|, |y| < 2^52. False: stopped by the cancellation, or
- * no memory (then *memory is false). Owner: part stays the caller's and must
- * live as long; the rest is freed by sg_strokes_clear(). */
+ * told apart by place. False: stopped by the cancellation, or no memory (then
+ * *memory is false), or more than 2^30 parts, which is no memory. Owner: part
+ * stays the caller's and must live as long; the rest is freed by
+ * sg_strokes_clear(). */
 bool sg_strokes_make(sg_stroke_part *part, size_t n, const sg_stroke_look *look,
                      const sg_cancel *cancel, sg_strokes *out, bool *memory);
 void sg_strokes_clear(sg_strokes *strokes);

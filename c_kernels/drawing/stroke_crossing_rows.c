@@ -12,9 +12,13 @@ read_points(sg_call *call, const sg_sheet_point_list *points,
   int64_t(*at)[2] = sg_call_alloc(call, (points->n + 1) * sizeof *at);
 
   for (size_t i = 0; at && i < points->n; i++) {
-    if (!sg_sheet_point_at(call, &points->at[i], at[i])) {
+    int32_t point[2];
+
+    if (!sg_sheet_point_at(call, &points->at[i], point)) {
       return false;
     }
+    at[i][0] = point[0];
+    at[i][1] = point[1];
   }
   *out = (sg_crossing_stroke){(const int64_t(*)[2])at, points->n};
   return at != NULL;

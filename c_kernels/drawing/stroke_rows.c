@@ -1,7 +1,11 @@
-/* stroke_rows.c -- stroke_looks/2, stroke_chains/3 and stroke_octets/3. */
+/* stroke_rows.c -- stroke_looks/2, stroke_chains/3, chain_strokes/4 and
+ * stroke_octets/3. */
 #include "stroke_rows.h"
 
 #include "engine/symbol.h"
+
+#include <stdlib.h>
+#include <string.h>
 
 /* ---- looks ---- */
 
@@ -81,18 +85,23 @@ looks_of(sg_call *call, const sg_ranked_look_list *looks)
 /* ---- parts ---- */
 
 bool
-sg_sheet_point_at(sg_call *call, const sg_sheet_point *p, int64_t out[2])
+sg_sheet_point_at(sg_call *call, const sg_sheet_point *p, int32_t out[2])
 {
-  const int64_t far = INT64_C(1) << 52;
+  const int64_t at[] = {p->x, p->y};
 
-  out[0] = p->x;
-  out[1] = p->y;
   for (int k = 0; k < 2; k++) {
-    if (out[k] <= -far || out[k] >= far) {
-      return sg_call_domain_of(call, "sheet_coordinate", out[k]);
+    if (at[k] <= INT32_MIN || at[k] > INT32_MAX) {
+      return sg_call_domain_of(call, "sheet_coordinate", at[k]);
     }
+    out[k] = (int32_t)at[k];
   }
   return true;
+}
+
+bool
+sg_part_add(sg_call *call, sg_stroke_parts *parts, sg_stroke_part part)
+{
+  return SG_PUSH(*parts, part) || sg_call_no_memory(call);
 }
 
 bool
@@ -113,7 +122,7 @@ sg_parts_add(sg_call *call, const sg_sheet_part_list *parts, int argument,
     part.look = (uint32_t)last;
     if (!sg_sheet_point_at(call, &from->a, part.a) ||
         !sg_sheet_point_at(call, &from->b, part.b) ||
-        !sg_stroke_parts_add(call, out, part)) {
+        !sg_part_add(call, out, part)) {
       return false;
     }
   }
@@ -122,29 +131,99 @@ sg_parts_add(sg_call *call, const sg_sheet_part_list *parts, int argument,
 
 /* ---- strokes ---- */
 
+void
+sg_chains_close(sg_chains *chains)
+{
+  if (chains) {
+    sg_strokes_clear(&chains->strokes);
+    free(chains->part);
+    free(chains->look);
+    free(chains);
+  }
+}
+
+/* With the looks, which parts say by place; null: no memory, part is freed. */
+static sg_chains *
+chains_open(const sg_ranked_look_list *looks, sg_stroke_part *part)
+{
+  sg_chains *chains = calloc(1, sizeof *chains);
+  sg_ranked_look *look = malloc((looks->n + 1) * sizeof *look);
+
+  if (!chains || !look) {
+    free(chains);
+    free(look);
+    free(part);
+    return NULL;
+  }
+  memcpy(look, looks->at, looks->n * sizeof *look);
+  chains->look = look;
+  chains->part = part;
+  return chains;
+}
+
+sg_chains *
+sg_chains_of(sg_call *call, bool good, const sg_ranked_look_list *looks,
+             sg_stroke_parts *parts)
+{
+  const sg_stroke_look *look = good ? looks_of(call, looks) : NULL;
+  sg_chains *chains;
+  bool memory;
+
+  if (!look) {
+    free(parts->item);
+    return NULL;
+  }
+  chains = chains_open(looks, parts->item);
+  if (!chains) {
+    sg_call_no_memory(call);
+  } else if (!sg_strokes_make(parts->item, parts->n, look, &call->cancel,
+                              &chains->strokes, &memory)) {
+    sg_call_ended(call);
+    sg_chains_close(chains);
+    chains = NULL;
+  }
+  return chains;
+}
+
 /* The part of a step, and the point that the step begins at (`end` false) or
  * ends at. */
 static const sg_stroke_part *
-part_of(const sg_strokes *strokes, int64_t step)
+part_of(const sg_strokes *strokes, int32_t step)
 {
   return &strokes->part[(step < 0 ? -step : step) - 1];
 }
 
-static sg_sheet_point
-step_point(const sg_strokes *strokes, int64_t step, bool end)
+static const int32_t *
+step_point(const sg_strokes *strokes, int32_t step, bool end)
 {
   const sg_stroke_part *p = part_of(strokes, step);
-  const int64_t *at = (step > 0) == end ? p->b : p->a;
 
-  return (sg_sheet_point){at[0], at[1]};
+  return (step > 0) == end ? p->b : p->a;
+}
+
+const int32_t *
+sg_chain_end(const sg_chains *chains, size_t k, bool end)
+{
+  const sg_stroke *stroke = &chains->strokes.item[k - 1];
+  size_t step = stroke->first + (end ? stroke->n - 1 : 0);
+
+  return step_point(&chains->strokes, chains->strokes.step[step], end);
+}
+
+bool
+sg_chains_have(sg_call *call, const sg_chains *chains, size_t from, size_t to,
+               int argument)
+{
+  return (from > 0 && from <= to && to <= chains->strokes.n) ||
+         sg_call_domain(call, "chain", argument);
 }
 
 static bool
-make_stroke(sg_call *call, const sg_ranked_look_list *looks,
-            const sg_strokes *strokes, const sg_stroke *stroke,
+make_stroke(sg_call *call, const sg_chains *chains, const sg_stroke *stroke,
             sg_sheet_stroke *out)
 {
-  const int64_t *step = &strokes->step[stroke->first];
+  const sg_strokes *strokes = &chains->strokes;
+  const int32_t *step = &strokes->step[stroke->first], *at;
   const sg_stroke_part *first = part_of(strokes, *step);
   size_t n = stroke->n;
   int32_t *edge = sg_call_alloc(call, n * sizeof *edge);
@@ -153,43 +232,35 @@ make_stroke(sg_call *call, const sg_ranked_look_list *looks,
   if (!edge || !point) {
     return false;
   }
-  point[0] = step_point(strokes, *step, false);
+  at = step_point(strokes, *step, false);
+  point[0] = (sg_sheet_point){at[0], at[1]};
   for (size_t i = 0; i < n; i++) {
     edge[i] = part_of(strokes, step[i])->e;
-    point[i + 1] = step_point(strokes, step[i], true);
+    at = step_point(strokes, step[i], true);
+    point[i + 1] = (sg_sheet_point){at[0], at[1]};
   }
-  *out = (sg_sheet_stroke){.visibility = looks->at[first->look].visibility,
-                           .role = looks->at[first->look].role,
+  *out = (sg_sheet_stroke){.visibility = chains->look[first->look].visibility,
+                           .role = chains->look[first->look].role,
                            .s = first->s,
                            .edges = {edge, n, n},
                            .points = {point, n + 1, n + 1},
-                           .start = stroke->start,
-                           .end = stroke->end};
+                           .start = (sg_stroke_end)stroke->start,
+                           .end = (sg_stroke_end)stroke->end};
   return true;
 }
 
 bool
-sg_strokes_of(sg_call *call, const sg_ranked_look_list *looks,
-              sg_stroke_parts *parts, sg_sheet_stroke_list *out)
+sg_door_chain_strokes(sg_call *call, sg_chains *chains, size_t from, size_t to,
+                      sg_sheet_stroke_list *out)
 {
-  const sg_stroke_look *look = looks_of(call, looks);
-  sg_strokes strokes;
-  bool memory, good = true;
+  bool good = from > to || sg_chains_have(call, chains, from, to, 2);
 
-  if (!look) {
-    return false;
-  }
-  if (!sg_strokes_make(parts->at, parts->n, look, &call->cancel, &strokes,
-                       &memory)) {
-    return sg_call_ended(call);
-  }
-  for (size_t i = 0; i < strokes.n && good; i++) {
+  for (size_t k = from; k <= to && good; k++) {
     sg_sheet_stroke stroke;
 
-    good = make_stroke(call, looks, &strokes, &strokes.item[i], &stroke) &&
+    good = make_stroke(call, chains, &chains->strokes.item[k - 1], &stroke) &&
            sg_sheet_stroke_list_add(call, out, stroke);
   }
-  sg_strokes_clear(&strokes);
   return good;
 }
 
@@ -199,9 +270,13 @@ sg_door_stroke_chains(sg_call *call, const sg_sheet_part_list *parts,
                       sg_sheet_stroke_list *out)
 {
   sg_stroke_parts all = {0};
+  sg_chains *chains = sg_chains_of(
+      call, sg_parts_add(call, parts, 1, looks, &all), looks, &all);
+  bool good =
+      chains && sg_door_chain_strokes(call, chains, 1, chains->strokes.n, out);
 
-  return sg_parts_add(call, parts, 1, looks, &all) &&
-         sg_strokes_of(call, looks, &all, out);
+  sg_chains_close(chains);
+  return good;
 }
 
 /* ---- octets ---- */

@@ -2,7 +2,8 @@
  *
  * The ends are sorted along a curve that keeps what is near together (Morton),
  * and stand, BLOCK by block, under the leaves of a full binary tree. A node
- * knows the box of its ends, the first of them, and how many are left.
+ * knows the box of its ends, the first of them, and how many are left. There
+ * may be millions of ends, so what is kept of each is small.
  */
 #include "travel.h"
 
@@ -10,33 +11,31 @@
 #include "rows/sort.h"
 
 #include <float.h>
+#include <math.h>
 #include <stdlib.h>
 
 enum { BLOCK = 8, ASK_EVERY = 1024 };
 
-typedef struct point {
-  double at[2];
-  uint64_t code;
-  size_t end; /* 2i is the start of line i, 2i + 1 its end */
-} point;
-
 typedef struct node {
-  double low[2], high[2];
-  size_t first; /* no end of it comes before this */
-  size_t left;  /* ends not yet used */
+  int32_t low[2], high[2];
+  uint32_t first; /* no end of it comes before this */
+  uint32_t left;  /* ends not yet used */
 } node;
 
+/* End 2i is the start of line i, 2i + 1 its end. A point is an end along the
+ * curve: its code is above its number. */
 typedef struct tree {
-  point *point;  /* [2n], along the curve */
-  size_t *place; /* [2n]: of an end, in point */
-  bool *used;    /* [2n], of a point */
-  node *node;    /* [2 * leaves]: the children of k are 2k and 2k + 1 */
+  const sg_travel_line *line;
+  uint64_t *point; /* [2n] */
+  uint32_t *place; /* [2n]: of an end, in point */
+  bool *used;      /* [2n], of a point */
+  node *node;      /* [2 * leaves]: the children of k are 2k and 2k + 1 */
   size_t points, leaves;
 } tree;
 
 typedef struct nearest {
   double to[2], way; /* the square of the way: it is only compared */
-  size_t end;
+  uint32_t end;
 } nearest;
 
 /* -------------------------------------------------------------- building */
@@ -57,16 +56,28 @@ spread(uint64_t x)
 }
 
 static void
-box_add(node *k, const double low[2], const double high[2])
+box_add(node *k, const int32_t low[2], const int32_t high[2])
 {
   for (int i = 0; i < 2; i++) {
-    k->low[i] = sg_smaller(k->low[i], low[i]);
-    k->high[i] = sg_larger(k->high[i], high[i]);
+    k->low[i] = low[i] < k->low[i] ? low[i] : k->low[i];
+    k->high[i] = high[i] > k->high[i] ? high[i] : k->high[i];
   }
 }
 
 static const node empty = {
-    {DBL_MAX, DBL_MAX}, {-DBL_MAX, -DBL_MAX}, SIZE_MAX, 0};
+    {INT32_MAX, INT32_MAX}, {INT32_MIN, INT32_MIN}, UINT32_MAX, 0};
+
+static const int32_t *
+end_at(const tree *t, uint32_t end)
+{
+  return t->line[end / 2].at[end % 2];
+}
+
+static uint32_t
+point_end(const tree *t, size_t i)
+{
+  return (uint32_t)t->point[i];
+}
 
 static void
 set_codes(tree *t)
@@ -74,28 +85,19 @@ set_codes(tree *t)
   node all = empty;
   double wide;
 
-  for (size_t i = 0; i < t->points; i++) {
-    box_add(&all, t->point[i].at, t->point[i].at);
+  for (uint32_t i = 0; i < t->points; i++) {
+    box_add(&all, end_at(t, i), end_at(t, i));
   }
-  wide = sg_larger(all.high[0] - all.low[0], all.high[1] - all.low[1]);
-  for (size_t i = 0; i < t->points; i++) {
+  wide = sg_larger((double)all.high[0] - all.low[0],
+                   (double)all.high[1] - all.low[1]);
+  for (uint32_t i = 0; i < t->points; i++) {
     uint64_t cell[2] = {0, 0};
     for (int k = 0; k < 2 && wide > 0.0; k++) {
-      cell[k] = (uint64_t)((t->point[i].at[k] - all.low[k]) / wide * 0xffff);
+      cell[k] =
+          (uint64_t)(((double)end_at(t, i)[k] - all.low[k]) / wide * 0xffff);
     }
-    t->point[i].code = spread(cell[0]) | spread(cell[1]) << 1;
+    t->point[i] = (spread(cell[0]) | spread(cell[1]) << 1) << 32 | i;
   }
-}
-
-static int
-compare_codes(const void *a, const void *b)
-{
-  const point *x = a, *y = b;
-
-  if (x->code != y->code) {
-    return x->code < y->code ? -1 : 1;
-  }
-  return (x->end > y->end) - (x->end < y->end);
 }
 
 static void
@@ -106,10 +108,12 @@ set_nodes(tree *t)
   }
   for (size_t i = 0; i < t->points; i++) {
     node *leaf = &t->node[t->leaves + i / BLOCK];
-    box_add(leaf, t->point[i].at, t->point[i].at);
-    leaf->first = t->point[i].end < leaf->first ? t->point[i].end : leaf->first;
+    uint32_t end = point_end(t, i);
+
+    box_add(leaf, end_at(t, end), end_at(t, end));
+    leaf->first = end < leaf->first ? end : leaf->first;
     leaf->left++;
-    t->place[t->point[i].end] = i;
+    t->place[end] = (uint32_t)i;
   }
   for (size_t k = t->leaves - 1; k > 0; k--) {
     for (size_t child = 2 * k; child <= 2 * k + 1; child++) {
@@ -122,35 +126,30 @@ set_nodes(tree *t)
   }
 }
 
+/* False: no memory. */
 static bool
-tree_init(tree *t, const sg_travel_line *line, size_t n,
-          const sg_cancel *cancel, bool *memory)
+tree_init(tree *t, const sg_travel_line *line, size_t n)
 {
-  sg_sort_end end;
-
-  *t = (tree){.points = 2 * n, .leaves = 1};
+  *t = (tree){.line = line, .points = 2 * n, .leaves = 1};
   while (t->leaves * BLOCK < t->points) {
     t->leaves *= 2;
   }
   t->point = malloc((2 * n + 1) * sizeof *t->point);
+  if (!t->point) {
+    return false;
+  }
+  set_codes(t);
+  if (!sg_sort_upper(&t->point, t->points)) {
+    return false;
+  }
   t->place = malloc((2 * n + 1) * sizeof *t->place);
   t->used = calloc(2 * n + 1, sizeof *t->used);
   t->node = malloc(2 * t->leaves * sizeof *t->node);
-  *memory = t->point && t->place && t->used && t->node;
-  if (!*memory) {
+  if (!t->place || !t->used || !t->node) {
     return false;
   }
-  for (size_t i = 0; i < t->points; i++) {
-    const int64_t *at = line[i / 2].at[i % 2];
-    t->point[i] = (point){{(double)at[0], (double)at[1]}, 0, i};
-  }
-  set_codes(t);
-  end = sg_sort(t->point, t->points, sizeof *t->point, compare_codes, cancel);
-  *memory = end != SG_SORT_NO_MEMORY;
-  if (end == SG_SORTED) {
-    set_nodes(t);
-  }
-  return end == SG_SORTED;
+  set_nodes(t);
+  return true;
 }
 
 static void
@@ -183,12 +182,13 @@ search_leaf(const tree *t, size_t leaf, nearest *q)
   size_t i = (leaf - t->leaves) * BLOCK;
 
   for (size_t stop = i + BLOCK; i < stop && i < t->points; i++) {
-    const point *p = &t->point[i];
-    double x = p->at[0] - q->to[0], y = p->at[1] - q->to[1];
+    uint32_t end = point_end(t, i);
+    const int32_t *at = end_at(t, end);
+    double x = at[0] - q->to[0], y = at[1] - q->to[1];
     double way = x * x + y * y;
-    if (!t->used[i] && (way < q->way || (way == q->way && p->end < q->end))) {
+    if (!t->used[i] && (way < q->way || (way == q->way && end < q->end))) {
       q->way = way;
-      q->end = p->end;
+      q->end = end;
     }
   }
 }
@@ -224,7 +224,7 @@ search(const tree *t, size_t k, nearest *q)
 }
 
 static void
-take(tree *t, size_t end)
+take(tree *t, uint32_t end)
 {
   size_t i = t->place[end];
 
@@ -234,30 +234,60 @@ take(tree *t, size_t end)
   }
 }
 
-bool
-sg_travel_order(const sg_travel_line *line, size_t n, const int64_t from[2],
-                int64_t *order, const sg_cancel *cancel, bool *memory)
+/* False: stopped. */
+static bool
+walk(tree *t, size_t n, const int32_t from[2], int32_t *order,
+     const sg_cancel *cancel)
 {
-  nearest q = {{(double)from[0], (double)from[1]}, 0.0, 0};
-  tree t;
-  bool going = tree_init(&t, line, n, cancel, memory);
+  nearest q = {{from[0], from[1]}, 0.0, 0};
 
-  for (size_t i = 0; going && i < n; i++) {
+  for (size_t i = 0; i < n; i++) {
     if (i % ASK_EVERY == 0 && sg_cancelled(cancel)) {
-      going = false;
-      break;
+      return false;
     }
     q.way = DBL_MAX;
-    q.end = SIZE_MAX;
-    search(&t, 1, &q);
-    size_t at = q.end / 2, other = q.end ^ 1;
-    order[i] = q.end % 2 ? -(int64_t)at - 1 : (int64_t)at + 1;
+    q.end = UINT32_MAX;
+    search(t, 1, &q);
+    int32_t at = (int32_t)(q.end / 2) + 1;
+    order[i] = q.end % 2 ? -at : at;
     for (int k = 0; k < 2; k++) {
-      q.to[k] = (double)line[at].at[other % 2][k];
+      q.to[k] = end_at(t, q.end ^ 1)[k];
     }
-    take(&t, q.end);
-    take(&t, other);
+    take(t, q.end);
+    take(t, q.end ^ 1);
   }
+  return true;
+}
+
+bool
+sg_travel_order(const sg_travel_line *line, size_t n, const int32_t from[2],
+                int32_t *order, const sg_cancel *cancel, bool *memory)
+{
+  tree t;
+  bool done;
+
+  *memory = tree_init(&t, line, n);
+  done = *memory && walk(&t, n, from, order, cancel);
   tree_clear(&t);
-  return going;
+  return done;
+}
+
+double
+sg_travel_length(const sg_travel_line *line, size_t n, const int32_t from[2],
+                 const int32_t *order)
+{
+  const int32_t *at = from;
+  double length = 0.0;
+
+  for (size_t i = 0; i < n; i++) {
+    bool back = order && order[i] < 0;
+    const sg_travel_line *next =
+        &line[order ? (order[i] < 0 ? -order[i] : order[i]) - 1 : (int64_t)i];
+    double x = (double)next->at[back][0] - at[0];
+    double y = (double)next->at[back][1] - at[1];
+
+    length += sqrt(x * x + y * y);
+    at = next->at[!back];
+  }
+  return length;
 }

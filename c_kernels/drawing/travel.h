@@ -13,16 +13,24 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Where a line starts and ends on the sheet: x, y, below 2^52. */
+/* Where a line starts and ends on the sheet: x, y. */
 typedef struct sg_travel_line {
-  int64_t at[2][2];
+  int32_t at[2][2];
 } sg_travel_line;
 
-/* The order of n lines for a pen that begins at `from`: order[n] are their
- * numbers, from 1; below zero: from end to start. False: stopped by the
- * cancellation, or no memory (then *memory is false). */
+/* In the order that is given, or in a short one. */
+typedef enum sg_travel_how { SG_TRAVEL_KEPT, SG_TRAVEL_SHORT } sg_travel_how;
+
+/* The order of n lines, fewer than 2^30, for a pen that begins at `from`:
+ * order[n] are their numbers, from 1; below zero: from end to start. False:
+ * stopped by the cancellation, or no memory (then *memory is false). */
 bool sg_travel_order(const sg_travel_line *line, size_t n,
-                     const int64_t from[2], int64_t *order,
+                     const int32_t from[2], int32_t *order,
                      const sg_cancel *cancel, bool *memory);
+
+/* How far the lifted pen goes that draws n lines in this order; null: as they
+ * are. */
+double sg_travel_length(const sg_travel_line *line, size_t n,
+                        const int32_t from[2], const int32_t *order);
 
 #endif

@@ -9,9 +9,11 @@
 :- use_module('../sheet/sheet', [sheet_strokes/5]).
 :- use_module('../sheet/sheet_construction', [centres_added/4]).
 :- use_module('../sheet/sheet_view', [view_centres/3]).
+:- use_module('../sheet/stroke', [all_strokes/2]).
 :- use_module(sheet_options, [points_wanted/2]).
 :- use_module(verb_output, [usage_error/1]).
 :- use_module(library(apply), [exclude/3]).
+:- use_module(library(lists), [member/2]).
 :- use_module(library(option), [option/2, option/3]).
 /** <module> The options --points and --centre-lines of draw, in a picture
 without a sheet.
@@ -38,11 +40,18 @@ picture_marked(Options, Seen, Lines, Options0, Options1) :-
         sheet_strokes(210-148, Options0, Sheet, Place, Strokes),
         option(drawing(Drawing0), Options0,
                drawing(Sheet,[view('',Strokes,[])])),
-        added(Marks, Seen, Lines, Options0, Place, Drawing0, Drawing),
+        single_drawing(Drawing0, Drawing1),
+        added(Marks, Seen, Lines, Options0, Place, Drawing1, Drawing),
         exclude(is_drawing, Options0, Rest),
         Options1 = [drawing(Drawing)|Rest]
     ;   Options1 = Options0
     ).
+
+single_drawing(drawing(Sheet,Views0), drawing(Sheet,Views)) :-
+    findall(view(Name,Strokes,Texts),
+            ( member(view(Name,Strokess,Texts), Views0),
+              all_strokes(Strokess, Strokes) ),
+            Views).
 
 mark_wanted(Options, centre_lines) :-
     option('centre-lines'(true), Options).

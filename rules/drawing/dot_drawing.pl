@@ -3,11 +3,12 @@
             picture_dots/4              % +Pens, +Options, -Size, -Dots
           ]).
 :- use_module(ink,
-              [ inked/3, inked_lines/3, ink_width/2, ink_colour/3, ink_runs/2,
-                ink_type/2
+              [ inked/3, line_of/2, inked_lines/3, ink_width/2,
+                ink_colour/3, ink_runs/2, ink_type/2
               ]).
 :- use_module('../kernel', [raster_dots/4, raster_png/5]).
 :- use_module('../sheet/sheet', [sheet_drawing/3, scaled_drawing/3]).
+:- use_module('../sheet/stroke', [stroke_key/4]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(error), [domain_error/2]).
 :- use_module(library(lists), [list_to_set/2, member/2, nth0/3]).
@@ -39,12 +40,13 @@ write_dots(Out, Options) :-
     format(Out, '~s', [Bytes]).
 
 line_colour(Lines, Options, Paper, RGB) :-
-    member(line(Ink,Stroke), Lines),
-    dot_colour(Options, Paper, Ink, Stroke, RGB).
+    member(line(Ink,Strokes), Lines),
+    dot_colour(Options, Paper, Ink, Strokes, RGB).
 
 %   Hidden lines that are not dotted are faint.
 
-dot_colour(Options, Paper, Ink, stroke(Visibility,_,_,_,_,_,_), RGB) :-
+dot_colour(Options, Paper, Ink, Strokes, RGB) :-
+    stroke_key(Strokes, Visibility, _, _),
     ink_colour(screen, Ink, RGB0),
     (   Visibility == hidden,
         option(hidden(shown), Options)
@@ -106,7 +108,8 @@ drawn_dots(Numbers, pens(W0,H0,Bold), Options, Inked, Lines, W-H, Dots) :-
     W is Width//1000,
     H is Height//1000,
     Nib is max(1, min(64, round(min(W/W0, H/H0)))),
-    maplist(dot_stroke(pen(Numbers,Options,Nib,Bold,Runs)), Lines, Strokes),
+    findall(Line, line_of(Lines, Line), Singles),
+    maplist(dot_stroke(pen(Numbers,Options,Nib,Bold,Runs)), Singles, Strokes),
     raster_dots(W, H, Strokes, Dots).
 
 pattern_runs(Pattern, Runs) :-

@@ -2,8 +2,8 @@
           [ write_facts/3               % +Out, +Inked, +Options
           ]).
 :- use_module(ink,
-              [ inked_inks/2, ink_width/2, ink_colour/3, ink_runs/2, ink_pen/2,
-                ink_layer/2
+              [ inked_inks/2, line_of/2, ink_width/2, ink_colour/3,
+                ink_runs/2, ink_pen/2, ink_layer/2
               ]).
 :- use_module('../output', [write_fact/2]).
 :- use_module('../store',
@@ -132,8 +132,8 @@ style_fact(N, Ink, style(N,Width,Colour,Dashes,Pen,Layer)) :-
 drawing_row(Views, Inks, stroke(N,View,Visibility,Role,S,Edges,Points,
                                 Start,End)) :-
     member(view(View,Lines,_), Views),
-    member(line(Ink,stroke(Visibility,Role,S,Edges,Points0,Start,End0)),
-           Lines),
+    line_of(Lines, line(Ink,stroke(Visibility,Role,S,Edges,Points0,Start,
+                                   End0))),
     plain_end(End0, End),
     once(nth1(N, Inks, Ink)),
     maplist(place, Points0, Points).

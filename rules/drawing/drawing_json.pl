@@ -2,8 +2,8 @@
           [ write_json/3                % +Out, +Inked, +Options
           ]).
 :- use_module(ink,
-              [ inked_inks/2, inked_texts/2, ink_width/2, ink_colour/3,
-                ink_runs/2, ink_pen/2, ink_layer/2
+              [ fold_lines/4, inked_inks/2, inked_texts/2, ink_width/2,
+                ink_colour/3, ink_runs/2, ink_pen/2, ink_layer/2
               ]).
 :- use_module('../plain', [plain_json/2]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
@@ -74,7 +74,7 @@ write_texts(Out, Inked, Inks) :-
 
 view_lines(Out, Inks, view(Name,Lines,_), Before0, Before) :-
     view_member(Name, View),
-    foldl(line_written(Out, Inks, View), Lines, Before0, Before).
+    fold_lines(line_written(Out, Inks, View), Lines, Before0, Before).
 
 view_member('', "") :-
     !.

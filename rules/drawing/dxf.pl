@@ -9,8 +9,9 @@
 :- use_module(dxf_arc, [arcs_found/4, ring_circle/2]).
 :- use_module(dxf_colour, [dxf_colour/2]).
 :- use_module(ink,
-              [ inked_inks/2, inked_lines/3, inked_texts/2, dashes_option/3,
-                ink_colour/3, ink_layer/2, ink_type/2, ink_runs/2, ink_lines/4
+              [ inked_inks/2, line_of/2, inked_lines/3, inked_texts/2,
+                dashes_option/3, ink_colour/3, ink_layer/2, ink_type/2,
+                ink_runs/2, ink_lines/4
               ]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(lists), [member/2, memberchk/2, nth1/3]).
@@ -47,7 +48,7 @@ write_dxf(Out, Inked, Options) :-
     section(Out, 'ENTITIES'),
     option(smooth(Smooth), Options, []),
     DXF = dxf(Out, H, Looks, Layers, Smooth),
-    forall(member(Line, Lines), line(DXF, How, Line)),
+    forall(line_of(Lines, Line), line(DXF, How, Line)),
     forall(member(Text, Texts), text(DXF, Text)),
     group(Out, 0, 'ENDSEC'),
     group(Out, 0, 'EOF').

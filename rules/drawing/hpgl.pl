@@ -3,7 +3,7 @@
           ]).
 :- use_module(ink,
               [dashes_option/3, ink_runs/2, ink_type/2, ink_lines/4]).
-:- use_module(pen_plan, [pen_plans/3]).
+:- use_module(pen_plan, [fold_plan/4, pen_plans/3]).
 :- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
 :- use_module(library(lists), [last/2, list_to_set/2, sum_list/2]).
 :- use_module(library(option), [option/3]).
@@ -48,16 +48,16 @@ scaling_points(_, _, _, _).
 %   travel(N,Way,WayUnsorted): so many lines up to here, and how far the pen
 %   went between them, or would have gone.
 
-travelled(plan(_,Lines,Way1,Unsorted1), travel(N0,Way0,Unsorted0),
+travelled(plan(_,_,travel(_,N1,_,_,Way1,Unsorted1)), travel(N0,Way0,Unsorted0),
           travel(N,Way,Unsorted)) :-
-    length(Lines, N1),
     N is N0+N1,
     Way is Way0+Way1,
     Unsorted is Unsorted0+Unsorted1.
 
-plot_pen(Out, How, plan(Pen,Lines,_,_)) :-
+plot_pen(Out, How, Plan) :-
+    Plan = plan(Pen, _, _),
     format(Out, 'PU;SP~d;~n', [Pen]),
-    foldl(plot(Out, How), Lines, pen(solid,none), pen(Type,_)),
+    fold_plan(plot(Out, How), Plan, pen(solid,none), pen(Type,_)),
     line_type(Out, How, Type, solid).
 
 %   pen(Type,At): the line type, and where the pen is down, X-Y in units.

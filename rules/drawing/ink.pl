@@ -1,6 +1,8 @@
 :- module(sg_ink,
           [ inked/3,                    % +Drawing, +Options, -Inked
             inked_lines/3,              % +Texts, +Inked, -Lines
+            line_of/2,                  % +Lines, -Line
+            fold_lines/4,               % :Goal, +Lines, +State0, -State
             inked_texts/2,              % +Inked, -Texts
             inked_inks/2,               % +Inked, -Inks
             dashes_option/3,            % +Options, +Default, -How
@@ -14,6 +16,7 @@
           ]).
 :- use_module('../sheet/crossing', [strokes_crossed/2]).
 :- use_module('../sheet/dash', [stroke_dashes/3]).
+:- use_module('../sheet/stroke', [single_strokes/2, stroke_key/4]).
 :- use_module('../colour', [colour_rgb/2]).
 :- use_module('../decision', [decided_at/2, default/1]).
 :- use_module('../sheet/speck', [without_specks/3]).
@@ -23,7 +26,8 @@
                 paper_style/1
               ]).
 :- use_module(style_file, [style_rows/2, restyled/6, rows_paper/2]).
-:- use_module(library(apply), [convlist/3, exclude/3, foldl/4, maplist/3]).
+:- use_module(library(apply),
+              [convlist/3, exclude/3, foldl/4, foldl/5, maplist/3]).
 :- use_module(library(error), [domain_error/2]).
 :- use_module('../plain', [plain_text/2]).
 :- use_module(library(lists), [append/2, append/3, list_to_set/2, member/2]).
@@ -34,7 +38,7 @@ A drawing (sheet.pl) says what is where; inked, it says how it looks too:
 
     inked(Sheet, Paper, Views)      Paper: rgb(R,G,B)
     view(Name, Lines, Texts)
-    line(Ink, Stroke)
+    line(Ink, Strokes)              one or many (stroke.pl)
     text(Ink, Text)
     word(Ink, Angle, Text)
 
@@ -83,28 +87,28 @@ inked_view(Words, How, view(Name,Strokes0,Texts0), view(Name,Lines,Written)) :-
 %   cross them.
 
 lines_crossed(Lines0, Lines) :-
-    convlist(dashed_line, Lines0, Strokes0),
-    (   Strokes0 = [_,_|_],
-        strokes_crossed(Strokes0, Strokes),
-        \+ same_term(Strokes0, Strokes)
-    ->  lines_marked(Lines0, Strokes, Lines)
+    convlist(dashed_line, Lines0, Strokess),
+    strokes_crossed(Strokess, Strokes),
+    (   \+ same_term(Strokess, Strokes)
+    ->  foldl(line_marked, Lines0, Lists, Strokes, []),
+        append(Lists, Lines)
     ;   Lines = Lines0
     ).
 
-dashed_line(line(Ink,Stroke), Stroke) :-
-    Stroke = stroke(hidden, _, _, _, _, _, _),
+dashed_line(line(Ink,Strokes), Strokes) :-
+    stroke_key(Strokes, hidden, _, _),
     ink_runs(Ink, [_,_]).
 
-lines_marked([], _, []).
-lines_marked([Line0|Lines0], Strokes0, [Line|Lines]) :-
-    (   dashed_line(Line0, _)
-    ->  Line0 = line(Ink, _),
-        Strokes0 = [Stroke|Strokes],
-        Line = line(Ink, Stroke)
-    ;   Line = Line0,
+line_marked(Line, Lines, Strokes0, Strokes) :-
+    (   dashed_line(Line, Own)
+    ->  Line = line(Ink, _),
+        single_strokes(Own, Singles),
+        foldl(next_marked(Ink), Singles, Lines, Strokes0, Strokes)
+    ;   Lines = [Line],
         Strokes = Strokes0
-    ),
-    lines_marked(Lines0, Strokes, Lines).
+    ).
+
+next_marked(Ink, _, line(Ink,Stroke), [Stroke|Strokes], Strokes).
 
 worded(kept, Strokes0, Texts, Strokes, Texts) :-
     !,
@@ -150,12 +154,17 @@ inked_items([Item|Items], How, Last, Inked) :-
     ),
     inked_items(Items, How, Key-Ink, Inked1).
 
-item_key(stroke(Visibility,Role,S,_,_,_,_), key(Visibility,Role,S)).
-item_key(text(_,_,_,_,_), key(visible,text,0)).
-item_key(word(Role,S,_,_,_), key(visible,Role,S)).
+item_key(text(_,_,_,_,_), Key) =>
+    Key = key(visible,text,0).
+item_key(word(Role,S,_,_,_), Key) =>
+    Key = key(visible,Role,S).
+item_key(Strokes, Key) =>
+    Key = key(Visibility,Role,S),
+    stroke_key(Strokes, Visibility, Role, S).
 
-inked_item(Stroke, Ink, line(Ink,Stroke)) :-
-    Stroke = stroke(_, _, _, _, _, _, _).
+inked_item(Strokes, Ink, line(Ink,Strokes)) :-
+    stroke_key(Strokes, _, _, _),
+    !.
 inked_item(text(X,Y,Height,Anchor,Text0), Ink0,
            text(Ink,text(X,Y,Height,Anchor,Text))) :-
     plain_text(Text0, Text),
@@ -274,6 +283,32 @@ view_lines(drawn, view(_,Lines0,Written), Lines) :-
             ),
             Letters),
     append(Lines0, Letters, Lines).
+
+%!  line_of(+Lines, -Line) is nondet.
+%
+%   Line, line(Ink,Stroke), is one of Lines, in order; of those with many
+%   strokes each.
+
+line_of(Lines, line(Ink,Stroke)) :-
+    member(line(Ink,Strokes), Lines),
+    single_strokes(Strokes, Singles),
+    member(Stroke, Singles).
+
+%!  fold_lines(:Goal, +Lines, +State0, -State) is det.
+%
+%   As foldl/4, of what line_of/2 has of Lines.
+
+:- meta_predicate fold_lines(3, +, +, -).
+
+fold_lines(Goal, Lines, State0, State) :-
+    foldl(fold_line(Goal), Lines, State0, State).
+
+fold_line(Goal, line(Ink,Strokes), State0, State) :-
+    single_strokes(Strokes, Singles),
+    foldl(fold_single(Goal, Ink), Singles, State0, State).
+
+fold_single(Goal, Ink, Stroke, State0, State) :-
+    call(Goal, line(Ink,Stroke), State0, State).
 
 %!  inked_texts(+Inked, -Texts) is det.
 %

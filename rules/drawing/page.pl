@@ -7,8 +7,8 @@
           ]).
 :- use_module('../sheet/dash', [stroke_runs/4]).
 :- use_module(ink,
-              [ inked_inks/2, inked_lines/3, ink_width/2, ink_colour/3,
-                ink_runs/2, ink_layer/2, ink_lines/4
+              [ fold_lines/4, inked_inks/2, inked_lines/3, ink_width/2,
+                ink_colour/3, ink_runs/2, ink_layer/2, ink_lines/4
               ]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(lists), [append/3, list_to_set/2, member/2, nth0/3]).
@@ -38,7 +38,7 @@ write_page(Out, Medium, How, Layers, Inked, Images) :-
     call(Images),
     format(Out, '1 j~n', []),
     inked_lines(drawn, Inked, Lines),
-    foldl(line(page(Out,Medium,How,Layers)), Lines, none, State),
+    fold_lines(line(page(Out,Medium,How,Layers)), Lines, none, State),
     layer_ended(State, Out).
 
 %!  page_layers(+Inked, -Layers) is det.

@@ -1,11 +1,13 @@
 :- module(sg_pen_plan,
           [ pen_plans/3,                % +Inked, +Order, -Plans
+            fold_plan/4,                % :Goal, +Plan, +State0, -State
             drawing_pens/3              % +Drawing, +Options, -Pens
           ]).
 :- use_module(ink,
               [ inked/3, inked_inks/2, inked_lines/3, ink_colour/3,
                 ink_lines/4, ink_pen/2 ]).
-:- use_module(travel, [short_travel/3, travel_length/3]).
+:- use_module('../sheet/stroke', [stroke_key/4]).
+:- use_module(travel, [fold_travel/4, travel/4]).
 :- use_module(library(apply), [convlist/3, maplist/3]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- use_module(library(lists), [list_to_set/2, member/2]).
@@ -15,9 +17,8 @@
 %!  pen_plans(+Inked, +Order, -Plans) is det.
 %
 %   Plans say what each pen draws of Inked, pen by pen in painting order:
-%   plan(Pen, Lines, Way, Unsorted), Lines being line(Ink, Stroke) as they are
-%   drawn, Way how far the lifted pen goes between them, and Unsorted how far it
-%   would have gone. Order is `short` or `kept`.
+%   plan(Pen, Inks, Travel), see fold_plan/4 and travel/4. Order is `short` or
+%   `kept`.
 
 pen_plans(Inked, Order, Plans) :-
     Inked = inked(sheet(_,H,_), _, _),
@@ -27,38 +28,41 @@ pen_plans(Inked, Order, Plans) :-
     list_to_set(Pens0, Pens),
     maplist(pen_plan(Lines, Order, 0-H), Pens, Plans).
 
-pen_plan(Lines, Order, Start, Pen, plan(Pen,Drawn,Way,Unsorted)) :-
+%   The pen begins in the plotter's origin.
+
+pen_plan(Lines, Order, Start, Pen, plan(Pen,Inks,Travel)) :-
     findall(Key-Ink,
-            ( member(line(Ink,Stroke), Lines),
+            ( member(line(Ink,Strokes), Lines),
               ink_pen(Ink, Pen),
-              stroke_key(Stroke, Key)
+              line_key(Strokes, Key)
             ),
             Keys0),
     sort(1, @<, Keys0, Keys),
     list_to_assoc(Keys, Inks),
-    convlist(pen_stroke(Pen), Lines, Strokes),
-    ordered(Order, Start, Strokes, Ordered),
-    travel_length(Start, Ordered, Way),
-    travel_length(Start, Strokes, Unsorted),
-    maplist(stroke_line(Inks), Ordered, Drawn).
+    convlist(pen_strokes(Pen), Lines, Strokess),
+    travel(Start, Order, Strokess, Travel).
 
-stroke_line(Inks, Stroke, line(Ink,Stroke)) :-
-    stroke_key(Stroke, Key),
-    get_assoc(Key, Inks, Ink).
-
-%   The pen begins in the plotter's origin.
-
-ordered(kept, _, Strokes, Strokes) :-
-    !.
-ordered(short, Start, Strokes, Ordered) :-
-    short_travel(Start, Strokes, Ordered).
-
-pen_stroke(Pen, line(Ink,Stroke), Stroke) :-
+pen_strokes(Pen, line(Ink,Strokes), Strokes) :-
     ink_pen(Ink, Pen).
 
 %   A line's ink is the same as that of all lines with its key.
 
-stroke_key(stroke(Visibility,Role,S,_,_,_,_), key(Visibility,Role,S)).
+line_key(Strokes, key(Visibility,Role,S)) :-
+    stroke_key(Strokes, Visibility, Role, S).
+
+%!  fold_plan(:Goal, +Plan, +State0, -State) is det.
+%
+%   As foldl/4, of the line(Ink, Stroke) of Plan as they are drawn.
+
+:- meta_predicate fold_plan(3, +, +, -).
+
+fold_plan(Goal, plan(_,Inks,Travel), State0, State) :-
+    fold_travel(fold_stroke(Goal, Inks), Travel, State0, State).
+
+fold_stroke(Goal, Inks, Stroke, State0, State) :-
+    line_key(Stroke, Key),
+    get_assoc(Key, Inks, Ink),
+    call(Goal, line(Ink,Stroke), State0, State).
 
 %!  drawing_pens(+Drawing, +Options, -Pens) is det.
 %
@@ -69,13 +73,17 @@ drawing_pens(Drawing, Options, Pens) :-
     inked(Drawing, Options, Inked),
     pen_plans(Inked, short, Plans),
     findall(pen(Pen,RGB,Strokes),
-            ( member(plan(Pen,Lines,_,_), Plans),
+            ( member(Plan, Plans),
+              Plan = plan(Pen, _, _),
+              fold_plan(added_line, Plan, Lines, []),
               Lines = [line(First,_)|_],
               ink_colour(print, First, RGB),
               findall(Stroke, ( member(Line, Lines),
                                 drawn_stroke(Line, Stroke) ),
                       Strokes) ),
             Pens).
+
+added_line(Line, [Line|Lines], Lines).
 
 drawn_stroke(line(Ink,Stroke0), stroke(Visibility,Role,S,[],Points,joint,
                                        joint)) :-

@@ -3,8 +3,8 @@
           ]).
 :- use_module(dot_drawing, [write_dots/2]).
 :- use_module(ink,
-              [ inked/3, inked_lines/3, ink_colour/3, ink_width/2, ink_runs/2,
-                ink_lines/4
+              [ inked/3, line_of/2, inked_lines/3, ink_colour/3,
+                ink_width/2, ink_runs/2, ink_lines/4
               ]).
 :- use_module(drawing_shading, [shading_images/5]).
 :- use_module('../kernel',
@@ -81,7 +81,7 @@ write_smooth(Out, Inked, Dots, Shadeds) :-
 %   Dashes are lines of their own, their ends not round.
 
 smooth_line(Lines, line(RGB,Width,Round,Points)) :-
-    member(line(Ink,Stroke), Lines),
+    line_of(Lines, line(Ink,Stroke)),
     ink_colour(screen, Ink, RGB),
     ink_width(Ink, Width),
     ink_runs(Ink, Runs),

@@ -6,10 +6,11 @@
 :- use_module(image_text, [image_base64/2]).
 :- use_module('../kernel', [points_text/2]).
 :- use_module(ink,
-              [ ink_width/2, ink_colour/3, ink_runs/2, ink_lines/4,
-                dashes_option/3
+              [ fold_lines/4, ink_width/2, ink_colour/3, ink_runs/2,
+                ink_lines/4, dashes_option/3
               ]).
 :- use_module('../sheet/lettering', [lettering/2]).
+:- use_module('../sheet/stroke', [stroke_key/4]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(lists), [list_to_set/2, member/2]).
 :- use_module(library(assoc), [get_assoc/3]).
@@ -73,8 +74,8 @@ millimetres(Thousandths, Text) :-
 write_view(Out, How, Joints, view(Name,Lines,Texts)) :-
     view_prefix(Name, Prefix),
     emit(Out, view_head(Name)),
-    foldl(write_line(Out, look(Prefix,How,Joints)), Lines, state(none,ids),
-          State),
+    fold_lines(write_line(Out, look(Prefix,How,Joints)), Lines,
+               state(none,ids), State),
     emit(Out, strokes_tail(State)),
     forall(member(Text, Texts), emit(Out, text(How, Text))),
     emit(Out, view_tail(Name)).
@@ -183,7 +184,8 @@ view_look(Views, Look) :-
     member(view(_,Lines,_), Views),
     differing(Lines, none, Look).
 
-differing([line(Ink,stroke(Visibility,Role,S,_,_,_,_))|Lines], Last, Look) :-
+differing([line(Ink,Strokes)|Lines], Last, Look) :-
+    stroke_key(Strokes, Visibility, Role, S),
     Next = look(Visibility, Role, S, Ink),
     (   Next == Last
     ->  differing(Lines, Last, Look)

@@ -1,59 +1,100 @@
 :- module(sg_travel,
-          [ short_travel/3,             % +Start, +Strokes, -Ordered
-            travel_length/3             % +Start, +Strokes, -Length
+          [ travel/4,                   % +Start, +How, +Strokess, -Travel
+            fold_travel/4               % :Goal, +Travel, +State0, -State
           ]).
-:- use_module('../kernel', [travel_order/3]).
-:- use_module(library(apply), [foldl/4, maplist/3]).
-:- use_module(library(lists), [last/2, member/2, reverse/2]).
+:- use_module('../kernel',
+              [chain_strokes/4, travel_numbers/4, travel_open/7]).
+:- use_module(library(apply), [foldl/4, foldl/5]).
+:- use_module(library(lists), [reverse/2]).
 /** <module> Travel: strokes in an order that a lifted pen likes.
 
 From where a stroke ends the pen goes to the nearest end of those not yet
 drawn, and draws from there. That may leave ends behind that are far away; where
 the way is no shorter than in the order that was given, that order stays.
+
+    travel(Order, Count, Begins, Strokess, Way, Unsorted)
+        Order, a handle, has the numbers of Count strokes in the order in which
+        they are drawn. Begins and Strokess are compounds: of what is drawn, one
+        or many strokes (stroke.pl), and the number of the first of each. Way:
+        how far the lifted pen goes; Unsorted: how far in the order that was
+        given.
 */
 
 :- set_prolog_flag(optimise, true).
 
-%!  short_travel(+Start, +Strokes, -Ordered) is det.
+%!  travel(+Start, +How, +Strokess, -Travel) is det.
 %
-%   Ordered are Strokes (stroke.pl) in an order in which a plotter that begins
-%   at Start, X-Y, has no longer way, some of them backwards.
+%   Travel is how a plotter that begins at Start, X-Y, draws Strokess
+%   (stroke.pl): if How is `short` in an order in which it has no longer way,
+%   some of them backwards; as they are if it is `kept`.
 
-short_travel(Start, Strokes, Ordered) :-
-    travel_order(Start, Strokes, Order),
-    compound_name_arguments(Array, strokes, Strokes),
-    maplist(ordered_stroke(Array), Order, Ordered0),
-    shorter(Start, Strokes, Ordered0, Ordered).
+travel(Start, How, Strokess, travel(Order,Count,Begins,Parts,Way,Unsorted)) :-
+    travel_open(Start, How, Strokess, Order, Count, Way, Unsorted),
+    foldl(begin, Strokess, Firsts, 1, _),
+    compound_name_arguments(Begins, begins, Firsts),
+    compound_name_arguments(Parts, strokes, Strokess).
 
-shorter(Start, Strokes0, Strokes1, Strokes) :-
-    travel_length(Start, Strokes0, Length0),
-    travel_length(Start, Strokes1, Length1),
-    (   Length1 < Length0
-    ->  Strokes = Strokes1
-    ;   Strokes = Strokes0
+begin(strokes(_,_,_,_,From,To), First, Begin, End) =>
+    First = Begin,
+    End is Begin+To-From+1.
+begin(_, First, Begin, End) =>
+    First = Begin,
+    End is Begin+1.
+
+%!  fold_travel(:Goal, +Travel, +State0, -State) is det.
+%
+%   As foldl/4, of the strokes of Travel as they are drawn. Each is a term for
+%   as long as Goal has it.
+
+:- meta_predicate fold_travel(3, +, +, -).
+
+fold_travel(Goal, Travel, State0, State) :-
+    fold_from(1, Goal, Travel, State0, State).
+
+fold_from(From, Goal, Travel, State0, State) :-
+    Travel = travel(Order, Count, Begins, Strokess, _, _),
+    (   From > Count
+    ->  State = State0
+    ;   To is min(Count, From+999),
+        travel_numbers(Order, From, To, Numbers),
+        foldl(fold_number(Goal, Begins, Strokess), Numbers, State0, State1),
+        Next is To+1,
+        fold_from(Next, Goal, Travel, State1, State)
     ).
 
-ordered_stroke(Array, I, Stroke) :-
-    (   I > 0
-    ->  arg(I, Array, Stroke)
-    ;   J is -I,
-        arg(J, Array, Stroke0),
-        backwards(Stroke0, Stroke)
+fold_number(Goal, Begins, Strokess, Number, State0, State) :-
+    N is abs(Number),
+    functor(Begins, _, Count),
+    part_of(N, Begins, 1, Count, Part),
+    arg(Part, Begins, Begin),
+    arg(Part, Strokess, Strokes),
+    Place is N-Begin,
+    stroke_at(Strokes, Place, Stroke0),
+    (   Number > 0
+    ->  Stroke = Stroke0
+    ;   backwards(Stroke0, Stroke)
+    ),
+    call(Goal, Stroke, State0, State).
+
+%   part_of(N, Begins, Low, High, Part): the last that does not begin after N.
+
+part_of(_, _, Low, Low, Part) :-
+    !,
+    Part = Low.
+part_of(N, Begins, Low, High, Part) :-
+    Middle is (Low+High+1)//2,
+    arg(Middle, Begins, Begin),
+    (   Begin =< N
+    ->  part_of(N, Begins, Middle, High, Part)
+    ;   Below is Middle-1,
+        part_of(N, Begins, Low, Below, Part)
     ).
 
-%   line(First,Last,Stroke)
-
-with_ends(Stroke, line(First,Last,Stroke)) :-
-    Stroke = stroke(_, _, _, _, Points, _, _),
-    Points = [First|_],
-    last(Points, Last).
-
-%   The square of the way: it is only compared.
-
-way(XA-YA, XB-YB, Way) :-
-    X is float(XB-XA),
-    Y is float(YB-YA),
-    Way is X*X + Y*Y.
+stroke_at(strokes(_,_,_,Chains,From,_), Place, Stroke) =>
+    K is From+Place,
+    chain_strokes(Chains, K, K, [Stroke]).
+stroke_at(Single, _, Stroke) =>
+    Stroke = Single.
 
 backwards(stroke(Visibility,Role,S,Es0,Points0,Start,crossed(End,Marks0,L)),
           Stroke) :-
@@ -66,16 +107,3 @@ backwards(stroke(Visibility,Role,S,Es0,Points0,Start,End),
           stroke(Visibility,Role,S,Es,Points,End,Start)) :-
     reverse(Es0, Es),
     reverse(Points0, Points).
-
-%!  travel_length(+Start, +Strokes, -Length) is det.
-%
-%   Length is how far the pen goes lifted, from Start on, if it draws Strokes in
-%   this order; in the unit of their points.
-
-travel_length(Start, Strokes, Length) :-
-    foldl(travelled, Strokes, Start-0.0, _-Length).
-
-travelled(Stroke, At-Length0, Last-Length) :-
-    with_ends(Stroke, line(First,Last,_)),
-    way(At, First, Way),
-    Length is Length0 + sqrt(Way).

@@ -165,6 +165,13 @@ Foreign predicates; see kernel.pl.
 %   Rank), in standard order, all that Parts have; Rank is their place in
 %   painting.
 
+%!  chain_strokes(+Chains:chains, +From:count, +To:count,
+%!                -Strokes:list(sheet_stroke)) is det.
+%
+%   Strokes are those From to To of Chains, counted from 1.
+%
+%   @error domain_error(chain, From): it has no such ones
+
 %!  stroke_octets(+Looks:list(ranked_look), +Strokes:list(sheet_stroke),
 %!                -Octets:bytes) is det.
 %
@@ -209,12 +216,14 @@ Foreign predicates; see kernel.pl.
 
 %!  drawn_strokes(+Place:drawing_place, +Removed:symbol,
 %!                +Looks:list(ranked_look), +Others:list(sheet_part),
-%!                -Strokes:list(sheet_stroke)) is det.
+%!                -Chains:chains, -Runs:list(chain_run)) is det.
 %
-%   Strokes are those of the parts that drawn/7 has of edges, placed as
+%   Chains are the strokes of the parts that drawn/7 has of edges, placed as
 %   placed_part/3 of sheet.pl says, and of Others, which are placed; those with
 %   the visibility Removed are left out, but not of Others. Looks as for
-%   stroke_chains/3. No part is ever a term.
+%   stroke_chains/3. Runs are run(Visibility,Role,S,From,To), one after the
+%   other: the strokes From to To, counted from 1, a thousand at most. No part
+%   and no stroke is ever a term.
 %
 %   @error representation_error(look), representation_error(sheet_coordinate)
 
@@ -232,11 +241,26 @@ Foreign predicates; see kernel.pl.
 
 /* - - - travel_rows.c - - - */
 
-%!  travel_order(+Start:sheet_point, +Strokes:list(travelled_stroke),
-%!               -Order:list(integer)) is det.
+%!  travel_open(+Start:sheet_point, +How:travel_how,
+%!              +Strokes:list(travelled_strokes), -Travel:travel,
+%!              -Count:count, -Way:number, -Unsorted:number) is det.
 %
-%   Order has the numbers of Strokes, from 1, in the order of nearest ends that
-%   short_travel/3 of travel.pl has, those drawn backwards below zero.
+%   Travel has the numbers of Strokes (stroke.pl), Count from 1, in the order in
+%   which a plotter that begins at Start draws them: if How is `short`, in the
+%   order of nearest ends that travel/4 of travel.pl has, where that is shorter;
+%   else as they are. Way is how far the pen goes lifted, Unsorted how far it
+%   goes if all are drawn as they are; in the unit of their points.
+%
+%   @error domain_error(stroke, Strokes): of no point;
+%          domain_error(sheet_coordinate, X): 2^31 or farther
+
+%!  travel_numbers(+Travel:travel, +From:count, +To:count,
+%!                 -Numbers:list(int)) is det.
+%
+%   Numbers are those of Travel at the places From to To, counted from 1; below
+%   zero: drawn backwards.
+%
+%   @error domain_error(place, From): it has no such ones
 
 /* - - - stroke_crossing_rows.c - - - */
 
@@ -248,7 +272,7 @@ Foreign predicates; see kernel.pl.
 %   of each other at an end cross too, those at less than 10 degrees never;
 %   marks are 0.2 mm apart. Rounded.
 %
-%   @error domain_error(sheet_coordinate, X): 2^52 or farther
+%   @error domain_error(sheet_coordinate, X): 2^31 or farther
 
 /* - - - raster_rows.c - - - */
 

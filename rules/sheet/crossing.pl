@@ -1,7 +1,8 @@
 :- module(sg_crossing,
-          [ strokes_crossed/2           % +Strokes0, -Strokes
+          [ strokes_crossed/2           % +Strokess, -Strokes
           ]).
 :- use_module('../kernel', [stroke_crossings/2]).
+:- use_module(stroke, [all_strokes/2]).
 :- use_module(library(apply), [foldl/4]).
 :- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> Where dashed lines cross.
@@ -18,23 +19,36 @@ dashes to that.
 
 most_pieces(3000).
 
-%!  strokes_crossed(+Strokes0, -Strokes) is det.
+%!  strokes_crossed(+Strokess, -Strokes) is det.
 %
-%   Strokes are Strokes0 (stroke.pl), in order, with marks where one crosses
-%   another one, or itself, or ends on it (stroke_crossings/2). Those that
-%   nothing crosses, and all of more than 3,000 pieces, stay as they are.
+%   Strokes are Strokess (stroke.pl), in order, with marks where one crosses
+%   another one, or itself, or ends on it (stroke_crossings/2), and one by one.
+%   If nothing crosses, and if they have more than 3,000 pieces, all stay as
+%   they are.
 
-strokes_crossed(Strokes0, Strokes) :-
+strokes_crossed(Strokess, Strokes) :-
     most_pieces(Most),
-    (   few_pieces(Strokes0, Most),
+    (   few_strokes(Strokess, Most),
+        all_strokes(Strokess, Strokes0),
+        few_pieces(Strokes0, Most),
         stroke_crossings(Strokes0, Marks),
         Marks = [_|_]
     ->  group_pairs_by_key(Marks, Groups),
         marked(Strokes0, 1, Groups, Strokes)
-    ;   Strokes = Strokes0
+    ;   Strokes = Strokess
     ).
 
-%   few_pieces(Strokes, Left): nothing is copied, for there may be millions.
+%   few_strokes(Strokess, Left), few_pieces(Strokes, Left): there may be
+%   millions.
+
+few_strokes([], _).
+few_strokes([Strokes|Strokess], Left0) :-
+    (   Strokes = strokes(_, _, _, _, From, To)
+    ->  Left is Left0 - (To-From+1)
+    ;   Left is Left0 - 1
+    ),
+    Left >= 0,
+    few_strokes(Strokess, Left).
 
 few_pieces([], _).
 few_pieces([stroke(_,_,_,_,Points,_,_)|Strokes], Left0) :-

@@ -10,9 +10,9 @@
           ]).
 :- use_module('../near', [longer/2]).
 :- use_module('../picture/contour', [line_ends/4]).
-:- use_module('../kernel', [drawn_box/1, drawn_strokes/5]).
+:- use_module('../kernel', [drawn_box/1, drawn_strokes/6]).
 :- use_module('../store', [contour/13, drawn/7]).
-:- use_module(stroke, [picture_looks/1]).
+:- use_module(stroke, [all_strokes/2, picture_looks/1]).
 :- use_module(library(apply), [exclude/3, foldl/4, maplist/3]).
 :- use_module(library(error), [domain_error/2, must_be/2]).
 :- use_module(library(option), [option/2, option/3]).
@@ -30,8 +30,9 @@ What writers write is a *drawing*, which does not know the world:
     view(Name, Strokes, Texts)
 
 Views in painting order. Name is an atom, '' if there is one view alone.
-Strokes are as stroke.pl says; those that show no edge (frames, hatching) have
-no Edges, and segment 0 if they show no segment either. Their roles are
+Strokes are as stroke.pl says, one or many; those that show no edge (frames,
+hatching) have no Edges, and segment 0 if they show no segment either. Their
+roles are
 
   - `frame`: round the sheet and the title block; centring marks
   - `field`: lines between the fields of the title block and of the frame
@@ -87,7 +88,8 @@ scaled_drawing(Factor, drawing(sheet(W0,H0,Scale0),Views0),
     maplist(scaled_view(Factor), Views0, Views).
 
 scaled_view(Factor, view(Name,Strokes0,Texts0), view(Name,Strokes,Texts)) :-
-    maplist(scaled_stroke(Factor), Strokes0, Strokes),
+    all_strokes(Strokes0, Singles),
+    maplist(scaled_stroke(Factor), Singles, Strokes),
     maplist(scaled_text(Factor), Texts0, Texts).
 
 scaled_stroke(Factor, stroke(Visibility,Role,S,Es,Points0,Start,End),
@@ -123,7 +125,11 @@ sheet_strokes(Default, Options, Sheet, Place, Strokes) :-
     ;   Removed = none
     ),
     picture_looks(Looks),
-    drawn_strokes(Place, Removed, Looks, Placed, Strokes).
+    drawn_strokes(Place, Removed, Looks, Placed, Chains, Runs),
+    maplist(run_strokes(Chains), Runs, Strokes).
+
+run_strokes(Chains, run(Visibility,Role,S,From,To),
+            strokes(Visibility,Role,S,Chains,From,To)).
 
 placed_parts(Hidden, Place, Parts, Placed) :-
     (   Hidden == removed

@@ -1,6 +1,7 @@
 :- module(sg_speck,
           [ without_specks/3            % +Least, +Views0, -Views
           ]).
+:- use_module(stroke, [all_strokes/2]).
 :- use_module(library(apply), [exclude/3, foldl/4, maplist/3]).
 :- use_module(library(lists), [last/2]).
 :- use_module(library(rbtrees), [rb_empty/1, rb_insert/4, rb_lookup/3,
@@ -23,7 +24,8 @@ without_specks(Least, Views, Views) :-
 without_specks(Least, Views0, Views) :-
     maplist(view_without(Least), Views0, Views).
 
-view_without(Least, view(Name,Strokes0,Texts), view(Name,Strokes,Texts)) :-
+view_without(Least, view(Name,Strokess,Texts), view(Name,Strokes,Texts)) :-
+    all_strokes(Strokess, Strokes0),
     rb_empty(None),
     foldl(ends_counted, Strokes0, None, Ends),
     Most is Least*1000,

@@ -1,12 +1,16 @@
 :- module(sg_stroke,
           [ strokes/2,                  % +Parts, -Strokes
             picture_looks/1,            % -Looks
+            stroke_key/4,               % +Strokes, -Visibility, -Role, -S
+            single_strokes/2,           % +Strokes, -Singles
+            all_strokes/2,              % +Strokess, -Singles
             stroke_length/2             % +Stroke, -Length
           ]).
-:- use_module('../kernel', [stroke_looks/2, stroke_chains/3]).
+:- use_module('../kernel',
+              [chain_strokes/4, stroke_chains/3, stroke_looks/2]).
 :- use_module('../picture/role', [role_rank/2]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
-:- use_module(library(lists), [member/2, nth1/3]).
+:- use_module(library(lists), [append/2, member/2, nth1/3]).
 /** <module> Strokes: drawn parts put end to end.
 
 A pen should not lift where a line goes on, and dashes should run on across
@@ -20,6 +24,12 @@ So parts of one visibility, role and segment that meet are chained.
         a chain; the k-th of Edges goes from the k-th of Points to the next.
         Start and End: `cut`, where the line goes on visible instead of hidden
         or the other way; `ring`, both, if it closes; else `joint`.
+    strokes(Visibility, Role, S, Chains, From, To)
+        many, one after the other: those From to To of Chains, which C holds.
+
+A picture may have millions, so the strokes of drawn/7 are of the last kind, a
+thousand at most in each: who goes through them has that many as terms at a
+time.
 
 At each point the parts are joined in pairs, the straightest pair first. The
 pen follows a visible line round any corner; a hidden line ends at a corner,
@@ -71,6 +81,30 @@ paint_rank(Visibility, Role, Rank) :-
     ),
     !,
     Rank is Below+Place.
+
+%!  stroke_key(+Strokes, -Visibility, -Role, -S) is det.
+%
+%   What Strokes, one or many, have in common.
+
+stroke_key(stroke(Visibility,Role,S,_,_,_,_), Visibility, Role, S).
+stroke_key(strokes(Visibility,Role,S,_,_,_), Visibility, Role, S).
+
+%!  single_strokes(+Strokes, -Singles) is det.
+%
+%   Singles are Strokes, one or many, one by one.
+
+single_strokes(strokes(_,_,_,Chains,From,To), Singles) =>
+    chain_strokes(Chains, From, To, Singles).
+single_strokes(Stroke, Singles) =>
+    Singles = [Stroke].
+
+%!  all_strokes(+Strokess, -Singles) is det.
+%
+%   Singles are all of the list Strokess, one by one, in order.
+
+all_strokes(Strokess, Singles) :-
+    maplist(single_strokes, Strokess, Lists),
+    append(Lists, Singles).
 
 %!  stroke_length(+Stroke, -Length) is det.
 %

@@ -15,6 +15,7 @@
               [ named_view/3, set_projection/1, set_view/1, set_view/3,
                 with_up/2 ]).
 :- use_module('../sheet/sheet', [sheet_strokes/5]).
+:- use_module('../sheet/stroke', [all_strokes/2]).
 :- use_module('../spelling', [near_words/3]).
 :- use_module('../store', [drawn/7, segment/3]).
 :- use_module(job, [printed_octets/3]).
@@ -166,8 +167,9 @@ cut_pictured(Cut, Options, More, Octets) :-
     placed_body(Sheet, Place, Strokes, More0, Octets),
     More = More0.put(About).
 
-placed_body(sheet(Width,Height,_), Place, Strokes, More, Octets) :-
+placed_body(sheet(Width,Height,_), Place, Strokess, More, Octets) :-
     Place = place(Scale,X,Y,Left,Top),
+    all_strokes(Strokess, Strokes),
     strokes_body(Strokes, Looks, Count, Octets),
     More = _{ sheet:[Width,Height], place:[Scale,X,Y,Left,Top],
               looks:Looks, strokes:Count }.

@@ -54,14 +54,28 @@ edges_drawn(const sg_ranked_look_list *look, double scale, int32_t removed)
   const sg_drawing_place place = {scale, 0, 0, 0, 0};
   const sg_sheet_part_list none = {0};
   sg_sheet_stroke_list strokes = {0};
-  size_t n = 0;
+  sg_chain_run_list runs = {0};
+  sg_chains *chains = NULL;
+  size_t n = 0, next = 1;
 
-  if (!sg_door_drawn_strokes(&call, &place, removed, look, &none, &strokes)) {
+  if (!sg_door_drawn_strokes(&call, &place, removed, look, &none, &chains,
+                             &runs)) {
     return SIZE_MAX;
+  }
+  for (size_t i = 0; i < runs.n; i++) {
+    CHECK("runs follow each other", runs.at[i].from == next);
+    CHECK("strokes of a run",
+          sg_door_chain_strokes(&call, chains, runs.at[i].from, runs.at[i].to,
+                                &strokes));
+    next = runs.at[i].to + 1;
   }
   for (size_t i = 0; i < strokes.n; i++) {
     n += strokes.at[i].edges.n;
   }
+  CHECK("no more",
+        !sg_door_chain_strokes(&call, chains, next, next, &strokes) &&
+            is_domain("chain", 2));
+  sg_chains_close(chains);
   return n;
 }
 
@@ -138,17 +152,29 @@ travels(void)
 {
   const sg_sheet_point start = {0, 0};
   sg_sheet_point far[] = {{100, 0}, {60, 0}}, near[] = {{10, 0}, {50, 0}};
-  sg_travelled_stroke stroke[] = {{{far, 2, 0}}, {{near, 2, 0}}};
-  sg_travelled_stroke_list strokes = {stroke, 2, 0};
-  sg_integer_list order = {0};
+  sg_travelled_strokes stroke[] = {
+      {.is = SG_TRAVELLED_STROKES_STROKE, .stroke = {{far, 2, 0}}},
+      {.is = SG_TRAVELLED_STROKES_STROKE, .stroke = {{near, 2, 0}}}};
+  sg_travelled_strokes_list strokes = {stroke, 2, 0};
+  sg_travel *travel = NULL;
+  sg_int_list order = {0};
+  double way, unsorted;
+  size_t n;
 
-  CHECK("travel", sg_door_travel_order(&call, &start, &strokes, &order));
+  CHECK("travel", sg_door_travel_open(&call, &start, SG_TRAVEL_SHORT, &strokes,
+                                      &travel, &n, &way, &unsorted));
   CHECK("the near one, then the other backwards",
-        order.n == 2 && order.at[0] == 2 && order.at[1] == -1);
-  stroke[0].points.n = 0;
+        sg_door_travel_numbers(&call, travel, 1, n, &order) && order.n == 2 &&
+            order.at[0] == 2 && order.at[1] == -1);
+  CHECK("how far", way == 10 + 10 && unsorted == 100 + 50);
+  CHECK("no more", !sg_door_travel_numbers(&call, travel, 2, 3, &order) &&
+                       is_domain("place", 2));
+  sg_travel_close(travel);
+  stroke[0].stroke.points.n = 0;
   CHECK("a stroke of nothing",
-        !sg_door_travel_order(&call, &start, &strokes, &order) &&
-            is_domain("stroke", 2));
+        !sg_door_travel_open(&call, &start, SG_TRAVEL_KEPT, &strokes, &travel,
+                             &n, &way, &unsorted) &&
+            is_domain("stroke", 3));
 }
 
 static void

@@ -15,13 +15,13 @@ static const sg_stroke_look look[] = {
 
 /* Whole edge e. */
 static sg_stroke_part
-line(uint32_t kind, int32_t e, int64_t x1, int64_t y1, int64_t x2, int64_t y2)
+line(uint32_t kind, int32_t e, int32_t x1, int32_t y1, int32_t x2, int32_t y2)
 {
-  return (sg_stroke_part){kind, 1, e, 0.0, 1.0, {x1, y1}, {x2, y2}};
+  return (sg_stroke_part){kind, 0, 1, e, 0.0, 1.0, {x1, y1}, {x2, y2}};
 }
 
 static char
-end_letter(sg_stroke_end end)
+end_letter(uint8_t end)
 {
   return end == SG_END_RING ? 'r' : end == SG_END_CUT ? 'c' : 'j';
 }
@@ -41,7 +41,7 @@ strokes_are(sg_stroke_part *part, size_t n, const int32_t *edges,
 
     same = end_letter(k->start) == *ends++ && end_letter(k->end) == *ends++;
     for (size_t j = 0; same && j < k->n; j++) {
-      int64_t step = s.step[k->first + j];
+      int32_t step = s.step[k->first + j];
       int32_t e = s.part[(step < 0 ? -step : step) - 1].e;
       same = (step < 0 ? -e : e) == *edges++;
     }

@@ -5,25 +5,27 @@
 #include "drawing/travel.h"
 
 #include <float.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { MOST = 3000 };
 
-static int64_t start[2];
+static int32_t start[2];
 
 static bool
-orders_as(const sg_travel_line *line, size_t n, const int64_t *wanted)
+orders_as(const sg_travel_line *line, size_t n, const int32_t *wanted)
 {
-  int64_t order[MOST];
+  int32_t order[MOST];
   bool memory;
 
   return sg_travel_order(line, n, start, order, NULL, &memory) &&
          memcmp(order, wanted, n * sizeof *order) == 0;
 }
 
+/* The square of it. */
 static double
-way(const int64_t a[2], const int64_t b[2])
+way(const int32_t a[2], const int32_t b[2])
 {
   double x = (double)(b[0] - a[0]), y = (double)(b[1] - a[1]);
 
@@ -32,10 +34,10 @@ way(const int64_t a[2], const int64_t b[2])
 
 /* The order by the definition. */
 static void
-plain_order(const sg_travel_line *line, size_t n, int64_t *order)
+plain_order(const sg_travel_line *line, size_t n, int32_t *order)
 {
   bool used[MOST] = {false};
-  int64_t at[2] = {start[0], start[1]};
+  int32_t at[2] = {start[0], start[1]};
 
   for (size_t i = 0; i < n; i++) {
     double least = DBL_MAX;
@@ -47,7 +49,7 @@ plain_order(const sg_travel_line *line, size_t n, int64_t *order)
       }
     }
     used[best / 2] = true;
-    order[i] = best % 2 ? -(int64_t)(best / 2) - 1 : (int64_t)(best / 2) + 1;
+    order[i] = best % 2 ? -(int32_t)(best / 2) - 1 : (int32_t)(best / 2) + 1;
     memcpy(at, line[best / 2].at[1 - best % 2], sizeof at);
   }
 }
@@ -57,7 +59,7 @@ static bool
 random_agrees(unsigned seed, size_t n, int size)
 {
   sg_travel_line line[MOST];
-  int64_t wanted[MOST];
+  int32_t wanted[MOST];
 
   srand(seed);
   for (size_t i = 0; i < n; i++) {
@@ -76,15 +78,15 @@ star_is_quick(void)
 {
   enum { RAYS = 300000 };
   sg_travel_line *line = calloc(RAYS, sizeof *line);
-  int64_t *order = malloc(RAYS * sizeof *order);
+  int32_t *order = malloc(RAYS * sizeof *order);
   bool memory, good;
 
-  for (int64_t i = 0; i < RAYS; i++) {
+  for (int32_t i = 0; i < RAYS; i++) {
     line[i].at[1][0] = 1000000;
     line[i].at[1][1] = i;
   }
   good = sg_travel_order(line, RAYS, start, order, NULL, &memory);
-  for (int64_t i = 0; i < RAYS && good; i++) {
+  for (int32_t i = 0; i < RAYS && good; i++) {
     good = order[i] == (i % 2 ? -i - 1 : i + 1);
   }
   free(line);
@@ -106,12 +108,12 @@ main(void)
       {{{90, 0}, {100, 0}}}, {{{10, 0}, {1, 0}}}, {{{50, 12}, {12, 0}}}};
   const sg_travel_line same[] = {{{{5, 5}, {5, 5}}}, {{{5, 5}, {5, 5}}}};
   const sg_cancel cancel = {stop, NULL};
-  int64_t order[3];
+  int32_t order[3];
   bool all = true, memory;
 
-  CHECK("none", orders_as(three, 0, (int64_t[]){0}));
-  CHECK("the nearest end first", orders_as(three, 3, (int64_t[]){-2, -3, 1}));
-  CHECK("in one place: in their order", orders_as(same, 2, (int64_t[]){1, 2}));
+  CHECK("none", orders_as(three, 0, (int32_t[]){0}));
+  CHECK("the nearest end first", orders_as(three, 3, (int32_t[]){-2, -3, 1}));
+  CHECK("in one place: in their order", orders_as(same, 2, (int32_t[]){1, 2}));
   for (unsigned seed = 1; seed <= 40; seed++) {
     start[1] = seed % 3 ? 0 : 70000;
     all = all && random_agrees(seed, seed * 7, seed % 2 ? 8 : 100000);
@@ -120,6 +122,11 @@ main(void)
   CHECK("as by looking at all", all);
   CHECK("many", random_agrees(1, MOST, 1000000));
   CHECK("many ends in one place", star_is_quick());
+  CHECK("how far as they are", sg_travel_length(three, 3, start, NULL) ==
+                                   90 + 90 + sqrt(49 * 49 + 144));
+  CHECK("how far in an order",
+        sg_travel_length(three, 3, start, (int32_t[]){-2, -3, 1}) ==
+            3 + sqrt(40 * 40 + 12 * 12));
   CHECK("it stops",
         !sg_travel_order(three, 3, start, order, &cancel, &memory) && memory);
   return check_report();

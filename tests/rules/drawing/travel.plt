@@ -3,6 +3,24 @@
 :- use_module(rules(drawing/travel)).
 :- use_module(tests('oracle/travel')).
 
+%   short_travel(Start, Strokes, Ordered), travel_length(Start, Strokes, Length)
+
+short_travel(Start, Strokes, Ordered) :-
+    travel(Start, short, Strokes, Travel),
+    fold_travel(listed, Travel, Ordered, []),
+    Travel = travel(_, Count, _, _, Way, Unsorted),
+    assertion(length(Strokes, Count)),
+    assertion(travel_length(Start, Ordered, Way)),
+    assertion(travel_length(Start, Strokes, Unsorted)).
+
+travel_length(Start, Strokes, Length) :-
+    travel(Start, kept, Strokes, Travel),
+    fold_travel(listed, Travel, Kept, []),
+    assertion(Kept == Strokes),
+    Travel = travel(_, _, _, _, Length, Length).
+
+listed(Stroke, [Stroke|Strokes], Strokes).
+
 line(E, A, B, stroke(visible,outline,1,[E],[A,B],joint,joint)).
 
 random_strokes(Seed, N, Strokes) :-

@@ -3,6 +3,7 @@
 :- module(test_crossing, []).
 :- use_module(library(apply)).
 :- use_module(library(lists)).
+:- use_module(library(yall)).
 :- use_module(library(plunit)).
 :- use_module(rules(drawing/travel)).
 :- use_module(rules(sheet/crossing)).
@@ -115,7 +116,8 @@ test(runs_are_the_way, [forall(numbered(30, 300, Seed)), true]) :-
 test(both_ways, [forall(numbered(10, 100, Seed)), true]) :-
     random_strokes(Seed, Strokes0),
     strokes_crossed(Strokes0, Strokes),
-    short_travel(30000-30000, Strokes, Ordered),
+    travel(30000-30000, short, Strokes, Travel),
+    fold_travel([S,[S|Ss],Ss]>>true, Travel, Ordered, []),
     forall(( member(Stroke, Ordered),
              Stroke = stroke(_,_,_,_,Points,Start,_),
              nth1(K, Strokes, stroke(_,_,_,_,Points0,_,_)),

@@ -6,6 +6,7 @@
 :- use_module(library(random)).
 :- use_module(library(readutil)).
 :- use_module(rules(drawing/drawing)).
+:- use_module(rules(drawing/travel)).
 :- use_module(rules(picture/hidden_lines), except([lies_on/4])).
 :- use_module(rules(penetration/penetration)).
 :- use_module(rules(primitive/primitive)).
@@ -159,7 +160,8 @@ test(kernel_is_rule, [ forall(( numbered(20, 60, Seed),
                        Sheet1-Strokes1 == Sheet2-Strokes2 ]) :-
     new_world(World),
     in_world(World, ( scene(Seed),
-                      sheet_strokes(210-148, Options, Sheet1, _, Strokes1),
+                      sheet_strokes(210-148, Options, Sheet1, _, Strokess),
+                      all_strokes(Strokess, Strokes1),
                       sheet_strokes_by_rule(210-148, Options, Sheet2,
                                             Strokes2) )).
 test(kernel_of_nothing, Strokes == []) :-
@@ -206,8 +208,65 @@ test(formats, [ condition(current_prolog_flag(threads, true)),
                             exception(error(Error, _))),
                functor(Error, Rule, _) )).
 
+% Lines behind strips: strokes are terms a thousand at a time.
+
+test(strips, [ condition(current_prolog_flag(threads, true)),
+               Failed-Single == []-resource_error ]) :-
+    new_world(World),
+    in_world(World,
+             ( lines_behind_strips(100, 100),
+               findall(Format-Status,
+                       failed_in([svg,pdf,eps,ps,dxf,hpgl,json], 3 500 000,
+                                 Format, Status),
+                       Failed),
+               within_stack(3 500 000, single_sheet_strokes,
+                            exception(error(Error, _))),
+               functor(Error, Single, _) )).
+
+% More strokes of one segment than are terms at a time.
+
+test(many_of_one_segment, Run-Drawn == Single-DrawnSingle) :-
+    new_world(World),
+    in_world(World,
+             ( lines_behind_strips(1, 1100),
+               sheet_strokes(210-148, [], _, _, Strokess),
+               all_strokes(Strokess, Run),
+               sheet_strokes_by_rule(210-148, [], _, Single) )),
+    drawn_numbers(Strokess, Drawn),
+    drawn_numbers(Single, DrawnSingle).
+
+%   lines_behind_strips(Lines, Strips): seen from the front.
+
+lines_behind_strips(Lines, Strips) :-
+    forall(between(1, Lines, I),
+           ( Z is I/Lines,
+             add_primitive(line(from(0,1,Z), to(1,1,Z)), _) )),
+    Width is 0.5/Strips,
+    forall(between(1, Strips, I),
+           ( X is I/(Strips+1),
+             add_primitive(at([rotate(x,90),translate(X,0,1)],
+                              rectangle(size(Width,4))), _) )),
+    complete_segments,
+    set_view(front),
+    picture([lines(all)]).
+
+single_sheet_strokes :-
+    sheet_strokes(210-148, [], _, _, Strokess),
+    all_strokes(Strokess, _).
+
+%   drawn_numbers(Strokess, Strokes): as a pen draws them.
+
+drawn_numbers(Strokess, Strokes) :-
+    travel(0-148000, short, Strokess, Travel),
+    fold_travel(listed, Travel, Strokes, []).
+
+listed(Stroke, [Stroke|Strokes], Strokes).
+
 failed_in(Bytes, Format, Status) :-
-    member(Format, [svg,pdf,eps,ps,png,dxf,hpgl,json,pl]),
+    failed_in([svg,pdf,eps,ps,png,dxf,hpgl,json,pl], Bytes, Format, Status).
+
+failed_in(Formats, Bytes, Format, Status) :-
+    member(Format, Formats),
     within_stack(Bytes, written_to_nothing(Format), Status),
     Status \== true.
 
