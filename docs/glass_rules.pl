@@ -8,9 +8,9 @@
 
 % Which segments hide whose lines: what did so before, but no glass.
 
-hides(S, S2) :-
-    \+ glass(S2),
-    default(hides(S, S2)).
+may_hide(S, S2) :-
+    \+ glass(S),
+    default(may_hide(S, S2)).
 
 % How lines look: those of glass are half as wide, and blue.
 

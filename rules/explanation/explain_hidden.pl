@@ -7,7 +7,7 @@
 :- use_module('../csg/csg', [root_segment/1]).
 :- use_module(explain_pair, [decided_by/2]).
 :- use_module('../picture/hidden_lines',
-              [ least_drawn/1, open_scene/2, hides/2, hides/4, lies_on/4,
+              [ least_drawn/1, open_scene/2, may_hide/2, may_hide/4, lies_on/4,
                 line_facing/7, line_parts/5, substitute_outline/2
               ]).
 :- use_module('../interval',
@@ -217,17 +217,17 @@ own_surface(S, E, _, Because) :-
     K is -E,
     findall(because(behind_fold(0.0), []),
             ( contour(S, K, _, _, _, _, _, hidden, _, _, _, _, _),
-              hides(S, S) ),
+              may_hide(S, S) ),
             Because).
 own_surface(S, E, Look, Because) :-
     findall(From-because(turned_away(S2, P, From, To), []),
-            ( line_facing(S, E, S2, T, From, To, _), From < To, hides(S, S2),
+            ( line_facing(S, E, S2, T, From, To, _), From < To, may_hide(S2, S),
               once(t(S2, P, T, _, _, _)) ),
             Keyed0),
     sort(Keyed0, Keyed),
     pairs_values(Keyed, Turned),
     (   backs_seen(Look, Away),
-        hides(S, S)
+        may_hide(S, S)
     ->  Because = [because(backs(S, Away), [])|Turned]
     ;   Because = Turned
     ).
@@ -267,13 +267,13 @@ faces(line(Scene, S, E, Least, _), Faces) :-
             Faces).
 
 verdict(S, E, S2, T, By) :-
-    (   hides(S, E, S2, T)
+    (   may_hide(S2, T, S, E)
     ->  By = hides
-    ;   hides(S, S2)
-    ->  decided_by(hides/4, File),
-        By = glass(hides/4, File)
-    ;   decided_by(hides/2, File),
-        By = glass(hides/2, File)
+    ;   may_hide(S2, S)
+    ->  decided_by(may_hide/4, File),
+        By = glass(may_hide/4, File)
+    ;   decided_by(may_hide/2, File),
+        By = glass(may_hide/2, File)
     ).
 
 %   hiding_faces(Line, Covers, Faces, Part, Because): nearest first.

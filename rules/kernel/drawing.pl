@@ -149,7 +149,7 @@ Foreign predicates; see kernel.pl.
 %
 %   Replaces drawn/7 of the current world by the drawn parts of the lines Which
 %   (`all`, `feature`, `penetration`); Crease as in edge_role/5; Through are the
-%   S-S2 for which hides(S, S2) is not true. The fused kernel of
+%   S-S2 for which may_hide(S2, S) is not true. The fused kernel of
 %   hidden_lines.pl.
 
 /* - - - stroke_rows.c - - - */

@@ -32,7 +32,7 @@ ko(disk_relation/3,  "한 꼭짓점의 두 원판이 놓인 관계 (NG-2)").
 ko(line_style/4,     "보임, 역할, 세그먼트에 따른 선의 모양").
 ko(paper_style/1,    "용지의 색").
 ko(edge_role/5,      "그림에서 선의 역할 (PL-13)").
-ko(hides/4,          "선을 가릴 수 있는 삼각형 (PL-13)").
-ko(hides/2,          "다른 세그먼트의 선을 가릴 수 있는 세그먼트 (PL-13)").
+ko(may_hide/4,       "선을 가릴 수 있는 삼각형 (PL-13)").
+ko(may_hide/2,       "다른 세그먼트의 선을 가릴 수 있는 세그먼트 (PL-13)").
 ko(line_segment/3,   "상관선을 그릴 때 따르는 두 세그먼트의 하나").
 ko(smooth_segment/1, "삼각형 안에 외형선이 있는 세그먼트").

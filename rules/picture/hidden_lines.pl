@@ -3,8 +3,8 @@
             picture/0,
             picture/1,                  % +Options
             open_scene/2,               % -Scene, +Options
-            hides/2,                    % +S, +S2
-            hides/4,                    % +S, +E, +S2, +T
+            may_hide/2,                 % +S2, +S
+            may_hide/4,                 % +S2, +T, +S, +E
             lies_on/4,                  % ?S, ?E, ?S2, -P
             line_facing/7,              % +S, +E, -S2, -T, -From, -To, -Ts
             hidden_interval/5,          % +Scene, +S, +E, -From, -To
@@ -115,7 +115,7 @@ picture_method(kernel, kernel).
 picture_method(rule, rule).
 picture_method(auto, Method) :-
     (   decision_is_default(edge_role/5),
-        decision_is_default(hides/4)
+        decision_is_default(may_hide/4)
     ->  Method = kernel
     ;   Method = replaced
     ).
@@ -151,10 +151,10 @@ draw(replaced, Scene, Which, Crease) :-
 %   seen_through(Pairs): the S-S2 where segment S2 hides no line of S.
 
 seen_through(Pairs) :-
-    (   decision_is_default(hides/2)
+    (   decision_is_default(may_hide/2)
     ->  Pairs = []
     ;   findall(S-S2,
-                ( segment(S, _, _), segment(S2, _, _), \+ hides(S, S2) ),
+                ( segment(S, _, _), segment(S2, _, _), \+ may_hide(S2, S) ),
                 Pairs)
     ).
 
@@ -186,27 +186,27 @@ open_scene(Scene, Options) :-
               scene_open(Segments, Depth, Tolerance, Smooth, Known, Scene)
           )).
 
-:- decision(hides/4, "Which triangles may hide which lines (PL-13)").
+:- decision(may_hide/4, "Which triangles may hide which lines (PL-13)").
 
-%!  hides(+S, +E, +S2, +T) is semidet.
+%!  may_hide(+S2, +T, +S, +E) is semidet.
 %
 %   True when triangle T of segment S2 may hide edge E of segment S. It may if
-%   hides/2 lets it. A decision; asked for every triangle that lies before a
+%   may_hide/2 lets it. A decision; asked for every triangle that lies before a
 %   line.
 
-hides(S, _, S2, _) :-
-    hides(S, S2).
+may_hide(S2, _, S, _) :-
+    may_hide(S2, S).
 
-:- decision(hides/2, "Which segments may hide whose lines (PL-13)").
+:- decision(may_hide/2, "Which segments may hide whose lines (PL-13)").
 
-%!  hides(+S, +S2) is semidet.
+%!  may_hide(+S2, +S) is semidet.
 %
 %   True when segment S2 may hide lines of segment S. It always may. A decision,
 %   asked once for each two segments, and for each with itself: one that does
 %   not hide its own lines shows its back too. A world can make a segment of
 %   glass.
 
-hides(_, _).
+may_hide(_, _).
 
 %!  lies_on(?S, ?E, ?S2, -P) is nondet.
 %
@@ -281,20 +281,20 @@ hidden_interval(Scene, S, E, From, To) :-
 hidden_interval(Scene, S, E, S, 0.0, 1.0) :-
     scene_edge(Scene, S, E, _, Look),
     backs_seen(Look, _),
-    hides(S, S).
+    may_hide(S, S).
 hidden_interval(_, S, E, S, 0.0, 1.0) :-
     E < 0,
     K is -E,
     contour(S, K, _, _, _, _, _, hidden, _, _, _, _, _),
-    hides(S, S).
+    may_hide(S, S).
 hidden_interval(_, S, E, S2, From, To) :-
     E > 0,
     line_facing(S, E, S2, _, From, To, _),
     From < To,
-    hides(S, S2).
+    may_hide(S2, S).
 hidden_interval(Scene, S, E, S2, From, To) :-
     occluder(Scene, S, E, S2, T, From, To),
-    hides(S, E, S2, T).
+    may_hide(S2, T, S, E).
 
 %!  line_parts(+Scene, +S, +E, -Visible, -Hidden) is det.
 %
@@ -352,7 +352,7 @@ hidden_by_polygon(S, E, S2, P, From, To) :-
     findall(p(S,E,S2,P)-(From0-To0),
             ( scene_edge(Scene, S, E, _, _),
               occluder(Scene, S, E, S2, T, From0, To0),
-              hides(S, E, S2, T),
+              may_hide(S2, T, S, E),
               t(S2, P, T, _, _, _)
             ),
             Parts0),
@@ -373,7 +373,7 @@ hidden_by(S, E, S2, T, From, To) :-
     open_scene(Scene, []),
     scene_edge(Scene, S, E, _, _),
     occluder(Scene, S, E, S2, T, From, To),
-    hides(S, E, S2, T).
+    may_hide(S2, T, S, E).
 
                 /*******************************
                 *        BY THE RULES          *

@@ -1,4 +1,3 @@
-% The predicate hides/2 of questions; its module has no other of that name.
 :- module(sg_ask_hidden,
           [ hides/2,                    % ?S1, ?S2
             hidden_edge/3,              % ?S1, ?S2, -E
@@ -10,8 +9,8 @@
 :- use_module(library(occurs), [sub_term/2]).
 /** <module> Questions about the picture: which segment hides which.
 
-The decision hides/2 of rule files (docs/rules.md) is another predicate: it says
-what may hide, this one what does.
+The decision may_hide/2 of rule files (docs/rules.md) says what may hide, hides/2
+what does.
 */
 
 :- multifile sandbox:safe_primitive/1.

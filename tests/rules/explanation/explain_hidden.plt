@@ -331,11 +331,11 @@ test(divided, Parts == [0.0-1.0,0.0-1.0]) :-
                                  2) )).
 test(glass, true(By \== default)) :-
     in_new_world(( behind_a_square,
-                   in_rules("hides(_, _, S, _) :- S =\\= 2.",
+                   in_rules("may_hide(S, _, _, _) :- S =\\= 2.",
                             ( picture,
                               once(said(why_not(hidden(1, 1)),
                                         let_through(2, 1, 0.25, 0.75,
-                                                    hides/4, By))) )) )).
+                                                    may_hide/4, By))) )) )).
 test(some_segments, fail) :-
     in_new_world(( behind_a_square, picture([segments([1])]),
                    explanation(hidden(1, 1), [segments([1])], Because),

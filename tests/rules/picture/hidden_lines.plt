@@ -314,8 +314,8 @@ behind_a_square :-
 
 test(glass) :-
     in_new_world(( behind_a_square, picture, parts(hidden, curve, 1),
-                   in_rules("hides(S, E, S2, T) :- S2 =\\= 2, \c
-                                 default(hides(S, E, S2, T)).",
+                   in_rules("may_hide(S2, T, S, E) :- S2 =\\= 2, \c
+                                 default(may_hide(S2, T, S, E)).",
                             ( picture, parts(hidden, _, 0) )),
                    picture, parts(hidden, curve, 1) )).
 %   One decision for two segments keeps the kernel: a box of glass in front
@@ -336,7 +336,7 @@ same_by_rule :-
 
 test(glass_segment) :-
     in_new_world(( boxes, picture, drawn_length(hidden, H0),
-                   in_rules("hides(_, S) :- S =\\= 2.",
+                   in_rules("may_hide(S, _) :- S =\\= 2.",
                             ( same_by_rule, picture,
                               drawn_length(hidden, H),
                               \+ drawn(_,2,_,_,_,hidden,_),
@@ -344,7 +344,7 @@ test(glass_segment) :-
                    H < H0 )).
 test(some_pairs) :-
     in_new_world(( boxes,
-                   in_rules("hides(S, S2) :- S-S2 \\== 3-1.",
+                   in_rules("may_hide(S2, S) :- S-S2 \\== 3-1.",
                             ( same_by_rule, picture,
                               once(drawn(_,1,_,_,_,hidden,_)),
                               once(drawn(_,3,_,_,_,hidden,_)) )) )).
@@ -354,12 +354,12 @@ test(smooth_glass) :-
                    complete_segments,
                    set_view(280, 75, 30), picture,
                    once(drawn(_,1,_,_,_,hidden,outline)),
-                   in_rules("hides(_, S) :- S =\\= 1.",
+                   in_rules("may_hide(S, _) :- S =\\= 1.",
                             ( same_by_rule, picture,
                               \+ drawn(_,1,_,_,_,hidden,_) )) )).
 test(nothing_hides, N == 0) :-
     in_new_world(( boxes,
-                   in_rules("hides(_, _) :- fail.",
+                   in_rules("may_hide(_, _) :- fail.",
                             ( same_by_rule, picture, parts(hidden, _, N) )) )).
 test(own_role) :-
     in_new_world(( behind_a_square,
@@ -370,12 +370,12 @@ test(own_role) :-
                               parts(_, curve, 0) )) )).
 test(other_world) :-
     in_new_world(( behind_a_square,
-                   in_rules("hides(_, _, _, _) :- fail.",
+                   in_rules("may_hide(_, _, _, _) :- fail.",
                             ( in_new_world(( behind_a_square, picture,
                                              parts(hidden, curve, 1) )),
                               picture, parts(hidden, _, 0) )) )).
 test(listed, all(By == [default,default,default])) :-
-    in_new_world(findall(B, ( member(D, [edge_role/5,hides/2,hides/4]),
+    in_new_world(findall(B, ( member(D, [edge_role/5,may_hide/2,may_hide/4]),
                               decision(D, _, _, B) ), Bs)),
     member(By, Bs).
 
