@@ -9,7 +9,8 @@
             doubled_area/2,             % +Points, -Vector
             angle_between/3             % +U, +V, -Radians
           ]).
-/** <module> Points and vectors p(X,Y,Z).
+/** <module> Points and vectors p(X,Y,Z); products also of vector(X,Y,Z), as
+surfaces have them (primitive_face.pl).
 
 Of floats they are rounded; of rationals all but unit/2 and angle_between/3 are
 exact.
@@ -43,6 +44,8 @@ cross_product(p(X1,Y1,Z1), p(X2,Y2,Z2), p(X,Y,Z)) :-
     X is Y1*Z2 - Z1*Y2,
     Y is Z1*X2 - X1*Z2,
     Z is X1*Y2 - Y1*X2.
+cross_product(vector(X1,Y1,Z1), vector(X2,Y2,Z2), vector(X,Y,Z)) :-
+    cross_product(p(X1,Y1,Z1), p(X2,Y2,Z2), p(X,Y,Z)).
 
 %!  dot_product(+U, +V, -Product) is det.
 %
@@ -50,15 +53,22 @@ cross_product(p(X1,Y1,Z1), p(X2,Y2,Z2), p(X,Y,Z)) :-
 
 dot_product(p(X1,Y1,Z1), p(X2,Y2,Z2), Product) :-
     Product is X1*X2 + Y1*Y2 + Z1*Z2.
+dot_product(vector(X1,Y1,Z1), vector(X2,Y2,Z2), Product) :-
+    Product is X1*X2 + Y1*Y2 + Z1*Z2.
 
 %!  scaled(+Factor, +U, -V) is det.
 %
 %   V = Factor U.
 
-scaled(Factor, p(X0,Y0,Z0), p(X,Y,Z)) :-
+scaled(Factor, U, V) :-
+    times(U, Factor, V).
+
+times(p(X0,Y0,Z0), Factor, p(X,Y,Z)) :-
     X is Factor*X0,
     Y is Factor*Y0,
     Z is Factor*Z0.
+times(vector(X0,Y0,Z0), Factor, vector(X,Y,Z)) :-
+    times(p(X0,Y0,Z0), Factor, p(X,Y,Z)).
 
 %!  doubled_area(+Points:list, -Vector) is det.
 %
@@ -107,10 +117,13 @@ unit(U, Unit) :-
     dot_product(U, U, Square),
     (   Square > 0.0
     ->  Size is sqrt(Square),
-        U = p(X0,Y0,Z0),
-        X is X0/Size,
-        Y is Y0/Size,
-        Z is Z0/Size,
-        Unit = p(X,Y,Z)
+        divided(U, Size, Unit)
     ;   Unit = U
     ).
+
+divided(p(X0,Y0,Z0), Size, p(X,Y,Z)) :-
+    X is X0/Size,
+    Y is Y0/Size,
+    Z is Z0/Size.
+divided(vector(X0,Y0,Z0), Size, vector(X,Y,Z)) :-
+    divided(p(X0,Y0,Z0), Size, p(X,Y,Z)).

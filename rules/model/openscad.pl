@@ -25,9 +25,9 @@ OpenSCAD makes (openscad_leaf.pl). A node is one of
 
 The outermost colour of a solid is its name, colour(rgb(R,G,B)), or, of what is
 see-through, colour(rgb(R,G,B),A), from which term_looks/2 has it; convexity is
-passed over. Of the
-modifiers `#` says nothing about the model, what has `*` or `%` is not part of
-it, and where a node has `!` it is all of the model.
+passed over. A solid with the modifier `#` is half see-through: without a colour
+its name is opacity(0.5). What has `*` or `%` is not part of the model, and
+where a node has `!` it is all of it.
 
 Errors are error(model_error(openscad(What)), location(File, Line, Column)),
 with What as in openscad_text.pl and openscad_argument.pl, or
@@ -96,6 +96,26 @@ is_no_part(node(Modifiers, _, _, _, _)) :-
 %   meaning(Node, Meaning)
 
 meaning(Node, Meaning) :-
+    plain_meaning(Node, Meaning0),
+    (   Node = node(Modifiers, _, _, _, _),
+        memberchk(#, Modifiers),
+        Meaning0 = solid(Term0)
+    ->  highlighted(Term0, Term),
+        Meaning = solid(Term)
+    ;   Meaning = Meaning0
+    ).
+
+highlighted(Term0, Term) :-
+    (   Term0 = named(Name, Inner),
+        name_looks(Name, Looks)
+    ->  (   memberchk(colour(Colour), Looks)
+        ->  Term = named(colour(Colour,0.5), Inner)
+        ;   Term = Term0
+        )
+    ;   Term = named(opacity(0.5), Term0)
+    ).
+
+plain_meaning(Node, Meaning) :-
     Node = node(_, Name, _, _, Place),
     (   openscad_leaf(Name, _)
     ->  leaf_made(Node, Meaning)
@@ -166,9 +186,18 @@ coloured(Node, Meaning) :-
     united(Node, Meaning0),
     (   Meaning0 = solid(Term0),
         node_colour(Node, Colour)
-    ->  uncoloured(Term0, Term),
-        Meaning = solid(named(Colour, Term))
+    ->  coloured_term(Term0, Colour, Term),
+        Meaning = solid(Term)
     ;   Meaning = Meaning0
+    ).
+
+coloured_term(Term0, Colour0, named(Colour,Term)) :-
+    uncoloured(Term0, Term1),
+    (   Term1 = named(opacity(A), Term)
+    ->  arg(1, Colour0, RGB),
+        Colour = colour(RGB,A)
+    ;   Term = Term1,
+        Colour = Colour0
     ).
 
 %   node_colour(Node, Colour): fails of one that OpenSCAD does not know, which
@@ -190,6 +219,9 @@ colour_byte(Part, Byte) :-
     Part >= 0,
     Byte is min(255, round(Part*255)).
 
+uncoloured(named(opacity(A), Term0), named(opacity(A), Term)) :-
+    !,
+    uncoloured(Term0, Term).
 uncoloured(named(Name, Term0), Term) :-
     name_looks(Name, _),
     !,
@@ -221,6 +253,7 @@ term_looks(at(_, Term), Looks) :-
 
 name_looks(colour(Colour), [colour(Colour)]).
 name_looks(colour(Colour,A), [colour(Colour),opacity(A)]).
+name_looks(opacity(A), [opacity(A)]).
 
 subtracted(Node, Meaning) :-
     operands(Node, Meanings0),

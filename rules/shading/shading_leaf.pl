@@ -25,13 +25,14 @@
 :- use_module(library(pairs), [pairs_keys_values/3]).
 /** <module> The leaves of a shaded picture, from terms and from rows.
 
-A part is flat(Points, Surfaces, Polygons), round(Pieces), ring(Frame, K, Face)
-or net(Patches), see kernel/shading.pl. Spheres, hemispheres, eggs, cylinders and
-cones are round, also hollow ones: what their terms say (known_surface.pl), if
-they have enough facets to stand for it; tori are rings, Bezier nets nets. What
-else is curved (turnings, mitred pipes, transitions) has facets, with the normals
-of the surfaces for which they stand, and as many as a picture needs. All others
-are flat: a facet is seen as a facet.
+A part is flat(Points, Surfaces, Polygons), round(Pieces), ring(Frame, K,
+Face) or net(Patches), see kernel/shading.pl. Spheres, hemispheres, eggs,
+cylinders and cones are round, also hollow ones: what their terms say
+(known_surface.pl), if they have enough facets to stand for it; tori are
+rings, Bezier nets nets. What else is curved (turnings, mitred pipes,
+transitions) has facets, with the normals of the surfaces for which they
+stand, and as many as a picture needs. All others are flat: a facet is seen
+as a facet.
 */
 
 %!  known_leaf(+S, +Term, +Matrix, -Leaf) is det.

@@ -10,6 +10,7 @@
 :- use_module('../near', [is_rounding/2, whole_turns/2]).
 :- use_module('../solid/csg_flat', [flat_expression/2, flat_leaves/2]).
 :- use_module('../csg/csg', [is_node/1]).
+:- use_module('../vector', [dot_product/3]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [member/2]).
 :- use_module(library(option), [option/2, option/3]).
@@ -40,16 +41,13 @@ sphere_cut(Options, Cut) :-
 round_sphere(S, Part, Surface) :-
     placed_surface(S, Part, Surface),
     Surface = sphere(_, U, V, W),
-    dot(U, U, Square),
+    dot_product(U, U, Square),
     \+ ( member(A-B, [V-V,W-W]),
-         dot(A, B, Other),
+         dot_product(A, B, Other),
          \+ is_rounding(Other-Square, Square) ),
     \+ ( member(A-B, [U-V,U-W,V-W]),
-         dot(A, B, Product),
+         dot_product(A, B, Product),
          \+ is_rounding(Product, Square) ).
-
-dot(vector(A,B,C), vector(D,E,F), Dot) :-
-    Dot is A*D + B*E + C*F.
 
 %!  has_sphere(+S) is semidet.
 %
@@ -102,7 +100,7 @@ half_turn_part(S, Part) :-
 
 fine_count(S, Options, N) :-
     once(round_sphere(S, _, sphere(_, U, _, _))),
-    dot(U, U, Square),
+    dot_product(U, U, Square),
     R is sqrt(Square),
     Usual is 5.0e-4*R,
     option(chord(Chord0), Options, Usual),
@@ -134,8 +132,8 @@ grid_term(grid(Facets, Bands, Turn), Sphere0, Term) :-
 sphere_faces_known(S, S1, Pairs) :-
     round_sphere(S, Part, sphere(_, U, V, _)),
     round_sphere(S1, Part, sphere(_, U1, _, _)),
-    dot(U1, U, X),
-    dot(U1, V, Y),
+    dot_product(U1, U, X),
+    dot_product(U1, V, Y),
     Turn is atan2(Y, X)*180.0/pi,
     findall(at(Degrees, Lat)-P1,
             ( placed_face(S1, P1, curved(Part, [A-B,C-D])),

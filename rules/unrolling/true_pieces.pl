@@ -16,6 +16,7 @@
                 whole_turns/2, longer/2
               ]).
 :- use_module('../primitive/primitive_face', [surface_point/4]).
+:- use_module('../vector', [cross_product/3, dot_product/3, scaled/3]).
 :- use_module(true_border, [rims_kept/4]).
 :- use_module(true_divide,
               [facet_divided/7, facet_index/2, generator_spans/5]).
@@ -284,9 +285,9 @@ crease(Piece1, Piece2, G-Degrees) :-
     Piece2 = piece(_, _, T2-_, _, _, _, _),
     outward(Piece1, T1, N1, Way),
     outward(Piece2, T2, N2, _),
-    dot(N1, N2, Cos),
-    cross(N1, N2, Across),
-    dot(Across, Way, Sin),
+    dot_product(N1, N2, Cos),
+    cross_product(N1, N2, Across),
+    dot_product(Across, Way, Sin),
     Degrees0 is atan2(Sin, Cos)*180.0/pi,
     (   same_angle(Degrees0, 0.0)
     ->  Degrees = 0.0
@@ -311,18 +312,5 @@ outward(piece(_, _, _, _, _, shape(Surface, _, _), Sense), T, Normal, Way) :-
     Y is Y2-Y1,
     Z is Z2-Z1,
     F is Sense/sqrt(X*X + Y*Y + Z*Z),
-    times(F, vector(X,Y,Z), Way),
-    times(Sense, Normal0, Normal).
-
-times(F, vector(X0,Y0,Z0), vector(X,Y,Z)) :-
-    X is F*X0,
-    Y is F*Y0,
-    Z is F*Z0.
-
-dot(vector(X1,Y1,Z1), vector(X2,Y2,Z2), Dot) :-
-    Dot is X1*X2 + Y1*Y2 + Z1*Z2.
-
-cross(vector(X1,Y1,Z1), vector(X2,Y2,Z2), vector(X,Y,Z)) :-
-    X is Y1*Z2 - Z1*Y2,
-    Y is Z1*X2 - X1*Z2,
-    Z is X1*Y2 - Y1*X2.
+    scaled(F, vector(X,Y,Z), Way),
+    scaled(Sense, Normal0, Normal).

@@ -13,6 +13,8 @@
               [ facet_surface/3, kept_answer/4, placed_face/3,
                 placed_feature/4, placed_surface/3
               ]).
+:- use_module('../vector',
+              [cross_product/3, dot_product/3, scaled/3, unit/2]).
 :- use_module('../store',
               [e/5, line/9, plane/6, edge_polygon/3]).
 :- use_module(true_mitre, [mitre_place/3]).
@@ -156,8 +158,8 @@ generator_plane(fan(C, U, V, K), T, Plane) :-
     scaled_sum(A, U, 0.0, V, Along),
     scaled_sum(1.0, V, B, U, Way),
     moved_by(C, Along, Point),
-    cross(U, V, Across),
-    cross(Across, Way, Normal),
+    cross_product(U, V, Across),
+    cross_product(Across, Way, Normal),
     point_plane(Point, Normal, Plane).
 generator_plane(parallel(Surface, _), T, Plane) :-
     !,
@@ -166,7 +168,7 @@ generator_plane(Surface, T, Plane) :-
     exact_sin_cos(T, Sin, Cos),
     frame(Surface, C, U, V, W),
     scaled_sum(Cos, U, Sin, V, E),
-    cross(E, W, Normal),
+    cross_product(E, W, Normal),
     point_plane(C, Normal, Plane).
 
 %!  level_plane(+Surface, +H, -Plane) is det.
@@ -177,8 +179,8 @@ level_plane(fan(C, U, V, _), H, Plane) :-
     !,
     scaled_sum(H, V, 0.0, U, Up),
     moved_by(C, Up, Point),
-    cross(U, V, Across),
-    cross(U, Across, Normal),
+    cross_product(U, V, Across),
+    cross_product(U, Across, Normal),
     point_plane(Point, Normal, Plane).
 level_plane(parallel(Surface, _), H, Plane) :-
     !,
@@ -186,7 +188,7 @@ level_plane(parallel(Surface, _), H, Plane) :-
 level_plane(Surface, H, Plane) :-
     frame(Surface, point(X,Y,Z), U, V, W),
     scaled_sum(1.0, vector(X,Y,Z), H, W, vector(X1,Y1,Z1)),
-    cross(U, V, Normal),
+    cross_product(U, V, Normal),
     point_plane(point(X1,Y1,Z1), Normal, Plane).
 
 %!  surface_normal_at(+Surface, +T, -Normal) is det.
@@ -196,12 +198,8 @@ level_plane(Surface, H, Plane) :-
 
 surface_normal_at(Surface, T, Normal) :-
     direction_along(Surface, T, Along, Up),
-    cross(Along, Up, vector(X0,Y0,Z0)),
-    Length is sqrt(X0*X0 + Y0*Y0 + Z0*Z0),
-    X is X0/Length,
-    Y is Y0/Length,
-    Z is Z0/Length,
-    Normal = vector(X,Y,Z).
+    cross_product(Along, Up, Across),
+    unit(Across, Normal).
 
 direction_along(fan(_, U, V, _), _, U, V) :-
     !.
@@ -229,14 +227,6 @@ scaled_sum(F, vector(X1,Y1,Z1), G, vector(X2,Y2,Z2), vector(X,Y,Z)) :-
     X is F*X1 + G*X2,
     Y is F*Y1 + G*Y2,
     Z is F*Z1 + G*Z2.
-
-cross(vector(X1,Y1,Z1), vector(X2,Y2,Z2), vector(X,Y,Z)) :-
-    X is Y1*Z2 - Z1*Y2,
-    Y is Z1*X2 - X1*Z2,
-    Z is X1*Y2 - Y1*X2.
-
-dot(vector(X1,Y1,Z1), vector(X2,Y2,Z2), Dot) :-
-    Dot is X1*X2 + Y1*Y2 + Z1*Z2.
 
 point_plane(point(X,Y,Z), vector(A,B,C), plane(A,B,C,D)) :-
     D is -(A*X + B*Y + C*Z).
@@ -281,19 +271,17 @@ offset_(torus(C,U,V,W,K), Distance, torus(C,U,V,W,K1)) :-
     K1 is K + Distance/R,
     K1 > 0.0.
 
-enlarged(F, vector(X,Y,Z), vector(X1,Y1,Z1)) :-
+enlarged(F, U, V) :-
     F > 0.0,
-    X1 is F*X,
-    Y1 is F*Y,
-    Z1 is F*Z.
+    scaled(F, U, V).
 
 %   round_axes(U, V, W, R, H): U and V are R long, W is H long, all at right
 %   angles.
 
 round_axes(U, V, W, R, H) :-
-    dot(U, U, UU),
-    dot(V, V, VV),
-    dot(W, W, WW),
+    dot_product(U, U, UU),
+    dot_product(V, V, VV),
+    dot_product(W, W, WW),
     R is sqrt(UU),
     H is sqrt(WW),
     is_rounding(UU-VV, UU),
@@ -302,5 +290,5 @@ round_axes(U, V, W, R, H) :-
     right_angle(V, W, R*H).
 
 right_angle(A, B, Size) :-
-    dot(A, B, Dot),
+    dot_product(A, B, Dot),
     is_rounding(Dot, Size).

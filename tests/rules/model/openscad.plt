@@ -149,7 +149,8 @@ means("intersection() { cylinder($fn=3); cube(size = 0); } \c
 means("cylinder($fn=3); *cylinder($fn=4); %cylinder($fn=5);\c
        difference() { %cylinder($fn=6); #cylinder($fn=7); }",
       union([cylinder(radius(1), height(1), facets(3)),
-             cylinder(radius(1), height(1), facets(7))])).
+             named(opacity(0.5),
+                   cylinder(radius(1), height(1), facets(7)))])).
 means("cylinder($fn=3); %group() { !cylinder($fn=4); } cylinder($fn=5);",
       cylinder(radius(1), height(1), facets(4))).
 means("multmatrix([[0,0,0,0],[0,0,0,0],[0,0,0,0],[0,0,0,1]]) { cube(); } \c
@@ -364,5 +365,18 @@ test(colours_of_parts, Looks == [ 1.0-colour(rgb(0,0,255)),
 test(outermost_colour, Looks == [7.0-colour(rgb(255,0,0))]) :-
     looks("color([1,0,0,1]) { difference() { cube(size = 2);
              color([0,0,1,1]) { cube(); } } }", Looks).
+test(highlighted, Looks == [1.0-opacity(0.5)]) :-
+    looks("difference() { cube(size = 2); #cube(); }", Looks).
+test(highlighted_colour, Looks == [ 1.0-colour(rgb(0,0,255)),
+                                    1.0-opacity(0.5) ]) :-
+    looks("union() { #color([0,0,1,1]) { cube(); } }", Looks).
+test(highlight_in_a_colour, Looks == [ 1.0-opacity(0.5),
+                                       9.0-colour(rgb(0,0,255)) ]) :-
+    looks("color([0,0,1,1]) { union() { cube(size = 2);
+             #multmatrix([[1,0,0,5],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) {
+             cube(); } } }", Looks).
+test(coloured_highlight, Looks == [ 1.0-colour(rgb(0,0,255)),
+                                    1.0-opacity(0.5) ]) :-
+    looks("color([0,0,1,1]) { #cube(); }", Looks).
 
 :- end_tests(openscad).
