@@ -424,11 +424,13 @@ statement_ko(cut_by_wish) -->
 statement_ko(could_be_joined) -->
     [ '이어도 되는 곳이다: 자르라고 했거나 규칙이 거절했다' ].
 statement_ko(cut_open(Part)) -->
+    { surface_named(Part, Word) },
     [ '~w은(는) 둥근 면 그대로 펼친다. 한 바퀴를 돌면 면소 하나를 따라 \c
-       자른다. 정하지 않으면(--seam, --cut) 가장 짧은 면소이다'-[Part] ].
+       자른다. 정하지 않으면(--seam, --cut) 가장 짧은 면소이다'-[Word] ].
 statement_ko(unrolled(Part)) -->
+    { surface_named(Part, Word) },
     [ '~w은(는) 둥근 면 그대로 펼친다: 그 면들은 둘레의 차례대로 이어져 있다'-
-      [Part] ].
+      [Word] ].
 statement_ko(kept_by_wish) -->
     [ '유지하라고 했다 (unfolding/2, --keep)' ].
 statement_ko(may_not_join(S, E, By)) -->
@@ -480,6 +482,17 @@ sense(1) -->
     [].
 sense(-1) -->
     [ ' (뒤집힘)' ].
+
+%   surface_named(Part, Word): the name of a surface of a primitive.
+
+surface_named(Leaf/Part, Word) :-
+    !,
+    surface_named(Part, Own),
+    format(atom(Word), '~w/~w', [Leaf,Own]).
+surface_named(side, '옆면(side)') :- !.
+surface_named(inner, '안쪽(inner)') :- !.
+surface_named(outer, '바깥쪽(outer)') :- !.
+surface_named(Part, Part).
 
 %   role_called(Role, Word): with the name that styles and data have.
 

@@ -2,6 +2,7 @@
 :- module(sg_explain_parameter_ko,
           [ parameter_statement_ko//1   % +Statement
           ]).
+:- use_module(true_ko, [segment_kind_word/2]).
 :- use_module(explain_words, [segment_word/2]).
 /** <module> Explanations of parameters in Korean; explain_parameter_en.pl has
 them in English.
@@ -33,11 +34,7 @@ parameter_statement_ko(used_by_row(Fact)) -->
     [ '이것이 있는 곳: ~p'-[Fact] ].
 parameter_statement_ko(segment(S, Kind)) -->
     { segment_word(S, Word),
-      ( memberchk(Kind-Korean0, [ solid-'입체', surface-'곡면', curve-'곡선',
-                                  pattern-'전개도' ])
-      ->  Korean = Korean0
-      ;   Korean = Kind
-      ) },
+      segment_kind_word(Kind, Korean) },
     [ '세그먼트 ~d~w: ~w'-[S, Word, Korean] ].
 parameter_statement_ko(no_size_from_parameter) -->
     [ '매개변수로 정한 치수가 없다' ].

@@ -119,7 +119,7 @@ model_ko(parameter(What)) -->
     parameter_ko(What).
 model_ko(kind(Term, Kind, Wanted)) -->
     { primitive_name(Term, Name) },
-    [ '~w: 종류가 ~w여야 하는데 ~w입니다'-[Name, Wanted, Kind], nl,
+    [ '~w: 종류가 ~w(이)어야 하는데 ~w입니다'-[Name, Wanted, Kind], nl,
       '  segment(S, ~w, ~w(...))로 쓰십시오.'-[Wanted, Name] ].
 model_ko(no_vertices(_, Name)) -->
     misshapen_ko(Name),

@@ -2,6 +2,7 @@
 :- module(sg_openscad_ko,
           [ openscad_ko//1              % +What
           ]).
+:- use_module(particle, [particle/3]).
 :- use_module(openscad_en, [openscad_names//1, openscad_value/2]).
 /** <module> What is wrong with an OpenSCAD .csg file, in Korean.
 
@@ -77,13 +78,24 @@ openscad_ko(nothing) -->
       '  빈 group, 크기 0, 앞에 *나 %가 있는 것은 세지 않습니다.' ].
 
 wanted_ko(name, '노드의 이름') :- !.
-wanted_ko(body, '; 또는 {') :- !.
+wanted_ko(body, '; 또는 { 기호') :- !.
 wanted_ko(value, '값') :- !.
-wanted_ko(Sign, Sign).
+wanted_ko(Sign, Word) :-
+    named_sign(Sign, Word).
 
 found_ko(end, '파일의 끝') :- !.
 found_ko(Found, Text) :-
-    openscad_value(Found, Text).
+    openscad_value(Found, Word),
+    named_sign(Word, Text).
+
+%   named_sign(Word0, Word): what cannot be read aloud is called a sign.
+
+named_sign(Word0, Word) :-
+    particle(Word0, '이(가)', Particle),
+    (   Particle == "이(가)"
+    ->  format(string(Word), '~w 기호', [Word0])
+    ;   Word = Word0
+    ).
 
 argument_ko(N, Word) :-
     (   integer(N)

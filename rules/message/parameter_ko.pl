@@ -19,7 +19,7 @@ parameter_ko(cycle(Names)) -->
     [ '매개변수가 서로를 필요로 하여 돌고 돕니다: ~w'-[Text], nl,
       '  그 가운데 하나에 수를 주십시오.' ].
 parameter_ko(renamed(File, Name, New)) -->
-    [ '~w 파일의 매개변수 ~w: 다른 모델에도 있어서 여기서는 ~w라고 부릅니다'-
+    [ '~w 파일의 매개변수 ~w: 다른 모델에도 있어서 여기서는 ~w(이)라고 부릅니다'-
       [File, Name, New] ].
 parameter_ko(unset(Name, Near, Names)) -->
     (   { Names == [] }

@@ -11,8 +11,9 @@
 A particle has two forms, for a word that ends in a vowel and for one that ends
 in a consonant, and joins the word. What stands before it in a message is often
 a number, a name or a file, so sentences are written with both forms, `은(는)`,
-and the one that is read is chosen when the sentence is complete. Of a word
-whose ending nobody can know, such as a name in Latin letters, both forms stay.
+and the one that is read is chosen when the sentence is complete. A name in
+Latin letters is read as English words are in Korean: `box` 박스, `cone` 콘,
+`handle` 핸들. Both forms stay only where nothing can be read.
 */
 
 % pair(Both, Consonant, L, Vowel): after a consonant, after ㄹ, after a vowel.
@@ -204,11 +205,20 @@ ending([Code|_], End) :-
 ending(Reversed, End) :-
     letters(Reversed, Letters0, Rest),
     Letters0 = [_|_],
+    !,
     reverse(Letters0, Letters),
     atom_codes(Word, Letters),
     downcase_atom(Word, Low),
-    latin_ending(Letters, Low, Rest, End),
-    !.
+    (   latin_ending(Letters, Low, Rest, End)
+    ->  true
+    ;   atom_codes(Low, Codes),
+        reverse(Codes, Backwards),
+        word_ending(Backwards, End)
+    ).
+ending([_,Code|Reversed], End) :-       % brackets, dashes: what is before them
+    \+ code_type(Code, space),
+    !,
+    ending([Code|Reversed], End).
 ending(_, unknown).
 
 %   일, 칠, 팔; 삼, 육; 이, 사, 오, 구.
@@ -272,7 +282,8 @@ spelt(Letters, [0'.,Before|_]) :-
     N =< 4,
     !.
 spelt([_], Rest) :-
-    (   Rest = [Before|_]
+    (   Rest = [Before|_],
+        Before =\= 0'_
     ->  \+ code_type(Before, csym)
     ;   true
     ),
@@ -285,13 +296,39 @@ spelt(Letters, Rest) :-
     ;   true
     ).
 
-%   엘; 엠, 엔; 아르 or 알; else a vowel: 에이, 비, 에스, 에프, 엑스 ...
+%   word_ending(Backwards, End): a word of small letters, backwards. 핸들, 홀;
+%   콘, 플레인, 프레임; 모델; 링; 블록, 톱, 슬롯 but 탱크, 루프, 시트, 파트;
+%   else a vowel: 박스, 커브, 헤더, 파이프.
+
+word_ending([0'e,Letter|_], End) :-
+    memberchk(Letter-End, [0'l-l,0'n-consonant,0'm-consonant]),
+    !.
+word_ending([0'l|_], l) :-
+    !.
+word_ending([Letter|_], consonant) :-
+    memberchk(Letter, `mn`),
+    !.
+word_ending([0'g,0'n|_], consonant) :-
+    !.
+word_ending([0'k,0'c|_], consonant) :-
+    !.
+word_ending([Stop,Vowel,Before|_], consonant) :-
+    memberchk(Stop, `cpkt`),
+    is_vowel(Vowel),
+    \+ is_vowel(Before),
+    !.
+word_ending(_, vowel).
+
+is_vowel(Letter) :-
+    memberchk(Letter, `aeiou`).
+
+%   엘; 엠, 엔; 알; else a vowel: 에이, 비, 에스, 에프, 엑스 ...
 
 letter_ending(l, l) :-
     !.
 letter_ending(Letter, consonant) :-
     memberchk(Letter, [m,n]),
     !.
-letter_ending(r, unknown) :-
+letter_ending(r, l) :-
     !.
 letter_ending(_, vowel).

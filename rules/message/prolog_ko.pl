@@ -41,7 +41,7 @@ prolog_ko(existence_error(Kind, What), _) -->
 prolog_ko(instantiation_error, _) -->
     [ '변수의 값이 아직 없습니다. 부르기 전에 값이 있어야 합니다' ].
 prolog_ko(type_error(evaluable, What), _) -->
-    [ '~p: 계산할 수 있는 식이 아닙니다'-[What] ].
+    [ '~p은(는) 계산할 수 있는 식이 아닙니다'-[What] ].
 prolog_ko(type_error(Type, What), _) -->
     { Type \== evaluable },
     [ '~p: 형이 맞지 않습니다. 있어야 할 것: ~w'-[What, Type] ].

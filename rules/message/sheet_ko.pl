@@ -72,7 +72,7 @@ sheet_ko(no_direction(Name, Text)) -->
 %   As sheet_tiny_en//3.
 
 sheet_tiny_ko(N, M, fit) -->
-    [ '흔히 쓰는 척도 가운데 가장 큰 ~w:~w 로도 보이지 않을 만큼 작아, 자리가 \c
+    [ '흔히 쓰는 척도 가운데 가장 큰 ~w:~w(으)로도 보이지 않을 만큼 작아, 자리가 \c
        닿는 대로 크게 그립니다'-[N, M] ].
 sheet_tiny_ko(N, M, as_asked) -->
     [ '~w:~w에서는 투상도들이 0.1 mm보다 작습니다'-[N, M] ].

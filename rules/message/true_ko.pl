@@ -1,6 +1,7 @@
 :- module(sg_true_ko,
           [ true_ko//1,                 % +What
-            kind_word/2                 % ?Kind, -Word
+            kind_word/2,                % ?Kind, -Word
+            segment_kind_word/2           % +Kind, -Word
           ]).
 :- encoding(utf8).
 /** <module> What is wrong with a true development, in Korean.
@@ -78,3 +79,14 @@ true_ko(bent_facet(S, P, Kind, Width)) -->
 kind_word(sphere, '구').
 kind_word(torus, '원환체').
 kind_word(bezier, '베지어 곡면').
+
+%!  segment_kind_word(+Kind, -Word) is det.
+%
+%   Word is Korean for the Kind of a segment.
+
+segment_kind_word(Kind, Word) :-
+    (   memberchk(Kind-Word0, [ solid-'입체', surface-'곡면', curve-'곡선',
+                                pattern-'전개도' ])
+    ->  Word = Word0
+    ;   Word = Kind
+    ).

@@ -4,7 +4,7 @@
             unfold_ko//1,               % +What
             trim_ko//1                  % +What
           ]).
-:- use_module(true_ko, [kind_word/2]).
+:- use_module(true_ko, [kind_word/2, segment_kind_word/2]).
 :- use_module(unfold_en, [known_polygons_listed//2, known_segments/2]).
 :- use_module('../unfolding/unfold_wish', [all_forms/1]).
 /** <module> What is wrong with an unfolding, in Korean.
@@ -133,7 +133,8 @@ unfold_ko(no_segment(Name, Known)) -->
     { known_segments(Known, All) },
     [ '세그먼트 ~p: 없습니다. 있는 것: ~w'-[Name, All] ].
 unfold_ko(kind(S, Kind)) -->
-    [ '세그먼트 ~d은(는) ~w(이)라 전개할 면이 없습니다'-[S, Kind] ].
+    { segment_kind_word(Kind, Word) },
+    [ '세그먼트 ~d은(는) ~w(이)라 전개할 면이 없습니다'-[S, Word] ].
 unfold_ko(which_segment(Option, Known)) -->
     { atomic_list_concat(Known, ', ', All) },
     [ '~w 옵션은 한 세그먼트에 대한 것인데 여럿을 전개합니다: ~w'-
@@ -212,8 +213,9 @@ trim_ko(nothing_left(S, outside)) -->
 trim_ko(nothing_left(S, inside)) -->
     [ '세그먼트 ~d은(는) 모두 다른 것의 밖에 있어 남는 것이 없습니다'-[S] ].
 trim_ko(kind(S, Kind)) -->
+    { segment_kind_word(Kind, Word) },
     [ '세그먼트 ~d은(는) ~w(이)라 잘라 낼 수도, 다른 것을 자를 수도 \c
-       없습니다'-[S, Kind] ].
+       없습니다'-[S, Word] ].
 trim_ko(open(S, V1, V2)) -->
     [ '세그먼트 ~d은(는) 열려 있어 안쪽을 알 수 없습니다'-[S], nl,
       '  평평한 끝은 막아서 보지만, 꼭짓점 ~d에서 ~d(으)로 가는 경계는 평평하지 \c

@@ -64,7 +64,8 @@ polite_file(File) :-
 
 one_form(Particle) :-
     member(Particle, ["은","는","이","가","을","를","과","와","로","으로",
-                      "이라","이며","이나","이면","이어야"]).
+                      "로도","으로도","로는","으로는","라는","이라는","라고",
+                      "이라고","이라","이며","이나","이면","이어야","여야"]).
 
 hard_wired(Text) :-
     sub_string(Text, At, 1, _, "~"),
@@ -102,6 +103,17 @@ apart(Text) :-
     member(Both, ["은(는)","이(가)","을(를)","과(와)","와(과)","(으)로"]),
     string_concat(" ", Both, Apart),
     sub_string(Text, _, _, _, Apart).
+apart(Text) :-
+    sub_string(Text, At, 1, _, "~"),
+    directive_end(Text, At, End),
+    sub_string(Text, End, _, 0, Rest0),
+    brackets_off(Rest0, Rest),
+    member(Particle, ["은","는","을","를","과","와","로","으로","로도","로는",
+                      "의","에","에서","에는","에게","도","까지","부터",
+                      "입니다"]),
+    string_concat(" ", Particle, Apart),
+    string_concat(Apart, After, Rest),
+    ends_here(After).
 
 % old(Word, Instead): words that were used for two things, or for one besides
 % another.
@@ -150,12 +162,15 @@ test(particles, Bad == []) :-
     findall(Text, ( korean_text(_, Text), once(hard_wired(Text)) ), Bad).
 test(particles_join, Bad == []) :-
     findall(Text, ( korean_text(_, Text), once(apart(Text)) ), Bad).
-test(checked, Found == [true,false,true,false,true,false]) :-
+test(checked, Found == [true,false,true,false,true,false,true,
+                               false]) :-
     maplist([Goal,Truth]>>( call(Goal) -> Truth = true ; Truth = false ),
             [ hard_wired("세그먼트 ~d는 없습니다"),
               hard_wired("세그먼트 ~d은(는) 없습니다"),
               apart("세그먼트 ~d 은(는) 없습니다"),
               apart("세그먼트 ~d은(는) 없습니다"),
+              apart("척도 ~w:~w 로도 작습니다"),
+              apart("척도 ~w:~w로도 작습니다"),
               plainly("파일이 없다. 고치십시오"),
               plainly("파일이 없습니다. 고치십시오") ], Found).
 test(words, Bad == []) :-

@@ -61,18 +61,48 @@ spoken("\"몸통\"", '이(가)', "이").
 spoken("'뚜껑'", '은(는)', "은").
 spoken("foo/1", '이(가)', "이").
 spoken("v/5", '은(는)', "는").
-spoken("--scale", '은(는)', "은(는)").
-spoken("box", '이(가)', "이(가)").
-spoken("torus(radius(2),tube(3))", '은(는)', "은(는)").
-spoken("R", '은(는)', "은(는)").
-spoken("A_R", '은(는)', "은(는)").
+spoken("--scale", '은(는)', "은").
+spoken("--scale", '(으)로', "로").
+spoken("box", '이(가)', "가").
+spoken("torus(radius(2),tube(3))", '은(는)', "은").
+spoken("v(2)", '을(를)', "를").
+spoken("R", '은(는)', "은").
+spoken("A_R", '은(는)', "은").
+spoken("base-", '은(는)', "는").
+spoken("line(_)", '은(는)', "은").
+spoken("curved(side)", '을(를)', "를").
+spoken("cone", '은(는)', "은").
+spoken("plane", '(으)로', "으로").
+spoken("frame", '을(를)', "을").
+spoken("handle", '(으)로', "로").
+spoken("curve", '(이)라', "라").
+spoken("bend", '이(가)', "가").
+spoken("flange", '이(가)', "가").
+spoken("cylinder", '은(는)', "는").
+spoken("panel", '과(와)', "과").
+spoken("ring", '을(를)', "을").
+spoken("leg", '을(를)', "를").
+spoken("block", '이(가)', "이").
+spoken("tank", '이(가)', "가").
+spoken("lip", '이(가)', "이").
+spoken("loop", '이(가)', "가").
+spoken("slot", '은(는)', "은").
+spoken("sheet", '은(는)', "는").
+spoken("part", '은(는)', "는").
+spoken("stem", '은(는)', "은").
+spoken("elbow", '은(는)', "는").
+spoken("Top", '은(는)', "은").
+spoken("foo_bar", '은(는)', "는").
+spoken("leg2", '은(는)', "는").
+% Where nothing can be read both forms stay.
+spoken("}", '은(는)', "은(는)").
 spoken("", '은(는)', "은(는)").
 
 :- begin_tests(particle).
 
 test(form, [ forall(spoken(Word, Both, Form)), Found == Form ]) :-
     particle(Word, Both, Found).
-test(text, T == "세그먼트 2는 곡선이라 box이(가) 3과 만납니다") :-
+test(text, T == "세그먼트 2는 곡선이라 box가 3과 만납니다") :-
     particles_joined("세그먼트 2 은(는) 곡선(이)라 box 이(가) 3와(과) 만납니다",
                      T).
 test(remark, T == "다각형 4 (옆면)를 자르고 1 (보기)로 갑니다") :-
@@ -84,7 +114,7 @@ test(none, T == "f(은) 그대로") :-
 test(lines, Lines == ['~w'-["모서리 3을 자르고"], nl, '~w'-["  2로 갑니다"]]) :-
     lines_joined(['모서리 ~d'-[3], ' 을(를) ', '자르고', nl, '  ~w'-[2],
                   '(으)로 갑니다'], Lines).
-test(variables, Lines-V == ['~w'-["line(_)은(는) 없습니다"]]-unbound) :-
+test(variables, Lines-V == ['~w'-["line(_)은 없습니다"]]-unbound) :-
     lines_joined(['~p은(는) 없습니다'-[line(X)]], Lines),
     ( var(X) -> V = unbound ; V = bound ).
 test(lines_kept, Lines == [nl, ansi(bold, "~w", [a]), '~w'-["x"]]) :-

@@ -9,6 +9,8 @@
 :- use_module(rules(polygon/triangulation)).
 :- use_module(rules(primitive/primitive_rows)).
 :- use_module(rules(store)).
+:- use_module(rules(message/messages_ko)).
+:- use_module(tests(rules/message_text), [message_text/3]).
 
 /* Every notice and every warning is provoked by a command, and no other
    warning comes with it. A notice that no command here provokes is in
@@ -368,6 +370,32 @@ removed_files :-
     retract(folder(Folder)),
     delete_directory_and_contents(Folder).
 
+%   good_korean(Term): in Korean the message has no particle in both forms, and
+%   each of its sentences is polite. One that names the stream it was read from
+%   is said while that is open only.
+
+good_korean(Term) :-
+    catch(message_text(ko, Term, Text),
+          error(existence_error(stream,_), _),
+          Text = ""),
+    (   Text \== "",
+        ( both_forms(Text) ; plain_end(Text) )
+    ->  format(user_error, '~q: ~s~n', [Term,Text]),
+        fail
+    ;   true
+    ).
+
+both_forms(Text) :-
+    member(Both, ["은(는)","이(가)","을(를)","과(와)","와(과)","(으)로","(이)"]),
+    sub_string(Text, _, _, _, Both).
+
+plain_end(Text) :-
+    split_string(Text, "\n", " ", Lines),
+    member(Line, Lines),
+    split_string(Line, "", ".", [Bare]),
+    string_concat(_, "다", Bare),
+    \+ string_concat(_, "니다", Bare).
+
 :- begin_tests(provoked, [setup(made_files), cleanup(removed_files)]).
 
 test(command, forall(command(Notice, Arguments))) :-
@@ -375,7 +403,8 @@ test(command, forall(command(Notice, Arguments))) :-
     notices(Folder, Arguments, Terms, Status),
     (   member(_-Term, Terms),
         what(Term, Said),
-        subsumes_term(Notice, Said)
+        subsumes_term(Notice, Said),
+        forall(member(_-Own, Terms), good_korean(Own))
     ->  true
     ;   format(user_error, '~q: ~q~n  status ~w: ~q~n',
                [Notice,Arguments,Status,Terms]),
