@@ -8,6 +8,8 @@ import { Ports } from "./ports.js";
 import { KINDS, eyeWords } from "./kinds.js";
 import { Tree } from "./tree.js";
 import { Problems } from "./problems.js";
+import { find } from "./find.js";
+import { Handles } from "./handles.js";
 import { Asking, Why, Text, Rules } from "./panels.js";
 
 const FORMATS = {
@@ -23,6 +25,8 @@ class Studio {
   constructor() {
     this.looks = JSON.parse(localStorage.getItem("looks") || "{}");
     this.segments = [];
+    this.models = [];
+    this.formats = Object.entries(FORMATS);
     this.rev = 0;
     this.tree = new Tree(this);
     this.text = new Text(this);
@@ -31,6 +35,7 @@ class Studio {
     this.asking = new Asking(this);
     this.why = new Why(this);
     this.ports = new Ports(this, $("ports"));
+    this.handles = new Handles(this);
     this.left();
     $("asking").append(this.asking.element, this.why.element);
     this.bar();
@@ -147,7 +152,7 @@ class Studio {
   }
 
   exportMenu() {
-    return Object.entries(FORMATS).map(([what, formats]) => h("p", { class: "formats" },
+    return this.formats.map(([what, formats]) => h("p", { class: "formats" },
       h("span", {}, w(what + "_of")),
       ...formats.map((format) => h("button", { onclick: (event) => {
         event.target.closest(".menu").hidden = true;
@@ -483,6 +488,7 @@ class Studio {
     const key = event.key.toLowerCase();
     const control = event.ctrlKey || event.metaKey;
     if (control && key === "s") this.save();
+    else if (control && key === "k" && !document.querySelector("dialog[open]")) find(this);
     else if (control && !typing && key === "z") this.change(event.shiftKey ? "redo" : "undo");
     else if (control && !typing && key === "y") this.change("redo");
     else if (key === "f6") this.ports.next();

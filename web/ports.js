@@ -5,9 +5,10 @@ import { w, said, reworded } from "./words.js";
 import { Picture, strokesOf, laidOf } from "./picture.js";
 import { KINDS, kindOf } from "./kinds.js";
 import { Lost, textOf } from "./wire.js";
-import { Turning } from "./turning.js";
 
 const PICTORIAL = [315, 54.735610317245346];
+const USUAL = { projection: "parallel", up: "z", lines: "feature" };
+const SLOW = 40;          // ms: exact pictures that take longer do not turn well
 
 class Port {
   constructor(studio, kind, place) {
@@ -35,8 +36,8 @@ class Port {
     this.angles = [...PICTORIAL];
     this.sheet = 1;
     this.scale = null;
-    this.turning = new Turning(this);
-    this.slowest = 0;
+    this.turning = null;
+    this.took = 0;
     this.listen();
   }
 
@@ -125,7 +126,7 @@ class Port {
     this.busy = true;
     this.element.classList.toggle("late", this.slow);
     const { kind } = this;
-    const { turns } = this.turning;
+    const turns = this.turning?.turns;
     const { wire, ports } = this.studio;
     try {
       wire.extra = ports.shown === this ? { shown: true } : {};
@@ -134,7 +135,7 @@ class Port {
       const reply = await asked;
       if (kind !== this.kind) this.again = true;
       else if (!reply.head.replaced) this.show(reply);
-      if (turns === this.turning.turns) this.turning.leave();
+      if (turns === this.turning?.turns) this.turning?.leave();
     } catch (error) {
       if (error.message === "interrupted") this.again = true;
       else if (!(error instanceof Lost)) this.failed(error);
@@ -163,7 +164,7 @@ class Port {
   showStrokes(reply) {
     const { head } = reply;
     this.picture.show(strokesOf(reply));
-    this.slowest = head.ms ?? 0;
+    this.took = head.ms ?? 0;
     const { fits } = kindOf(this.kind);
     if (fits && !this.zoomed) this.picture.fit(fits === "bar" ? fits : null);
     if (this.zoomed) this.picture.look(...this.zoomed);
@@ -173,6 +174,7 @@ class Port {
       ? w("sheets", this.sheet, head.sheets)
       : this.said || head.called || (head.ms === undefined ? "" : w("ms", head.ms < 10 ? head.ms.toFixed(1) : Math.round(head.ms)));
     if (this.after) this.after();
+    this.studio.handles?.draw(this);
   }
 
   describe(text) {
@@ -295,9 +297,20 @@ class Port {
     }
     const { shown } = this.picture;
     if (!this.scale && shown && shown.place && this.kind !== "section") this.scale = shown.place[0] / 1000;
-    if (this.turning.turned()) return;
+    if (this.turnedByCard()) return;
     this.refresh();
     this.settled();
+  }
+
+  // Large models are turned by the graphics card, if it can.
+  turnedByCard() {
+    const { record, looks } = this.studio;
+    if (this.kind !== "iso" || this.took < SLOW || record
+      || Object.entries(USUAL).some(([key, word]) => (looks[key] ?? word) !== word)) return false;
+    if (!this.loading) {
+      this.loading = import("./turning.js").then(({ Turning }) => { this.turning = new Turning(this); });
+    }
+    return Boolean(this.turning?.turned());
   }
 
   // The picture that the page turned itself is drawn exactly.

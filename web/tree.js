@@ -73,11 +73,13 @@ export class Tree {
     for (const { term } of segments) inside(term);
     this.byNumber = byNumber;
     const roots = segments.filter(({ segment }) => !used.has(segment));
+    this.roots = roots.map(({ segment }) => segment);
     if (!this.drawn) for (const { segment } of roots) this.open.add("/" + segment);
     this.drawn = true;
     this.list.replaceChildren(...roots.map(({ segment }) => this.row(segment, "", 1)));
     this.drawForm();
     reworded(this.element);
+    this.studio.handles?.choose(this.segment);
   }
 
   // An operand that stands in the term of another segment has that one's sizes.

@@ -2,8 +2,6 @@
 // it itself; at rest the exact picture of the program lies in the same place.
 
 const LINE = 12;                 // numbers of a line: two ends, two normals
-const SLOW = 40;                 // ms: exact pictures that take longer do not turn well
-const USUAL = ["parallel", "z", "feature"];
 const WIDTH = 1.3, DASH = 5, GAP = 3.5;
 
 const FACES = `#version 300 es
@@ -120,17 +118,9 @@ export class Turning {
     this.turns = 0;
   }
 
-  // Is this picture one that the page turns itself?
-  get takes() {
-    const { kind, studio, slowest } = this.port;
-    const { projection, up, lines } = studio.looks;
-    return kind === "iso" && !studio.record && !this.lost && slowest > SLOW
-      && [projection, up, lines].every((word, i) => (word ?? USUAL[i]) === USUAL[i]) && isAble();
-  }
-
   // One more view; false: the program draws it.
   turned() {
-    if (!this.takes) return false;
+    if (this.lost || !isAble()) return false;
     const { rev } = this.port.studio;
     this.turns += 1;
     if (this.rev !== rev) this.fetch(rev);

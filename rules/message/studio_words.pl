@@ -142,11 +142,13 @@ studio_word(cut, 'Cut here', '여기서 자르기').
 studio_word(join, 'Keep joined', '이어 두기').
 studio_word(either, 'Either', '상관없음').
 studio_word(help, 'Keys', '단축키').
+studio_word(find, 'Find a command, a name or a predicate',
+    '명령, 이름, 술어 찾기').
 studio_word(keys,
-    'Ctrl Z undo · Ctrl Y redo · Ctrl S save · / question · T tree · X \c
-     text · F6 next port · 1 to 6 views · Esc clears what is lit',
-    'Ctrl Z 실행 취소 · Ctrl Y 다시 실행 · Ctrl S 저장 · / 질문 · T 트리 · X 텍스트 · F6 \c
-     다음 뷰포트 · 1~6 투상도 · Esc 강조 해제').
+    'Ctrl K find · Ctrl Z undo · Ctrl Y redo · Ctrl S save · / question · T \c
+     tree · X text · F6 next port · 1 to 6 views · Esc clears what is lit',
+    'Ctrl K 찾기 · Ctrl Z 실행 취소 · Ctrl Y 다시 실행 · Ctrl S 저장 · / 질문 · T \c
+     트리 · X 텍스트 · F6 다음 뷰포트 · 1~6 투상도 · Esc 강조 해제').
 studio_word(problems, 'Problems', '문제').
 studio_word(problem, 'problem', '문제').
 studio_word(pupils, 'Pupils', '학생').

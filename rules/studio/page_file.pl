@@ -48,6 +48,8 @@ script(words).
 script(picture).
 script(ports).
 script(turning).
+script(find).
+script(handles).
 script(tree).
 script(panels).
 script(kinds).

@@ -319,14 +319,15 @@ file_time(File, Time) :-
     catch(time_file(File, Time), error(_, _), Time = 0.0).
 
 %   files_watched: pages hear that their file is another one, unless they are
-%   about to hear that it was saved.
+%   about to hear that it was saved. In this order: what is saved meanwhile is
+%   still pending, or its time is noted already.
 
 files_watched :-
     forall(( opened_(Visitor, File, Time0),
-             \+ pending_(_, Visitor, _, _, "save", _, _),
              file_time(File, Time),
              Time =\= 0,
              Time =\= Time0,
+             \+ pending_(_, Visitor, _, _, "save", _, _),
              retract(opened_(Visitor, File, Time0)) ),
            ( assertz(opened_(Visitor, File, Time)),
              told(Visitor, none, _{event:"file"}) )).

@@ -26,6 +26,7 @@ asked socket_test.py
 if command -v chromedriver >/dev/null && command -v chromium >/dev/null; then
   asked browser_test.py
   asked turning_test.py
+  asked handles_test.py
   asked kill_browser_test.py
   asked matrix_test.py
 else
