@@ -8,8 +8,11 @@
                 facts_transaction/1, fresh_id/3
               ]).
 :- use_module('../polygon/triangulation', [complete_segments/1]).
-:- use_module(library(apply),
-              [foldl/4, foldl/5, foldl/6, maplist/2, maplist/3]).
+:- use_module('../vector',
+              [ difference/3, dot_product/3, doubled_area/2, scaled/3,
+                vector_sum/3
+              ]).
+:- use_module(library(apply), [foldl/4, foldl/5, maplist/2]).
 :- use_module(library(lists), [member/2, selectchk/3]).
 /** <module> Open surfaces closed by flat faces: a pipe gets its ends.
 
@@ -87,51 +90,25 @@ loop(V, First, Steps0, Steps, [V-Next|Loop]) :-
 
 flat_loop(S, Loop) :-
     Loop = [V1-V2|_],
-    findall(at(X, Y, Z), ( member(V-_, Loop), v(S, V, X, Y, Z) ), Points),
-    middle(Points, at(X0, Y0, Z0)),
-    maplist(shifted(X0, Y0, Z0), Points, Round),
-    vector_area(Round, Nx, Ny, Nz),
-    Length is sqrt(Nx*Nx + Ny*Ny + Nz*Nz),
+    findall(p(X, Y, Z), ( member(V-_, Loop), v(S, V, X, Y, Z) ), Points),
+    middle(Points, Middle),
+    findall(Vector, ( member(P, Points), difference(P, Middle, Vector) ),
+            Round),
+    doubled_area(Round, Normal),
+    dot_product(Normal, Normal, Square),
+    Length is sqrt(Square),
     model_tolerance(Tolerance),
     (   Length > 0.0,
-        \+ ( member(at(X, Y, Z), Round),
-             abs(X*Nx + Y*Ny + Z*Nz) > Tolerance*Length
+        \+ ( member(Vector, Round),
+             dot_product(Vector, Normal, Height),
+             abs(Height) > Tolerance*Length
            )
     ->  true
     ;   throw(error(geometry_error(trim(open(S, V2, V1))), _))
     ).
 
-middle(Points, at(X, Y, Z)) :-
-    foldl(added, Points, sum(0.0, 0.0, 0.0, 0), sum(Xs, Ys, Zs, N)),
-    X is Xs/N,
-    Y is Ys/N,
-    Z is Zs/N.
-
-added(at(X, Y, Z), sum(X0, Y0, Z0, N0), sum(X1, Y1, Z1, N)) :-
-    X1 is X0+X,
-    Y1 is Y0+Y,
-    Z1 is Z0+Z,
-    N is N0+1.
-
-shifted(X0, Y0, Z0, at(X, Y, Z), at(X1, Y1, Z1)) :-
-    X1 is X-X0,
-    Y1 is Y-Y0,
-    Z1 is Z-Z0.
-
-vector_area(Points, X, Y, Z) :-
-    Points = [First|_],
-    turned(Points, First, 0.0-0.0-0.0, X-Y-Z).
-
-turned([at(X1, Y1, Z1)|Points], First, X0-Y0-Z0, Area) :-
-    (   Points = [Next|_]
-    ->  true
-    ;   Next = First
-    ),
-    Next = at(X2, Y2, Z2),
-    X is X0 + Y1*Z2 - Z1*Y2,
-    Y is Y0 + Z1*X2 - X1*Z2,
-    Z is Z0 + X1*Y2 - Y1*X2,
-    (   Points == []
-    ->  Area = X-Y-Z
-    ;   turned(Points, First, X-Y-Z, Area)
-    ).
+middle(Points, Middle) :-
+    foldl(vector_sum, Points, p(0.0, 0.0, 0.0), Sum),
+    length(Points, N),
+    Share is 1.0/N,
+    scaled(Share, Sum, Middle).

@@ -9,8 +9,8 @@
 :- use_module(library(occurs), [sub_term/2]).
 /** <module> Questions about the picture: which segment hides which.
 
-The decision may_hide/2 of rule files (docs/rules.md) says what may hide, hides/2
-what does.
+The decision may_hide/2 of rule files (docs/rules.md) says what may hide,
+hides/2 what does.
 */
 
 :- multifile sandbox:safe_primitive/1.
