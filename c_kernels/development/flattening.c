@@ -39,7 +39,8 @@ begin_island(sg_flattening *fl, uint32_t face)
                         .faces = 1,
                         .triangles = f->triangle_begin[face + 1] -
                                      f->triangle_begin[face],
-                        .suspect = UINT32_MAX};
+                        .suspect = UINT32_MAX,
+                        .unindexed = UINT32_MAX};
   fl->island_of[face] = face;
   fl->next_face[face] = UINT32_MAX;
   memcpy(fl->at + first, f->at + first, (end - first) * sizeof *fl->at);
@@ -207,21 +208,30 @@ add_to_index(sg_flattening *fl, sg_island *island, uint32_t face)
   return true;
 }
 
-/* Before more triangles come: an island that gets many has an index. */
+/* Before more triangles come: an island that gets many has an index. It is
+ * filled when somebody asks: most islands are taken apart again before. */
 static bool
-index_island(sg_flattening *fl, sg_island *island, size_t more)
+begin_index(sg_island *island, size_t more)
 {
-  bool good = true;
-
   if (!island->index && island->triangles + more > FEW) {
     island->index = calloc(1, sizeof *island->index);
-    good = island->index != NULL;
-    for (uint32_t face = island->head; good && face != UINT32_MAX;
-         face = fl->next_face[face]) {
-      good = add_to_index(fl, island, face);
+    island->unindexed = island->head;
+    return island->index != NULL;
+  }
+  return true;
+}
+
+/* Adds what came since. False: no memory. */
+static bool
+fill_index(sg_flattening *fl, sg_island *island)
+{
+  for (uint32_t *face = &island->unindexed;
+       island->index && *face != UINT32_MAX; *face = fl->next_face[*face]) {
+    if (!add_to_index(fl, island, *face)) {
+      return false;
     }
   }
-  return good;
+  return true;
 }
 
 static void
@@ -234,8 +244,8 @@ enlarge(sg_flat_box *box, const sg_flat_box *by)
 }
 
 /* A face of an island goes where the motion takes it and becomes another one's.
- * False: no memory. */
-static bool
+ */
+static void
 move_face(sg_flattening *fl, const sg_motion *m, uint32_t face, uint32_t into)
 {
   const sg_flat_faces *f = fl->faces;
@@ -251,7 +261,6 @@ move_face(sg_flattening *fl, const sg_motion *m, uint32_t face, uint32_t into)
 
   enlarge(&onto->box, &box);
   fl->island_of[face] = into;
-  return !onto->index || add_to_index(fl, onto, face);
 }
 
 /* The faces of one island become another one's. False: no memory, or stopped;
@@ -261,17 +270,23 @@ merge(sg_flattening *fl, const sg_motion *m, sg_island *moving, sg_island *onto,
       const sg_cancel *cancel, bool *stopped)
 {
   uint32_t into = fl->island_of[onto->head];
-  bool good = index_island(fl, onto, moving->triangles);
+  bool good = begin_index(onto, moving->triangles);
   size_t n = 0;
 
   for (uint32_t face = moving->head; good && face != UINT32_MAX;
        face = fl->next_face[face]) {
     *stopped = sg_cancel_every(cancel, ++n);
-    good = !*stopped && move_face(fl, m, face, into);
+    good = !*stopped;
+    if (good) {
+      move_face(fl, m, face, into);
+    }
   }
   if (!good) {
     sg_flattening_restart(fl, NULL);
     return false;
+  }
+  if (onto->index && onto->unindexed == UINT32_MAX) {
+    onto->unindexed = moving->head;
   }
   fl->next_face[onto->tail] = moving->head;
   onto->tail = moving->tail;
@@ -324,6 +339,10 @@ join_islands(sg_flattening *fl, const sg_joint *j, const sg_cancel *cancel,
   const sg_island_attempt of = {moving, onto, j->side[!second],
                                 motion_onto(fl, j, second)};
 
+  if (!fill_index(fl, onto) || !fill_index(fl, moving)) {
+    sg_flattening_restart(fl, NULL);
+    return false;
+  }
   if (!sg_island_overlaps(fl, &of, cancel, &overlap)) {
     *stopped = true;
     return false;

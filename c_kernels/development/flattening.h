@@ -32,6 +32,7 @@ typedef struct sg_island { /* at first one for each face: a line of memory */
   sg_flat_box box;
   sg_flat_index *index; /* of its triangles, once they are many */
   uint32_t suspect;     /* private: a face that overlapped lately */
+  uint32_t unindexed;   /* private: the first face that is not in the index */
 } sg_island;
 
 typedef struct sg_flattening {
