@@ -25,6 +25,10 @@ typedef struct sg_point {
   sg_exactly *exactly;
 } sg_point;
 
+/* The double nearest to q, which need not be canonical, ties to even; infinite
+ * when out of range. */
+double sg_nearest_double(mpq_srcptr q);
+
 void sg_point_set(sg_point *out, const double p[3]);
 /* False: out of the range of doubles, or no memory. */
 bool sg_point_set_q(sg_point *out, mpq_srcptr x, mpq_srcptr y, mpq_srcptr z);

@@ -87,9 +87,8 @@ quotient(mpz_srcptr numerator, mpz_srcptr denominator, long shift)
   return found;
 }
 
-/* The double nearest to q, ties to even; infinite when out of range. */
-static double
-nearest_double(mpq_srcptr q)
+double
+sg_nearest_double(mpq_srcptr q)
 {
   mpz_t size;
   double answer;
@@ -134,7 +133,7 @@ sg_point_set_q(sg_point *out, mpq_srcptr x, mpq_srcptr y, mpq_srcptr z)
 
   out->exactly = NULL;
   for (int k = 0; k < 3; k++) {
-    out->p[k] = nearest_double(q[k]);
+    out->p[k] = sg_nearest_double(q[k]);
     if (!isfinite(out->p[k])) {
       return false;
     }

@@ -68,6 +68,18 @@ Foreign predicates; see kernel.pl.
 %   @error domain_error(coordinate, D),
 %          permission_error(write, segment, S): it has rows
 
+/* - - - bezier_grid_rows.c - - - */
+
+%!  bezier_grid(+Controls:list(number), +N:count,
+%!              -Points:list(space_point), -Turned:list(int)) is det.
+%
+%   Points, p(X,Y,Z), are those of the Bezier patch with these 16 control points
+%   (48 numbers) at u = I/N, v = J/N, row by row, I from 0 to N in each; exact,
+%   and rounded once. Turned is for each cell, row by row, 1 where the diagonal
+%   from its first corner is the longer one, else 0; exact.
+%
+%   @error domain_error(patch, Controls), domain_error(facets, N)
+
 /* - - - tolerance_rows.c - - - */
 
 %!  model_tolerance(-Tolerance:number) is det.

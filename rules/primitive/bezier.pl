@@ -1,9 +1,10 @@
 :- module(sg_bezier,
           [ bezier_shape/2              % +Given, -Shape
           ]).
+:- use_module('../kernel', [bezier_grid/4]).
 :- use_module(primitive_argument,
               [given/3, primitive_error/2, vertices_within/2]).
-:- use_module(library(apply), [maplist/3]).
+:- use_module(library(apply), [foldl/4, maplist/3]).
 :- use_module(library(assoc), [empty_assoc/1, get_assoc/3, put_assoc/4]).
 :- use_module(library(lists),
               [append/2, append/3, max_list/2, member/2, numlist/3, reverse/2]).
@@ -40,9 +41,8 @@ bezier_shape(Given, shape(Points, Faces, Surfaces)) :-
     length(Patches, Count),
     Vertices is Count*(N+1)*(N+1),
     vertices_within(Vertices, Given),
-    weights(N, Weights),
     empty_assoc(Known),
-    patches_added(Patches, 1, N-Weights, net(1, Known, []), Net, FaceLists),
+    patches_added(Patches, 1, N, net(1, Known, []), Net, FaceLists),
     no_clash(FaceLists, Term),
     append(FaceLists, Faces),
     Net = net(_, _, Backwards),
@@ -164,85 +164,52 @@ control(Table, V, U, Point) :-
                 *            POINTS            *
                 *******************************/
 
-%   weights(N, Weights): the I-th argument (I from 1) has the four Bernstein
-%   polynomials at (I-1)/N, times N^3: integers.
-
-weights(N, Weights) :-
-    findall([A, B, C, D],
-            ( between(0, N, I),
-              J is N-I,
-              A is J*J*J,
-              B is 3*J*J*I,
-              C is 3*J*I*I,
-              D is I*I*I ),
-            List),
-    Weights =.. [weights|List].
-
-%   patches_added(Patches, K, N-Weights, Net0, Net, FaceLists): a net is
-%   net(Next, Known, Backwards): the next vertex, the vertices of borders by
-%   their exact place, and all points, the last first.
+%   patches_added(Patches, K, N, Net0, Net, FaceLists): a net is net(Next,
+%   Known, Backwards): the next vertex, the vertices of borders by their place,
+%   and all points, the last first.
 
 patches_added([], _, _, Net, Net, []).
-patches_added([Patch|Patches], K, How, Net0, Net, [Faces|FaceLists]) :-
-    How = N-Weights,
-    maplist(rational_point, Patch, Exact),
-    findall(J-Points, row_of_points(Exact, N, Weights, J, Points), Rows0),
-    rows_entered(Rows0, N, Net0, Net1, Rows),
+patches_added([Patch|Patches], K, N, Net0, Net, [Faces|FaceLists]) :-
+    foldl(coordinates, Patch, Controls, []),
+    bezier_grid(Controls, N, Points, Turned),
+    rows_entered(0, N, Points, Net0, Net1, Rows),
     Table =.. [rows|Rows],
-    findall(Face, cell_face(Table, K, N, Face), Faces),
+    cells_faces(Turned, 0, Table, K, N, Faces),
     K1 is K+1,
-    patches_added(Patches, K1, How, Net1, Net, FaceLists).
+    patches_added(Patches, K1, N, Net1, Net, FaceLists).
 
-rational_point(point(X0, Y0, Z0), p(X, Y, Z)) :-
-    X is rational(X0),
-    Y is rational(Y0),
-    Z is rational(Z0).
+coordinates(point(X0, Y0, Z0), [X, Y, Z|Numbers], Numbers) :-
+    X is float(X0),
+    Y is float(Y0),
+    Z is float(Z0).
 
-row_of_points(Patch, N, Weights, J, Points) :-
-    between(0, N, J),
-    J1 is J+1,
-    arg(J1, Weights, [A, B, C, D]),
-    Patch = [P1, P2, P3, P4, Q1, Q2, Q3, Q4, R1, R2, R3, R4, S1, S2, S3, S4],
-    mixed(A, B, C, D, P1, Q1, R1, S1, C1),
-    mixed(A, B, C, D, P2, Q2, R2, S2, C2),
-    mixed(A, B, C, D, P3, Q3, R3, S3, C3),
-    mixed(A, B, C, D, P4, Q4, R4, S4, C4),
-    Scale is N**6,
-    findall(Point,
-            ( between(0, N, I),
-              curve_point([C1, C2, C3, C4], Weights, Scale, I, Point) ),
-            Points).
+%   rows_entered(J, N, Points, Net0, Net, Rows): rows of vertices, from J on.
 
-curve_point([P, Q, R, S], Weights, Scale, I, p(X, Y, Z)) :-
-    I1 is I+1,
-    arg(I1, Weights, [A, B, C, D]),
-    mixed(A, B, C, D, P, Q, R, S, p(X0, Y0, Z0)),
-    X is X0 rdiv Scale,
-    Y is Y0 rdiv Scale,
-    Z is Z0 rdiv Scale.
+rows_entered(J, N, Points0, Net0, Net, Rows) :-
+    (   J > N
+    ->  Net = Net0,
+        Rows = []
+    ;   row_entered(0, J, N, Points0, Points, Net0, Net1, List),
+        Row =.. [row|List],
+        Rows = [Row|Rows1],
+        J1 is J+1,
+        rows_entered(J1, N, Points, Net1, Net, Rows1)
+    ).
 
-mixed(A, B, C, D, p(X1, Y1, Z1), p(X2, Y2, Z2), p(X3, Y3, Z3),
-      p(X4, Y4, Z4), p(X, Y, Z)) :-
-    X is A*X1 + B*X2 + C*X3 + D*X4,
-    Y is A*Y1 + B*Y2 + C*Y3 + D*Y4,
-    Z is A*Z1 + B*Z2 + C*Z3 + D*Z4.
-
-%   rows_entered(Rows0, N, Net0, Net, Rows): rows of V-P, vertex and place.
-
-rows_entered([], _, Net, Net, []).
-rows_entered([J-Points|Rows0], N, Net0, Net, [Row|Rows]) :-
-    row_entered(Points, 0, J, N, Net0, Net1, List),
-    Row =.. [row|List],
-    rows_entered(Rows0, N, Net1, Net, Rows).
-
-row_entered([], _, _, _, Net, Net, []).
-row_entered([P|Points], I, J, N, Net0, Net, [V-P|Row]) :-
-    (   ( I =:= 0 ; I =:= N ; J =:= 0 ; J =:= N )
-    ->  border_entered(P, Net0, Net1, V)
-    ;   entered(P, Net0, Net1, V)
-    ),
-    I1 is I+1,
-    row_entered(Points, I1, J, N, Net1, Net, Row).
+row_entered(I, J, N, Points0, Points, Net0, Net, Row) :-
+    (   I > N
+    ->  Points = Points0,
+        Net = Net0,
+        Row = []
+    ;   Points0 = [P|Points1],
+        Row = [V|Row1],
+        (   ( I =:= 0 ; I =:= N ; J =:= 0 ; J =:= N )
+        ->  border_entered(P, Net0, Net1, V)
+        ;   entered(P, Net0, Net1, V)
+        ),
+        I1 is I+1,
+        row_entered(I1, J, N, Points1, Points, Net1, Net, Row1)
+    ).
 
 border_entered(P, Net0, Net, V) :-
     arg(2, Net0, Known0),
@@ -253,12 +220,8 @@ border_entered(P, Net0, Net, V) :-
         Net = net(Next, Known, Points)
     ).
 
-entered(p(X0, Y0, Z0), net(V, Known, Points), net(V1, Known, [Point|Points]),
-        V) :-
-    Point = point(X, Y, Z),
-    X is float(X0) + 0.0,
-    Y is float(Y0) + 0.0,
-    Z is float(Z0) + 0.0,
+entered(p(X, Y, Z), net(V, Known, Points),
+        net(V1, Known, [point(X, Y, Z)|Points]), V) :-
     V1 is V+1.
 
 
@@ -266,41 +229,37 @@ entered(p(X0, Y0, Z0), net(V, Known, Points), net(V1, Known, [Point|Points]),
                 *            FACES             *
                 *******************************/
 
-%   cell_face(Table, K, N, Face): the triangles of the cells with three
-%   vertices.
+%   cells_faces(Turned, Cell, Table, K, N, Faces): the triangles of the cells,
+%   counted from 0, with three vertices.
 
-cell_face(Table, K, N, face(curved(patch(K), [U1-U2, V1-V2]), [Loop])) :-
-    between(1, N, J),
-    between(1, N, I),
-    corner(Table, J, I, A-P),
-    I1 is I+1,
-    J1 is J+1,
-    corner(Table, J, I1, B-Q),
-    corner(Table, J1, I1, C-R),
-    corner(Table, J1, I, D-S),
-    (   nearer(P, R, Q, S)
-    ->  member(Loop, [[A, B, C], [A, C, D]])
-    ;   member(Loop, [[A, B, D], [B, C, D]])
-    ),
-    sort(Loop, [_, _, _]),
+cells_faces([], _, _, _, _, []).
+cells_faces([Turn|Turned], Cell, Table, K, N, Faces) :-
+    J is Cell//N + 1,
+    I is Cell mod N + 1,
+    cell_loops(Turn, Table, J, I, Loops),
     U1 is (I-1)/float(N),
     U2 is I/float(N),
     V1 is (J-1)/float(N),
-    V2 is J/float(N).
+    V2 is J/float(N),
+    findall(face(curved(patch(K), [U1-U2, V1-V2]), [Loop]),
+            ( member(Loop, Loops), sort(Loop, [_, _, _]) ),
+            Faces, Faces1),
+    Next is Cell+1,
+    cells_faces(Turned, Next, Table, K, N, Faces1).
 
-corner(Table, J, I, Corner) :-
+cell_loops(Turn, Table, J, I, Loops) :-
+    J1 is J+1,
     arg(J, Table, Row),
-    arg(I, Row, Corner).
-
-%   nearer(P, R, Q, S): P is as near to R as Q to S, or nearer.
-
-nearer(P, R, Q, S) :-
-    square(P, R, D1),
-    square(Q, S, D2),
-    D1 =< D2.
-
-square(p(X1, Y1, Z1), p(X2, Y2, Z2), D) :-
-    D is (X1-X2)**2 + (Y1-Y2)**2 + (Z1-Z2)**2.
+    arg(J1, Table, Row1),
+    I1 is I+1,
+    arg(I, Row, A),
+    arg(I1, Row, B),
+    arg(I1, Row1, C),
+    arg(I, Row1, D),
+    (   Turn =:= 0
+    ->  Loops = [[A, B, C], [A, C, D]]
+    ;   Loops = [[A, B, D], [B, C, D]]
+    ).
 
 %   no_clash(FaceLists, Term): no directed edge stands twice.
 
