@@ -217,13 +217,20 @@ insert_inside(taking *k, uint32_t last)
 
 /* ---- cells ---- */
 
+/* Whether cells end at edge c of triangle i: at a line, or at a real edge,
+ * there and back, as others may have where they were made to touch. */
 static bool
-is_line_after(const taking *k, uint32_t i, int c)
+ends_after(const taking *k, uint32_t i, int c)
 {
   const int32_t *v = k->found.item[i].v;
+  int32_t v1 = sg_work_id(k->work, v[c]);
+  int32_t v2 = sg_work_id(k->work, v[(c + 1) % 3]);
+  uint32_t own[2] = {(uint32_t)v1, (uint32_t)v2}, key[2];
 
-  return sg_arrangement_is_line(k->a, k->leaf, sg_work_id(k->work, v[c]),
-                                sg_work_id(k->work, v[(c + 1) % 3]));
+  border_key(v1, v2, key);
+  return sg_key_table_get(&k->auxiliary, own) != SG_NO_KEY ||
+         sg_key_table_get(&k->border, key) != SG_NO_KEY ||
+         sg_arrangement_is_line(k->a, k->leaf, v1, v2);
 }
 
 /* Of few triangles each is held against each. */
@@ -239,7 +246,7 @@ join_few(taking *k)
 
         if (t[i].v[from] == t[other].v[(to + 1) % 3] &&
             t[i].v[(from + 1) % 3] == t[other].v[to] &&
-            !is_line_after(k, i, from)) {
+            !ends_after(k, i, from)) {
           sg_disjoint_join(k->cell, i, other);
         }
       }
@@ -260,7 +267,7 @@ join_many(taking *k)
       uint32_t v2 = (uint32_t)k->found.item[i].v[(c + 1) % 3];
       uint32_t key[2] = {v1 < v2 ? v1 : v2, v1 < v2 ? v2 : v1};
 
-      if (is_line_after(k, i, c)) {
+      if (ends_after(k, i, c)) {
         continue;
       }
       uint32_t *other = sg_key_table_put(&at, key);
@@ -277,8 +284,8 @@ join_many(taking *k)
   return good;
 }
 
-/* Joins triangles of the polygon that have an edge in common which is no
- * line. */
+/* Joins triangles of the polygon that have an edge in common at which cells do
+ * not end. */
 static bool
 join_cells(taking *k)
 {

@@ -10,7 +10,7 @@
 :- use_module('../vector',
               [ cross_product/3, difference/3, dot_product/3, left_of/4,
                 scaled/3, vector_sum/3 ]).
-:- use_module(library(apply), [convlist/3, include/3]).
+:- use_module(library(apply), [convlist/3, foldl/4, include/3, maplist/3]).
 :- use_module(library(lists), [member/2]).
 /** <module> How far apart faces are that were not glued.
 
@@ -36,26 +36,44 @@ polygon_gap(S1-P1, S2-P2, Most, Gap, Ends) :-
 polygon_piece(S, P, piece(P,A,B,C)) :-
     triangle_corners(S, P, A, B, C).
 
-%   nearest(Pieces1, Pieces2, Most, Miss): the first of the nearest.
+%   nearest(Pieces1, Pieces2, Most, Miss): the first of the nearest. What is
+%   farther apart than the nearest until then is not looked at, by its boxes.
 
-nearest(Pieces1, Pieces2, Most, miss(Gap,Of1,Of2,Ends)) :-
-    findall(near(Gap0,Of1,Of2,Ends0),
-            ( member(Piece1, Pieces1),
-              arg(1, Piece1, Of1),
-              member(Piece2, Pieces2),
-              arg(1, Piece2, Of2),
-              boxes_near(Piece1, Piece2, Most),
-              pieces_gap(Piece1, Piece2, Gap0, Ends0),
-              Gap0 =< Most ),
-            All),
-    sort(1, @<, All, [near(Gap,Of1,Of2,Ends)|_]).
+nearest(Pieces1, Pieces2, Most, Miss) :-
+    maplist(piece_box, Pieces1, Boxes1),
+    maplist(piece_box, Pieces2, Boxes2),
+    foldl(nearer(Boxes2), Boxes1, within(Most), Miss),
+    Miss = miss(_,_,_,_).
 
-boxes_near(Piece1, Piece2, Most) :-
-    forall(member(Axis, [1,2,3]),
-           ( extent(Axis, Piece1, Low1, High1),
-             extent(Axis, Piece2, Low2, High2),
-             Low1 =< High2+Most,
-             Low2 =< High1+Most )).
+nearer(Boxes2, Box1-Piece1, Miss0, Miss) :-
+    foldl(nearer(Box1, Piece1), Boxes2, Miss0, Miss).
+
+nearer(Box1, Piece1, Box2-Piece2, Miss0, Miss) :-
+    arg(1, Miss0, Most),
+    (   boxes_near(Box1, Box2, Most),
+        pieces_gap(Piece1, Piece2, Gap, Ends),
+        (   Miss0 = within(_)
+        ->  Gap =< Most
+        ;   Gap < Most
+        )
+    ->  arg(1, Piece1, Of1),
+        arg(1, Piece2, Of2),
+        Miss = miss(Gap,Of1,Of2,Ends)
+    ;   Miss = Miss0
+    ).
+
+boxes_near(box(X1,Y1,Z1,X2,Y2,Z2), box(X3,Y3,Z3,X4,Y4,Z4), Most) :-
+    X1 =< X4+Most,
+    X3 =< X2+Most,
+    Y1 =< Y4+Most,
+    Y3 =< Y2+Most,
+    Z1 =< Z4+Most,
+    Z3 =< Z2+Most.
+
+piece_box(Piece, box(X1,Y1,Z1,X2,Y2,Z2)-Piece) :-
+    extent(1, Piece, X1, X2),
+    extent(2, Piece, Y1, Y2),
+    extent(3, Piece, Z1, Z2).
 
 extent(Axis, piece(_,A,B,C), Low, High) :-
     !,
@@ -185,9 +203,6 @@ segment_piece(S, Piece) :-
         vertex_place(S, V2, B)
     ).
 
-near_box(box(X1,Y1,Z1,X2,Y2,Z2), Reach, Piece) :-
-    forall(member(axis(Axis,Low1,High1), [axis(1,X1,X2),axis(2,Y1,Y2),
-                                          axis(3,Z1,Z2)]),
-           ( extent(Axis, Piece, Low, High),
-             Low =< High1+Reach,
-             Low1 =< High+Reach )).
+near_box(Box, Reach, Piece) :-
+    piece_box(Piece, Of-_),
+    boxes_near(Box, Of, Reach).

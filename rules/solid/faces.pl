@@ -9,6 +9,7 @@
 :- use_module('../penetration/resolve', [tight_said/1]).
 :- use_module(library(apply), [exclude/3]).
 :- use_module(library(option), [option/2, option/3]).
+:- use_module(library(ordsets), [ord_union/3]).
 /** <module> Faces: coplanar neighbours become one (CB-5).
 
 A face is what a flat, connected part of a boundary looks like to people: no
@@ -33,12 +34,16 @@ left at them vanish. Bodies that touch in an edge keep it.
 %     - origins(Which)
 %     `separate`: faces that come from different segments never become one.
 %     Default: `together`.
+%     - apart(Pairs)
+%     Never these become one, as of solid_neighbours/3. Default: none.
 %
 %   Others are ignored.
 
 faces_merged(Solid, Options) :-
     merge_options(Options, Tolerance, BySize, Origins),
-    kept_apart(Solid, Tolerance, Apart),
+    option(apart(Apart0), Options, []),
+    kept_apart(Solid, Tolerance, Apart1),
+    ord_union(Apart0, Apart1, Apart),
     solid_merge(Solid, Tolerance,
                 [origins(Origins), apart(Apart), by_size(BySize)], Tight),
     flattened(Tight).

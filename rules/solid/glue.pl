@@ -44,7 +44,7 @@
 :- use_module(library(error), [existence_error/2, type_error/2]).
 :- use_module(library(lists), [member/2]).
 :- use_module(library(option), [option/2]).
-:- use_module(library(ordsets), [ord_subtract/3]).
+:- use_module(library(ordsets), [ord_subtract/3, ord_union/3]).
 :- use_module(library(pairs), [group_pairs_by_key/2, pairs_keys_values/3]).
 /** <module> Glue: operands in one model, each thing once (NG-1 to NG-7).
 
@@ -119,10 +119,17 @@ faces_glued([], _, _, _) :-
     !.
 faces_glued(Operands, S, Options, Reach) :-
     solids_among(Operands, Solids),
+    faces_glued(Operands, Solids, S, Options, Reach, []).
+
+%   Parts of operands in nearly one plane may meet others as one face that they
+%   do not meet as they are: then these stay Apart, and all is done once more.
+
+faces_glued(Operands, Solids, S, Options, Reach, Apart) :-
     pieces(Operands, Solids, Reach, Options, Solid, Contacts, How),
     call_cleanup(
         ( stage(faces, faces_merged(Solid,
-                                    [ origins(separate),cells(true)
+                                    [ origins(separate),cells(true),
+                                      apart(Apart)
                                     | Options
                                     ])),
           stage(write, solid_write_cells(Solid, S, Loops))
@@ -132,8 +139,31 @@ faces_glued(Operands, S, Options, Reach) :-
     forall(member(V-P, Loops), assert_fact(lies_in(S, v(V), p(P)))),
     (   How == whole
     ->  true
-    ;   stage(join, points_in_faces(S))
+    ;   stage(join, points_in_faces(S, Meetings)),
+        (   Meetings == []
+        ->  true
+        ;   merged_parts(S, Meetings, Pairs),
+            ord_union(Apart, Pairs, More),
+            More \== Apart
+        ->  drop_boundary(S),
+            faces_glued(Operands, Solids, S, Options, Reach, More)
+        ;   Meetings = [meeting(_, P1, P2, X, Y, Z)|_],
+            throw(error(geometry_error(glue_meets(S, P1, P2, X, Y, Z)), _))
+        )
     ).
+
+%   merged_parts(S, Meetings, Pairs): what became one in the polygons of
+%   Meetings, pairs as of solid_neighbours/3.
+
+merged_parts(S, Meetings, Pairs) :-
+    findall(part(S0, P1, Sense1)-part(S0, P2, Sense2),
+            ( member(meeting(_, P, Q, _, _, _), Meetings),
+              member(Of, [P,Q]),
+              from_p(S, Of, S0, P1, Sense1),
+              from_p(S, Of, S0, P2, Sense2),
+              P1 < P2 ),
+            Pairs0),
+    sort(Pairs0, Pairs).
 
 %   pieces(Operands, Solids, Reach, Options, Solid, Contacts, How): How is `cut`
 %   or, if there was nothing to cut, `whole`.
@@ -177,15 +207,16 @@ lawful(S, Report) :-
     ;   throw(error(geometry_error(glue_law(S, Faults)), _))
     ).
 
-%   points_in_faces(S): where a vertex lies in the middle of a face exactly
-%   nothing was cut. Nothing else meets that has no vertex or edge in common.
+%   points_in_faces(S, Meetings): where a vertex lies in the middle of a face
+%   exactly nothing was cut. Meetings are all others of its polygons that have no
+%   vertex or edge in common: there should be none.
 
-points_in_faces(S) :-
+points_in_faces(S, Meetings) :-
     limit_value(facets, Most),
     segment_meetings(S, Most, Segments),
-    forall(( member(self(S, _, Meetings), Segments),
-             member(Meeting, Meetings) ),
-           point_in_face(S, Meeting)).
+    findall(Meeting, ( member(self(S, _, All), Segments),
+                       member(Meeting, All) ), Found),
+    exclude(point_in_face(S), Found, Meetings).
 
 point_in_face(S, meeting(self_touching, P1, P2, X, Y, Z)) :-
     (   P = P1,
@@ -199,8 +230,6 @@ point_in_face(S, meeting(self_touching, P1, P2, X, Y, Z)) :-
     ->  true
     ;   assert_fact(lies_in(S, v(V), p(P)))
     ).
-point_in_face(S, meeting(_, P1, P2, X, Y, Z)) :-
-    throw(error(geometry_error(glue_meets(S, P1, P2, X, Y, Z)), _)).
 
 corner_at(S, Q, X, Y, Z, V) :-
     p(S, Q, Es),
