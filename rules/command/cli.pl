@@ -18,6 +18,7 @@
 :- use_module('../message/message_object', [message_said/2]).
 :- use_module('../message/messages', []).
 :- use_module('../message/messages_ko', []).
+:- use_module('../model/fact_place', [error_placed/2]).
 :- use_module('../output', [files_together/1]).
 :- use_module('../message/spoken', [spoken_lines/4]).
 :- use_module('../part', [loaded_rule/2, whole_program/0]).
@@ -470,7 +471,7 @@ said(error(io_error(write, Stream), context(_, Why)), Message) :-
     Message = error(cannot_write(output, Why), _).
 said(Error, Message) :-
     (   subsumes_term(error(_, _), Error)
-    ->  Message = Error
+    ->  error_placed(Error, Message)
     ;   Message = sanggwan(uncaught(Error))
     ).
 

@@ -7,6 +7,7 @@
                 title_block/2, param_about/2, assert_fact/1,
                 retractall_facts/1, facts_transaction/1
               ]).
+:- use_module(fact_place, [text_noted/2]).
 :- use_module(model_text,
               [ model_text_bytes/3, next_written/3, formed_fact/4,
                 place_error/2, place_error/3, place_location/3
@@ -136,7 +137,11 @@ text_added(Text, Facts, Shift, Settings, Names) :-
     catch(later_completed(Ss, Name, Facts, Later), Error,
           ( ranges_told(Abouts), throw(Error) )),
     forall(member(formula(Row, Written), Formulas),
-           row_written(Row, Written)).
+           row_written(Row, Written)),
+    (   Text = text(Path, Path, _)
+    ->  text_noted(Path, Shift)
+    ;   true
+    ).
 
 %   A value out of its range is told before the error that may come of it.
 
