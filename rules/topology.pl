@@ -20,6 +20,7 @@ that is glued. sanggwan.pl has what a first model needs.
 :- reexport(gluing/regions, [region_neighbour/4]).
 :- reexport(gluing/cycle, [ loop_cycle/4, radial_cycle/4, disk/4 ]).
 :- reexport(gluing/region_border, [zone/4, shell/4]).
+:- reexport(gluing/region_name, [region_name/3, region_named/3]).
 :- reexport(gluing/vertex_disk,
             [ disk_arcs/2, disk_direction/2, zone_at/3, disk_relation/3 ]).
 

@@ -18,7 +18,7 @@
 :- use_module('../message/message_object', [message_said/2]).
 :- use_module('../message/messages', []).
 :- use_module('../message/messages_ko', []).
-:- use_module('../model/fact_place', [error_placed/2]).
+:- use_module('../model/item_where', [error_placed/2]).
 :- use_module('../output', [files_together/1]).
 :- use_module('../message/spoken', [spoken_lines/4]).
 :- use_module('../part', [loaded_rule/2, whole_program/0]).

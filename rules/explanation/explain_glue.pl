@@ -8,6 +8,7 @@
 :- use_module('../decision', [decision/4]).
 :- use_module('../gluing/gap', [polygon_gap/5]).
 :- use_module('../gluing/vertex_disk', [disk_relation/3]).
+:- use_module('../gluing/region_name', [is_region_name/1, region_named/3]).
 :- use_module('../gluing/region_point', [region_point/3]).
 :- use_module('../solid/glue', [glue_report/2]).
 :- use_module('../store',
@@ -139,13 +140,19 @@ inner_loop(S, P, Vs) :-
     loop_cycle(S, P, K, Vs),
     K > 1.
 
-%!  region_because(?S, ?R, -Because) is nondet.
+%!  region_because(?S, ?Region, -Because) is nondet.
 %
-%   True when Because says what region R of segment S is.
+%   True when Because says what Region of segment S is: a number, or a name as
+%   of region_named/3.
 
-region_because(S, R, [because(Statement, Because)]) :-
+region_because(S, Name, [because(Statement, Because)]) :-
     segment(S, _, _),
     once(region(S, _, _)),
+    (   compound(Name)
+    ->  is_region_name(Name),
+        region_named(S, Name, R)
+    ;   R = Name
+    ),
     glue_report(S, Report),
     region(S, R, Role),
     nth1(R, Report.regions, Region),

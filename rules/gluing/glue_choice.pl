@@ -7,6 +7,7 @@
             stays_parted/1              % +S
           ]).
 :- use_module('../decision', [decision/2, decision_is_default/1]).
+:- use_module(region_name, [is_region_name/1, region_named/3]).
 :- use_module('../store',
               [ e/5, edge_polygon/3, segment/3, origin/3, from_p/5, lies_in/3,
                 gluing/2 ]).
@@ -21,7 +22,8 @@
     apart(S0-Item)            Item of operand S0 is glued to nothing: v(V),
                               e(A,B) or p(P)
     glued(S1-Item1, S2-Item2) these are glued, whatever else is said
-    dissolve(R1, R2)          the faces between these regions go
+    dissolve(R1, R2)          the faces between these regions go; by number, or
+                              better by lasting name (region_name.pl)
 
 Contacts are as of glue_contact.pl. Where one is not glued the operands are cut
 all the same, and stay apart. */
@@ -133,7 +135,11 @@ item_kind(p(_), faces).
 %   Pairs are R1-R2: the faces between these regions of the glue S are to go.
 
 dissolved_pairs(S, Pairs) :-
-    findall(R1-R2, gluing(S, dissolve(R1, R2)), Pairs).
+    findall(R1-R2,
+            ( gluing(S, dissolve(Name1, Name2)),
+              region_named(S, Name1, R1),
+              region_named(S, Name2, R2) ),
+            Pairs).
 
 %!  glue_wish(@Wish) is semidet.
 %
@@ -148,7 +154,7 @@ glue_wish(apart(Place)) :-
 glue_wish(glued(Place1, Place2)) :-
     maplist(is_place, [Place1,Place2]).
 glue_wish(dissolve(R1, R2)) :-
-    maplist(integer, [R1,R2]).
+    maplist(is_region_name, [R1,R2]).
 
 is_place(S-Item) :-
     integer(S),

@@ -30,7 +30,7 @@ part_glue_en(wish(S, Wish)) -->
       '  Write only(vertices), only(edges), only(faces), apart(S1, S2), \c
        apart(S1-Item), glued(S1-Item1, S2-Item2) or dissolve(R1, R2): Item is \c
        v(V), e(A,B) or p(P) of an operand, R1 and R2 are bounded regions side \c
-       by side.' ].
+       by side, numbers or region(Operands).' ].
 part_glue_en(no_side(S)) -->
     [ 'segment ~d: what stays apart lies on faces, and on which side of them \c
        cannot be told'-[S], nl,

@@ -7,7 +7,7 @@
                 title_block/2, param_about/2, assert_fact/1,
                 retractall_facts/1, facts_transaction/1
               ]).
-:- use_module(fact_place, [text_noted/2]).
+:- use_module(item_where, [text_noted/2]).
 :- use_module(model_text,
               [ model_text_bytes/3, next_written/3, formed_fact/4,
                 place_error/2, place_error/3, place_location/3

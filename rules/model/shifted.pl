@@ -39,6 +39,17 @@ shifted(shift(DS, _), from_p(S0, P, T0, Q, Sense), from_p(S, P, T, Q, Sense)) :-
     !,
     S is S0+DS,
     T is T0+DS.
+shifted(shift(DS, _), from_r(S0, R, T0, Q), from_r(S, R, T, Q)) :-
+    !,
+    S is S0+DS,
+    T is T0+DS.
+shifted(shift(DS, _), gluing(S0, Wish0), gluing(S, Wish)) :-
+    !,
+    S is S0+DS,
+    (   wish_shifted(Wish0, DS, Wish)
+    ->  true
+    ;   Wish = Wish0
+    ).
 shifted(shift(DS, _), segment(S0, Kind, Term0), Row) :-
     is_node_term(Term0),
     !,
@@ -74,6 +85,31 @@ made_of(trimmed(S0, Side, Others0), DS, trimmed(S, Side, Others)) :-
     S is S0+DS,
     Less is -DS,
     part_less(Less, Others0, Others).
+
+%   wish_shifted(Wish0, DS, Wish) is semidet: with the numbers of its operands.
+
+wish_shifted(apart(S1, S2), DS, Wish) :-
+    Less is -DS,
+    maplist(part_less(Less), [S1,S2], Operands),
+    Wish =.. [apart|Operands].
+wish_shifted(apart(Place0), DS, apart(Place)) :-
+    part_shifted(DS, Place0, Place).
+wish_shifted(glued(Place1, Place2), DS, Wish) :-
+    maplist(part_shifted(DS), [Place1,Place2], Places),
+    Wish =.. [glued|Places].
+wish_shifted(dissolve(Name1, Name2), DS, Wish) :-
+    maplist(region_shifted(DS), [Name1,Name2], Names),
+    Wish =.. [dissolve|Names].
+
+region_shifted(DS, Name0, Name) :-
+    (   compound(Name0),
+        compound_name_arguments(Name0, region, [Operands0|K]),
+        is_list(Operands0)
+    ->  Less is -DS,
+        part_less(Less, Operands0, Operands),
+        compound_name_arguments(Name, region, [Operands|K])
+    ;   Name = Name0
+    ).
 
 %   operand_shifted(DS, Operand0, Operand): one that is no good stays, and is
 %   found later.

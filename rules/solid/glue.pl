@@ -208,8 +208,8 @@ lawful(S, Report) :-
     ).
 
 %   points_in_faces(S, Meetings): where a vertex lies in the middle of a face
-%   exactly nothing was cut. Meetings are all others of its polygons that have no
-%   vertex or edge in common: there should be none.
+%   exactly nothing was cut. Meetings are all others of its polygons that have
+%   no vertex or edge in common: there should be none.
 
 points_in_faces(S, Meetings) :-
     limit_value(facets, Most),

@@ -12,6 +12,7 @@
 :- use_module('../gluing/cycle', [radial_cycle/4]).
 :- use_module('../gluing/glue_choice',
               [dissolved_pairs/2, glue_wish/1, stays_glued/4]).
+:- use_module('../gluing/region_name', [is_region_name/1, region_named/3]).
 :- use_module('../gluing/regions', [region_neighbour/4]).
 :- use_module('../gluing/triangle_corners', [rational_place/3]).
 :- use_module('../gluing/unglue',
@@ -302,7 +303,8 @@ wish_checked(S, Wish) :-
     ;   geometry_error(part_glue(wish(S, Wish)))
     ).
 
-%   wish_names(Wish, Name) is nondet: Name is operand(S0), S0-Item or R1-R2.
+%   wish_names(Wish, Name) is nondet: Name is operand(S0), S0-Item or two names
+%   of regions.
 
 wish_names(apart(S1, S2), operand(S0)) :-
     ( S0 = S1 ; S0 = S2 ).
@@ -316,11 +318,14 @@ is_named(operand(S0), S) :-
     memberchk(S0, Operands).
 is_named(S0-Item, S) :-
     compound(Item),
+    \+ is_region_name(Item),
     is_named(operand(S0), S),
     operand_item(Item, S0),
     !.
-is_named(R1-R2, S) :-
-    integer(R2),
+is_named(Name1-Name2, S) :-
+    is_region_name(Name2),
+    region_named(S, Name1, R1),
+    region_named(S, Name2, R2),
     once(region_neighbour(S, R1, R2, _)),
     \+ ( member(R, [R1,R2]), region(S, R, outside) ).
 

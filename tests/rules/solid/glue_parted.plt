@@ -27,6 +27,9 @@ wanted(two(face), apart(1, 2), c(16,24,12,12,2,3,4,0)).
 wanted(two(face), apart(1-p(4)), c(16,24,12,12,2,3,4,0)).
 wanted(two(face), apart(1-p(2)), c(12,20,11,11,1,3,3,0)).
 wanted(two(face), dissolve(1, 2), c(12,20,10,10,1,2,2,0)).
+wanted(two(face), dissolve(region([2]), region([1])),
+       c(12,20,10,10,1,2,2,0)).
+wanted(two(face), dissolve(region([1],1), 2), c(12,20,10,10,1,2,2,0)).
 wanted(two(edge), only(vertices), c(14,23,12,12,1,3,3,0)).
 wanted(two(edge), only(edges), c(14,23,12,12,1,3,3,0)).
 wanted(two(edge), only(faces), c(16,24,12,12,2,3,4,0)).
@@ -226,6 +229,8 @@ test(no_such, [ forall(member(Wish, [ only(regions),apart(1, 9),
                                       apart(1-p(77)),apart(7-v(1)),
                                       glued(1-e(1,7), 2-v(1)),
                                       dissolve(1, 3),dissolve(1, 9),nothing,
+                                      dissolve(region([1]), region([1,2])),
+                                      dissolve(region([1],2), 2),
                                       apart(1-x(2)),apart(a) ])),
                 error(geometry_error(part_glue(wish(_, Wish)))) ]) :-
     in_new_world(parted(two(face), [Wish], [], _)).

@@ -1,8 +1,8 @@
 :- encoding(utf8).
-:- module(test_fact_place, []).
+:- module(test_item_where, []).
 :- use_module(library(plunit)).
 :- use_module(rules(csg/csg), []).
-:- use_module(rules(model/fact_place)).
+:- use_module(rules(model/item_where)).
 :- use_module(rules(model/model), [load_model/2]).
 :- use_module(rules(solid/csg_evaluate), [evaluate/1]).
 :- use_module(tests(rules/polyhedron), [in_new_world/1]).
@@ -31,7 +31,7 @@ text(Facts, Text) :-
     boxes(Boxes),
     string_concat(Boxes, Facts, Text).
 
-:- begin_tests(fact_place).
+:- begin_tests(item_where).
 
 test(of_a_glue, Place == 6:11) :-
     text("v(4,1,0,0,0).\ncurve(4,[1]).\ngluing(3, apart(1-p(tkp))).\n",
@@ -57,4 +57,4 @@ test(others_stay, [ forall(member(Error,
                     true(Placed == Error) ]) :-
     error_placed(Error, Placed).
 
-:- end_tests(fact_place).
+:- end_tests(item_where).

@@ -1,4 +1,4 @@
-:- module(sg_fact_place,
+:- module(sg_item_where,
           [ text_noted/2,               % +File, +Shift
             error_placed/2              % +Error0, -Error
           ]).
