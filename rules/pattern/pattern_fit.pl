@@ -204,14 +204,14 @@ pattern_opened(Open, Flat, Width, Pieces0, Pieces, Tabs) :-
     ;   Pieces-Tabs = Pieces0-Tabs0
     ).
 
-%   is_worth_it(Before, After): no more than a tenth of the seam has no tab now,
-%   or half of what it was: seams that are too short have none among parts
-%   either.
+%   is_worth_it(Before, After): no more than a tenth of the seam that there was
+%   has no tab now, or half of what it was: seams that are too short have none
+%   among parts either.
 
 is_worth_it(Pieces0-tabs(_,Butt0), Pieces-tabs(_,Butt)) :-
-    seam_lengths(Pieces0, Butt0, Without0, _),
-    seam_lengths(Pieces, Butt, Without, All),
-    Without =< max(All/10, Without0/2).
+    seam_lengths(Pieces0, Butt0, Without0, All0),
+    seam_lengths(Pieces, Butt, Without, _),
+    Without =< max(All0/10, Without0/2).
 
 rounds(6).
 

@@ -91,6 +91,13 @@ many_faces(S) :-
     findall(x, limit(Many, p(S,_,_)), Xs),
     length(Xs, Many).
 
+%   seams(Lengths, Pieces): one piece with a seam of each of Lengths.
+
+seams(Lengths, [piece(name(1,1,0),[],Sides)]) :-
+    findall(side(0,1,a-(0.0-0.0),b-(Length-0.0),seam(J,90.0,1)),
+            nth1(J, Lengths, Length),
+            Sides).
+
 %   band_side(Faces, Side): of a band of faces 10 mm wide; every other fold is
 %   flat, and shorter.
 
@@ -241,6 +248,18 @@ test(flat_faces_stay_whole, [ Parts == [[1,2,3,4],[5,6,7,8]] ]) :-
                                  Opened),
     findall(Ps, ( member(piece(_,Own,_), Opened),
                   findall(P, member(face(P,_), Own), Ps) ), Parts).
+% Seams that parting adds make the share of those without tabs smaller, and are
+% no gain.
+test(worth_it, [ Worth == [10-9,10-10,30-15] ]) :-
+    list_to_assoc([(1-2)-x], Butt),
+    findall(Before-After,
+            ( member(Before-After, [10-9,10-10,11-10.5,30-15,30-16]),
+              With is 100-Before,
+              seams([With,Before], Pieces0),
+              seams([150,After], Pieces),
+              sg_pattern_fit:is_worth_it(Pieces0-tabs(t,Butt),
+                                         Pieces-tabs(t,Butt)) ),
+            Worth).
 % Each pattern by itself.
 test(one_of_two_is_parted, [ Counts == [23,1] ]) :-
     new_world(World),
