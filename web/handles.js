@@ -131,11 +131,11 @@ export class Handles {
     const { picture } = port;
     const angles = port.kind === "iso" ? port.angles : VIEWS[port.kind];
     const { projection, up } = this.studio.looks;
-    port.dots ??= picture.svg.appendChild(s("g", { class: "handles" }));
-    const held = port.dots.contains(document.activeElement) ? document.activeElement.dataset.name : null;
+    port.knobs ??= picture.svg.appendChild(s("g", { class: "handles" }));
+    const held = port.knobs.contains(document.activeElement) ? document.activeElement.dataset.name : null;
     const place = picture.shown?.place;
     if (!angles || !place || (projection ?? "parallel") !== "parallel" || (up ?? "z") !== "z") {
-      port.dots.replaceChildren();
+      port.knobs.replaceChildren();
       return;
     }
     const [t, p] = angles.map((angle) => angle * Math.PI / 180);
@@ -145,7 +145,7 @@ export class Handles {
     const seen = (v) => [dot(right, v) * scale, -dot(high, v) * scale];
     const where = (v) => seen(v).map((n, k) => n + (k ? top + y0 * scale : left - x0 * scale));
     const size = picture.svg.getScreenCTM()?.a || 1;
-    port.dots.replaceChildren(...this.list.flatMap((one) => {
+    port.knobs.replaceChildren(...this.list.flatMap((one) => {
       const way = seen(one.axis);
       const far = Math.hypot(...way);
       if (far < 0.15 * scale * Math.hypot(...one.axis)) return [];    // it goes to the eye
@@ -159,7 +159,7 @@ export class Handles {
       knob.firstChild.textContent = `${one.name} ${one.value}`;
       return [s("path", { class: "stalk", d: `M${from.join(" ")}L${to.join(" ")}` }), knob];
     }));
-    if (held) [...port.dots.children].find(({ dataset }) => dataset.name === held)?.focus();
+    if (held) [...port.knobs.children].find(({ dataset }) => dataset.name === held)?.focus();
   }
 
   // `way`: dots of the screen for one unit more.

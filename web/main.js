@@ -45,6 +45,8 @@ class Studio {
     const token = location.hash.slice(1) || sessionStorage.getItem("secret") || "";
     if (token) sessionStorage.setItem("secret", token);
     this.record = recordOf();
+    const which = new URLSearchParams(location.search).get("half");
+    if (which) this.half(which);
     this.wire = this.record ? new Kept(this.record) : new Wire(token);
     this.wire.addEventListener("hello", (event) => this.greeted(event.detail));
     this.wire.addEventListener("away", this.away);
@@ -169,9 +171,13 @@ class Studio {
     };
     const central = h("input", { type: "checkbox", checked: this.looks.projection === "central",
       onchange: () => { this.looks.projection = central.checked ? "central" : "parallel"; this.looked(); } });
+    const count = h("select", { onchange: () => this.ports.many(Number(count.value)) },
+      ...[1, 2, 3, 4, 5, 6].map((value) => h("option", { value }, String(value))));
+    count.value = this.ports.ports.length;
     return [choice("hidden", "hidden", ["dashed", "removed", "shown"]),
       choice("lines", "lines", ["feature", "all", "penetration"]),
-      h("label", {}, w("central"), central)];
+      h("label", {}, w("central"), central), h("label", {}, w("ports"), count),
+      ...(this.record ? [] : [h("button", { onclick: () => this.halved() }, w("two_windows"))])];
   }
 
   // The picture that questions are about: that of the first port which has one.
@@ -425,8 +431,28 @@ class Studio {
     this.ports.hover(port, found);
   }
 
-  light(layer, names) {
+  light(layer, names, told) {
     this.ports.light(layer, names);
+    if (!told) this.other?.postMessage({ layer, names: [...names] });
+  }
+
+  // The two monitors as two windows, which tell each other what is pointed at.
+  halved() {
+    const { token } = this.wire;
+    window.open(`?half=ports#${token}`, "_blank", "popup,width=1200,height=900");
+    this.half("left");
+  }
+
+  half(which) {
+    document.body.dataset.half = which;
+    this.other ??= new BroadcastChannel("studio");
+    this.other.onmessage = ({ data: { layer, names, chosen } }) => {
+      if (layer) this.light(layer, names, true);
+      else if (document.body.dataset.half === "left") {
+        this.names = chosen;
+        this.why.show(chosen, this.from);
+      }
+    };
   }
 
   // Also names that have no line of their own: polygons, vertices, joints,
@@ -449,6 +475,7 @@ class Studio {
     this.names = names;
     this.from = port || this.from;
     this.light("chosen", names);
+    this.other?.postMessage({ chosen: names });
     return this.why.show(names, this.from, role);
   }
 

@@ -46,7 +46,7 @@ class Port {
     canvas.addEventListener("pointerdown", (event) => this.pressed(event));
     canvas.addEventListener("pointermove", (event) => this.moved(event));
     canvas.addEventListener("pointerup", (event) => this.released(event));
-    canvas.addEventListener("pointercancel", () => { this.fingers.clear(); this.drag = null; });
+    canvas.addEventListener("pointercancel", () => { clearTimeout(this.held); this.fingers.clear(); this.drag = null; });
     canvas.addEventListener("pointerleave", () => this.pointAt(null));
     canvas.addEventListener("wheel", (event) => this.wheeled(event), { passive: false });
     canvas.addEventListener("dblclick", (event) => this.doubled(event));
@@ -235,6 +235,16 @@ class Port {
     this.fingers.set(event.pointerId, [event.clientX, event.clientY]);
     this.drag = { x: event.clientX, y: event.clientY, moved: false,
       pans: !this.turns || event.shiftKey || event.button === 1 };
+    clearTimeout(this.held);
+    if (event.pointerType === "touch") this.held = setTimeout(() => this.pressedLong(event), 600);
+  }
+
+  // A finger that stays asks, as a double click does.
+  pressedLong(event) {
+    const found = !this.drag?.moved && this.fingers.size === 1 && this.kind !== "taught" && this.near(event, 22);
+    if (!found) return;
+    this.drag = null;
+    this.studio.askAbout(found.name);
   }
 
   moved(event) {
@@ -255,6 +265,7 @@ class Port {
   }
 
   released(event) {
+    clearTimeout(this.held);
     this.fingers.delete(event.pointerId);
     const { drag } = this;
     this.drag = null;
@@ -413,11 +424,24 @@ export class Ports {
   constructor(studio, element) {
     this.studio = studio;
     this.element = element;
-    const kinds = JSON.parse(localStorage.getItem("ports") || "null")
-      || ["iso", "unfold", "top", "front", "right"];
-    this.ports = kinds.map((kind, i) => new Port(studio, kind, i));
-    element.replaceChildren(...this.ports.map((port) => port.element));
-    element.dataset.count = this.ports.length;
+    this.make(JSON.parse(localStorage.getItem("ports") || "null")
+      || ["iso", "unfold", "top", "front", "right"]);
+  }
+
+  make(kinds) {
+    this.ports = kinds.map((kind, i) => new Port(this.studio, kind, i));
+    this.element.replaceChildren(...this.ports.map((port) => port.element));
+    this.element.dataset.count = this.ports.length;
+    this.element.classList.remove("one");
+  }
+
+  // As many ports: the first of those that are there, then kinds that are not.
+  many(count) {
+    const kinds = [...new Set([...this.ports.map((port) => port.kind), ...KINDS])];
+    if (this.shown) this.showAll(this.shown);
+    this.make(kinds.slice(0, count));
+    this.kept();
+    this.refresh();
   }
 
   refresh() {

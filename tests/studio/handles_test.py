@@ -34,7 +34,7 @@ CONTROL, ENTER, ESCAPE, DOWN, UP, TAB = (
 # Pulls the knob NAME of port 0 by so many units of the picture along its axis.
 PULL = """
   const [name, units, steps] = arguments, port = studio.ports.ports[0];
-  const knob = () => [...port.dots.querySelectorAll('.knob')].find((k) => k.dataset.name === name);
+  const knob = () => [...port.knobs.querySelectorAll('.knob')].find((k) => k.dataset.name === name);
   const one = studio.handles.list.find((k) => k.name === name);
   const [t, p] = port.angles.map((n) => n * Math.PI / 180);
   const right = [-Math.sin(t), Math.cos(t), 0];
@@ -48,7 +48,7 @@ PULL = """
   for (let i = 1; i <= steps; i++) at('pointermove', i / steps, window);
   at('pointerup', 1, window);"""
 QUIET = "!studio.tree.editing && studio.ports.ports.every((p) => !p.busy)"
-KNOBS = "[...studio.ports.ports[0].dots.querySelectorAll('.knob')]" \
+KNOBS = "[...studio.ports.ports[0].knobs.querySelectorAll('.knob')]" \
         ".map((k) => k.dataset.name)"
 
 
@@ -138,7 +138,7 @@ for language in ("en", "ko"):
     check("no knobs of a union", browser.wait("%s.length === 0" % KNOBS))
     # By the keyboard.
     choose(2, ["radius", "height"])
-    browser.script("[...studio.ports.ports[0].dots.querySelectorAll('.knob')]"
+    browser.script("[...studio.ports.ports[0].knobs.querySelectorAll('.knob')]"
                    ".find((k) => k.dataset.name === 'height').focus()")
     browser.keys(UP)
     browser.wait("studio.handles.list.find((one) => one.name === 'height')"
@@ -169,14 +169,15 @@ for language in ("en", "ko"):
     check("another view", browser.wait(
         "studio.ports.ports.some((p) => p.kind === 'front' && "
         "p === studio.ports.ports[0])"))
-    found("hides", "hides/2")
+    found("drawn", "drawn/7")
     if os.environ.get("PICTURES"):
         browser.picture(os.path.join(os.environ["PICTURES"],
                                      "find-%s.png" % language))
-    browser.script("""const li = [...document.querySelectorAll('.find li')].find(
-      (li) => li.textContent.startsWith('hides/2')); li.click()""")
+    browser.wait("""(() => { const li = [...document.querySelectorAll('.find li')]
+      .find((li) => li.textContent.startsWith('drawn/7')); li?.click();
+      return li; })()""")
     check("a predicate", browser.script(
-        "return document.getElementById('goal').value") == "hides(")
+        "return document.getElementById('goal').value") == "drawn(")
     found("s2e7", "s2e7")
     browser.keys(ENTER)
     check("a name is chosen", browser.wait("studio.names?.[0] === 's2e7'"))
@@ -196,6 +197,48 @@ for language in ("en", "ko"):
     check("from one to the next", first != second and said["hidden"] in second)
     browser.keys(ESCAPE)
     check("left", browser.wait("!document.querySelector('dialog')"))
+    # One to six ports, and the two monitors as two windows.
+    for count in (1, 2, 3, 4, 6, 5):
+        browser.click("#bar [data-word=menu]")
+        browser.script("""const s = [...document.querySelectorAll('.menu:not([hidden]) select')].at(-1);
+          s.value = arguments[0]; s.dispatchEvent(new Event('change'))""", count)
+        check("%d ports" % count, browser.wait(
+            "studio.ports.ports.length === arguments[0] && studio.ports.ports"
+            ".filter(({slow}) => !slow).every((p) => p.picture.shown)", count,
+            seconds=30))
+        room = browser.script("""const r = [...document.querySelectorAll('.port')]
+          .map((p) => p.getBoundingClientRect()), all = document.getElementById('ports').getBoundingClientRect();
+          const over = r.some((a, i) => r.some((b, j) => i < j && a.x < b.right - 1 && b.x < a.right - 1 &&
+            a.y < b.bottom - 1 && b.y < a.bottom - 1));
+          return [over, r.reduce((sum, a) => sum + a.width * a.height, 0) / (all.width * all.height)]""")
+        check("%d ports fill their half" % count, room[0] is False and
+              room[1] > 0.94, room)
+        browser.script("document.querySelector('.menu:not([hidden])').hidden"
+                       " = true")
+    first = browser.ask("GET", "/window")
+    browser.click("#bar [data-word=menu]")
+    browser.click(".menu:not([hidden]) button:last-of-type")
+    second = [one for one in browser.ask("GET", "/window/handles")
+              if one != first]
+    check("another window", len(second) == 1)
+    check("the ports went", browser.wait(
+        "document.getElementById('ports').offsetParent === null && "
+        "document.getElementById('asking').offsetParent"))
+    browser.ask("POST", "/window", {"handle": second[0]})
+    check("are there", browser.wait(
+        "studio.ports?.ports[0].picture.shown && document.getElementById("
+        "'left').offsetParent === null", seconds=40))
+    browser.script("studio.chosen(['s1e3'])")
+    if os.environ.get("PICTURES"):
+        browser.picture(os.path.join(os.environ["PICTURES"], "half-ports-%s"
+                                     ".png" % language))
+    browser.ask("POST", "/window", {"handle": first})
+    check("what is chosen there is told here", browser.wait(
+        "document.querySelector('.why').textContent.includes('s1e3')"),
+        browser.script("return document.querySelector('.why').textContent"))
+    if os.environ.get("PICTURES"):
+        browser.picture(os.path.join(os.environ["PICTURES"], "half-left-%s"
+                                     ".png" % language))
     log = [line for line in browser.log() if "favicon" not in line]
     check("nothing is wrong", log == [], log)
     browser.end()
