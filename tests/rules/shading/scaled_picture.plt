@@ -3,7 +3,7 @@
    1e6, as long as no end of a slice lies within what is rounded of the middle
    between two places of 1/256 dot, which is so nowhere here.
 
-covers: shading_body, shading_ring, shading_point, extent
+covers: shading_body, shading_ring, shading_bezier, shading_point, extent
 */
 :- module(test_scaled_picture, []).
 :- use_module(library(apply)).
@@ -39,6 +39,10 @@ term(stretched, at([scale(0.1,-0.3,0.7),rotate(y,12)],
                           hemisphere(radius(8))]))).
 term(flat, union([prism(outline([[0,0],[3,0],[2,2]]),height(1.3)),
                   at([translate(1,1,0.5)], pyramid(base(2,2),height(2)))])).
+term(net, at([mirror(x),rotate(z,40)], bezier(points(Points)))) :-
+    findall([X,Y,Z],
+            ( between(0, 3, Y), between(0, 3, X), Z is (X*7+Y*5) mod 4 - 1 ),
+            Points).
 
 scale(Scale) :-
     member(Power, [-27,-1,1,20]),
