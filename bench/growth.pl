@@ -30,6 +30,7 @@ family(identical,  union, [1600,3200,12800,27500]).
 family(apexes,     union, [500,1000,2000,4000]).
 family(needles,    union, [1600,3200,6400,12800]).
 family(comb,       union, [250,500,1000,2000]).
+family(base,       union, [800,1600,3200,6400]).
 family(stack,      union, [1000,2000,4000,8000]).
 family(apart,      union, [1000,2000,4000,8000]).
 family(row,        union, [1000,2000,4000,8000]).

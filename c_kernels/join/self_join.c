@@ -228,8 +228,7 @@ are_apart(const void *data, unsigned level, size_t a, size_t b)
   const rooted *r = data;
   const atomic_bool *done = r->j->of->done;
 
-  return (r->j->star &&
-          (r->stars.level[level][a] & r->stars.level[level][b])) ||
+  return (r->j->star && sg_self_stars_apart(r->j, &r->stars, level, a, b)) ||
          (done && atomic_load_explicit(done, memory_order_relaxed)) ||
          (r->fans && sg_fans_apart(r->fans, level, a, b)) ||
          (r->spines && sg_spines_apart(r->spines, level, a, b));

@@ -19,6 +19,8 @@ typedef struct sg_self_face {
   sg_box box;
 } sg_self_face;
 
+enum { SG_SELF_HUBS = 8 };
+
 typedef struct sg_self_joiner {
   const sg_self_joining *of;
   sg_run run;
@@ -30,9 +32,10 @@ typedef struct sg_self_joiner {
   uint32_t *in_face; /* triangles, face by face */
   uint32_t *single;  /* the others */
   size_t singles;
-  sg_key_table corner;     /* face, vertex */
-  sg_key_table border;     /* face, two vertices -> how many triangles */
-  unsigned char *star;     /* [n] bits: settled at these hubs; null: no hub */
+  sg_key_table corner; /* face, vertex */
+  sg_key_table border; /* face, two vertices -> how many triangles */
+  unsigned char *star; /* [n] bits: settled at these hubs; null: no hub */
+  double hub[SG_SELF_HUBS][3];
   const sg_bvh_pair *pair; /* of the join under way */
   sg_bvh_pair only;        /* where it has one */
   sg_bvh_hits hits;
@@ -60,14 +63,22 @@ bool sg_self_misses(const sg_self_joiner *j, uint32_t f,
  * about (self_star.c). False: no memory, or stopped. */
 bool sg_self_find_stars(sg_self_joiner *j, const sg_cancel *cancel);
 
-/* The bits that all triangles below a node have; if there are hubs. */
+/* The bits that all triangles below a node have, and where their other corners
+ * are if they have two; if there are hubs. */
 typedef struct sg_self_stars {
+  const sg_bvh *tree;
   unsigned char *level[SG_BVH_LEVELS]; /* from 1 on */
+  sg_box *rest[SG_BVH_LEVELS];         /* the same */
 } sg_self_stars;
 
 /* False: no memory. Owner: sg_self_stars_close() in any case. */
 bool sg_self_stars_open(const sg_self_joiner *j, const sg_bvh *tree,
                         sg_self_stars *out);
 void sg_self_stars_close(sg_self_stars *stars);
+
+/* Whether nothing below box a of a level (1 or more) has more in common with
+ * what is below box b than is theirs by name. */
+bool sg_self_stars_apart(const sg_self_joiner *j, const sg_self_stars *stars,
+                         unsigned level, size_t a, size_t b);
 
 #endif

@@ -4,20 +4,23 @@
  * one another as seen from there, no box tells two apart (fan.h). So the few
  * vertices with most triangles, the HUBS, are looked at once for all of these
  * (star.h). Two triangles that cross nothing at a hub of both are settled: they
- * have nothing in common that is not theirs by name.
+ * have nothing in common that is not theirs by name. Those on an edge of two
+ * hubs, and on another one, are parted by planes, as far as these tell.
  */
 #include "self_join_private.h"
 
 #include "engine/list.h"
+#include "number/vector.h"
 #include "rows/sort.h"
 #include "spine.h"
 #include "star.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* Of a hub's triangles each two are no fewer than all triangles. */
-enum { HUBS = 8, MANY = 64 };
+enum { HUBS = SG_SELF_HUBS, MANY = 64 };
 
 /* A corner, or an end of an arc beside its hub: the edge between them is one
  * only by name. */
@@ -213,6 +216,7 @@ settle(sg_self_joiner *j, const corner *at, size_t n, int h,
       j->star[at[i].of] |= (unsigned char)(1 << h);
     }
   }
+  memcpy(j->hub[h], at->at, sizeof at->at);
   star_clear(&s);
   return good;
 }
@@ -244,26 +248,86 @@ sg_self_find_stars(sg_self_joiner *j, const sg_cancel *cancel)
 
 /* ---- in a tree ---- */
 
+/* Whether all that is below a node has an edge between two hubs. */
+static bool
+has_edge(unsigned char bits)
+{
+  return __builtin_popcount(bits) == 2;
+}
+
+/* The box round the corners of a triangle that are not at these two hubs. */
+static sg_box
+rest_of_triangle(const sg_self_joiner *j, uint32_t i, unsigned char hubs)
+{
+  sg_box box = sg_box_none();
+  sg_fan_triangle t;
+
+  j->of->read(j->of->data, i, &t);
+  for (int k = 0; k < 3; k++) {
+    bool is_hub = false;
+
+    for (unsigned bits = hubs; bits; bits &= bits - 1) {
+      const double *h = j->hub[__builtin_ctz(bits)];
+      is_hub = is_hub ||
+               (t.at[k][0] == h[0] && t.at[k][1] == h[1] && t.at[k][2] == h[2]);
+    }
+    if (!is_hub) {
+      sg_box_add(&box, t.at[k]);
+    }
+  }
+  return box;
+}
+
+/* The same of a node that has these bits and `rest`, or a third bit. */
+static sg_box
+rest_of_node(const sg_self_joiner *j, unsigned char bits, const sg_box *rest,
+             unsigned char hubs)
+{
+  sg_box box = sg_box_none();
+
+  if (bits == hubs) {
+    return *rest;
+  }
+  sg_box_add(&box, j->hub[__builtin_ctz(bits & ~(unsigned)hubs)]);
+  return box;
+}
+
+static void
+open_node(const sg_self_joiner *j, sg_self_stars *s, unsigned level, size_t i)
+{
+  size_t below = s->tree->count[level - 1], begin = i * SG_BVH_WIDTH;
+  size_t end = begin + SG_BVH_WIDTH < below ? begin + SG_BVH_WIDTH : below;
+  unsigned char all = UINT8_MAX;
+
+  for (size_t k = begin; k < end; k++) {
+    all &= level > 1 ? s->level[level - 1][k]
+                     : j->star[sg_self_triangle_at(j, s->tree, (uint32_t)k)];
+  }
+  s->level[level][i] = all;
+  s->rest[level][i] = sg_box_none();
+  for (size_t k = begin; has_edge(all) && k < end; k++) {
+    sg_box box =
+        level > 1 ? rest_of_node(j, s->level[level - 1][k],
+                                 &s->rest[level - 1][k], all)
+                  : rest_of_triangle(
+                        j, sg_self_triangle_at(j, s->tree, (uint32_t)k), all);
+    sg_box_join(&s->rest[level][i], &box);
+  }
+}
+
 bool
 sg_self_stars_open(const sg_self_joiner *j, const sg_bvh *tree,
                    sg_self_stars *out)
 {
-  *out = (sg_self_stars){0};
+  *out = (sg_self_stars){.tree = tree};
   for (unsigned level = 1; j->star && level < tree->levels; level++) {
-    size_t n = tree->count[level], below = tree->count[level - 1];
-    unsigned char *all = out->level[level] = malloc(n);
-
-    if (!all) {
+    out->level[level] = malloc(tree->count[level]);
+    out->rest[level] = malloc(tree->count[level] * sizeof(sg_box));
+    if (!out->level[level] || !out->rest[level]) {
       return false;
     }
-    for (size_t i = 0; i < n; i++) {
-      all[i] = UINT8_MAX;
-      for (size_t k = i * SG_BVH_WIDTH; k < (i + 1) * SG_BVH_WIDTH && k < below;
-           k++) {
-        all[i] &= level > 1
-                      ? out->level[level - 1][k]
-                      : j->star[sg_self_triangle_at(j, tree, (uint32_t)k)];
-      }
+    for (size_t i = 0; i < tree->count[level]; i++) {
+      open_node(j, out, level, i);
     }
   }
   return true;
@@ -274,5 +338,86 @@ sg_self_stars_close(sg_self_stars *stars)
 {
   for (unsigned level = 0; level < SG_BVH_LEVELS; level++) {
     free(stars->level[level]);
+    free(stars->rest[level]);
   }
+}
+
+/* ---- a plane between ---- */
+
+/* What lies round all that is below a node: its two hubs, and a box. */
+enum { CORNERS = 10 };
+
+typedef struct hull {
+  double at[CORNERS][3];
+} hull;
+
+static hull
+hull_of(const sg_self_joiner *j, unsigned char hubs, const sg_box *rest)
+{
+  hull out = {{{0}}};
+  int n = 0;
+
+  for (unsigned bits = hubs; bits; bits &= bits - 1) {
+    memcpy(out.at[n++], j->hub[__builtin_ctz(bits)], sizeof out.at[0]);
+  }
+  for (int i = 0; n < CORNERS; i++, n++) {
+    for (int k = 0; k < 3; k++) {
+      out.at[n][k] = i >> k & 1 ? rest->hi[k] : rest->lo[k];
+    }
+  }
+  return out;
+}
+
+/* How far along m from o it reaches, let out by more than rounding. */
+static void
+reach_along(const hull *h, const double m[3], const double o[3], double to[2])
+{
+  to[0] = INFINITY;
+  to[1] = -INFINITY;
+  for (int i = 0; i < CORNERS; i++) {
+    double sum = 0, size = 0;
+
+    for (int k = 0; k < 3; k++) {
+      double term = m[k] * (h->at[i][k] - o[k]);
+      sum += term;
+      size += fabs(term);
+    }
+    to[0] = fmin(to[0], sum - 1e-14 * size - 1e-290);
+    to[1] = fmax(to[1], sum + 1e-14 * size + 1e-290);
+  }
+}
+
+/* Whether a plane through both hubs of a and a corner of its box, moved a
+ * little, is between. */
+static bool
+is_between(const hull *a, const hull *b)
+{
+  for (int i = 2; i < CORNERS; i++) {
+    double u[3], v[3], m[3], to_a[2], to_b[2];
+
+    sg_minus(a->at[1], a->at[0], u);
+    sg_minus(a->at[i], a->at[0], v);
+    sg_cross(u, v, m);
+    reach_along(a, m, a->at[0], to_a);
+    reach_along(b, m, a->at[0], to_b);
+    if (to_a[1] < to_b[0] || to_b[1] < to_a[0]) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool
+sg_self_stars_apart(const sg_self_joiner *j, const sg_self_stars *stars,
+                    unsigned level, size_t a, size_t b)
+{
+  unsigned char x = stars->level[level][a], y = stars->level[level][b];
+
+  if ((x & y) || !has_edge(x) || !has_edge(y)) {
+    return x & y;
+  }
+  hull p = hull_of(j, x, &stars->rest[level][a]);
+  hull q = hull_of(j, y, &stars->rest[level][b]);
+
+  return is_between(&p, &q) || is_between(&q, &p);
 }

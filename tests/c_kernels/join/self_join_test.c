@@ -242,29 +242,33 @@ make_brush(size_t n)
   }
 }
 
-/* Corners of a room, each in the next one, on three points: seen from the
- * middle one the triangles lie in one another. */
+/* Pyramids on one square, each in the next one: seen from a corner of the
+ * square the sides lie in one another, and those across from each other have
+ * boxes that meet. */
 static void
-make_corners(size_t n)
+make_tents(size_t n)
 {
+  static const double corner[4][2] = {
+      {1, 0.25}, {-0.25, 1}, {-1, -0.25}, {0.25, -1}};
+
   for (uint32_t i = 0; i < n; i++) {
     sg_fan_triangle *t = &triangle[i];
-    uint32_t wall = i % 2;
+    uint32_t k = i % 4, next = (k + 1) % 4, tent = i / 4;
 
-    place(t, 0, 1 - wall, wall, 0, wall);
-    place(t, 1, -(double)wall, 1 - 1.0 * wall, 0, 1 + wall);
-    place(t, 2, 0, 0, 1 + 8.0 * (i / 2) / (double)n, 4 + i / 2);
+    place(t, 0, corner[k][0], corner[k][1], 0, k);
+    place(t, 1, corner[next][0], corner[next][1], 0, next);
+    place(t, 2, 0, 0, 1 + 8.0 * tent / (double)n, 4 + tent);
     t->polygon = (int32_t)i;
   }
 }
 
-enum { BRUSH, BOOK, BOOK_BY_PLACE, CORNERS, MODELS };
+enum { BRUSH, BOOK, BOOK_BY_PLACE, TENTS, MODELS };
 
 static long
 asked_of(size_t n, int model)
 {
-  if (model == CORNERS) {
-    make_corners(n);
+  if (model == TENTS) {
+    make_tents(n);
   } else if (model != BRUSH) {
     make_book(n);
   } else {

@@ -26,6 +26,7 @@ size(stack, 150, 400).
 size(apart, 700, 2000).
 size(row, 1000, 3000).
 size(comb, 120, 300).
+size(base, 300, 1000).
 
 grown_size(Family, N) :-
     size(Family, Few, All),
