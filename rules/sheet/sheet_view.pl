@@ -11,18 +11,20 @@
           ]).
 :- use_module('../csg/csg_roots', [with_operand_lines/2]).
 :- use_module('../picture/hidden_lines', [picture/1]).
-:- use_module('../picture/section_curve', [section_on_surfaces/1]).
+:- use_module('../picture/section_curve', [section_on_surfaces/2]).
 :- use_module('../picture/section',
               [ cut_away/2, section_lines/3, section_edges/3,
                 section_region/5
               ]).
 :- use_module(centre_line, [centre_lines/3]).
 :- use_module(sheet, [picture_parts/1]).
-:- use_module('../store', [screen/5, segment/3, facts_snapshot/1]).
+:- use_module('../store', [e/5, screen/5, segment/3, facts_snapshot/1]).
 :- use_module('../picture/view',
               [ named_view/3, set_view/3, set_projection/1, eye_point/4 ]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
-:- use_module(library(lists), [member/2, memberchk/2, select/3]).
+:- use_module(library(assoc), [get_assoc/3]).
+:- use_module(library(lists),
+              [append/3, member/2, memberchk/2, nextto/3, reverse/2, select/3]).
 :- use_module(library(ordsets), [ord_memberchk/2]).
 :- use_module(library(yall), [(>>)/4]).
 /** <module> The views of a sheet, and what is seen in them.
@@ -165,12 +167,17 @@ seen(View, Lines0, Cut, Picture0, seen(View,Parts,Regions,Centres)) :-
     cut_away(Plane, Section),
     call(Cut),
     section_lines(Section, Lines0, Lines),
-    section_on_surfaces(Section),
+    section_on_surfaces(Section, Curves),
     pieces_of_segments(Section, Picture0, Picture),
     pictured(Theta, Phi, Lines, Picture, Parts0),
     findall(N-Edges, section_edges(Section, N, Edges), InPlane),
-    maplist(section_part(Section, InPlane), Parts0, Parts),
-    findall(Region, seen_region(Section, Picture0, Region), Regions),
+    Bent = bent(Theta, Phi, Curves),
+    findall(Part,
+            ( member(Part0, Parts0),
+              bent_part(Bent, Part0, Part1),
+              section_part(Section, InPlane, Part1, Part) ),
+            Parts),
+    findall(Region, seen_region(Section, Picture0, Bent, Region), Regions),
     view_centres(View, Picture, Centres).
 seen(View, Lines, _, Picture, seen(View,Parts,[],Centres)) :-
     View = view(_, Theta, Phi, _),
@@ -229,19 +236,58 @@ section_part(section(_,Pieces), InPlane, part(V,Role0,N,E,F,T,A,B),
     ;   Role = Role0
     ).
 
-%   seen_region(Section, Picture, Region): Region is region(Of, Edges).
+%   bent_part(Bent, Part0, Part) is nondet: Part is Part0, or, where that stands
+%   for a curve, a piece of it. The pieces do not quite meet along the edge:
+%   they are no parts of one straight line.
 
-seen_region(Section, Picture, region(Of,Edges)) :-
+bent_part(Bent, Part0, Part) :-
+    Part0 = part(Visibility, Role, N, E, 0.0, 1.0, A, B),
+    e(N, E, V1, V2, _),
+    curve_between(Bent, N, V1, V2, Points),
+    !,
+    append([A|Points], [B], All),
+    length(Points, Bends),
+    Part = part(Visibility, Role, N, E, From, To, C, D),
+    nextto_nth0(All, K, C, D),
+    From is K/(Bends+1.0),
+    To is From + 0.99/(Bends+1.0).
+bent_part(_, Part, Part).
+
+nextto_nth0(List, K, A, B) :-
+    append(Before, [A,B|_], List),
+    length(Before, K).
+
+%   curve_between(Bent, N, V1, V2, Points) is semidet: X-Y, in the picture.
+
+curve_between(bent(Theta,Phi,Curves), N, V1, V2, Points) :-
+    (   get_assoc(edge(N,V1,V2), Curves, Places)
+    ->  true
+    ;   get_assoc(edge(N,V2,V1), Curves, Places0),
+        reverse(Places0, Places)
+    ),
+    maplist(seen_place(Theta, Phi), Places, Points).
+
+seen_place(Theta, Phi, Place, X-Y) :-
+    eye_point(Theta, Phi, Place, p(X,Y,_)).
+
+%   seen_region(Section, Picture, Bent, Region): Region is region(Of, Edges).
+
+seen_region(Section, Picture, Bent, region(Of,Edges)) :-
     section_region(Section, S, Cell, N, Pairs),
     drawn_segment(Picture, S),
     (   Cell =:= 0
     ->  Of = S
     ;   Of = S-Cell
     ),
-    findall((X1-Y1)-(X2-Y2),
+    findall(A-B,
             ( member(V1-V2, Pairs),
               screen(N, V1, X1, Y1, _),
-              screen(N, V2, X2, Y2, _)
+              screen(N, V2, X2, Y2, _),
+              (   curve_between(Bent, N, V1, V2, Points)
+              ->  append([X1-Y1|Points], [X2-Y2], All),
+                  nextto(A, B, All)
+              ;   A-B = (X1-Y1)-(X2-Y2)
+              )
             ),
             Edges).
 
