@@ -34,6 +34,25 @@ plane_relation(Cone1, Cone2, Relation) :-
                    disk_relation(disk(1,1,1), disk(2,1,1), Relation0),
                    Relation = Relation0 )).
 
+%   locations(Cone1, Cone2, N): for their relation it is asked N times where one
+%   disk lies in the other: once for each, and of no other pair of zones.
+
+locations(Cone1, Cone2, N) :-
+    nb_setval(test_vertex_disk_asked, 0),
+    setup_call_cleanup(
+        wrap_predicate(sg_vertex_disk:seen_in(_,_,_), test_vertex_disk_count,
+                       Wrapped,
+                       ( test_vertex_disk:asked_once,
+                         Wrapped )),
+        sphere_relation(Cone1, Cone2, _),
+        unwrap_predicate(sg_vertex_disk:seen_in/3, test_vertex_disk_count)),
+    nb_getval(test_vertex_disk_asked, N).
+
+asked_once :-
+    nb_getval(test_vertex_disk_asked, N0),
+    N is N0+1,
+    nb_setval(test_vertex_disk_asked, N).
+
 d(1, faces([[-4,-1,-1],[-4,1,-1],[-4,1,1],[-4,-1,1]])).
 d(2, faces([[-1,-1,3],[-1,1,3],[1,1,3],[1,-1,3]])).
 d(3, faces([[-4,-4,6],[-4,4,6],[4,4,6],[4,-4,6]])).
@@ -256,6 +275,9 @@ edges_points(Edges, Points) :-
     sort(Points0, Points).
 
 :- begin_tests(vertex_disk).
+
+test(locations, [forall(( d(I, Cone1), d(J, Cone2), I < J )), N == 2]) :-
+    locations(Cone1, Cone2, N).
 
 test(random_sets, Wrong-Kinds == []-[around,cover,disjoint,within]) :-
     set_random(seed(5)),
