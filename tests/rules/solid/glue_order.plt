@@ -10,7 +10,8 @@
 :- use_module(rules(csg/csg), [complete_tree/2]).
 :- use_module(rules(csg/source), [source_noted/2]).
 :- use_module(rules(gluing/cycle), [radial_cycle/4]).
-:- use_module(rules(polygon/triangulation), [complete_segments/0, complete_segments/1]).
+:- use_module(rules(polygon/triangulation),
+              [complete_segments/0, complete_segments/1]).
 :- use_module(rules(solid/csg_evaluate)).
 :- use_module(rules(solid/glue)).
 :- use_module(rules(store)).
@@ -36,9 +37,9 @@ times(F, N0, N) :-
     N is N0*F.
 
 %   glue_cells(Boxes, Numbers, Shape, Cells): box I is segment Numbers[I]; Shape
-%   is `flat(Order)` or `nested(Order, K)`, the first K of Order a glue of their
-%   own. Cells are what comes out, in which numbers of boxes stand: counts, and of
-%   each region its role, what it is inside and its volume, sorted.
+%   is `flat(Order)` or `nested(Order, K)`, the first K of Order a glue of
+%   their own. Cells are what comes out, in which numbers of boxes stand:
+%   counts, and of each region its role, what it is inside and its volume.
 
 glue_cells(Boxes, Numbers, Shape, Counts-Regions) :-
     in_new_world(( maplist(box_made, Numbers, Boxes),
