@@ -438,7 +438,9 @@ only_drew(const sg_version *before, const sg_version *after)
     is_made[made[i]] = true;
   }
   for (int r = 0; r < SG_RELATIONS; r++) {
-    if (!is_made[r] && before->map[r] != after->map[r]) {
+    bool is_there =
+        sg_version_count(before, r) > 0 || sg_version_count(after, r) > 0;
+    if (!is_made[r] && is_there && before->map[r] != after->map[r]) {
       return false;
     }
   }

@@ -7,6 +7,7 @@
 :- use_module(library(xpath)).
 :- use_module(rules(store)).
 :- use_module(rules(drawing/drawing)).
+:- use_module(rules(command/verbs), [draw/1]).
 :- use_module(rules(picture/hidden_lines), [picture/1]).
 :- use_module(rules(model/model), [load_model/1]).
 :- use_module(rules(primitive/primitive_rows), [add_primitive/2]).
@@ -518,5 +519,18 @@ test(text_stream_gets_bytes, true(Encoding == utf8)) :-
           read_file_to_codes(File, [137,80|_], [type(binary)])
         ),
         delete_file(File)).
+
+% A picture is no step to undo: what was done before it is.
+test(undo_after_draw) :-
+    tmp_file(drawn, Base),
+    atom_concat(Base, '.svg', File),
+    new_world(World),
+    in_world(World,
+             ( add_primitive(box(size(1,1,1)), S),
+               facts_transaction(retract_fact(p(S, 6, _))),
+               draw(File),
+               once(drawn(_,_,_,_,_,_,_)),
+               facts_undo,
+               once(p(S, 6, _)) )).
 
 :- end_tests(drawing).
