@@ -5,7 +5,7 @@
 :- use_module('../kernel',
               [chain_strokes/4, travel_numbers/4, travel_open/7]).
 :- use_module(library(apply), [foldl/4, foldl/5]).
-:- use_module(library(lists), [reverse/2]).
+:- use_module(library(lists), [member/2, reverse/2]).
 /** <module> Travel: strokes in an order that a lifted pen likes.
 
 From where a stroke ends the pen goes to the nearest end of those not yet
