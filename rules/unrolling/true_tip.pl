@@ -10,7 +10,7 @@
 :- use_module(true_divide, [crossing_near/7]).
 :- use_module(true_shape,
               [edge_curve/4, facet_middle/2, key_place/4, shifted_facet/3]).
-:- use_module(library(apply), [foldl/5, maplist/3]).
+:- use_module(library(apply), [exclude/3, foldl/5, maplist/3]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2, put_assoc/4]).
 :- use_module(library(lists),
               [append/2, append/3, member/2, nth1/3, reverse/2, select/3]).
@@ -140,14 +140,23 @@ line_parted(T1, T2, line(A, B, _), Places, Parted0-Shape0, Parted-Shape) :-
     key_place(Nodes, B, TB, HB),
     findall(s(T, H, none), member(place(T, H, _, _), Places), Inner),
     append([s(TA, HA, A)|Inner], [s(TB, HB, B)], [First|Rest]),
-    (   member(s(T, _, _), [First|Rest]),
-        zone(T1, T2, T, Zone),
-        Zone \== in
-    ->  parts(First, Rest, line(A, B, T1, T2), A, in, Parts, Shape0, Shape),
-        Parted = [(A-B)-Parts|Parted0]
+    (   is_beyond([First|Rest], T1, T2),
+        parts(First, Rest, line(A, B, T1, T2), A, in, Parts0, Shape0, Shape1),
+        exclude(is_point, Parts0, Parts),
+        Parts \= [part(in, _, _)]
+    ->  Parted = [(A-B)-Parts|Parted0],
+        Shape = Shape1
     ;   Parted = Parted0,
         Shape = Shape0
     ).
+
+is_beyond(Ss, T1, T2) :-
+    member(s(T, _, _), Ss),
+    zone(T1, T2, T, Zone),
+    Zone \== in,
+    !.
+
+is_point(part(_, Key, Key)).
 
 zone(T1, T2, T, Zone) :-
     (   before_angle(T, T1)
@@ -196,10 +205,25 @@ border(Zone1, Zone2, T1, T2, T) :-
     ;   T = T2
     ).
 
+%   line_crossing(Line, T, S1, S2, Key, Shape0, Shape): Line crosses the generator
+%   at T between S1 and S2 in Key: an end of it, if it is there. Else the part
+%   between two points that are one would be crossed again, without end.
+
 line_crossing(line(A, B, _, _), T, s(TS1, H1, _), s(TS2, H2, _), Key, Shape0,
               Shape) :-
     H is H1 + (H2-H1)*(T-TS1)/(TS2-TS1),
-    crossing_near(A, B, T, H, Key, Shape0, Shape).
+    crossing_near(A, B, T, H, Key1, Shape0, Shape1),
+    Shape1 = shape(_, _, Nodes),
+    key_place(Nodes, Key1, _, H3),
+    (   member(End, [A,B]),
+        on_generator(Shape1, T, End),
+        key_place(Nodes, End, _, H4),
+        same_part(H3, H4)
+    ->  Key = End,
+        Shape = Shape0
+    ;   Key = Key1,
+        Shape = Shape1
+    ).
 
 half_parts(Parts, Half, Zoned) :-
     Half = half(K1, K2, Label),

@@ -16,9 +16,11 @@ true_parallel.pl. Areas
 :- use_module(rules(primitive/primitive_face)).
 :- use_module(rules(development/seam_measure)).
 :- use_module(rules(store)).
+:- use_module(rules(penetration/penetration)).
 :- use_module(rules(polygon/triangulation)).
 :- use_module(rules(solid/trimmed)).
 :- use_module(rules(unfolding/unfold_true)).
+:- use_module(rules(unrolling/true_development)).
 :- use_module(rules(vector)).
 :- use_module(rules(solid/csg_evaluate)).
 :- use_module(tests('rules/csg/csg_tree'), except([volume/2])).
@@ -499,5 +501,20 @@ lens(R1, R2, D, Area) :-
     Cos2 is (D*D + R2*R2 - R1*R1)/(2.0*D*R2),
     Area is R1*R1*(acos(Cos1) - Cos1*sqrt(1.0-Cos1*Cos1)) +
             R2*R2*(acos(Cos2) - Cos2*sqrt(1.0-Cos2*Cos2)).
+
+%   The line of the box and the cone lies on the pipe between two facets, up to
+%   rounding: it goes to one of them, and stays there.
+
+test(line_along_a_generator, Result == !) :-
+    in_tree([ at([translate(0.25,0.25,-0.75),rotate(x,45)],
+                 cylinder(radius(1), height(2), facets(6))),
+              at([translate(0.75,-0.5,-1.0),scale(0.5)], box(size(1, 2, 3))),
+              glue([2,1]),
+              at([translate(0.5,0.5,-0.5)],
+                 cone(radius(1), height(2), facets(5))),
+              at([translate(0.0,-0.25,0.5)], box(size(2, 2, 2))) ],
+            ( penetrate,
+              call_with_inference_limit(true_development(3, 1/side, [], _),
+                                        5_000_000, Result) )).
 
 :- end_tests(true_cut).
