@@ -146,6 +146,7 @@ open_predicate(Module, Head) :-
 cache(sg_model_text:relation_types_/3).
 cache(sg_primitive:last_parts/4).
 cache(sg_shape:ring_kept/3).
+cache(sg_item_where:text_read/3).
 cache(sg_cli:told/1).
 cache(sg_cli:told_once/0).
 cache(sg_process_state:_).
