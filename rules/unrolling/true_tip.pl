@@ -207,7 +207,7 @@ border(Zone1, Zone2, T1, T2, T) :-
 
 %   line_crossing(Line, T, S1, S2, Key, Shape0, Shape): Line crosses the
 %   generator at T between S1 and S2 in Key: an end of it, if it is there. Else
-%   the part between two points that are one would be crossed again, without end.
+%   the part between two points that are one would be crossed without end.
 
 line_crossing(line(A, B, _, _), T, s(TS1, H1, _), s(TS2, H2, _), Key, Shape0,
               Shape) :-
