@@ -20,10 +20,16 @@ sg_door_plain_facts_open(sg_call *call, const sg_input *source,
 {
   sg_plain_facts *facts = calloc(1, sizeof *facts);
 
+  if (!facts) {
+    return sg_call_no_memory(call);
+  }
+  if (!sg_call_read_all(call, source, SIZE_MAX / 2, &facts->text,
+                        &facts->size)) {
+    sg_plain_facts_free(facts);
+    return false;
+  }
   *out = facts;
-  return facts ? sg_call_read_all(call, source, SIZE_MAX / 2, &facts->text,
-                                  &facts->size)
-               : sg_call_no_memory(call);
+  return true;
 }
 
 bool

@@ -1,6 +1,6 @@
-/* shading_bezier.c -- a net of Bezier patches as facets made for the picture: none
- * is farther from it than an eighth of a dot, and each is seen with its true
- * normals. All patches are divided alike, so those that meet have the same
+/* shading_bezier.c -- a net of Bezier patches as facets made for the picture:
+ * none is farther from it than an eighth of a dot, and each is seen with its
+ * true normals. All patches are divided alike, so those that meet have the same
  * corners.
  */
 #include "number/bounds.h"
