@@ -1,5 +1,10 @@
-/* bezier_grid_test.c -- points of a patch, exact and rounded once. */
+/* bezier_grid_test.c -- points of a patch, exact and rounded once.
+ *
+ * covers: bezier_grid_rows
+ */
+#include "doors/world.h"
 #include "model/bezier_grid.h"
+#include "tests/c_kernels/door_call.h"
 #include "tests/check.h"
 
 #include <math.h>
@@ -94,11 +99,52 @@ test_sizes(void)
             memcmp(at[3], control[15], sizeof at[3]) == 0);
 }
 
+/* The same through its door, which refuses what it cannot do. */
+static void
+test_door(void)
+{
+  double number[48], at[3 * 3][3];
+  bool turned[2 * 2], same = true;
+  sg_number_list controls = {.at = number, .n = 48, .room = 48};
+  sg_space_point_list points = {0};
+  sg_int_list is = {0};
+
+  sg_call_open(&call, NULL, NULL);
+  for (int i = 0; i < 48; i++) {
+    number[i] = check_below(&seed, 1000) / 3.0;
+  }
+  CHECK("the kernel and its door",
+        sg_bezier_grid((const double(*)[3])number, 2, at, turned) &&
+            sg_door_bezier_grid(&call, &controls, 2, &points, &is));
+  CHECK("as many", points.n == 9 && is.n == 4);
+  for (size_t i = 0; i < points.n; i++) {
+    same = same && points.at[i].x == at[i][0] && points.at[i].y == at[i][1] &&
+           points.at[i].z == at[i][2];
+  }
+  for (size_t i = 0; i < is.n; i++) {
+    same = same && is.at[i] == turned[i];
+  }
+  CHECK("the same", same);
+  CHECK("no facets", !sg_door_bezier_grid(&call, &controls, 0, &points, &is) &&
+                         is_domain("facets", 2));
+  CHECK("too many", !sg_door_bezier_grid(&call, &controls, SG_BEZIER_MOST + 1,
+                                         &points, &is) &&
+                        is_domain("facets", 2));
+  number[47] = INFINITY;
+  CHECK("no patch", !sg_door_bezier_grid(&call, &controls, 2, &points, &is) &&
+                        is_domain("patch", 1));
+  controls.n = 47;
+  CHECK("not all", !sg_door_bezier_grid(&call, &controls, 2, &points, &is) &&
+                       is_domain("patch", 1));
+  sg_call_close(&call);
+}
+
 int
 main(void)
 {
   test_borders();
   test_even();
   test_sizes();
+  test_door();
   return check_report();
 }
