@@ -129,10 +129,16 @@ penetrate(Pairs) :-
 %     that are equal, in one place, two are left; and where many sheets have one
 %     edge in common, not each two of them get a line there.
 %
+%   @error type_error(list, Which) or of Options
 %   @error geometry_error(polygon_edge(S, P, V1, V2)): with its lines,
 %          polygon P cannot be triangulated
 
 penetrate(Which, Options) :-
+    must_be(list, Options),
+    (   Which == all
+    ->  true
+    ;   must_be(list, Which)
+    ),
     (   option(shown(true), Options)
     ->  facts_transaction(( new_segments_complete,
                             sg_penetration:copies_dropped,

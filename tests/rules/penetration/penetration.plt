@@ -312,6 +312,9 @@ test(closed_meanwhile,
 test(no_pairs, error(type_error(pair, 1))) :-
     new_world(World),
     in_world(World, cut_set_open([1], _)).
+test(no_options, error(type_error(list, 2))) :-
+    new_world(World),
+    in_world(World, penetrate([1-2], 2)).
 test(no_list, error(type_error(list, x))) :-
     new_world(World),
     in_world(World, cut_set_open(x, _)).
