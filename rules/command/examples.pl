@@ -200,6 +200,10 @@ example(regions_made/2, 'facts/two_rooms.pl',
         "regions_made(1, _), region(1, R, Role).", "R = 1, Role = cell").
 example(region_neighbour/4, 'facts/two_rooms.pl',
         "regions_made(1, _), region_neighbour(1, 1, 2, P).", "P = 6").
+example(region_name/3, 'facts/figures/glue_face.pl',
+        "evaluate(3), region_name(3, 2, Name).", "Name = region([2])").
+example(region_named/3, 'facts/figures/glue_face.pl',
+        "evaluate(3), region_named(3, region([2]), R).", "R = 2").
 example(glue_report/2, 'facts/figures/glue_face.pl',
         "glue_report(3, Report), get_dict(counts, Report, Counts), \c
          get_dict(faces, Counts, N).", "N = 13").
