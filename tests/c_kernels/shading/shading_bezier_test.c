@@ -1,5 +1,5 @@
-/* shading_bezier_test.c -- pictures of Bezier patches, against their points: one
- * patch and two that meet, of any size in the picture, in both projections.
+/* shading_bezier_test.c -- pictures of Bezier patches, against their points:
+ * one patch and two that meet, of any size in the picture, in both projections.
  */
 #include "shading/shading_scene.h"
 
