@@ -106,7 +106,8 @@ read_model(File, Settings, Names) :-
               )).
 
 %   text_read(Text, Settings, Names): plain facts all at once; where one of them
-%   is wrong all is read once more, now for the error.
+%   is wrong all is read once more, now for the error; so it is if edges are
+%   numbered by plain polygons and by others.
 
 text_read(Text, Settings, Names) :-
     (   with_plain_facts(Text, Facts,
@@ -353,6 +354,7 @@ later_added(Facts, Later) :-
     maplist(later_segment, Segments),
     later_of(Later, p/3, Polygons0),
     maplist(later_form, Polygons0, Polygons),
+    \+ numbered_among(Facts, Polygons),
     plain_added(Facts, p),
     empty_assoc(Numbers0),
     foldl(later_polygon, Polygons, Numbers0, Numbers),
@@ -367,6 +369,16 @@ later_added(Facts, Later) :-
     later_setting(Later, projection/1),
     later_title(Later),
     later_abouts(Later).
+
+%   numbered_among(Facts, Polygons) is semidet: edges of one of Polygons are
+%   numbered in the order of the file, among those of plain ones of its segment.
+
+numbered_among(Facts, Polygons) :-
+    memberchk(form(vertices, _, _, _, _), Polygons),
+    plain_segments(Facts, Ss),
+    member(form(vertices, S, _, _, _), Polygons),
+    memberchk(S, Ss),
+    !.
 
 later_of([], _, []).
 later_of([Item|Later], Name/Arity, Items) :-
