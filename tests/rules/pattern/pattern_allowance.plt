@@ -61,7 +61,7 @@ test(folds, Up-Down == 4-16) :-
 test(no_room, Told == [lock]) :-
     setup_call_cleanup(
         asserta((user:message_hook(sanggwan(pattern(What)), _, _) :-
-                     What = without_tab(_,4,_,Seam,_),
+                     What = without_tab(_,4,_,_,Seam,_),
                      assertz(test_pattern_allowance:told(Seam))), Ref),
         drawn(box(size(60,40,8)), [2], [lock(40)], _),
         erase(Ref)),
