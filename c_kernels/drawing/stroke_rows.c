@@ -155,7 +155,9 @@ chains_open(const sg_ranked_look_list *looks, sg_stroke_part *part)
     free(part);
     return NULL;
   }
-  memcpy(look, looks->at, looks->n * sizeof *look);
+  for (size_t i = 0; i < looks->n; i++) {
+    look[i] = looks->at[i];
+  }
   chains->look = look;
   chains->part = part;
   return chains;

@@ -118,7 +118,7 @@ chains(void)
                                {SG_SYMBOL_VISIBLE, role}};
   const sg_sheet_part_list parts = {part, 3, 0};
   sg_look_name_list names = {0};
-  sg_sheet_stroke_list strokes = {0};
+  sg_sheet_stroke_list strokes = {0}, none = {0};
   sg_bytes octets = {0};
 
   CHECK("looks", sg_door_stroke_looks(
@@ -130,6 +130,10 @@ chains(void)
   CHECK("no look", !sg_door_stroke_chains(
                        &call, &parts, &(sg_ranked_look_list){0}, &strokes) &&
                        is_domain("look", 1));
+  CHECK("of nothing none",
+        sg_door_stroke_chains(&call, &(sg_sheet_part_list){0},
+                              &(sg_ranked_look_list){0}, &none) &&
+            none.n == 0);
   CHECK("octets", sg_door_stroke_octets(&call, &look, &strokes, &octets));
   CHECK("words of two strokes of one edge",
         octets.n == sizeof(int32_t) * 2 * (5 + 1 + 4));
