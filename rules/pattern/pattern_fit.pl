@@ -7,8 +7,11 @@
 :- use_module(pattern_nest, [fits_on/2]).
 :- use_module(pattern_slit, [opened_slits/5]).
 :- use_module(pattern_split, [split_piece/4]).
+:- use_module(pattern_strip, [seam_runs/3]).
 :- use_module(pattern_tab,
-              [butt_reasons/4, deepest_tab/3, side_length/2, tabs/5]).
+              [ butt_reasons/4, deepest_tab/3, side_length/2, tab_shape/4,
+                tabs/5
+              ]).
 :- use_module(library(apply),
               [foldl/4, foldl/5, include/3, maplist/3, maplist/4]).
 :- use_module(library(assoc),
@@ -199,19 +202,22 @@ pattern_opened(Open, Flat, Width, Pieces0, Pieces, Tabs) :-
     pieces_tabs(Width, Pieces0, Tabs0),
     rounds(Most),
     slits_opened(Most, Open-Flat, Width, Pieces0-Tabs0, Pieces1-Tabs1),
-    (   ( Open == true ; is_worth_it(Pieces0-Tabs0, Pieces1-Tabs1) )
+    (   is_worth_it(Open, Pieces0-Tabs0, Pieces1-Tabs1)
     ->  Pieces-Tabs = Pieces1-Tabs1
     ;   Pieces-Tabs = Pieces0-Tabs0
     ).
 
-%   is_worth_it(Before, After): no more than a tenth of the seam that there was
-%   has no tab now, or half of what it was: seams that are too short have none
-%   among parts either.
+%   is_worth_it(Open, Before, After): less of the seam has no tab now; by
+%   itself, no more than a tenth of what there was, or half of what it was:
+%   seams that are too short have none among parts either.
 
-is_worth_it(Pieces0-tabs(_,Butt0), Pieces-tabs(_,Butt)) :-
+is_worth_it(Open, Pieces0-tabs(_,Butt0), Pieces-tabs(_,Butt)) :-
     seam_lengths(Pieces0, Butt0, Without0, All0),
     seam_lengths(Pieces, Butt, Without, _),
-    Without =< max(All0/10, Without0/2).
+    (   Open == true
+    ->  Without < Without0
+    ;   Without =< max(All0/10, Without0/2)
+    ).
 
 rounds(6).
 
@@ -219,7 +225,8 @@ slits_opened(N, Open-Flat, Width, Pieces0-Tabs0, Known) :-
     Tabs0 = tabs(_, Butt),
     (   N > 0,
         worth_parting(Open, Pieces0, Butt, Worth),
-        opened_slits(Worth, Flat, Pieces0, Butt, Pieces1),
+        long_enough(Width, Pieces0, Butt, Some),
+        opened_slits(Worth, Flat, Pieces0, Some, Pieces1),
         \+ same_length(Pieces0, Pieces1)
     ->  numbered_parts(Pieces1, Pieces2),
         N1 is N-1,
@@ -241,6 +248,31 @@ worth_parting(auto, Pieces, Butt, worth(Most,Least,Need)) :-
     Need > 0,
     Most is 3*All,
     Least is All.
+
+%   long_enough(Width, Pieces, Butt, Some): those of Butt that have a tab where
+%   there is room, alone or with their neighbours along a curve.
+
+long_enough(wide(Deep,_), Pieces, Butt, Some) :-
+    seam_runs(Deep, Pieces, Runs),
+    findall((D-J)-run,
+            ( member(Run, Runs), member(k(name(D,_,_),J,_)-_, Run) ),
+            Shared),
+    findall((D-J)-long,
+            ( member(piece(name(D,_,_),_,Sides), Pieces),
+              member(Side, Sides),
+              Side = side(_,_,_,_,seam(J,_,1)),
+              get_assoc(D-J, Butt, _),
+              side_length(Side, Length),
+              once(tab_shape(Deep, Length, _, _))
+            ),
+            Long),
+    append(Shared, Long, Keys0),
+    sort(1, @<, Keys0, Keys),
+    list_to_assoc(Keys, Able),
+    findall(Seam-E,
+            ( gen_assoc(Seam, Butt, E), get_assoc(Seam, Able, _) ),
+            Pairs),
+    list_to_assoc(Pairs, Some).
 
 tabs_together(Tabss, tabs(Tabs,Butt)) :-
     findall(Pair, ( member(tabs(Own,_), Tabss), gen_pair(Own, Pair) ), Pairs),

@@ -250,15 +250,18 @@ test(flat_faces_stay_whole, [ Parts == [[1,2,3,4],[5,6,7,8]] ]) :-
                   findall(P, member(face(P,_), Own), Ps) ), Parts).
 % Seams that parting adds make the share of those without tabs smaller, and are
 % no gain.
-test(worth_it, [ Worth == [10-9,10-10,30-15] ]) :-
+test(worth_it, [ Worth == [auto(10-9),auto(10-10),auto(30-15),true(10-9),
+                           true(11-10.5),true(30-15),true(30-16)] ]) :-
     list_to_assoc([(1-2)-x], Butt),
-    findall(Before-After,
-            ( member(Before-After, [10-9,10-10,11-10.5,30-15,30-16]),
+    findall(Found,
+            ( member(Open, [auto,true]),
+              member(Before-After, [10-9,10-10,11-10.5,30-15,30-16]),
               With is 100-Before,
               seams([With,Before], Pieces0),
               seams([150,After], Pieces),
-              sg_pattern_fit:is_worth_it(Pieces0-tabs(t,Butt),
-                                         Pieces-tabs(t,Butt)) ),
+              sg_pattern_fit:is_worth_it(Open, Pieces0-tabs(t,Butt),
+                                         Pieces-tabs(t,Butt)),
+              Found =.. [Open,Before-After] ),
             Worth).
 % Each pattern by itself.
 test(one_of_two_is_parted, [ Counts == [23,1] ]) :-
@@ -300,6 +303,15 @@ test(open_slits_have_tabs, [ true(Butt == 0),
                              forall(sampled([Name],
                                             opened(Name, Term))) ]) :-
     tab_counts(Term, [tabs(6),open_slits(true)], _, Butt).
+% A cube of 1 mm, and a U whose seams without a tab are too short for one, in
+% slits or not: what gains no tab is not parted.
+test(no_parts_without_tabs,
+     [ forall(member(Term, [ box(size(1,1,1)),
+                             prism(outline([[0,0],[9,0],[9,9],[8,9],[8,1],[1,1],
+                                            [1,9],[0,9]]), height(2)) ])),
+       true(Told == Whole) ]) :-
+    told(Term, [tabs(5),open_slits(true)], Told),
+    told(Term, [tabs(5),open_slits(false)], Whole).
 % 1.3 mm each: no tabs of their own.
 test(facets_share_tabs, [ true(4*Butt < Tabs) ]) :-
     tab_counts(cylinder(radius(20),height(30),facets(96)), [tabs(6)], Tabs,
