@@ -92,12 +92,22 @@ step_vertices(Step, S, From, To) :-
 %   Lines are the last argument of chain/5
 
 chain_points(Lines, Points) :-
-    must_be(list(integer), Lines),
+    lines_numbered(Lines, chain_points),
+    points_along(Lines, Points).
+
+points_along(Lines, Points) :-
     Lines = [Step|_],
     L is abs(Step),
     line(L, S, _, _, _, _, _, _, _),
     chain_vertices(Lines, S, Vs),
     maplist(vertex_point(S), Vs, Points).
+
+%   lines_numbered(Lines, Name): Lines are numbers of lines; if not, Name/2 says
+%   so.
+
+lines_numbered(Lines, Name) :-
+    catch(must_be(list(integer), Lines), error(Formal, _),
+          throw(error(Formal, context(Name/2, _)))).
 
 vertex_point(S, V, point(X,Y,Z)) :-
     v(S, V, X, Y, Z).
@@ -109,7 +119,8 @@ vertex_point(S, V, point(X,Y,Z)) :-
 %   @error as chain_points/2
 
 chain_length(Lines, Length) :-
-    chain_points(Lines, [Point|Points]),
+    lines_numbered(Lines, chain_length),
+    points_along(Lines, [Point|Points]),
     foldl(longer, Points, Point-0.0, _-Length).
 
 longer(Point, Last-Length0, Point-Length) :-

@@ -212,8 +212,11 @@ test(point_reads_back, Points-Text1 == [p(5.0,25.0,0.0)]-Text2) :-
     read_file_to_string(File, Text2, []),
     delete_file(File).
 test(no_chain, [ forall(member(Lines, [1, chain, [a]])),
-                 error(type_error(_, _)) ]) :-
+                 error(type_error(_, _), context(chain_length/2, _)) ]) :-
     chain_length(Lines, _).
+test(no_points, error(type_error(list(integer), 1),
+                      context(chain_points/2, _))) :-
+    chain_points(1, _).
 test(unknown_format, error(domain_error(line_format, doc))) :-
     with_lines([], write_lines('x.doc', [])).
 
