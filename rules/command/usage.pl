@@ -77,7 +77,7 @@ verb(query, 'MODEL... GOAL',
      '모델에 대한 Prolog 목표의 모든 답').
 verb(explain, 'MODEL... ITEM',
      'why a line, a vertex or an edge is there, or two polygons give no line',
-     '상관선, 꼭짓점, 모서리가 왜 있는지, 두 다각형이 왜 만나지 않는지').
+     '상관선, 꼭짓점, 모서리가 왜 있는지, 두 다각형에서 왜 상관선이 나오지 않는지').
 verb(repl, '[MODEL...]',
      'the Prolog top level with the model loaded',
      '모델을 읽은 Prolog 최상위').

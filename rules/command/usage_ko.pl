@@ -75,7 +75,7 @@ option_ko(lines, 'feature(기본값), all(모두), penetration(상관선만)').
 option_ko(crease, Help) :-
     usual_crease(Usual),
     format(atom(Help),
-           '메시에서 DEGREES(기본값 ~w)도 이하로 꺾인 면은 이어진 매끄러운 \c
+           '메시에서 이 각도(기본값 ~w도) 이하로 꺾인 면은 이어진 매끄러운 \c
             곡면으로 본다', [Usual]).
 option_ko(segment, '세그먼트 N만. 여러 번 쓸 수 있다').
 option_ko(size, '용지 크기 mm. 기본값 210x148').
@@ -137,7 +137,45 @@ option_ko(help, '이 설명').
 
 verb_option_ko(Verb, json, '--each와 함께: 파일마다 JSON 한 줄') :-
     memberchk(Verb, [convert,draw]).
+verb_option_ko(explain, json, '이유를 JSON으로').
+verb_option_ko(penetrate, json, '요약을 JSON으로').
+verb_option_ko(query, json, '--format json과 같다').
+verb_option_ko(query, format, 'table(기본값), csv, json 또는 prolog').
+verb_option_ko(Verb, Name, Help) :-
+    memberchk(Verb, [union,difference,intersection,eval,split]),
+    solid_option_ko(Name, Help).
+verb_option_ko(Verb, Name, Help) :-
+    memberchk(Verb, [problems,batch]),
+    sheets_option_ko(Name, Help).
+verb_option_ko(problems, output, '결과 폴더. 없으면 만든다').
+verb_option_ko(penetrate, output,
+    '결과 파일(.pl .obj .dxf .svg, 표 .csv .tsv .txt). 여러 번 쓸 수 있다. 기본값 -, \c
+.pl로').
+verb_option_ko(draw, output,
+    '결과 파일(.svg .pdf .eps .ps .png .dxf .hpgl .json .pl). 여러 번 쓸 수 있다').
+verb_option_ko(unfold, output,
+    '결과 파일: 도면(.svg .pdf .eps .ps .png .dxf .hpgl .json), 종이접기 프로그램의 \c
+.fold, 사실(.pl), 평평한 메시(.obj .off). 여러 번 쓸 수 있다').
+verb_option_ko(cells, output,
+    '영역이 있는 모델(.pl), 표(.csv, --neighbours와 함께: 이웃한 쌍의 표), 이웃 \c
+그래프(.dot), 메시를 만드는 프로그램의 입력(.poly .geo), 면을 한 번씩(.obj .off), \c
+CityJSON(.json), 세포를 따로따로(.stl). 여러 번 쓸 수 있다').
+verb_option_ko(glue, output,
+    '피연산자와 그것을 붙이는 것(.pl). 여러 번 쓸 수 있다').
+verb_option_ko(unglue, output, '결과 파일(.pl). 여러 번 쓸 수 있다').
+verb_option_ko(glue, repair, '먼저 피연산자를 고친다').
+verb_option_ko(unfold, tolerance,
+    'T(모델 단위)보다 가까우면 닿은 것으로 본다').
+verb_option_ko(unfold, dpi, '.png의 인치당 점의 수').
 verb_option_ko(batch, only, '이름이 NAME인 작업만. 여러 번 쓸 수 있다').
 verb_option_ko(batch, output,
     '결과 폴더: FOLDER/NAME.svg는 FOLDER/store로 가는 링크. --merge와 함께: 파일 \c
 (.json, JUnit의 .xml, .html), 여러 번 쓸 수 있다').
+
+solid_option_ko(json, '개수와 넓이, 부피를 JSON으로').
+solid_option_ko(output,
+    '결과 파일(.pl .stl .off .obj .ply). 여러 번 쓸 수 있다. 없으면 개수와 넓이, \c
+부피를 한 줄로').
+
+sheets_option_ko(format, '도면의 형식. 기본값 svg').
+sheets_option_ko(language, '문제의 언어. 기본값 en').

@@ -2,6 +2,8 @@
 :- module(test_help, []).
 :- use_module(library(plunit)).
 :- use_module(rules(command/help)).
+:- use_module(rules(command/usage), []).
+:- use_module(rules(command/usage_print), []).
 :- use_module(rules(topics), [topic_predicates/3]).
 :- use_module(rules(sanggwan), []).
 :- use_module(rules(message/messages), []).
@@ -95,5 +97,17 @@ test(message, Lines == ['~q is Prolog\'s own (~q): see'-[(=..)/2, system],
                         nl, Page-['%3D../2']]) :-
     phrase(sg_messages:english(sanggwan(prolog_help((=..)/2, system))), Lines),
     last(Lines, Page-_).
+
+% Where verbs say different things of an option in English, they do in Korean.
+test(korean_of_verbs, Alike == []) :-
+    findall(Name-Ko-En,
+            ( sg_usage:verb_option(Verb, option(Name,_,_,_,En)),
+              sg_usage_print:help_ko(Verb, Name, Ko)
+            ),
+            Helps0),
+    sort(Helps0, Helps),
+    findall(Name,
+            ( member(Name-Ko-A, Helps), member(Name-Ko-B, Helps), A @< B ),
+            Alike).
 
 :- end_tests(help).
