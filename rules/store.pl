@@ -461,8 +461,9 @@ facts_snapshot(Goal) :-
 %
 %   Takes back the last outermost transaction that changed something and was
 %   not taken back yet, and all changes since outside transactions; fails
-%   when there is none. A picture, as draw/1 makes it, and its view are no
-%   steps: what was done before is taken back, and the picture with it.
+%   when there is none. What draw/1 does is one step if the segments cut each
+%   other then, and is taken back with the picture. A picture alone and its view
+%   are no step: what was done before is taken back, and the picture with it.
 %   A world remembers 64 steps, see facts_undo_limit/1.
 %
 %   @error permission_error(undo, open_transaction, World)

@@ -333,7 +333,9 @@ said_of_style(Options) :-
 %!  draw(+File, +Options) is det.
 %
 %   Draw the current world to File, as the verb draw does; the ending is the
-%   format. The segments cut each other first. Options:
+%   format. The segments cut each other first: one facts_undo/0 takes back the
+%   cut and the picture; if nothing was to be cut, what was done before.
+%   Options:
 %
 %     - view(Name), or view(Theta, Phi), view(Theta, Phi, Rho)
 %     - up(Axis): the axis of the model that points up in the picture, `x`,

@@ -75,6 +75,36 @@ drawn_line(Visibility-Length) :-
     line_ends(1, E, X1-Y1, X2-Y2),
     Length is round((To-From)*sqrt((X2-X1)**2+(Y2-Y1)**2)*1.0e6).
 
+% The rows of a model before it is drawn, and before a box was added to it; and
+% after one facts_undo/0 and another.
+
+drawn_and_undone(Name, Options, Before, Undone, Folder) :-
+    directory_file_path(Folder, 'a.svg', File),
+    absolute_file_name(sanggwan(Name), Model),
+    load_model(Model),
+    rows(Rows1),
+    facts_transaction(add_primitive(box(size(9,1,1)), _)),
+    rows(Rows2),
+    draw(File, Options),
+    rows(Rows3),
+    assertion(Rows3 \== Rows2),
+    facts_undo,
+    rows(Rows4),
+    facts_undo,
+    rows(Rows5),
+    Before = [Rows2,Rows1],
+    Undone = [Rows4,Rows5].
+
+rows(Rows) :-
+    findall(Row, a_row(Row), Rows0),
+    sort(Rows0, Rows).
+
+a_row(Row) :-
+    relation(Name, Arity, _),
+    \+ memberchk(Name, [plane,t]),
+    functor(Row, Name, Arity),
+    sg_store:Row.
+
 :- begin_tests(verbs).
 
 test(draw_up, Turned == Straight) :-
@@ -93,5 +123,12 @@ test(convert_missing,
     convert("no/such.pl", "a.off").
 test(draw, forall(member(Kind, [atom, string]))) :-
     in_folder(drawn(Kind)).
+test(draw_undone,
+     [ forall(( member(Model, [ 'facts/cube.pl','facts/two_cubes.pl',
+                                'facts/figures/csg01.pl',
+                                'facts/figures/csg03.pl' ]),
+                member(Options, [[],[view(20,70),up(y)],[lines(all)]]) )),
+       true(Undone == Before) ]) :-
+    in_folder(drawn_and_undone(Model, Options, Before, Undone)).
 
 :- end_tests(verbs).
