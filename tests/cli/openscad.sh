@@ -104,7 +104,11 @@ else
   example example019 90407.0997
   example example020 915860.378
   example example022 45145.3991
-  example example023 4790.01194
+  if [ -d /usr/share/openscad/libraries/MCAD ]; then
+    example example023 4790.01194
+  else
+    echo 'skipped: example023, for the library MCAD of OpenSCAD is not there'
+  fi
   example functions 426.498489
   example linear_extrude 12653.9849
   example logo 18686.2167

@@ -1,0 +1,8 @@
+#!/bin/bash
+# studio_page.sh -- the page of the studio in a real browser.
+. "$(dirname "$0")/harness.bash"
+cd "$here" || exit 2
+. tests/studio/asked.bash
+
+in_browser browser_test.py turning_test.py handles_test.py
+finish
