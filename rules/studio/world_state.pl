@@ -78,7 +78,7 @@ in_state(World, State, Goal) :-
     state_number(State, Number),
     in_world(World,
              ( sg_world_state:brought(World, Number),
-               facts_snapshot(Goal) )).
+               facts_snapshot(( sg_world_state:mark_hidden, Goal )) )).
 
 brought(World, Wanted) :-
     at(World, Now, _),
@@ -117,15 +117,19 @@ stepped(World, Wanted) :-
 :- public made/1.
 
 made(Number) :-
-    facts_transaction(( sg_world_state:counted_step,
+    facts_transaction(( sg_world_state:marked(Number),
                         sg_world_state:ready(Number) )).
 
-:- public counted_step/0, ready/1.
+:- public marked/1, mark_hidden/0, ready/1.
 
-%   counted_step: there is a step, also if nothing has to be done.
+%   marked(Number): the step changes the model, also if nothing has to be done.
+%   mark_hidden: nobody who asks sees the mark.
 
-counted_step :-
-    assert_fact(param(' ', 0)),
+marked(Number) :-
+    mark_hidden,
+    assert_fact(param(' ', Number)).
+
+mark_hidden :-
     retractall_facts(param(' ', _)).
 
 ready(1) :-

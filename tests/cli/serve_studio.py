@@ -542,6 +542,20 @@ replies = [s.reply()[0] for i in range(17)]
 check("after stops", s.ask("view", format="json")[1] == first, replies)
 check("end", s.end() == (0, b""))
 
+# ---- the same file once more, when a picture was made ----
+
+s = session()
+for file in ("facts/cube.pl", "facts/two_cubes.pl"):
+    s.ask("open", file=file)
+    first = s.ask("view", format="json")[1]
+    s.ask("sheet")
+    head, _ = s.ask("open", file=file)
+    check("once more: " + file, code(head) == "" and
+          s.ask("view", format="json")[1] == first, head)
+    check("no mark: " + file,
+          s.ask("ask", goal="param(N, V)")[0]["answers"] == [])
+check("end", s.end() == (0, b""))
+
 # ---- seconds of the processor ----
 
 s = session()
