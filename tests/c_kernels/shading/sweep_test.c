@@ -31,7 +31,7 @@ lattice(bool fine)
 static soup
 some_soup(void)
 {
-  soup out;
+  soup out = {0};
 
   for (int t = 0; t < TRIANGLES; t++) {
     bool fine = check_below(&seed, 2) == 0;
