@@ -82,11 +82,12 @@ static sg_page *
 page_open(const sg_relation_info *info)
 {
   sg_page *page = sg_span_open(page_bytes(info));
-  char *cells = (char *)(page + 1);
 
   if (!page) {
     return NULL;
   }
+  char *cells = (char *)(page + 1);
+
   atomic_init(&page->span.first, INT32_MAX);
   atomic_init(&page->span.last, INT32_MIN);
   for (unsigned c = 0; c < info->arity; c++) {

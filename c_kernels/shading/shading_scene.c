@@ -169,7 +169,7 @@ add_plane(sg_shading *s, const double normal[3], const double at[3],
 sg_shading_end
 sg_shading_add_corner(sg_shading *s, const double p[3], uint32_t *corner)
 {
-  sg_shading_corner exact;
+  sg_shading_corner exact = {{0.0, 0.0, 0.0}};
 
   if (!sg_shading_seen(s, p, exact.at)) {
     return SG_SHADING_BEHIND_EYE;

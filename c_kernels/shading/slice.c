@@ -86,7 +86,7 @@ static bool
 find_corners(sg_shading_work *w, const sg_shading_polygon *p, double y)
 {
   const sg_shading *s = w->scene;
-  const uint32_t *of = &s->corner_of.item[p->corner];
+  const uint32_t *of = s->corner_of.item + p->corner;
   const double *before = NULL;
   bool was_low = false;
 
@@ -150,7 +150,7 @@ slice_triangle(sg_shading_work *w, const sg_shading_polygon *p,
 {
   static const uint8_t alone[8] = {0, 0, 1, 2, 2, 1, 0, 0};
   const sg_shading *s = w->scene;
-  const uint32_t *of = &s->corner_of.item[p->corner];
+  const uint32_t *of = s->corner_of.item + p->corner;
   const double *at[3];
   unsigned low = 0;
 
