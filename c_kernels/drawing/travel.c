@@ -139,7 +139,7 @@ tree_init(tree *t, const sg_travel_line *line, size_t n)
     return false;
   }
   set_codes(t);
-  if (!sg_sort_upper(&t->point, t->points)) {
+  if (!sg_sort_upper(t->point, t->points)) {
     return false;
   }
   t->place = malloc((2 * n + 1) * sizeof *t->place);

@@ -86,7 +86,7 @@ sort_cell(const sg_mask_grid *masks, size_t cell)
     uint32_t depth = sg_depth_order(near_in(masks, box, item[i]));
     key[i] = (uint64_t)depth << 32 | item[i];
   }
-  if (key && !sg_sort_upper(&key, n)) {
+  if (key && !sg_sort_upper(key, n)) {
     free(key);
     key = NULL;
   }

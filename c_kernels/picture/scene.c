@@ -274,7 +274,7 @@ make_masks(viewing *w)
   sg_scene *scene = w->scene;
 
   scene->mask = malloc((scene->masks + 1) * sizeof *scene->mask);
-  if (!scene->mask || !sg_sort_upper(&w->key, scene->masks)) {
+  if (!scene->mask || !sg_sort_upper(w->key, scene->masks)) {
     return false;
   }
   for (size_t i = 0; i < scene->masks && !stop(w, i); i++) {

@@ -175,11 +175,11 @@ sg_sort_measured(sg_measured *item, size_t n, const sg_cancel *cancel)
 enum { UPPER_BITS = 11, UPPER_DIGITS = 1 << UPPER_BITS };
 
 bool
-sg_sort_upper(uint64_t **key, size_t n)
+sg_sort_upper(uint64_t *key, size_t n)
 {
-  uint64_t *from = *key, *to = malloc((n + 1) * sizeof *to);
+  uint64_t *spare = malloc((n + 1) * sizeof *spare), *from = key, *to = spare;
   size_t(*begin)[UPPER_DIGITS + 1] = calloc(3, sizeof *begin);
-  bool good = to && begin;
+  bool good = spare && begin;
 
   for (size_t i = 0; good && i < n; i++) {
     for (unsigned k = 0; k < 3; k++) {
@@ -202,8 +202,10 @@ sg_sort_upper(uint64_t **key, size_t n)
     from = to;
     to = swap;
   }
-  *key = from;
-  free(to);
+  if (from != key) {
+    memcpy(key, from, n * sizeof *key);
+  }
+  free(spare);
   free(begin);
   return good;
 }

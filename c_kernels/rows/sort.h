@@ -36,7 +36,7 @@ sg_sort_end sg_sort_measured(sg_measured *item, size_t n,
                              const sg_cancel *cancel);
 
 /* Sorts n keys by their upper halves, equal ones as they stood: by three
- * digits. *key: of malloc(), may be another array then. False: no memory. */
-bool sg_sort_upper(uint64_t **key, size_t n);
+ * digits. False: no memory. */
+bool sg_sort_upper(uint64_t *key, size_t n);
 
 #endif

@@ -138,19 +138,14 @@ merge_kind(merging *m, bool quadric, const sg_cancel *cancel)
 {
   const sg_shading *s = m->scene;
 
-  free(m->key); /* the sort of another kind left room for that alone */
-  m->key = malloc((s->surface.n + 1) * sizeof *m->key);
   m->n = 0;
-  if (!m->key) {
-    return SG_SHADING_NO_MEMORY;
-  }
   for (uint32_t i = 0; i < s->surface.n; i++) {
     if (s->surface.item[i].quadric == quadric) {
       m->key[m->n++] =
           (uint64_t)rounded_key(key_of(m, &s->surface.item[i])) << 32 | i;
     }
   }
-  if (!sg_sort_upper(&m->key, m->n)) {
+  if (!sg_sort_upper(m->key, m->n)) {
     return SG_SHADING_NO_MEMORY;
   }
   for (size_t i = 0; i < m->n; i++) {
@@ -194,8 +189,9 @@ sg_shading_merge(sg_shading *s, const sg_cancel *cancel)
   merging m = {.scene = s,
                .tolerance = fmax(s->frame.tolerance, ROUNDED),
                .reach = s->frame.width + s->frame.height,
-               .to = malloc((n + 1) * sizeof *m.to)};
-  sg_shading_end end = m.to ? SG_SHADING_GOOD : SG_SHADING_NO_MEMORY;
+               .to = malloc((n + 1) * sizeof *m.to),
+               .key = malloc((n + 1) * sizeof *m.key)};
+  sg_shading_end end = m.to && m.key ? SG_SHADING_GOOD : SG_SHADING_NO_MEMORY;
 
   for (uint32_t i = 0; m.to && i < n; i++) {
     m.to[i] = i;

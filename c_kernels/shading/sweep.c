@@ -228,7 +228,7 @@ list_starts(sg_shading_work *w)
     }
   }
   if (w->start.n > FEW_STARTS) {
-    w->failed = !sg_sort_upper(&w->start.item, w->start.n);
+    w->failed = !sg_sort_upper(w->start.item, w->start.n);
     w->start.room = w->start.n;
   } else if (w->start.n > 0) {
     qsort(w->start.item, w->start.n, sizeof *w->start.item, compare_starts);
