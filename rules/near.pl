@@ -14,7 +14,8 @@
             is_on_surface/2,            % +Off, +Size
             is_straight/2,              % +Cross, +Square
             below_zero/2,               % +Product, +Square
-            points_left/2               % +X, +Y
+            points_left/2,              % +X, +Y
+            boxes_near/3                % +Box1, +Box2, +Reach
           ]).
 /** <module> Numbers that are meant to be equal, and differ by rounding.
 
@@ -182,3 +183,17 @@ points_left(X, Y) :-
     ;   is_straight(X, Length),
         Y < 0
     ).
+
+%!  boxes_near(+Box1, +Box2, +Reach) is semidet.
+%
+%   True when Box1 and Box2, box(X1,Y1,Z1,X2,Y2,Z2) from the lowest to the
+%   highest corner, are no farther apart than Reach along each axis. Exact for
+%   rationals.
+
+boxes_near(box(X1,Y1,Z1,X2,Y2,Z2), box(A1,B1,C1,A2,B2,C2), Reach) :-
+    X1 =< A2+Reach,
+    A1 =< X2+Reach,
+    Y1 =< B2+Reach,
+    B1 =< Y2+Reach,
+    Z1 =< C2+Reach,
+    C1 =< Z2+Reach.

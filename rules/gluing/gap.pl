@@ -4,7 +4,7 @@
             gap_reach/2                 % +S, -Reach
           ]).
 :- use_module('../csg/csg_rows', [segment_box/2]).
-:- use_module('../near', [tolerance/2]).
+:- use_module('../near', [boxes_near/3, tolerance/2]).
 :- use_module('../store', [e/5, t/6]).
 :- use_module(triangle_corners, [triangle_corners/5, vertex_place/3]).
 :- use_module('../vector',
@@ -61,14 +61,6 @@ nearer(Box1, Piece1, Box2-Piece2, Miss0, Miss) :-
         Miss = miss(Gap,Of1,Of2,Ends)
     ;   Miss = Miss0
     ).
-
-boxes_near(box(X1,Y1,Z1,X2,Y2,Z2), box(X3,Y3,Z3,X4,Y4,Z4), Most) :-
-    X1 =< X4+Most,
-    X3 =< X2+Most,
-    Y1 =< Y4+Most,
-    Y3 =< Y2+Most,
-    Z1 =< Z4+Most,
-    Z3 =< Z2+Most.
 
 piece_box(Piece, box(X1,Y1,Z1,X2,Y2,Z2)-Piece) :-
     extent(1, Piece, X1, X2),

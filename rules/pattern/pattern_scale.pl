@@ -4,6 +4,7 @@
             pages_scale/4,              % +Area, +Room, :Pages, -Scale
             scale_text/2                % +Scale, -Text
           ]).
+:- use_module('../bisection', [bisection/5]).
 :- use_module(pattern_nest, [fits_on/2]).
 :- use_module(pattern_piece, [piece_points/2]).
 :- use_module('../store', [v/5]).
@@ -66,8 +67,7 @@ piece_scale(Paper, Piece, Scale) :-
     points_reach(Points, Reach),
     High is sqrt(W*W+H*H)/Reach,
     steps(Steps),
-    Fits = sg_pattern_scale:points_fit(Points, Paper),
-    largest(Steps, Fits, 0.0, High, Scale).
+    bisection(Steps, points_fit(Points, Paper), 0.0, High, Scale).
 
 points_reach(Points, Reach) :-
     aggregate_all(r(min(X), max(X), min(Y), max(Y)), member(X-Y, Points),
@@ -81,20 +81,6 @@ points_fit(Points, Paper, Scale) :-
 scaled(Scale, X0-Y0, X-Y) :-
     X is Scale*X0,
     Y is Scale*Y0.
-
-:- meta_predicate largest(+, 1, +, +, -).
-
-%   largest(Steps, Fits, Low, High, Scale): call(Fits, Low), not High.
-
-largest(0, _, Low, _, Low) :-
-    !.
-largest(Steps, Fits, Low, High, Scale) :-
-    Middle is (Low+High)/2,
-    Steps1 is Steps-1,
-    (   call(Fits, Middle)
-    ->  largest(Steps1, Fits, Middle, High, Scale)
-    ;   largest(Steps1, Fits, Low, Middle, Scale)
-    ).
 
 :- meta_predicate pages_scale(+, +, 1, -).
 

@@ -4,6 +4,7 @@
             seen_drawing/3              % +Request, +Seens, -Drawing
           ]).
 :- use_module(eye, [eye_view/3]).
+:- use_module('../bisection', [bisection/5]).
 :- use_module('../picture/section', [model_box/1, section_plane/3]).
 :- use_module(seen_stroke,
               [placed_point/3, region_millimetres/3, seen_strokes/5]).
@@ -383,7 +384,7 @@ chosen_scale(fit, Request, Layout, Room, factor(Scale), Places) :-
     (   likely_factor(Layout, Low),
         laid_out(Layout, Room, Low, _)
     ->  High is Low*2.5,
-        largest(24, Low, High, Layout, Room, Scale),
+        bisection(24, fits(Layout, Room), Low, High, Scale),
         once(laid_out(Layout, Room, Scale, Places))
     ;   request_paper(Request, Paper),
         sheet_error(no_room(Paper))
@@ -484,17 +485,8 @@ larger_than_room(box(X1,Y1,X2,Y2), PerUnit, room(rect(A,B,C,D),_)) :-
     ),
     !.
 
-%   largest(N, Low, High, Layout, Room, Scale): by halving, N times.
-
-largest(0, Low, _, _, _, Low) :-
-    !.
-largest(N, Low, High, Layout, Room, Scale) :-
-    Middle is (Low+High)/2,
-    N1 is N-1,
-    (   laid_out(Layout, Room, Middle, _)
-    ->  largest(N1, Middle, High, Layout, Room, Scale)
-    ;   largest(N1, Low, Middle, Layout, Room, Scale)
-    ).
+fits(Layout, Room, Scale) :-
+    once(laid_out(Layout, Room, Scale, _)).
 
 request_paper(Request, Paper) :-
     option(paper(Width,Height), Request),

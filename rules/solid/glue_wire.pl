@@ -5,6 +5,7 @@
               [ edge_divided/5, seam_added/4, polygons_divided/2, is_edge/3,
                 has_vertex/3 ]).
 :- use_module('../gluing/triangle_corners', [rational_place/3]).
+:- use_module('../near', [boxes_near/3]).
 :- use_module('../store',
               [ v/5, e/5, t/6, lies_in/3, assert_fact/1, fresh_id/3 ]).
 :- use_module('../vector',
@@ -169,14 +170,6 @@ extent(Ns, Low, High) :-
     sort(0, @>=, Ns, [High0|_]),
     Low is float(Low0),
     High is float(High0).
-
-boxes_near(box(X1,Y1,Z1,X2,Y2,Z2), box(A1,B1,C1,A2,B2,C2), Reach) :-
-    X1 =< A2+Reach,
-    A1 =< X2+Reach,
-    Y1 =< B2+Reach,
-    B1 =< Y2+Reach,
-    Z1 =< C2+Reach,
-    C1 =< Z2+Reach.
 
 
                 /*******************************

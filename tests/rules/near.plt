@@ -42,6 +42,15 @@ test(left, Truths == [true,false,true,false]) :-
     findall(Truth, ( member(X-Y, [(-1)-5,1-(-5),0-(-1),0-1]),
                      truth(points_left(X, Y), Truth) ), Truths).
 
+test(boxes, Truths == [true,false,true,false,false]) :-
+    findall(Truth,
+            ( member(box(X,Y,Z)-Reach,
+                     [box(2,0,0)-1,box(2,0,0)-(1 rdiv 2),box(-2,1,-2)-1,
+                      box(0,3,0)-1,box(0,0,-3)-1]),
+              X1 is X+1, Y1 is Y+1, Z1 is Z+1,
+              truth(boxes_near(box(0,0,0,1,1,1), box(X,Y,Z,X1,Y1,Z1), Reach),
+                    Truth) ), Truths).
+
 :- end_tests(near).
 
 :- meta_predicate truth(0, -).
