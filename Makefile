@@ -151,11 +151,11 @@ T       ?=
 # T is a part of a name, or a folder.
 C_TESTS := $(patsubst %.c,$(B)/%,$(sort $(wildcard \
              tests/c_kernels/*$(T)*_test.c tests/c_kernels/*/*$(T)*_test.c \
-             tests/c_kernels/$(or $(T),*)/*_test.c tests/engine/*$(T)*_test.c)))
+             tests/c_kernels/$(or $(T:%/=%),*)/*_test.c tests/engine/*$(T)*_test.c)))
 PLTS    := $(sort $(wildcard tests/rules/*$(T)*.plt \
-             tests/rules/*/*$(T)*.plt tests/rules/$(or $(T),*)/*.plt))
+             tests/rules/*/*$(T)*.plt tests/rules/$(or $(T:%/=%),*)/*.plt))
 CLIS    := $(wildcard tests/cli/*$(T)*.sh tests/transcripts/*$(T)*.txt \
-             tests/$(or $(T),transcripts)/*.txt)
+             tests/$(or $(T:%/=%),transcripts)/*.txt)
 CLIS    := $(sort $(CLIS))
 
 $(B)/libcore.a: $(CORE)
