@@ -566,7 +566,8 @@ s.ask("open", file="facts/cube.pl")
 for _ in range(3):
     head, _ = s.ask("ask", goal="between(1, 800000, X), X < 0")
     check("each request has it anew", head and "answers" in head, head)
-head, _ = s.ask("ask", goal="between(1, inf, X), X < 0", owner=True)
+head, _ = s.ask("run", argv=["query", "facts/cube.pl",
+                             "between(1, inf, X), X < 0"])
 check("more of it ends the session", code(head) == "interrupted" and
       s.reply() == (None, None) and s.process.wait() == 152, head)
 checks.finish()
