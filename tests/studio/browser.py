@@ -73,7 +73,7 @@ class Browser:
         return self.ask("POST", "/execute/sync",
                         {"script": text, "args": list(given)})
 
-    def wait(self, text, *given, seconds=15):
+    def wait(self, text, *given, seconds=60):
         """Until the expression is true; what it is then, or None."""
         end = time.time() + seconds
         while time.time() < end:
