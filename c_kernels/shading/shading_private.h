@@ -6,6 +6,7 @@
 #define SG_SHADING_PRIVATE_H
 
 #include "engine/list.h"
+#include "owner.h"
 #include "shading_scene.h"
 
 /* Rows of dots of which there is one list of what lies in them: the fewest, a
@@ -112,6 +113,7 @@ struct sg_shading {
   uint32_t known_now; /* what polygons that are added stand for, or 0 */
   double back[4][4];  /* from the picture to the model, but for a factor */
   sg_expression expression; /* the union of all roots */
+  sg_owners *owners;        /* null: the first face of a group is seen */
   size_t root_node;         /* of the last root */
   uint32_t band, bands;     /* rows of one; how many */
   uint32_t *band_first;     /* [bands + 1] */
@@ -153,6 +155,7 @@ struct sg_shading_work {
   const sg_shading *scene;
   const sg_opacities *opacities; /* null: all is opaque */
   bool *held;                    /* [roots]: it was there before a group */
+  bool *noted;                   /* [nodes]: what it was: walk.c */
   SG_LIST_OF(sg_layer) layer;
   SG_LIST_OF(size_t) open; /* of a layer the last span */
   SG_LIST_OF(sg_slice) slice;
@@ -160,6 +163,7 @@ struct sg_shading_work {
   SG_LIST_OF(uint64_t) start; /* x1, then the place of the slice */
   SG_LIST_OF(sg_active) active;
   SG_LIST_OF(sg_slice_corner) crossing;
+  SG_LIST_OF(sg_met_face) met; /* of a group */
   double between[2];        /* dots: what is round and lies here is left out */
   sg_expression expression; /* a copy with counters of its own */
   bool failed;              /* no memory */

@@ -95,6 +95,7 @@ sg_shading_close(sg_shading *s)
     free(s->root.item);
     free(s->known.item);
     sg_expression_clear(&s->expression);
+    sg_owners_close(s->owners);
     free(s->band_first);
     free(s->item);
     free(s);
@@ -107,6 +108,19 @@ sg_shading_box(const sg_shading *s, double low[3], double high[3])
   memcpy(low, s->low, sizeof s->low);
   memcpy(high, s->high, sizeof s->high);
   return s->low[0] <= s->high[0];
+}
+
+bool
+sg_shading_ask_owners(sg_shading *s)
+{
+  s->owners = s->owners ? s->owners : sg_owners_open();
+  return s->owners;
+}
+
+sg_owners *
+sg_shading_owners(const sg_shading *s)
+{
+  return s->owners;
 }
 
 const sg_shading_frame *

@@ -19,6 +19,7 @@
 #define SG_SHADING_SCENE_H
 
 #include "engine/cancel.h"
+#include "owner.h"
 #include "picture/known_surface.h"
 #include "solid/expression.h"
 #include "span.h"
@@ -104,6 +105,13 @@ size_t sg_shading_add_node(sg_shading *scene, size_t parent,
                            sg_operation operation, uint32_t leaf);
 /* When all is there. Surfaces nearer than the tolerance become one. */
 sg_shading_end sg_shading_seal(sg_shading *scene, const sg_cancel *cancel);
+
+/* From here on which one of faces that lie in one another is seen is asked of
+ * its owners (owner.h); else, and until there is an answer, it is that of the
+ * first leaf that makes its root begin there, or end. False: no memory. */
+bool sg_shading_ask_owners(sg_shading *scene);
+/* Null: they are not asked. Borrowed. */
+sg_owners *sg_shading_owners(const sg_shading *scene);
 
 /* Numbers for faces: that of face F of the leaf with number L is the entry
  * first[L] + F of `of`, if it is before first[L + 1], else entry first[L].

@@ -24,7 +24,8 @@ sg_shading_work_open(const sg_shading *scene, const sg_opacities *opacities)
     w->expression.leaf = NULL;
     w->expression.node = malloc(e->n * sizeof *e->node);
     w->held = calloc(scene->root.n + 1, sizeof *w->held);
-    if (w->expression.node && w->held) {
+    w->noted = calloc(e->n, sizeof *w->noted);
+    if (w->expression.node && w->held && w->noted) {
       memcpy(w->expression.node, e->node, e->n * sizeof *e->node);
       return w;
     }
@@ -62,9 +63,11 @@ sg_shading_work_close(sg_shading_work *w)
     free(w->start.item);
     free(w->active.item);
     free(w->crossing.item);
+    free(w->met.item);
     free(w->layer.item);
     free(w->open.item);
     free(w->held);
+    free(w->noted);
     sg_expression_clear(&w->expression);
     free(w);
   }

@@ -4,6 +4,8 @@
  * rules/shading/seen.pl. */
 #include "shading_private.h"
 
+#include <string.h>
+
 static const sg_shading_leaf *
 leaf_of(const sg_shading_work *w, const sg_active *a)
 {
@@ -27,45 +29,127 @@ root_holds(const sg_shading_work *w, const sg_active *a)
   return w->expression.node[node].holds;
 }
 
-/* The order of owners: the first root; then what makes it begin (or end) before
- * what does not; then the first leaf, the first face. */
+/* In the order of owners, each face once. */
 static bool
-is_before(const sg_shading_work *w, const sg_active *p, const sg_active *q,
-          bool begins)
+add_met(sg_shading_work *w, const sg_active *active, size_t slice)
 {
-  const sg_shading_leaf *a = leaf_of(w, p), *b = leaf_of(w, q);
+  const sg_met_face new = {.leaf = leaf_of(w, &active[slice])->number,
+                           .face = active[slice].slice->face,
+                           .slice = slice};
+  size_t k = w->met.n;
 
-  if (a->root != b->root) {
-    return a->root < b->root;
+  while (k > 0 && sg_met_compare(&new, &w->met.item[k - 1]) < 0) {
+    k--;
   }
-  int way = begins ? 1 : -1;
-  bool makes = p->slice->sense * a->sign * way > 0;
-  bool made = q->slice->sense * b->sign * way > 0;
-
-  if (makes != made) {
-    return makes;
+  if (k > 0 && sg_met_compare(&new, &w->met.item[k - 1]) == 0) {
+    return true;
   }
-  return a->number != b->number ? a->number < b->number
-                                : p->slice->face < q->slice->face;
+  if (!SG_PUSH(w->met, new)) {
+    return false;
+  }
+  memmove(&w->met.item[k + 1], &w->met.item[k],
+          (w->met.n - 1 - k) * sizeof *w->met.item);
+  w->met.item[k] = new;
+  return true;
 }
 
-/* Of a group the slice that is seen of `root`, which begins or ends there, or,
- * less than 0, of any root that is there. */
-static size_t
-owner(const sg_shading_work *w, const sg_active *active, size_t from, size_t to,
-      int32_t root, bool begins)
+static void
+toggle_group(sg_shading_work *w, const sg_active *active, size_t from,
+             size_t to)
 {
-  size_t best = to;
-
   for (size_t i = from; i < to; i++) {
-    bool may = root < 0 ? root_holds(w, &active[i])
-                        : leaf_of(w, &active[i])->root == root;
-    if (may &&
-        (best == to || is_before(w, &active[i], &active[best], begins))) {
-      best = i;
+    toggle(w, &active[i]);
+  }
+}
+
+/* Notes what a leaf and the nodes above it are. */
+static void
+note_way(sg_shading_work *w, const sg_active *a)
+{
+  const sg_expression_node *node = w->expression.node;
+
+  for (uint32_t at = leaf_of(w, a)->node; at != 0; at = node[at].parent) {
+    w->noted[at] = node[at].holds;
+  }
+}
+
+/* Whether all from the leaf up to its root was noted the other way. */
+static bool
+changes_root(const sg_shading_work *w, const sg_active *a)
+{
+  const sg_expression_node *node = w->expression.node;
+  const sg_shading_leaf *leaf = leaf_of(w, a);
+  uint32_t root = w->scene->root.item[leaf->root].node, at = leaf->node;
+
+  while (at != root && w->noted[at] != node[at].holds) {
+    at = node[at].parent;
+  }
+  return at == root && w->noted[at] != node[at].holds;
+}
+
+/* The faces of a group at which a root begins or ends go to w->met: those of
+ * leaves whose change goes up to the root. Where a leaf is entered that is taken
+ * away there, its face is none of the root. */
+static bool
+list_met(sg_shading_work *w, const sg_active *active, size_t from, size_t to,
+         int32_t root)
+{
+  bool good = true;
+
+  w->met.n = 0;
+  for (size_t i = from; i < to; i++) {
+    if (leaf_of(w, &active[i])->root == root) {
+      note_way(w, &active[i]);
     }
   }
-  return best;
+  toggle_group(w, active, from, to);
+  for (size_t i = from; i < to && good; i++) {
+    if (leaf_of(w, &active[i])->root == root && changes_root(w, &active[i])) {
+      good = add_met(w, active, i);
+    }
+  }
+  toggle_group(w, active, from, to);
+  return good;
+}
+
+/* Of a group the slice that is seen of `root`, which begins or ends there. */
+static size_t
+owner(sg_shading_work *w, const sg_active *active, size_t from, size_t to,
+      int32_t root, bool begins)
+{
+  size_t said = 0;
+
+  if (to - from == 1) {
+    return from;
+  }
+  bool good = list_met(w, active, from, to, root);
+  if (good && w->scene->owners && w->met.n > 1) {
+    good = sg_owner_of(w->scene->owners,
+                       &(sg_met_group){
+                           .root = w->scene->root.item[root].segment,
+                           .begins = begins,
+                           .face = w->met.item,
+                           .n = w->met.n},
+                       &said);
+  }
+  w->failed = w->failed || !good;
+  return w->met.n > 0 ? w->met.item[said].slice : from;
+}
+
+/* The first root of a group that is there. */
+static int32_t
+first_root(const sg_shading_work *w, const sg_active *active, size_t from,
+           size_t to)
+{
+  int32_t first = -1;
+
+  for (size_t i = from; i < to; i++) {
+    int32_t root = leaf_of(w, &active[i])->root;
+    if ((first < 0 || root < first) && root_holds(w, &active[i])) {
+      first = root;
+    }
+  }
+  return first;
 }
 
 static bool
@@ -88,7 +172,8 @@ see_first(sg_shading_work *w, const sg_active *active, size_t from, size_t to,
     return true;
   }
   *left = 0;
-  return add_layer(w, owner(w, active, from, to, -1, true), SG_OPAQUE);
+  int32_t root = first_root(w, active, from, to);
+  return add_layer(w, owner(w, active, from, to, root, true), SG_OPAQUE);
 }
 
 /* ---- where it is not ---- */

@@ -9,6 +9,7 @@
           ]).
 :- use_module('../kernel', [image_strokes/7, view_range/5]).
 :- use_module('../picture/view', [current_view/4]).
+:- use_module('../shading/group_owner', [owners_asked/2]).
 :- use_module('../shading/shaded_picture',
               [looks_for_kernel/3, picture_image/5]).
 :- use_module('../shading/shading_scene',
@@ -110,7 +111,9 @@ way_strokes(shaded(Model,Eye,Place,Looks,Leaves), Degrees, Tone, Strokes) :-
     Height is max(1, ceiling((Top-Y1)*Scale)),
     shaded_scene(Model, Turned, place(Scale,X1,Top), Width-Height, Scene),
     scene_handle(Scene, Handle),
-    image_strokes(Handle, Tone, Looks, Leaves, Apart, Apart, Lines),
+    owners_asked(Scene,
+                 image_strokes(Handle, Tone, Looks, Leaves, Apart, Apart,
+                               Lines)),
     sheet_strokes(Lines, none, right,
                   at(Place,Cos,Sin,X1,Top,Scale), Strokes).
 way_strokes(_, _, _, []).

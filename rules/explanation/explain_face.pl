@@ -17,9 +17,11 @@
 :- use_module(explain_tree, [tree_way/3, false_reason/4, takes_away/1]).
 :- use_module('../colour', [colour_rgb/2]).
 :- use_module('../kernel', [light_srgb/2, shading_place/5, shading_point/6]).
+:- use_module('../shading/group_owner', [owners_asked/2]).
 :- use_module('../shading/seen', [met/4]).
 :- use_module('../shading/shading_scene',
-              [scene_handle/2, scene_leaf/2, scene_place/2, scene_root/2]).
+              [ named_face/3, scene_handle/2, scene_leaf/2, scene_place/2,
+                scene_root/2 ]).
 :- use_module('../shading/surface_look', [look_opacity/2, look_source/5]).
 :- use_module('../shading/surface_ramp', [ramp/3]).
 :- use_module('../shading/surface_tone',
@@ -43,10 +45,7 @@ and explain_pixel_ko.pl put into words.
 
 leaf_names(Scene, Leaf, F, What, S, Name) :-
     once(scene_leaf(Scene, leaf(Leaf,_,S,Term,Faces))),
-    (   memberchk(F-What0, Faces)
-    ->  What = What0
-    ;   What = polygon(F)
-    ),
+    named_face(F, Faces, What),
     (   Term == rows,
         S > 0
     ->  segment(S, _, Of)
@@ -250,9 +249,11 @@ side_normal(Scene, X, Y, X1-Y1, part(R,Leaf,F), Walk, Normal) :-
     scene_handle(Scene, Handle),
     XM is X+0.5,
     YM is Y+0.5,
-    (   shading_point(Handle, XM, YM, span(_,_,R,Leaf,F), _, Normal0)
+    (   owners_asked(Scene, shading_point(Handle, XM, YM, Span, _, Normal0)),
+        Span = span(_,_,R,Leaf,F)
     ->  Normal = Normal0
-    ;   shading_point(Handle, X1, Y1, span(_,_,R,Leaf,F), _, Normal0)
+    ;   owners_asked(Scene, shading_point(Handle, X1, Y1, Span, _, Normal0)),
+        Span = span(_,_,R,Leaf,F)
     ->  Normal = Normal0
     ;   Walk = walk(_,group(Z,Mets),_,_),
         member(Met, Mets),

@@ -11,6 +11,7 @@
 :- use_module('../csg/csg', [root_segment/1]).
 :- use_module('../kernel', [image_dot/4, shading_layers/5, shading_place/5]).
 :- use_module('../picture/view', [current_view/4]).
+:- use_module('../shading/group_owner', [owners_asked/2]).
 :- use_module('../shading/seen', [met/4, seen_layers/4, slice/3]).
 :- use_module('../shading/shaded_picture',
               [picture_image/3, shade_has_shadows/1, shaded_picture/4]).
@@ -119,7 +120,8 @@ dot_parts(Scene, X, Y, Lines, Opaque, Parts) :-
 dot_cell(Scene, X, Y, Opaque, A, B) :-
     scene_handle(Scene, Handle),
     Opaque = opaque(Opacities,Leaves),
-    shading_layers(Handle, Y, Opacities, Leaves, Layers),
+    owners_asked(Scene,
+                 shading_layers(Handle, Y, Opacities, Leaves, Layers)),
     Left is 256*X,
     Right is Left+256,
     findall(End,
@@ -317,7 +319,9 @@ seen_dots(Scene, Opaque, Places, Dots, X, Y) :-
     findall(Wide-at(X1,Row),
             ( between(0, Last, Row),
               Middle is Row+0.5,
-              shading_layers(Handle, Middle, Opacities, Every, Layers),
+              owners_asked(Scene,
+                           shading_layers(Handle, Middle, Opacities, Every,
+                                          Layers)),
               member(layer(A,B,_,Leaf,_,_), Layers),
               memberchk(Leaf, Leaves),
               Wide is B-A,

@@ -108,6 +108,26 @@ Leaves are, each with its Number, which several may have:
 %
 %   @error domain_error(scan_line, Y)
 
+/* - - - owner_rows.c - - - */
+
+%!  shading_ask_owners(+Scene:shading) is det.
+%
+%   From here on Scene notes the groups of faces of one root that lie in one
+%   another where the root begins, or ends.
+
+%!  shading_groups(+Scene:shading, -Groups:list(shading_group)) is det.
+%
+%   Groups are group(Root, Begins, Faces), in no order: those that were met in
+%   Scene and have no answer yet. Faces are Leaf-Face, two or more. The first one
+%   is seen until there is an answer. [] if Scene does not note them.
+
+%!  shading_owners(+Scene:shading, +Owners:list(count)) is det.
+%
+%   Answers the first ones of the groups of shading_groups/2: for each which of
+%   its faces is seen, from 0.
+%
+%   @error domain_error(shading_owners, Owners): there is no such group or face
+
 /* - - - scan_rows.c - - - */
 
 %!  shading_scan(+Scene:shading, +Lines:count, +Opacities:list(number),

@@ -8,6 +8,7 @@
 :- use_module('../picture/view', [current_view/4]).
 :- use_module('../store', [segment_stamp/2]).
 :- use_module(edited_model, [edited_model/5, shaded_state/1]).
+:- use_module(group_owner, [owners_asked/3]).
 :- use_module(shaded_picture,
               [ empty_picture/3, looks_for_kernel/3, picture_decided/6,
                 picture_how/3, picture_place/5 ]).
@@ -38,19 +39,25 @@ afresh in the same frame.
 
 world_picture(Options, Image) :-
     shaded_state(State),
-    (   nb_current(sg_kept_picture, Kept),
+    (   kept_picture(Kept),
         edited(Kept, Options, State, Image0)
     ->  Image = Image0
     ;   findall(S, ( root_segment(S), is_shaded(S) ), Roots),
         shaded_model(Roots, Model),
         model_eye(Model, Eye),
         Key = key(Options,Eye,State),
-        (   nb_current(sg_kept_picture, Kept),
+        (   kept_picture(Kept),
             Kept = kept(key(Options,Eye,_),_,_,_,_,_)
         ->  again(Kept, Key, Model, Image)
         ;   afresh(Key, Model, Image)
         )
     ).
+
+%   kept_picture(Kept): of groups that a rule is asked of nothing is kept.
+
+kept_picture(Kept) :-
+    decision_is_default(owner/3),
+    nb_current(sg_kept_picture, Kept).
 
 model_eye(Model, Eye) :-
     current_view(Theta, Phi, Rho, Kind),
@@ -118,11 +125,12 @@ looked(Scene, Options, looked(Looks,Leaves,How)) :-
 
 scanned(Key, Framed, Model, Scene, Looked, Image) :-
     Looked = looked(Looks,Leaves,How),
-    How = how(Lines,_,_,_),
+    How = how(Lines,_,_,Shadows),
     maplist(kernel_opacity, Looks, Opacities),
     scene_handle(Scene, Handle),
-    shading_scan(Handle, Lines, Opacities, Leaves, Spans),
-    image_scanned(Spans, Handle, How, Looks, Leaves, Image),
+    owners_asked(Scene, Shadows,
+                 ( shading_scan(Handle, Lines, Opacities, Leaves, Spans),
+                   image_scanned(Spans, Handle, How, Looks, Leaves, Image) )),
     kept(Key, Framed, Model, Scene, Looked, scan(Scene,Spans), Image).
 
 kernel_opacity(look(_,_,A,_,_), A).
@@ -134,6 +142,7 @@ kept(Key, Size-Place, Model, Scene, Looked, Scan, Image) :-
     Looked = looked(Looks,Leaves,How),
     Key = key(Options,_,_),
     (   decision_is_default(pixel_colour/4),
+        decision_is_default(owner/3),
         \+ option(palette(_), Options)
     ->  scene_tolerance(Scene, Tolerance),
         row_stamps(Model, Stamps),

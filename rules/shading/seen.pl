@@ -8,9 +8,10 @@
             line_spans/3,               % +Scene, +Y, -Spans
             seen_side/5                 % +Scene, +X, +Y, -Depth, -Normal
           ]).
-:- use_module('../kernel', 
+:- use_module('../kernel',
               [shading_point/6, shading_slices/3, shading_spans/3]).
-:- use_module(shading_scene, 
+:- use_module(group_owner, [group_owner/5, owners_asked/2]).
+:- use_module(shading_scene,
               [scene_handle/2, scene_place/2, scene_root/2, scene_tolerance/2]).
 :- use_module(library(apply), [foldl/4]).
 :- use_module(library(lists), [append/3, member/2]).
@@ -129,7 +130,7 @@ first_seen([group(_,Mets)|Groups], Scene, In0, Seen) :-
     foldl(toggled, Mets, In0, In),
     (   scene_root(Scene, root(R,Nodes)),
         holds(Nodes, [], In)
-    ->  owner(Scene, R, Mets, 1, S-F),
+    ->  group_face(Scene, root(R,Nodes), Mets, In0, In, S-F),
         Seen = seen(R,S,F)
     ;   first_seen(Groups, Scene, In, Seen)
     ).
@@ -177,22 +178,43 @@ operation_value(difference, [First|Others], Value) :-
     ;   Value = false
     ).
 
-%   owner(Scene, R, Mets, Way, S-F): of a group at which root R begins, Way 1,
-%   or ends, -1, the face that is seen is one that makes it so: to begin, that
-%   of a leaf entered, or of one left that is taken away; to end, the other way
-%   round. Of several the first leaf, and its first face.
+%   group_face(Scene, root(R,Nodes), Mets, In0, In, S-F): of a group at which
+%   root R begins, or ends, the line of sight being in the leaves In0 before it
+%   and in In after it, the face that is seen (owner/3): one of a leaf whose
+%   change goes up to the root.
 
-owner(Scene, R, Mets, Way, S-F) :-
-    findall(Rank-(S1-F1),
-            ( member(met(Place,F1,Sense), Mets),
-              scene_place(Scene, place(Place,R,S1)),
-              sign_of(Scene, Place, Sign),
-              (   Sense*Sign*Way > 0
-              ->  Rank = 1
-              ;   Rank = 2
-              ) ),
-            Ranked),
-    msort(Ranked, [_-(S-F)|_]).
+group_face(Scene, root(R,Nodes), Mets, In0, In, S-F) :-
+    changing(Nodes, [], In0, In, Places),
+    findall(Leaf-F1,
+            ( member(met(Place,F1,_), Mets),
+              memberchk(Place, Places),
+              scene_place(Scene, place(Place,R,Leaf)) ),
+            Faces0),
+    sort(Faces0, Faces),
+    group_owner(Scene, R, Faces, S, F).
+
+%   changing(Nodes0, Nodes, In0, In, Places): Places are the leaves between Nodes0
+%   and Nodes that change with all nodes above them there, [] if the first one of
+%   these does not.
+
+changing(Nodes0, Nodes, In0, In, Places) :-
+    value(Nodes0, Nodes, In0, Before),
+    value(Nodes0, Nodes, In, After),
+    (   Before == After
+    ->  Places = []
+    ;   Nodes0 = [node(leaf,Place)|_]
+    ->  Places = [Place]
+    ;   Nodes0 = [node(_,Count)|Nodes1],
+        operands_changing(Count, Nodes1, Nodes, In0, In, Places)
+    ).
+
+operands_changing(0, Nodes, Nodes, _, _, []) :-
+    !.
+operands_changing(Count, Nodes0, Nodes, In0, In, Places) :-
+    changing(Nodes0, Nodes1, In0, In, Places0),
+    Fewer is Count-1,
+    operands_changing(Fewer, Nodes1, Nodes, In0, In, Places1),
+    append(Places0, Places1, Places).
 
 %   sign_of(Scene, Place, Sign): -1 of a leaf under an odd number of right-hand
 %   sides of differences, else 1.
@@ -243,12 +265,13 @@ seen_layers(Scene, X, Y, Layers) :-
 layers([], _, _, _, []).
 layers([group(Z,Mets)|Groups], Scene, Roots, In0, Layers) :-
     foldl(toggled, Mets, In0, In),
-    findall(Way-R,
-            ( member(Way, [-1,1]), member(root(R,Nodes), Roots),
+    findall(Root,
+            ( member(Way, [-1,1]), member(Root, Roots), Root = root(_,Nodes),
               change(Way, Nodes, In0, In) ),
             Changed),
     findall(layer(Z,R,S,F),
-            ( member(Way-R, Changed), owner(Scene, R, Mets, Way, S-F) ),
+            ( member(Root, Changed), Root = root(R,_),
+              group_face(Scene, Root, Mets, In0, In, S-F) ),
             New),
     append(New, Layers1, Layers),
     layers(Groups, Scene, Roots, In, Layers1).
@@ -271,7 +294,7 @@ change(Way, Nodes, In0, In) :-
 
 line_spans(Scene, Y, Spans) :-
     scene_handle(Scene, Handle),
-    shading_spans(Handle, Y, Spans).
+    owners_asked(Scene, shading_spans(Handle, Y, Spans)).
 
 %!  seen_side(+Scene, +X, +Y, -Depth, -Normal) is semidet.
 %
@@ -283,4 +306,4 @@ line_spans(Scene, Y, Spans) :-
 
 seen_side(Scene, X, Y, Depth, Normal) :-
     scene_handle(Scene, Handle),
-    shading_point(Handle, X, Y, _, Depth, Normal).
+    owners_asked(Scene, shading_point(Handle, X, Y, _, Depth, Normal)).

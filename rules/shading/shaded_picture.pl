@@ -18,11 +18,12 @@
               [ image_colours/2, image_extent/2, image_parts/6, image_shade/5,
                 light_srgb/2, shading_size/3, srgb_light/2
               ]).
+:- use_module(group_owner, [owners_asked/3]).
 :- use_module(pixel_colour, [pixels_decided/3]).
 :- use_module(shading_light, [light_scene/3]).
 :- use_module(shading_scene,
-              [ scene_handle/2, scene_leaf/2, shaded_box/3, shaded_eye/3,
-                shaded_scene/5 ]).
+              [ named_face/3, scene_handle/2, scene_leaf/2, shaded_box/3,
+                shaded_eye/3, shaded_scene/5 ]).
 :- use_module(surface_look, [look_opacity/2, scene_looks/4]).
 :- use_module(surface_ramp, [look_ramp/2, ramp_step/3]).
 :- use_module(surface_tone, [light_ways/1, look_shine/2, look_tones/2]).
@@ -132,8 +133,10 @@ picture_image(Scene, Options, Image) :-
 
 picture_image(Scene, Looks, Leaves, Options, Image) :-
     picture_how(Scene, Options, How),
+    How = how(_,_,_,Shadows),
     scene_handle(Scene, Handle),
-    image_shade(Handle, How, Looks, Leaves, Image),
+    owners_asked(Scene, Shadows,
+                 image_shade(Handle, How, Looks, Leaves, Image)),
     picture_decided(Scene, How, Looks, Leaves, Options, Image).
 
 %!  picture_how(+Scene, +Options, -How) is det.
@@ -221,10 +224,7 @@ row_parts(row(Handle,How,Looks,Leaves), Named, Y, Parts) :-
 named_part(Named, part(X,R,Leaf,F,Share,Light),
            dot(X,part(R,S,Face,Share,Light))) :-
     arg(Leaf, Named, leaf(_,S,Faces)),
-    (   memberchk(F-Face0, Faces)
-    ->  Face = Face0
-    ;   Face = polygon(F)
-    ).
+    named_face(F, Faces, Face).
 
 %   palette(Most, Looks, Background, Colours): the background, and of each look
 %   as many tones as there is room for.

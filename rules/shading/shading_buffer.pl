@@ -3,7 +3,8 @@
           ]).
 :- use_module('../kernel',
               [ image_pgm/2, image_shade/5, shading_depth_pfm/3,
-                shading_normal_pfm/2, srgb_light/2 ]).
+                shading_normal_pfm/2, shading_scan/5, srgb_light/2 ]).
+:- use_module(group_owner, [owners_asked/2]).
 :- use_module(shaded_picture, [looks_for_kernel/3, picture_how/3]).
 :- use_module(shading_scene,
               [scene_depth/2, scene_handle/2, scene_leaf/2, scene_size/2]).
@@ -33,9 +34,11 @@ first.
 write_buffer(depth, Scene, Out) :-
     scene_handle(Scene, Handle),
     scene_depth(Scene, Plane),
+    dots_asked(Scene),
     shading_depth_pfm(Handle, Plane, Out).
 write_buffer(normal, Scene, Out) :-
     scene_handle(Scene, Handle),
+    dots_asked(Scene),
     shading_normal_pfm(Handle, Out).
 write_buffer(tone, Scene, Out) :-
     scene_looks(Scene, root, Looks0, Leaves),
@@ -44,7 +47,7 @@ write_buffer(tone, Scene, Out) :-
     maplist(tone_alone(Grey), Looks1, Looks),
     scene_handle(Scene, Handle),
     picture_how(Scene, [smooth(1),background(black)], How),
-    image_shade(Handle, How, Looks, Leaves, Image),
+    owners_asked(Scene, image_shade(Handle, How, Looks, Leaves, Image)),
     image_pgm(Image, Out).
 write_buffer(id, Scene, Out) :-
     format(Out, 'y,x1,x2,root,leaf,segment,face,part~n', []),
@@ -57,6 +60,14 @@ write_buffer(id, Scene, Out) :-
              line_layers(Scene, Y, Layers),
              forall(member(Layer, Layers), write_layer(Out, Y, Leaves, Layer))
            )).
+
+%   dots_asked(Scene): of what is seen in the middle of each dot all is answered,
+%   so nothing is written twice.
+
+dots_asked(Scene) :-
+    scene_handle(Scene, Handle),
+    findall([0], scene_leaf(Scene, _), Leaves),
+    owners_asked(Scene, shading_scan(Handle, 1, [1], Leaves, _)).
 
 %   tone_alone(Grey, Look0, Look): without shine, opaque.
 

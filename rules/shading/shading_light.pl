@@ -2,10 +2,11 @@
           [ light_scene/3,              % +Scene, +Way, -Handle
             light_layers/4              % +Scene, +Way, +Point, -Layers
           ]).
-:- use_module('../kernel', [shading_box/3, shading_open/4]).
+:- use_module('../kernel', [shading_box/3]).
 :- use_module(seen, [seen_layers/4]).
 :- use_module(shading_scene,
-              [depth_tolerance/3, other_sight/4, scene_model/2, scene_scale/2]).
+              [ depth_tolerance/3, other_sight/4, scene_model/2, scene_opened/4,
+                scene_scale/2 ]).
 :- use_module(library(apply), [maplist/3, maplist/4]).
 :- use_module(library(lists), [append/2, append/3, member/2]).
 /** <module> What a light sees of a shaded picture: for shadows.
@@ -55,7 +56,7 @@ light_picture(Scene, Way, Matrix, Tolerance, Handle) :-
     Width is ceiling((X2-X1)*Scale) + 2,
     Height is ceiling((Y2-Y1)*Scale) + 2,
     depth_tolerance(Matrix, Facts, Tolerance),
-    shading_open(frame(Matrix,Width,Height,Tolerance), Facts, Roots, Handle).
+    scene_opened(frame(Matrix,Width,Height,Tolerance), Facts, Roots, Handle).
 
 most_dots(1048576).
 

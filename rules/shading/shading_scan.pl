@@ -10,6 +10,7 @@
               [ facts_transaction/1, light/2, look/2, projection/1,
                 retractall_facts/1, span/7, view/3
               ]).
+:- use_module(group_owner, [owners_asked/2]).
 :- use_module(shaded_picture, [shaded_picture/4]).
 :- use_module(shading_scene,
               [ is_shaded/1, scene_handle/2, scene_leaf/2, shaded_eye/3,
@@ -60,7 +61,8 @@ scene_scanned(Scene, Lines) :-
     scene_handle(Scene, Handle),
     scene_opacities(Scene, opaque(Opacities,Leaves)),
     findall(S, scene_leaf(Scene, leaf(_,_,S,_,_)), Segments),
-    shading_scan(Handle, Lines, Opacities, Leaves, Scan),
+    owners_asked(Scene,
+                 shading_scan(Handle, Lines, Opacities, Leaves, Scan)),
     fill_spans(Scan, Segments).
 
 %!  write_spans(+Out) is det.

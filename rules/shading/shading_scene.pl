@@ -9,6 +9,8 @@
             as_its_term/2,              % +S, +Term
             part_facts/3,               % +Number, +Parts, -Facts
             without_picture/2,          % +Model, -Scene
+            named_face/3,               % +F, +Faces, -Face
+            scene_opened/4,             % +Frame, +Facts, +Roots, -Handle
             scene_handle/2,             % +Scene, -Handle
             scene_tolerance/2,          % +Scene, -Tolerance
             other_sight/4,              % +Scene0, +Handle, +Tolerance, -Scene
@@ -30,8 +32,10 @@
 :- use_module('../csg/csg_term',
               [check_node_term/1, csg_error/1, is_node_term/1, node_parts/4]).
 :- use_module('../csg/operand_name', [fault_named/2]).
+:- use_module('../decision', [decision_is_default/1]).
 :- use_module('../kernel',
-              [kept_leaves/2, shading_box/3, shading_open/4, shading_size/3]).
+              [ kept_leaves/2, shading_ask_owners/1, shading_box/3,
+                shading_open/4, shading_size/3 ]).
 :- use_module('../limits', [limit_value/2]).
 :- use_module('../picture/view', [current_view/4]).
 :- use_module('../primitive/primitive',
@@ -428,7 +432,19 @@ shaded_scene(Model, Eye, Place, Width-Height,
     eye_rows(Eye, Place, Matrix),
     depth_tolerance(Matrix, Facts, Tolerance),
     eye_depth(Eye, Depth),
-    shading_open(frame(Matrix,Width,Height,Tolerance), Facts, Roots, Handle).
+    scene_opened(frame(Matrix,Width,Height,Tolerance), Facts, Roots, Handle).
+
+%!  scene_opened(+Frame, +Facts, +Roots, -Handle) is det.
+%
+%   shading_open/4; if a rule says which one of faces that lie in one another is
+%   seen, Handle notes what it has to be asked (group_owner.pl).
+
+scene_opened(Frame, Facts, Roots, Handle) :-
+    shading_open(Frame, Facts, Roots, Handle),
+    (   decision_is_default(owner/3)
+    ->  true
+    ;   shading_ask_owners(Handle)
+    ).
 
 %!  is_shaded(+S) is semidet.
 %
@@ -538,6 +554,16 @@ scene_place(scene(_, model(Leaves, Facts, _), _), place(I,R,Number)) :-
 
 scene_leaf(scene(_, model(Leaves, _, _), _), Leaf) :-
     member(Leaf, Leaves).
+
+%!  named_face(+F, +Faces, -Face) is det.
+%
+%   The face F of a leaf(Number, Root, S, Term, Faces) is Face.
+
+named_face(F, Faces, Face) :-
+    (   memberchk(F-Face0, Faces)
+    ->  Face = Face0
+    ;   Face = polygon(F)
+    ).
 
 %!  facts_dots(+Eye, +Place, +Size, +Facts, -Box) is semidet.
 %

@@ -11,6 +11,7 @@
 :- use_module('../kernel', [shading_layers/5]).
 :- use_module('../model/look_term', [property_slot/2]).
 :- use_module('../store', [look/2]).
+:- use_module(group_owner, [owners_asked/2]).
 :- use_module(shading_scene, [scene_handle/2, scene_leaf/2, scene_root/2]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(assoc), [empty_assoc/1, get_assoc/3, list_to_assoc/2]).
@@ -303,7 +304,8 @@ line_layers(Scene, Y, Layers) :-
     must_be(nonvar, Scene),
     scene_handle(Scene, Handle),
     scene_opacities(Scene, opaque(Opacities,Leaves)),
-    shading_layers(Handle, Y, Opacities, Leaves, Layers).
+    owners_asked(Scene,
+                 shading_layers(Handle, Y, Opacities, Leaves, Layers)).
 
 %!  scene_opacities(+Scene, -Opaque) is det.
 %
