@@ -6,9 +6,7 @@
 :- use_module(library(lists), [last/2, member/2]).
 
 owner(_, Group, S-Face) :-
-    findall(S1-Face1,
-            ( member(S1-Face1, Group), inlay(S1) ),
-            Inlays),
+    findall(S1-Face1, ( member(S1-Face1, Group), inlay(S1) ), Inlays),
     last(Inlays, S-Face).
 
 inlay(S) :-

@@ -14,7 +14,7 @@ enum { KEY_WORDS = 3 };
 /* A place of the tree: a root where it begins or ends, without a parent, or one
  * more face. */
 typedef struct place {
-  uint32_t parent; /* NO_PLACE: none */
+  uint32_t parent;  /* NO_PLACE: none */
   sg_met_face face; /* of a root: leaf is its segment, face 1: it begins */
   uint32_t owner;   /* of the group that ends here, if it was met */
 } place;
@@ -64,8 +64,8 @@ sg_owners_close(sg_owners *o)
 static uint32_t
 step(sg_owners *o, uint32_t parent, const sg_met_face *face)
 {
-  const uint32_t key[KEY_WORDS] = {
-      parent, (uint32_t)face->leaf, (uint32_t)face->face};
+  const uint32_t key[KEY_WORDS] = {parent, (uint32_t)face->leaf,
+                                   (uint32_t)face->face};
   uint32_t *at = sg_key_table_put(&o->at, key);
 
   if (at && *at == SG_NO_KEY) {

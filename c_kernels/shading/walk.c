@@ -88,8 +88,8 @@ changes_root(const sg_shading_work *w, const sg_active *a)
 }
 
 /* The faces of a group at which a root begins or ends go to w->met: those of
- * leaves whose change goes up to the root. Where a leaf is entered that is taken
- * away there, its face is none of the root. */
+ * leaves whose change goes up to the root. Where a leaf is entered that is
+ * taken away there, its face is none of the root. */
 static bool
 list_met(sg_shading_work *w, const sg_active *active, size_t from, size_t to,
          int32_t root)
@@ -124,13 +124,13 @@ owner(sg_shading_work *w, const sg_active *active, size_t from, size_t to,
   }
   bool good = list_met(w, active, from, to, root);
   if (good && w->scene->owners && w->met.n > 1) {
-    good = sg_owner_of(w->scene->owners,
-                       &(sg_met_group){
-                           .root = w->scene->root.item[root].segment,
-                           .begins = begins,
-                           .face = w->met.item,
-                           .n = w->met.n},
-                       &said);
+    good =
+        sg_owner_of(w->scene->owners,
+                    &(sg_met_group){.root = w->scene->root.item[root].segment,
+                                    .begins = begins,
+                                    .face = w->met.item,
+                                    .n = w->met.n},
+                    &said);
   }
   w->failed = w->failed || !good;
   return w->met.n > 0 ? w->met.item[said].slice : from;

@@ -122,6 +122,11 @@ picture(machined, 'A tee, what tools made in orange',
          many steps: see docs/rules.md.',
         [render,'facts/pipe_tee.pl','--rules','docs/machined_rules.pl',
          '--size','630x444']).
+picture(inlay, 'A board with inlays',
+        'Where an inlay is flush with the board, a rule says that the inlay \c
+         is seen: see docs/rules.md.',
+        [render,'docs/inlay.pl','--rules','docs/inlay_rules.pl',
+         '--size','630x444']).
 picture(die_shaded, 'A die, shaded',
         'Each leaf in a colour of its own: a sphere cuts the box, others the \c
          pits.',

@@ -4,6 +4,7 @@
             passed/3,                   % +Groups, +In, -Passed
             place_because/5,            % +Scene, +X, +Y, +Walk, -Because
             tree_because/4,             % +Scene, +Leaf, +Walk, -Because
+            owner_because/5,            % +Scene, +R, +Face, +Walk, -Because
             before_because/5,           % +Scene, +X, +Y, +Walk, -Because
             behind_because/6,           % +Scene, +X, +Y, +Walk, +Look, -Because
             reason_because/4,           % +Scene, +R, +Reason, -Because
@@ -17,8 +18,8 @@
 :- use_module(explain_tree, [tree_way/3, false_reason/4, takes_away/1]).
 :- use_module('../colour', [colour_rgb/2]).
 :- use_module('../kernel', [light_srgb/2, shading_place/5, shading_point/6]).
-:- use_module('../shading/group_owner', [owners_asked/2]).
-:- use_module('../shading/seen', [met/4]).
+:- use_module('../shading/group_owner', [group_owner/5, owners_asked/2]).
+:- use_module('../shading/seen', [met/4, root_faces/6]).
 :- use_module('../shading/shading_scene',
               [ named_face/3, scene_handle/2, scene_leaf/2, scene_place/2,
                 scene_root/2 ]).
@@ -139,6 +140,29 @@ step_because(operand(I,Count,Operation,N),
     ;   Away = kept
     ).
 
+%!  owner_because(+Scene, +R, +Face, +Walk, -Because) is det.
+%
+%   Why of the faces of root R that lie in one another there Face = Leaf-F is
+%   seen.
+
+owner_because(Scene, R, Face, walk(Before,group(_,Mets),In,_), Because) :-
+    (   append(_, [passed(_,In0)], Before)
+    ->  true
+    ;   In0 = []
+    ),
+    once(( scene_root(Scene, Root), Root = root(R,_) )),
+    root_faces(Scene, Root, Mets, In0, In, Faces),
+    findall(because(not_owner(What,Leaf,S,Name), []),
+            ( member(Leaf-F, Faces),
+              Leaf-F \== Face,
+              leaf_names(Scene, Leaf, F, What, S, Name) ),
+            Others),
+    (   Others == []
+    ->  Because = []
+    ;   decided_by(owner/3, By),
+        Because = [because(owner(By), Others)]
+    ).
+
 %!  before_because(+Scene, +X, +Y, +Walk, -Because) is det.
 %
 %   What the line of sight passes before.
@@ -211,11 +235,12 @@ behind_because(Scene, X, Y, walk(_,group(Z,_),In,Behind), _, Because) :-
 begun([], _, _, []).
 begun([passed(group(Z,Mets),In)|Behind], Scene, In0, Begun) :-
     findall(begun(R,Z,Leaf,F),
-            ( scene_root(Scene, root(R,_)),
+            ( scene_root(Scene, Root),
+              Root = root(R,_),
               false_reason(Scene, R, In, true),
               \+ false_reason(Scene, R, In0, true),
-              once(( member(met(Place,F,_), Mets),
-                     scene_place(Scene, place(Place,R,Leaf)) )) ),
+              root_faces(Scene, Root, Mets, In0, In, Faces),
+              group_owner(Scene, R, Faces, Leaf, F) ),
             New),
     append(New, Begun1, Begun),
     begun(Behind, Scene, In, Begun1).

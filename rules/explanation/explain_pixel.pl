@@ -4,7 +4,8 @@
           ]).
 :- use_module(explain_face,
               [ before_because/5, behind_because/6, leaf_names/6,
-                look_because/6, passed/3, place_because/5, reason_because/4,
+                look_because/6, owner_because/5, passed/3, place_because/5,
+                reason_because/4,
                 side_normal/7, tone_because/4, tree_because/4, walked/5 ]).
 :- use_module(explain_pair, [decided_by/2]).
 :- use_module(explain_tree, [tree_way/3, false_reason/4]).
@@ -182,6 +183,7 @@ part_because(seen(Scene,X,Y,All,Options,Looks,Leaves),
     walked(Scene, X1, Y1, Z, Walk),
     place_because(Scene, X1, Y1, Walk, Place),
     tree_because(Scene, Leaf, Walk, Tree),
+    owner_because(Scene, R, Leaf-F, Walk, Owner),
     before_because(Scene, X1, Y1, Walk, Before),
     nth1(Leaf, Leaves, Places),
     (   nth0(F, Places, LookPlace)
@@ -201,7 +203,7 @@ part_because(seen(Scene,X,Y,All,Options,Looks,Leaves),
     side_normal(Scene, X, Y, X1-Y1, part(R,Leaf,F), Walk, Normal),
     light_stops(Scene, X1-Y1, Z, Leaf, Normal, Look, Options, Stops),
     tone_because(Normal, [shade(Shade)|Look], Stops, ToneWhy),
-    append([Place,Tree,Before,Behind,LookWhy,ToneWhy], Because).
+    append([Place,Tree,Owner,Before,Behind,LookWhy,ToneWhy], Because).
 
 
 %   light_stops(Scene, At, Z, Leaf, Normal, Look, Options, Stops): what is
@@ -380,14 +382,17 @@ unseen_at(Scene, Opaque, Place, X, Y, Reason) :-
         Was == true
     ->  Reason = buried(R)
     ;   Now == true
-    ->  seen_before(Scene, Opaque, X, Y, Z, Reason)
+    ->  seen_instead(Scene, Opaque, X, Y, Z, R, Reason)
     ;   Was \== true
     ->  reason_because(Scene, R, Now, [because(Why, _)]),
         Reason = not_there(Why)
     ;   Reason = back(R)
     ).
 
-seen_before(Scene, Opaque, X, Y, Z, hidden(R,Leaf,S,Name)) :-
+%   seen_instead(Scene, Opaque, X, Y, Z, R, Reason): what is seen before the
+%   depth Z, or in it, where the root R begins.
+
+seen_instead(Scene, Opaque, X, Y, Z, _, hidden(R,Leaf,S,Name)) :-
     seen_layers(Scene, X, Y, Layers),
     member(layer(Z1,R,Leaf,F), Layers),
     Z1 < Z,
@@ -395,7 +400,12 @@ seen_before(Scene, Opaque, X, Y, Z, hidden(R,Leaf,S,Name)) :-
     A >= 1,
     !,
     leaf_names(Scene, Leaf, 0, _, S, Name).
-seen_before(_, _, _, _, _, thin).
+seen_instead(Scene, _, X, Y, Z, R, owned(What,Leaf,S,Name,R)) :-
+    seen_layers(Scene, X, Y, Layers),
+    memberchk(layer(Z,R,Leaf,F), Layers),
+    !,
+    leaf_names(Scene, Leaf, F, What, S, Name).
+seen_instead(_, _, _, _, _, _, thin).
 
 %   unseen_reasons(Reasons, Because): each with how often it was met and where,
 %   the most frequent first; backs only if there is nothing else.
@@ -425,5 +435,7 @@ unseen_reasons(Reasons0, Because) :-
 unseen_why(hidden(R,Leaf,S,Name), hidden_by_leaf(Leaf,S,Name,R)).
 unseen_why(buried(R), buried_in(R)).
 unseen_why(back(R), back_side(R)).
+unseen_why(owned(What,Leaf,S,Name,R), owned_by_face(What,Leaf,S,Name,R,By)) :-
+    decided_by(owner/3, By).
 unseen_why(thin, thinner_than_a_dot).
 unseen_why(not_there(Why), Why).

@@ -118,8 +118,8 @@ Leaves are, each with its Number, which several may have:
 %!  shading_groups(+Scene:shading, -Groups:list(shading_group)) is det.
 %
 %   Groups are group(Root, Begins, Faces), in no order: those that were met in
-%   Scene and have no answer yet. Faces are Leaf-Face, two or more. The first one
-%   is seen until there is an answer. [] if Scene does not note them.
+%   Scene and have no answer yet. Faces are Leaf-Face, two or more. The first
+%   one is seen until there is an answer. [] if Scene does not note them.
 
 %!  shading_owners(+Scene:shading, +Owners:list(count)) is det.
 %

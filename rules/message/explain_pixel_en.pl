@@ -35,6 +35,12 @@ pixel_statement_en(operand_of(I, Count, Operation, N, Away)) -->
     ).
 pixel_statement_en(inner_side) -->
     [ 'the line of sight leaves the leaf there: its inner side is seen' ].
+pixel_statement_en(owner(By)) -->
+    [ 'other faces lie in it: it is seen, ' ],
+    chosen_by(By).
+pixel_statement_en(not_owner(Face, Leaf, S, Name)) -->
+    { leaf(Leaf, S, Name, Word) },
+    [ 'not ~p of ~w'-[Face, Word] ].
 pixel_statement_en(passed(Way, Face, Leaf, S, Name, Before)) -->
     { leaf(Leaf, S, Name, Word) },
     [ 'nearer by ~6g, the line of sight ~w ~w through ~p'-
@@ -117,6 +123,10 @@ pixel_statement_en(unseen_where(Count, X, Y)) -->
 pixel_statement_en(hidden_by_leaf(Leaf, S, Name, R)) -->
     { leaf(Leaf, S, Name, Word), root(R, Root) },
     [ '~w, of ~w, hides it'-[Word, Root] ].
+pixel_statement_en(owned_by_face(Face, Leaf, S, Name, R, By)) -->
+    { leaf(Leaf, S, Name, Word), root(R, Root) },
+    [ '~p of ~w, of ~w, lies in it and is seen, '-[Face, Word, Root] ],
+    chosen_by(By).
 pixel_statement_en(buried_in(R)) -->
     { root(R, Root) },
     [ 'it is inside ~w, before and behind that face'-[Root] ].
@@ -155,6 +165,14 @@ of_node(Operation, 0, Word) :-
 of_node(Operation, N, Word) :-
     root(N, Own),
     format(atom(Word), 'the ~w ~w', [Operation, Own]).
+
+%   chosen_by(By): by whom owner/3 is said.
+
+chosen_by(default) -->
+    !,
+    [ 'the first by leaf' ].
+chosen_by(By) -->
+    [ 'by owner/3 of ~w'-[By] ].
 
 by_rule(_, default) -->
     !.

@@ -34,6 +34,12 @@ pixel_statement_ko(operand_of(I, Count, Operation, N, Away)) -->
     ).
 pixel_statement_ko(inner_side) -->
     [ '시선이 거기서 리프 밖으로 나온다. 리프의 안쪽이 보인다' ].
+pixel_statement_ko(owner(By)) -->
+    { chosen_by(By, Why) },
+    [ '다른 면이 이 면과 겹쳐 있다. ~w 이 면이 보인다'-[Why] ].
+pixel_statement_ko(not_owner(Face, Leaf, S, Name)) -->
+    { leaf(Leaf, S, Name, Word) },
+    [ '보이지 않는 면: ~w의 ~p'-[Word, Face] ].
 pixel_statement_ko(passed(Way, Face, Leaf, S, Name, Before)) -->
     { leaf(Leaf, S, Name, Word),
       memberchk(Way-Does, [enters-'안으로 들어간다', leaves-'밖으로 나온다']) },
@@ -115,6 +121,10 @@ pixel_statement_ko(unseen_where(Count, X, Y)) -->
 pixel_statement_ko(hidden_by_leaf(Leaf, S, Name, R)) -->
     { leaf(Leaf, S, Name, Word), root(R, Root) },
     [ '가리는 것: ~w의 ~w'-[Root, Word] ].
+pixel_statement_ko(owned_by_face(Face, Leaf, S, Name, R, By)) -->
+    { leaf(Leaf, S, Name, Word), root(R, Root), chosen_by(By, Why) },
+    [ '~w의 ~w의 ~p이(가) 겹쳐 있고, ~w 그 면이 보인다'-
+      [Root, Word, Face, Why] ].
 pixel_statement_ko(buried_in(R)) -->
     { root(R, Root) },
     [ '그 면의 앞도 뒤도 ~w의 안이다'-[Root] ].
@@ -152,6 +162,13 @@ of_node(Operation, 0, Word) :-
 of_node(Operation, N, Word) :-
     root(N, Own),
     format(atom(Word), '연산 ~w ~w', [Operation, Own]).
+
+%   chosen_by(By, Why): by whom owner/3 is said.
+
+chosen_by(default, '리프 순서로') :-
+    !.
+chosen_by(By, Why) :-
+    format(atom(Why), '~w의 owner/3에 따라', [By]).
 
 by_rule(_, default) -->
     !.

@@ -141,6 +141,8 @@ statement_keys(seen_place, [point]).
 statement_keys(placed_as, [segment]).
 statement_keys(operand_of, [operand, count, operation, segment, away]).
 statement_keys(inner_side, []).
+statement_keys(owner, [rules]).
+statement_keys(not_owner, [face, leaf, segment, name]).
 statement_keys(passed, [way, face, leaf, segment, name, before]).
 statement_keys(outside_all, [operation, segment, count, root]).
 statement_keys(taken_away, [operand, operation, segment, root]).
@@ -165,6 +167,7 @@ statement_keys(seen_after_all, [segment, dots, x, y]).
 statement_keys(unseen, [segment]).
 statement_keys(unseen_where, [count, x, y]).
 statement_keys(hidden_by_leaf, [leaf, segment, name, root]).
+statement_keys(owned_by_face, [face, leaf, segment, name, root, rules]).
 statement_keys(buried_in, [root]).
 statement_keys(back_side, [root]).
 statement_keys(thinner_than_a_dot, []).

@@ -9,7 +9,7 @@ solid begins there once, whatever there is; which of these faces it shows, and
 so which colour, is a decision.
 */
 
-:- decision(owner/3, "Which one of faces that lie in one another is seen").
+:- decision(owner/3, "Which one of flush faces a shaded picture shows").
 
 %!  owner(+R, +Group:list, -Owner) is semidet.
 %

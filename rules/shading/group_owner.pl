@@ -51,9 +51,9 @@ named_met(Named, Leaf-F, S-Face) :-
 %!  owners_asked(+Scene, :Goal) is semidet.
 %!  owners_asked(+Scene, +Others, :Goal) is semidet.
 %
-%   Calls Goal, once, as if the kernel asked owner/3 while it runs: Goal looks at
-%   the handle of Scene, and at Others, those of other pictures of its model. It
-%   may be called several times; the last one counts.
+%   Calls Goal, once, as if the kernel asked owner/3 while it runs: Goal looks
+%   at the handle of Scene, and at Others, those of other pictures of its model.
+%   It may be called several times; the last one counts.
 
 :- meta_predicate
     owners_asked(+, 0),

@@ -3,6 +3,8 @@
             slice_candidate/4,          % +Scene, +Y, -Slice, -Candidate
             depth_at/3,                 % +Depth, +X, -Z
             met/4,                      % +Scene, +X, +Y, -Groups
+            root_faces/6,               % +Scene, +Root, +Mets, +In0, +In,
+                                        % -Faces
             seen_at/4,                  % +Scene, +X, +Y, -Seen
             seen_layers/4,              % +Scene, +X, +Y, -Layers
             line_spans/3,               % +Scene, +Y, -Spans
@@ -178,24 +180,34 @@ operation_value(difference, [First|Others], Value) :-
     ;   Value = false
     ).
 
-%   group_face(Scene, root(R,Nodes), Mets, In0, In, S-F): of a group at which
-%   root R begins, or ends, the line of sight being in the leaves In0 before it
-%   and in In after it, the face that is seen (owner/3): one of a leaf whose
-%   change goes up to the root.
+%   group_face(Scene, root(R,Nodes), Mets, In0, In, S-F): of root_faces/6 the
+%   one that is seen.
 
-group_face(Scene, root(R,Nodes), Mets, In0, In, S-F) :-
+group_face(Scene, Root, Mets, In0, In, S-F) :-
+    root_faces(Scene, Root, Mets, In0, In, Faces),
+    Root = root(R,_),
+    group_owner(Scene, R, Faces, S, F).
+
+%!  root_faces(+Scene, +Root, +Mets, +In0, +In, -Faces) is det.
+%
+%   Root = root(R, Nodes) begins or ends where the line of sight meets the group
+%   Mets, being in the leaves at the places In0 before it and in In after it.
+%   Faces, each Leaf-F, ascending, are those of R there: of leaves whose change
+%   goes up to the root. Where a leaf is entered that is taken away there, its
+%   face is none of R.
+
+root_faces(Scene, root(R,Nodes), Mets, In0, In, Faces) :-
     changing(Nodes, [], In0, In, Places),
     findall(Leaf-F1,
             ( member(met(Place,F1,_), Mets),
               memberchk(Place, Places),
               scene_place(Scene, place(Place,R,Leaf)) ),
             Faces0),
-    sort(Faces0, Faces),
-    group_owner(Scene, R, Faces, S, F).
+    sort(Faces0, Faces).
 
-%   changing(Nodes0, Nodes, In0, In, Places): Places are the leaves between Nodes0
-%   and Nodes that change with all nodes above them there, [] if the first one of
-%   these does not.
+%   changing(Nodes0, Nodes, In0, In, Places): Places are the leaves between
+%   Nodes0 and Nodes that change with all nodes above them there, [] if the first
+%   one of these does not.
 
 changing(Nodes0, Nodes, In0, In, Places) :-
     value(Nodes0, Nodes, In0, Before),

@@ -61,8 +61,8 @@ write_buffer(id, Scene, Out) :-
              forall(member(Layer, Layers), write_layer(Out, Y, Leaves, Layer))
            )).
 
-%   dots_asked(Scene): of what is seen in the middle of each dot all is answered,
-%   so nothing is written twice.
+%   dots_asked(Scene): of what is seen in the middle of each dot all is
+%   answered, so nothing is written twice.
 
 dots_asked(Scene) :-
     scene_handle(Scene, Handle),

@@ -45,7 +45,7 @@ check "the page is the gallery's" \
   cmp docs/gallery/index.html "$root/docs/gallery/index.html"
 
 # The rule files shown are those in the folder.
-for file in docs/{pipes,pieces,glass,back,weld,machined}_rules.pl; do
+for file in docs/{pipes,pieces,glass,back,weld,machined,inlay}_rules.pl; do
   check "$file is what the page shows" \
     eval "sed '1,/^\*\//d; /^%/d; /^$/d' $file |
           while IFS= read -r line; do

@@ -1,7 +1,8 @@
 /* shading_rows_test.c -- a scene through the functions of the doors, without
  * Prolog: a cube of rows, a ball, a ring; and what is refused.
  *
- * covers: shading_segment_rows, expression_node_rows, face_look_rows
+ * covers: shading_segment_rows, expression_node_rows, face_look_rows,
+ * owner_rows
  */
 #include "doors/shading.h"
 
@@ -237,6 +238,53 @@ scans(void)
   sg_shading_close(scene);
 }
 
+static int32_t
+leaf_in_front(sg_shading *scene)
+{
+  sg_shading_span_list spans = {0};
+
+  return sg_door_shading_spans(&call, scene, 45, &spans) && spans.n == 1
+             ? spans.at[0].leaf
+             : 0;
+}
+
+/* The cube twice, in itself. */
+static void
+owners(void)
+{
+  sg_shading_leaf_fact leaf[] = {rows_leaf(1, 12), rows_leaf(2, 12)};
+  sg_shading *scene = open_scene(leaf, 2, 2);
+  sg_shading_group_list groups = {0}, none = {0};
+  size_t second[] = {1, 2};
+
+  CHECK("the first", leaf_in_front(scene) == 1);
+  CHECK("nothing is noted",
+        sg_door_shading_groups(&call, scene, &groups) && groups.n == 0);
+  CHECK("nothing is asked",
+        !sg_door_shading_owners(&call, scene, &(sg_count_list){second, 1, 0}) &&
+            is_domain("shading_owners", 2));
+  CHECK("to be noted", sg_door_shading_ask_owners(&call, scene));
+  CHECK("the first, as long as there is no answer", leaf_in_front(scene) == 1);
+  CHECK("a group", sg_door_shading_groups(&call, scene, &groups) &&
+                       groups.n == 1 && groups.at[0].root == 7 &&
+                       groups.at[0].begins && groups.at[0].faces.n == 2 &&
+                       groups.at[0].faces.at[0].leaf == 1 &&
+                       groups.at[0].faces.at[1].leaf == 2 &&
+                       groups.at[0].faces.at[1].face == 2);
+  CHECK("two answers",
+        !sg_door_shading_owners(&call, scene, &(sg_count_list){second, 2, 0}) &&
+            is_domain("shading_owners", 2));
+  CHECK("a third face", !sg_door_shading_owners(
+                            &call, scene, &(sg_count_list){second + 1, 1, 0}) &&
+                            is_domain("shading_owners", 2));
+  CHECK("an answer",
+        sg_door_shading_owners(&call, scene, &(sg_count_list){second, 1, 0}));
+  CHECK("the second", leaf_in_front(scene) == 2);
+  CHECK("it is not asked again",
+        sg_door_shading_groups(&call, scene, &none) && none.n == 0);
+  sg_shading_close(scene);
+}
+
 static void
 refused(void)
 {
@@ -269,6 +317,7 @@ main(void)
   layers();
   buffers();
   scans();
+  owners();
   refused();
   sg_call_close(&call);
   sg_world_let_go(world);

@@ -74,6 +74,32 @@ test(top, true) :-
     abs(Z-2) < 1.0e-9,
     memberchk(look_of(2,red), All),
     memberchk(normal(0.0,0.0,1.0), All).
+test(owner,
+     Default-ByRule == [not_owner(top,2,2,box)]-[not_owner(top,1,1,box)]) :-
+    in_text("segment(1, solid, box(size(4,4,2))).
+             segment(2, solid, box(size(2,2,2))).
+             segment(3, solid, union([1,2])). view(270, 0, 0).",
+            ( owner_said(Default, default),
+              assertion(has_here(why_not(seen(2)),
+                                 owned_by_face(top,1,1,box,3,default))),
+              with_rules("owner(_, Group, Owner) :- lists:last(Group, Owner)."),
+              owner_said(ByRule, By),
+              assertion(has_here(why_not(seen(2)), seen_after_all(2,_,_,_))),
+              no_rules )),
+    assertion(By \== default).
+
+owner_said(Others, By) :-
+    explanation(pixel(60,40), [size(120-80)], Because),
+    sub_term(because(owner(By),Own), Because),
+    !,
+    findall(Other, member(because(Other,[]), Own), Others).
+
+has_here(Item, Statement) :-
+    explanation(Item, [size(120-80)], Because),
+    sub_term(Sub, Because),
+    subsumes_term(because(Statement,_), Sub),
+    !.
+
 test(through_the_hole, true) :-
     statements(pixel(60,60), All),
     memberchk(seen_part(100.0,curved(_),Ball,5,sphere,5), All),

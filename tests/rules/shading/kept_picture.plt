@@ -7,6 +7,7 @@
 :- use_module(library(plunit)).
 :- use_module(library(random)).
 :- use_module(library(readutil)).
+:- use_module(rules(decision)).
 :- use_module(rules(kernel)).
 :- use_module(rules(shading/edited_model)).
 :- use_module(rules(shading/kept_picture)).
@@ -128,6 +129,46 @@ test(edits_with_shadows, Wrong == []) :-
     set_random(seed(9)),
     options(Options),
     wrong([shadows(true)|Options], 12, Wrong).
+
+%   A rule comes, an edit, the rule goes: each picture is the one made afresh.
+test(edits_by_rule, Wrong == []) :-
+    set_random(seed(12)),
+    options(Options),
+    in_new_world(
+        ( world,
+          assert_fact(segment(24, solid, union([13,14,15]))),
+          forall(member(S-Size, [13-size(4,4,3),14-size(2,2,3),15-size(1,4,3)]),
+                 assert_fact(segment(S, solid, box(Size)))),
+          findall(look(S,colour(C)),
+                  member(S-C, [13-red,14-green,15-blue]), Looks),
+          forall(member(Look, Looks), assert_fact(Look)),
+          kept_bytes(Options, Plain),
+          use_last,
+          kept_bytes(Options, ByRule),
+          assertion(Plain \== ByRule),
+          findall(I,
+                  ( between(1, 10, I),
+                    ignore(edit(move)),
+                    (   I =:= 6
+                    ->  no_rules
+                    ;   true
+                    ),
+                    kept_bytes(Options, Bytes),
+                    shaded_bytes(Options, Fresh),
+                    Bytes \== Fresh ),
+                  Wrong) )).
+
+kept_bytes(Options, Bytes) :-
+    world_picture(Options, Image),
+    image_dots(Image, Bytes).
+
+use_last :-
+    setup_call_cleanup(
+        ( tmp_file_stream(File, Out, [encoding(utf8), extension(pl)]),
+          write(Out, "owner(_, Group, Owner) :- lists:last(Group, Owner)."),
+          close(Out) ),
+        use_rules(File),
+        delete_file(File)).
 
 %   What is made again of a leaf that moved: the rows and columns where it was,
 %   and is. The kept picture is painted over, so others are black.

@@ -4,7 +4,9 @@
 :- use_module(library(pairs)).
 :- use_module(library(random)).
 :- use_module(rules(csg/csg)).
+:- use_module(rules(decision)).
 :- use_module(rules(kernel)).
+:- use_module(rules(shading/group_owner)).
 :- use_module(rules(shading/seen)).
 :- use_module(rules(shading/shading_scene)).
 :- use_module(rules(store)).
@@ -125,6 +127,79 @@ test(kernel_is_rule, Wrong == []) :-
                                     What) )),
               What \== [] ),
             Wrong).
+% A rule says which one of flush faces is seen: the last. The kernel, which asks
+% it of groups, shows what the definition says, which asks it of places.
+test(kernel_is_rule_of_owners, Wrong-Other == []-true) :-
+    set_random(seed(29)),
+    cases(Cases),
+    findall(Bad-Others,
+            ( between(1, Cases, I),
+              flush_terms(Terms),
+              findall(View, view(View), Views),
+              nth0(Which, Views, View),
+              Which =:= I mod 4,
+              in_world_of(Terms,
+                          ( scene(View, Plain),
+                            by_rule("owner(_, Group, Owner) :- \c
+                                     lists:last(Group, Owner)."),
+                            scene(View, Scene),
+                            wrong_lines(Scene, Bad),
+                            aggregate_all(count, other_line(Plain, Scene),
+                                          Others) )) ),
+            Found),
+    pairs_keys_values(Found, Wrong0, Others0),
+    append(Wrong0, Wrong),
+    sum_list(Others0, Sum),
+    (   Sum >= Cases/2
+    ->  Other = true
+    ;   Other = false
+    ).
+test(layers_are_the_rule_of_owners, Wrong == []) :-
+    set_random(seed(31)),
+    cases(Cases),
+    findall(Bad,
+            ( between(1, Cases, I),
+              flush_terms(Terms),
+              findall(View, view(View), Views),
+              nth0(Which, Views, View),
+              Which =:= I mod 4,
+              in_world_of(Terms,
+                          ( by_rule("owner(_, Group, Owner) :- \c
+                                     lists:last(Group, Owner)."),
+                            scene(View, Scene),
+                            line_place(Y),
+                            wrong_layers(Scene, Y, Bad) )) ),
+            Wrong).
+
+% Leaves that are segments, some of them twice.
+flush_terms([A,B,C,A,B,difference([1,2]),difference([4,3]),
+             intersection([5,1]),union([6,7,8]),D]) :-
+    length(Leaves, 4),
+    maplist(tree(0), Leaves),
+    Leaves = [A,B,C,D].
+
+line_place(Y) :-
+    between(0, 7, K),
+    Y is 12.5*K+6.25+1/8.
+
+wrong_lines(Scene, Wrong) :-
+    findall(Bad, ( line_place(Y), wrong(Scene, Y, Bad) ), Wrong).
+
+other_line(Scene1, Scene2) :-
+    line_place(Y),
+    scene_handle(Scene1, Handle),
+    shading_spans(Handle, Y, Spans1),
+    line_spans(Scene2, Y, Spans2),
+    Spans1 \== Spans2.
+
+by_rule(Text) :-
+    setup_call_cleanup(
+        ( tmp_file_stream(File, Out, [encoding(utf8), extension(pl)]),
+          write(Out, Text),
+          close(Out) ),
+        use_rules(File),
+        delete_file(File)).
+
 test(two_roots, Wrong == []) :-
     in_world_of([box(size(2,2,2)),
                  at([translate(1,0,1)], cylinder(radius(1),height(2))),
@@ -144,7 +219,7 @@ rule_layers(Scene, X, Y, Seen) :-
 wrong_layers(Scene, Y, wrong(Y,X,Kernel,Rule)) :-
     scene_handle(Scene, Handle),
     findall([0], scene_leaf(Scene, _), Leaves),
-    shading_layers(Handle, Y, [0.5], Leaves, Layers),
+    owners_asked(Scene, shading_layers(Handle, Y, [0.5], Leaves, Layers)),
     findall(X, ( member(layer(X1,X2,_,_,_,_), Layers), member(X, [X1,X2]) ),
             Ends0),
     sort(Ends0, Ends),

@@ -1,7 +1,7 @@
 /* Shaded pictures: against the evaluated boundary, drawn by a buffer of depths;
    the same solid said in other ways; looks, tones and ramps by rules. */
 % covers: surface_look, surface_tone, surface_ramp, image, image_rows
-% covers: shading_section, pixel_colour
+% covers: shading_section, pixel_colour, face_owner, group_owner
 :- module(test_shaded_picture, []).
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
@@ -421,6 +421,52 @@ test(look_by_rule, Colours == [rgb(0,60,170),rgb(170,0,0),White]) :-
                 surface_look(_, _, side(_), [colour(blue)]).",
                [shade(flat)], By),
     colours(By, Colours).
+
+% Of faces that lie in one another a rule says which is seen; each group is
+% asked once, in one order, however many threads meet it.
+test(owner_by_rule, Colours-Asked == [rgb(0,60,170),rgb(170,0,0),White]-
+                                     [9-[1-top,2-top],9-[1-top,2-top,3-top],
+                                      9-[1-top,3-top]]) :-
+    white(White),
+    inlaid("owner(R, Group, _) :- recordz(test_owner, R-Group), fail.\n\c
+            owner(_, Group, 2-top) :- memberchk(2-top, Group).", [], By, Asked),
+    string_codes(By, Codes),
+    triples(Codes, Dots),
+    sort(Dots, Colours).
+test(owner_without_answer, By == Plain) :-
+    inlaid("owner(_, _, 7-top). owner(_, _, nonsense).", [], By, _),
+    inlaid("spare_rule :- fail. owner(_, _, _) :- spare_rule.", [], Plain, _).
+test(default_owner, By == Plain) :-
+    inlaid("owner(R, Group, Owner) :- default(owner(R, Group, Owner)).",
+           [smooth(4)], By, _),
+    inlaid("tone(L, N, T) :- default(tone(L, N, T)).", [smooth(4)], Plain, _).
+test(owner_of_pixels, By == Plain) :-
+    Rule = "owner(_, Group, Owner) :- lists:last(Group, Owner).\n",
+    inlaid(Rule, [smooth(1)], Plain, _),
+    string_concat(Rule, "pixel_colour(_, _, [part(_,2,_,_,_)|_], blue).\n\c
+                         pixel_colour(_, _, [part(_,1,_,_,_)|_], red).\n\c
+                         pixel_colour(_, _, [part(_,3,_,_,_)|_], orange).\n",
+                  Rules),
+    inlaid(Rules, [smooth(1)], By, _).
+
+inlaid(Rules, Options, Bytes, Asked) :-
+    setup_call_cleanup(
+        ( tmp_file_stream(File, Out, [encoding(utf8), extension(pl)]),
+          write(Out, Rules),
+          close(Out) ),
+        in_model("segment(1, solid, box(size(8,8,3))).
+                  segment(2, solid, at([translate(-1,0,0)], box(size(4,4,3)))).
+                  segment(3, solid, at([translate(1,0,0)], box(size(4,4,3)))).
+                  segment(9, solid, union([1,2,3])).
+                  look(1, colour(red)). look(2, colour(blue)).
+                  look(3, colour(orange)). view(270, 0, 0).",
+                 ( use_rules(File),
+                   shaded_bytes([size(60-60),smooth(1),shade(flat),
+                                 window(b(-5.0,-5.0,5.0,5.0))|Options],
+                                Bytes),
+                   findall(Group, recorded(test_owner, Group), Asked),
+                   forall(recorded(test_owner, _, Ref), erase(Ref)) )),
+        delete_file(File)).
 
 test(pixel_colour_by_rule, Colours == [rgb(0,60,170),rgb(250,210,0)]) :-
     with_rules("pixel_colour(_, _, [part(0,0,background,_,_)], yellow).\n\c

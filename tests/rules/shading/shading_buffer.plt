@@ -6,7 +6,9 @@
 :- use_module(library(lists)).
 :- use_module(library(plunit)).
 :- use_module(library(readutil)).
+:- use_module(rules(decision)).
 :- use_module(rules(shading/shaded_picture)).
+:- use_module(rules(shading/seen)).
 :- use_module(rules(shading/shading_buffer)).
 :- use_module(rules(shading/shading_scene)).
 :- use_module(shaded_model).
@@ -118,5 +120,33 @@ test(id, First-Count == "40.5,"-60) :-
     number_string(A, X1),
     number_string(B, X2),
     assertion(abs(B-A-60) < 0.05).
+test(id_by_rule, Leaves-Front == ["2"]-"top") :-
+    in_model("segment(1, solid, box(size(4,4,3))).
+              segment(2, solid, box(size(4,4,3))).
+              segment(3, solid, union([1,2])). view(270, 0, 0).",
+             ( setup_call_cleanup(
+                   ( tmp_file_stream(File, Rules, [encoding(utf8),
+                                                   extension(pl)]),
+                     write(Rules, "owner(_, [_,Owner|_], Owner)."),
+                     close(Rules) ),
+                   use_rules(File),
+                   delete_file(File)),
+               shaded_scene_of([size(40-40)], Scene),
+               with_output_to(string(Text),
+                              ( current_output(Out),
+                                write_buffer(id, Scene, Out) )),
+               seen_face(Scene, Front) )),
+    split_string(Text, "\n", "", [_|Rows]),
+    findall(Segment,
+            ( member(Row, Rows),
+              split_string(Row, ",", "", [_,_,_,"3",_,Segment|_]) ),
+            Segments),
+    sort(Segments, Leaves).
+
+seen_face(Scene, Front) :-
+    seen_at(Scene, 20, 20, seen(3,2,F)),
+    scene_leaf(Scene, leaf(2,_,_,_,Faces)),
+    memberchk(F-Face, Faces),
+    atom_string(Face, Front).
 
 :- end_tests(shading_buffer).

@@ -34,6 +34,12 @@ scene(View, Scene) :-
 spans(Terms, View, Y, Spans) :-
     world_of(Terms, ( scene(View, Scene), scene_spans(Scene, Y, Spans) )).
 
+% From above, from left to right.
+leaves_seen(Term, Leaves) :-
+    top(View),
+    spans([Term], View, 50.2, Spans),
+    findall(Leaf, member(span(_,_,1,Leaf,_), Spans), Leaves).
+
 scene_spans(Scene, Y, Spans) :-
     scene_handle(Scene, Handle),
     shading_spans(Handle, Y, Spans).
@@ -77,6 +83,22 @@ test(notch_has_the_leaf_that_cut, Spans == [span(10240,15360,1,2,1)]) :-
     spans([difference([box(size(2,2,3)),
                        at([translate(0,0,2)], box(size(9,9,9)))])],
           View, 50.2, Spans).
+% A hole that is filled again, flush: the filling is seen, not the plate.
+test(plug, Leaves == [1,3,1]) :-
+    leaves_seen(union([difference([box(size(4,4,3)), box(size(2,2,3))]),
+                       box(size(2,2,3))]), Leaves).
+test(plug_before_its_plate, Leaves == [2,1,2]) :-
+    leaves_seen(union([box(size(2,2,3)),
+                       difference([box(size(4,4,3)), box(size(2,2,3))])]),
+                Leaves).
+test(hole_of_a_ring, Leaves == [2,1,2,1,2]) :-
+    leaves_seen(union([hollow_cylinder(radius(2),inner(1),height(2)),
+                       cylinder(radius(3),height(2))]), Leaves).
+test(hole_of_what_is_taken_away, Leaves == [2,4,2]) :-
+    Wide = at([translate(0,0,1)], box(size(4,4,9))),
+    Small = at([translate(0,0,1)], box(size(2,2,9))),
+    leaves_seen(difference([box(size(4,4,3)),difference([Wide,Small]),Small]),
+                Leaves).
 test(flush, Spans == []) :-
     top(View),
     spans([difference([box(size(2,2,3)), box(size(2,2,3))])], View, 50.2,
