@@ -206,8 +206,8 @@ root_faces(Scene, root(R,Nodes), Mets, In0, In, Faces) :-
     sort(Faces0, Faces).
 
 %   changing(Nodes0, Nodes, In0, In, Places): Places are the leaves between
-%   Nodes0 and Nodes that change with all nodes above them there, [] if the first
-%   one of these does not.
+%   Nodes0 and Nodes that change with all nodes above them there; none if the
+%   first one of these does not.
 
 changing(Nodes0, Nodes, In0, In, Places) :-
     value(Nodes0, Nodes, In0, Before),
