@@ -32,7 +32,7 @@ atom or `''`; Type one of
 %   True when Arguments, a list of atoms, are Files (atoms) and Options.
 %
 %   @error usage_error(What): unknown_option(Text, Near), Near those that may be
-%   meant, no_value(Text), needs_value(Text), option_twice(Text),
+%   meant, no_value(Text), needs_value(Text, What), option_twice(Text),
 %   bad_value(Text, Value, Type)
 
 parsed_arguments(Specs, Arguments, Files, Options) :-
@@ -150,8 +150,8 @@ taken(option(Name, _, Type, _, _), _, Text, none, [V0|Rest], Rest,
     \+ looks_like_option(V0),
     !,
     typed_value(Type, Text, V0, V).
-taken(_, _, Text, _, _, _, _, _) :-
-    usage_error(needs_value(Text)).
+taken(option(_, _, _, What, _), _, Text, _, _, _, _, _) :-
+    usage_error(needs_value(Text, What)).
 
 looks_like_option(Argument) :-
     sub_atom(Argument, 0, 1, _, -),

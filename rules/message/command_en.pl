@@ -29,8 +29,9 @@ command_en(unknown_option(Text, Near)) -->
     [ nl, '  sanggwan VERB --help lists those of a verb.' ].
 command_en(no_value(Text)) -->
     [ 'option ~w takes no value'-[Text] ].
-command_en(needs_value(Text)) -->
-    [ 'option ~w needs a value'-[Text] ].
+command_en(needs_value(Text, What)) -->
+    [ 'option ~w needs a value: ~w'-[Text, What], nl,
+      '  sanggwan VERB --help says what it may be.' ].
 command_en(option_twice(Text)) -->
     [ 'option ~w is given twice'-[Text] ].
 command_en(bad_value(Text, Value, one_of(Words))) -->

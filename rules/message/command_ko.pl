@@ -32,8 +32,9 @@ command_ko(unknown_option(Text, Near)) -->
     [ nl, '  sanggwan 명령 --help를 보십시오.' ].
 command_ko(no_value(Text)) -->
     [ '~w 옵션은 값을 받지 않습니다'-[Text] ].
-command_ko(needs_value(Text)) -->
-    [ '~w 옵션에는 값이 필요합니다'-[Text] ].
+command_ko(needs_value(Text, What)) -->
+    [ '~w 옵션에는 값이 필요합니다: ~w'-[Text, What], nl,
+      '  쓸 수 있는 값은 sanggwan 명령 --help에 있습니다.' ].
 command_ko(option_twice(Text)) -->
     [ '~w 옵션이 두 번 주어졌습니다'-[Text] ].
 command_ko(bad_value(Text, Value, one_of(Words))) -->
