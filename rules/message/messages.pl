@@ -584,11 +584,12 @@ notice_en(nothing_to_explain(piece(S, P))) -->
       '  piece(S, P) is polygon P of S, a segment that is an operation on \c
        solids; piece(S, S0-P0) is polygon P0 of its operand S0.' ].
 notice_en(nothing_to_explain(Item)) -->
-    { memberchk(Item, [pixel(_, _), why_not(seen(_))]) },
+    { memberchk(Item, [pixel(_), pixel(_, _), why_not(seen(_))]) },
     !,
     pixel_nothing_en(Item).
 notice_en(nothing_to_explain(Item)) -->
-    { memberchk(Item, [glued(_, _), region(_, _), why_not(glued(_))]) },
+    { memberchk(Item, [glued(_), glued(_, _), region(_), region(_, _),
+                       why_not(glued(_))]) },
     !,
     glue_nothing_en(Item).
 notice_en(nothing_to_explain(Item)) -->
@@ -601,8 +602,9 @@ notice_en(nothing_to_explain(Item)) -->
        pair(S1-P1, S2-P2), pair(S1, S2), piece(S, P) or piece(S, S0-P0), with \c
        numbers of the model; segment(S), param(Name); \c
        lines are there after penetrate. hidden(S, E) and \c
-       why_not(hidden(S, E)) are of the picture; seam(S, E), fold(S, E) and \c
-       pattern(S, K) of the flat pattern of segment S.' ].
+       why_not(hidden(S, E)) are of the picture, pixel(X, Y) of a shaded one; \c
+       seam(S, E), fold(S, E) and pattern(S, K) of the flat pattern of segment \c
+       S; glued(S, p(P)) and region(S, R) of a glue.' ].
 %   Why contacts within the tolerance were not made to touch (resolve.pl).
 
 contacts_en(wide(S, V)) -->

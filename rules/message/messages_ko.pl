@@ -555,11 +555,12 @@ notice_ko(nothing_to_explain(piece(S, P))) -->
       '  piece(S, P)는 입체의 연산인 세그먼트 S의 다각형 P이고, \c
        piece(S, S0-P0)는 그 피연산자 S0의 다각형 P0입니다.' ].
 notice_ko(nothing_to_explain(Item)) -->
-    { memberchk(Item, [pixel(_, _), why_not(seen(_))]) },
+    { memberchk(Item, [pixel(_), pixel(_, _), why_not(seen(_))]) },
     !,
     pixel_nothing_ko(Item).
 notice_ko(nothing_to_explain(Item)) -->
-    { memberchk(Item, [glued(_, _), region(_, _), why_not(glued(_))]) },
+    { memberchk(Item, [glued(_), glued(_, _), region(_), region(_, _),
+                       why_not(glued(_))]) },
     !,
     glue_nothing_ko(Item).
 notice_ko(nothing_to_explain(Item)) -->
@@ -571,8 +572,9 @@ notice_ko(nothing_to_explain(Item)) -->
       '  line(L), vertex(S, V), edge(S, E), pair(S1-P1, S2-P2), \c
        pair(S1, S2), piece(S, P), piece(S, S0-P0)를 모델의 번호로 \c
        물어보십시오. segment(S), param(이름)도 됩니다. 선은 penetrate \c
-       다음에 있습니다. seam(S, E), fold(S, E), pattern(S, K)는 세그먼트 S의 \c
-       전개도에 관한 것입니다.' ].
+       다음에 있습니다. hidden(S, E)는 그림, pixel(X, Y)는 음영 그림에 관한 \c
+       것이고, seam(S, E), fold(S, E), pattern(S, K)는 세그먼트 S의 전개도, \c
+       glued(S, p(P)), region(S, R)은 glue에 관한 것입니다.' ].
 %   허용 오차 안의 접촉을 맞추지 못한 까닭 (resolve.pl).
 
 contacts_ko(wide(S, V)) -->
