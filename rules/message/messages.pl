@@ -603,8 +603,8 @@ notice_en(nothing_to_explain(Item)) -->
        numbers of the model; segment(S), param(Name); \c
        lines are there after penetrate. hidden(S, E) and \c
        why_not(hidden(S, E)) are of the picture, pixel(X, Y) of a shaded one; \c
-       seam(S, E), fold(S, E) and pattern(S, K) of the flat pattern of segment \c
-       S; glued(S, p(P)) and region(S, R) of a glue.' ].
+       seam(S, E), fold(S, E) and pattern(S, K) of the flat pattern of \c
+       segment S; glued(S, p(P)) and region(S, R) of a glue.' ].
 %   Why contacts within the tolerance were not made to touch (resolve.pl).
 
 contacts_en(wide(S, V)) -->

@@ -45,7 +45,8 @@ test(meant) :- refused("--limt 3", unknown_option('--limt', ['--limit'])).
 test(meant_no) :-
     refused("--no-quite", unknown_option('--no-quite', ['--no-quiet'])).
 test(needs) :- refused("a --view", needs_value('--view', 'VIEW')).
-test(needs_not_option) :- refused("--view --quiet", needs_value('--view', 'VIEW')).
+test(needs_not_option) :-
+    refused("--view --quiet", needs_value('--view', 'VIEW')).
 test(needs_not_letter) :- refused("-v -q", needs_value('-v', 'VIEW')).
 test(no_value) :- refused("--quiet=1", no_value('--quiet')).
 test(no_negative_of_values) :-
