@@ -112,6 +112,8 @@ field(_:Type, Argument) :-
 
 %   doors(Doors): Module:door(Name, Arguments, Determinism) of all topics.
 
+:- table doors/1.
+
 doors(Doors) :-
     read_types('c_kernels/doors.def'),
     expand_file_name('rules/kernel/*.pl', Files),
@@ -173,6 +175,29 @@ in_a_world(Calls) :-
              facts_snapshot(called(Door))
            )).
 
+%   wrong_word(Module:Door, Type): a Door that is given a word that Type has not.
+%   Handles, of which there may be none, are looked at before it, as are other
+%   arguments, which may be wrong too.
+
+wrong_word(Module:door(Name,Arguments,_), Type) :-
+    nth1(At, Arguments, arg(+,_,Type)),
+    type(Type, words(_,_,_)),
+    forall(( nth1(Before, Arguments, arg(+,_,Other)), Before < At ),
+           \+ is_handle(Other)),
+    maplist(right_value, Arguments, Values0),
+    nth1(At, Values0, _, Rest),
+    nth1(At, Values, no_such_word, Rest),
+    Goal =.. [Name|Values],
+    catch(ignore(Module:Goal), error(Formal,_), true),
+    assertion(nonvar(Formal)),
+    Formal == domain_error(Type, no_such_word).
+
+right_value(arg(Mode,_,Type), Value) :-
+    (   Mode == (-)
+    ->  true
+    ;   right(Type, Value)
+    ).
+
 :- begin_tests(doors_fuzz,
                [cleanup(( retractall(handle(_,_)),
                           retractall(surprise(_,_)) ))]).
@@ -188,5 +213,12 @@ test(calls, Surprises == []) :-
     findall(G-E, surprise(G, E), Surprises),
     aggregate_all(count, handle(_,_), Handles),
     assertion(Handles > 10).
+
+test(wrong_words) :-
+    doors(Doors),
+    in_new_world(findall(Type, ( member(Door, Doors),
+                                 wrong_word(Door, Type) ), Types)),
+    sort(Types, Sorted),
+    assertion(Sorted = [_,_,_,_|_]).
 
 :- end_tests(doors_fuzz).
