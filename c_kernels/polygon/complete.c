@@ -195,6 +195,8 @@ typedef struct task {
   double seen[3]; /* along which it is divided: the plane's normal, mostly */
   sg_work *work;
   sg_triangles found;
+  bool folded; /* the triangles of this polygon were found otherwise than along
+                  its normal */
   bool stopped;
 } task;
 
@@ -352,6 +354,7 @@ find_all_triangles(task *t, int32_t bad[2])
     if (!fill_work(t)) {
       return SG_NO_SPACE;
     }
+    t->folded = true;
     outcome = find_triangles(t, bad);
   }
   return outcome;
@@ -389,6 +392,7 @@ triangulate_in_space(task *t, bool *done)
     ok = sg_complete_add_triangle(&t->out->triangles, &t->counts, t->s, t->p,
                                   triangle[i]);
   }
+  t->folded = t->folded || *done;
   free(ring);
   free(triangle);
   return ok;
@@ -532,7 +536,9 @@ do_polygon(task *t)
   if (!quick_triangle(t, &done)) {
     return false;
   }
-  return done || ((t->n > 3 || fill_work(t)) && triangulate(t));
+  t->folded = false;
+  return done || ((t->n > 3 || fill_work(t)) && triangulate(t) &&
+                  (!t->folded || fault(t, SG_FAULT_FOLDED, 0, 0, 0)));
 }
 
 /* ---- all polygons ------------------------------------------------------- */

@@ -64,6 +64,9 @@ what_of(const sg_polygon_fault *f)
     what.is = SG_FAULT_WHAT_NOT_FLAT;
     what.not_flat.distance = f->size;
     break;
+  case SG_FAULT_FOLDED:
+    what.is = SG_FAULT_WHAT_FOLDED;
+    break;
   case SG_FAULT_NO_AREA:
     break;
   }

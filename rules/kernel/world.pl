@@ -47,6 +47,8 @@ Foreign predicates; see kernel.pl.
 %     - not_flat(Distance)
 %       a vertex is that far off the plane, more than the model's precision
 %       explains; the triangles are used all the same
+%     - folded
+%       not flat either: along its normal its triangles cover each other
 %
 %   The triangles are exact decisions; planes and Distance are rounded.
 

@@ -11,9 +11,14 @@
                 work_triangulate/2
               ]).
 :- use_module('../stage', [stage/2]).
-:- use_module('../store', [p/3, t/6, facts_transaction/1]).
-:- use_module(library(apply), [exclude/3]).
-:- use_module(library(lists), [last/2, member/2]).
+:- use_module('../store',
+              [ e/5, from_p/5, p/3, t/6, assert_fact/1, facts_transaction/1,
+                fresh_id/3, retractall_facts/1
+              ]).
+:- use_module(library(apply), [exclude/3, foldl/4, include/3, maplist/3]).
+:- use_module(library(lists),
+              [append/3, last/2, member/2, selectchk/3]).
+:- use_module(library(pairs), [pairs_keys/2]).
 
 /** <module> Polygons into triangles.
 
@@ -69,7 +74,9 @@ untriangulated(S) :-
 %   Gives every polygon (of the segments Ss) that has no plane/6 its plane, and
 %   every one that has no t/6 its triangles. A polygon that has no area or is
 %   invalid is left without and named in a warning; polygons that are not flat
-%   are used as their triangles, with one warning a segment.
+%   are used as their triangles, with one warning a segment. One whose triangles
+%   cover each other however it is seen becomes so many polygons, the first of
+%   which keeps its number: no line could be put into it as a whole.
 %
 %   @error model_error(polygon(S, P, open(V))): polygon P of segment S does
 %          not close at V; nothing is changed
@@ -85,9 +92,65 @@ filled(Which) :-
     warn(Faults).
 
 filled(Which, Faults) :-
-    stage(complete, facts_transaction(( fill_triangles(Which, Faults),
-                                        refuse_open(Faults)
+    stage(complete, facts_transaction(( fill_triangles(Which, Faults0),
+                                        refuse_open(Faults0),
+                                        folded_parted(Faults0, Faults)
                                       ))).
+
+%   folded_parted(Faults0, Faults): polygons that fold over become their
+%   triangles; Faults tell of these too.
+
+folded_parted(Faults0, Faults) :-
+    findall(S-P, member(fault(S, P, folded), Faults0), Folded),
+    include(polygon_parted, Folded, Parted),
+    (   Parted == []
+    ->  Faults = Faults0
+    ;   pairs_keys(Parted, Ss0),
+        sort(Ss0, Ss),
+        fill_triangles(Ss, More),
+        append(Faults0, More, Faults)
+    ).
+
+%   polygon_parted(S-P): unless its edges are not those of its triangles.
+
+polygon_parted(S-P) :-
+    findall([A,B,C], t(S, P, _, A, B, C), Triangles),
+    p(S, P, Es),
+    findall((A-B)-E, ( member(E, Es), e(S, E, A, B, _) ), Border),
+    foldl(triangle_sides, Triangles, Border-Lists, []-[]),
+    retractall_facts(p(S, P, _)),
+    retractall_facts(t(S, P, _, _, _, _)),
+    retractall_facts(plane(S, P, _, _, _, _)),
+    Lists = [List|Others],
+    triangle_added(S, P, List),
+    forall(member(Other, Others),
+           ( fresh_id(p, S, New),
+             triangle_added(S, New, Other),
+             forall(from_p(S, P, S0, P0, Sense),
+                    assert_fact(from_p(S, New, S0, P0, Sense))) )).
+
+%   triangle_sides([A,B,C], Border0-[Sides|Lists], Border-Lists): each side is
+%   edge(E) of the border, which has it once, or chord(V1, V2).
+
+triangle_sides([A,B,C], Border0-[Sides|Lists], Border-Lists) :-
+    foldl(triangle_side, [A-B,B-C,C-A], Sides-Border0, []-Border).
+
+triangle_side(Ends, [Side|Sides]-Border0, Sides-Border) :-
+    (   selectchk(Ends-E, Border0, Border)
+    ->  Side = edge(E)
+    ;   Ends = V1-V2,
+        Side = chord(V1, V2),
+        Border = Border0
+    ).
+
+triangle_added(S, P, Sides) :-
+    maplist(side_edge(S), Sides, Es),
+    assert_fact(p(S, P, Es)).
+
+side_edge(_, edge(E), E).
+side_edge(S, chord(V1, V2), E) :-
+    fresh_id(e, S, E),
+    assert_fact(e(S, E, V1, V2, 1)).
 
 %!  pattern_completed(+D) is det.
 %

@@ -5,6 +5,7 @@
 :- use_module(library(lists)).
 :- use_module(library(plunit)).
 :- use_module(library(random)).
+:- use_module(rules(penetration/penetration), [penetrate/0]).
 :- use_module(rules(polygon/triangulation)).
 :- use_module(rules(store)).
 :- use_module(tests(rules/polyhedron), [in_new_world/1]).
@@ -88,6 +89,42 @@ has_twin(Sides, A-B) :-
 % That they are not flat, or invalid, is told.
 user:message_hook(sanggwan(_), warning, _).
 
+%   wall(+X): segment 2, a square at X that all is within.
+
+wall(X) :-
+    assert_fact(segment(2, surface, wall)),
+    forall(nth1(V, [-20-(-20),20-(-20),20-20,-20-20], Y-Z),
+           assert_fact(v(2, V, X, Y, Z))),
+    forall(nth1(E, [1-2,2-3,3-4,4-1], A-B), assert_fact(e(2, E, A, B, 1))),
+    assert_fact(p(2, 1, [1,2,3,4])).
+
+%   one_quadrangle(+Seed): segment 1, between corners on a small grid.
+
+one_quadrangle(Seed) :-
+    set_random(seed(Seed)),
+    findall(p(X,Y,Z),
+            ( between(1, 4, _),
+              random_between(0, 5, X),
+              random_between(0, 5, Y),
+              random_between(0, 5, Z) ),
+            Corners),
+    raw(Corners, [[1,2,3,4]]).
+
+%   area(-Area): of the triangles of segment 1.
+
+area(Area) :-
+    aggregate_all(sum(A), ( t(1, _, _, V1, V2, V3), area(V1, V2, V3, A) ),
+                  Area).
+
+area(V1, V2, V3, Area) :-
+    maplist(at, [V1,V2,V3], [p(X1,Y1,Z1),p(X2,Y2,Z2),p(X3,Y3,Z3)]),
+    UX is X2-X1, UY is Y2-Y1, UZ is Z2-Z1,
+    WX is X3-X1, WY is Y3-Y1, WZ is Z3-Z1,
+    Area is 0.5*sqrt((UY*WZ-UZ*WY)**2 + (UZ*WX-UX*WZ)**2 + (UX*WY-UY*WX)**2).
+
+at(V, p(X,Y,Z)) :-
+    v(1, V, X, Y, Z).
+
 :- begin_tests(bent).
 
 test(corner_through_the_cube, Count == 12) :-
@@ -117,6 +154,23 @@ test(no_quadrangle_is_left_out, Missing == []) :-
                                      Qs) )),
               member(P, Qs) ),
             Missing).
+% No line could be put into one as a whole: its triangles are polygons then.
+test(folded_over_is_cut, Polygons-Lines == 2-2) :-
+    in_new_world(( raw([p(0,0,0),p(10,2,1),p(8,0,2),p(1,6,0.5)], [[1,2,3,4]]),
+                   wall(4),
+                   complete_segments,
+                   penetrate,
+                   aggregate_all(count, p(1,_,_), Polygons),
+                   aggregate_all(count, line(_,1,_,_,_,_,_,_,_), Lines) )).
+test(any_quadrangle_is_cut, Wrong == []) :-
+    findall(Seed-(Before-After),
+            ( between(1, 300, Seed),
+              in_new_world(( one_quadrangle(Seed), wall(2.5),
+                             complete_segments,
+                             area(Before), penetrate, area(After) )),
+              abs(Before-After) > 1.0e-9 ),
+            Wrong),
+    format("counted: 300 quadrangles in space, cut by a plane~n").
 test(any, Open == []) :-
     findall(Seed-P,
             ( between(1, 300, Seed),
