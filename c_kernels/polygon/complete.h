@@ -35,7 +35,7 @@ typedef enum sg_fault_kind {
   SG_FAULT_NO_AREA, /* no plane, no triangles */
   SG_FAULT_EDGE,    /* edge a -> b has no third vertex: invalid; no triangles */
   SG_FAULT_BENT,    /* not flat: `size` off its plane; used as its triangles */
-  SG_FAULT_FOLDED   /* bent, and its triangles cover each other along its normal */
+  SG_FAULT_FOLDED   /* bent; seen along its normal its triangles overlap */
 } sg_fault_kind;
 
 typedef struct sg_polygon_fault {

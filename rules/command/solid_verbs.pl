@@ -32,7 +32,7 @@
 :- use_module('../polygon/triangulation', [complete_segments/0]).
 :- use_module(verb_output,
               [ some_files/2, outputs/3, output_written/2, reported/2,
-                usage_error/1
+                summary_sent_told/2, usage_error/1
               ]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [maplist/2, maplist/3, maplist/4, partition/4]).
@@ -71,7 +71,7 @@ solid_verb_run(Verb, Files, Options, 0) :-
     findall(S, root_segment(S), Ss),
     (   Outputs == []
     ->  summary(Options, Ss),
-        summary_sent_told
+        summary_sent_told(Outputs, [pl,stl,off,obj,ply])
     ;   (   option(json(true), Options)
         ->  reported(Outputs, sg_solid_verbs:summary(Options, Ss))
         ;   true
@@ -361,17 +361,6 @@ json_apart(Options, Outputs) :-
     (   option(json(true), Options),
         memberchk(output(-, _), Outputs)
     ->  usage_error(both_options('--json', '-o -'))
-    ;   true
-    ).
-
-%   summary_sent_told: who sent standard output to part.stl wanted the solid.
-
-summary_sent_told :-
-    (   catch(read_link('/proc/self/fd/1', File, _), error(_, _), fail),
-        file_name_extension(_, Ending, File),
-        memberchk(Ending, [pl, stl, off, obj, ply])
-    ->  file_base_name(File, Base),
-        print_message(warning, sanggwan(summary_sent(Base)))
     ;   true
     ).
 

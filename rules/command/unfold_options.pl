@@ -86,6 +86,7 @@ needs(Name, thickness) :-
     member(Name, [ size,kfactor,'bend-radius',relief,material,bends,'set-in',
                    'other-thickness' ]).
 needs(overlap, tile).
+needs(up, height).
 needs('open-slits', tabs).
 needs('tab-sides', tabs).
 

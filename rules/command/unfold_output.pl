@@ -1,5 +1,6 @@
 :- module(sg_unfold_output,
           [ laid_flat_told/2,           % +Options, +Ds
+            no_bends_told/2,            % +Options, +Ds
             tables_written/2,           % +Options, +Ds
             sheets_once/4,              % +Options0, +Ds, +Outputs, -Options
             sheets_laid/3,              % +Options0, +Ds, -Options
@@ -16,7 +17,7 @@
 :- use_module('../pattern/pattern_drawing', [pattern_drawing/3]).
 :- use_module('../pattern/pattern_file', [numbered_files/3, write_pattern/4]).
 :- use_module('../development/seam_measure', [pattern_area/2]).
-:- use_module('../pattern/pattern_plate', [plate_measures/4]).
+:- use_module('../pattern/pattern_plate', [has_bends/1, plate_measures/4]).
 :- use_module('../solid/trimmed', [part_named/2]).
 :- use_module(sheet_options, [scale_option/2]).
 :- use_module('../sheet/sheet_paper', [unit_millimetres/2]).
@@ -70,6 +71,28 @@ laid_flat_told(Options, Ds) :-
 is_of_sphere(D) :-
     segment(D, _, true_development(T, Part)),
     once(sphere_part_polygon(T, Part, _)).
+
+%!  no_bends_told(+Options:list, +Ds:list) is det.
+%
+%   Warn of options of bends where no pattern has one. With a material --bends
+%   has a table all the same, of the weight.
+
+no_bends_told(Options, Ds) :-
+    (   option(thickness(_), Options),
+        \+ ( member(D, Ds), has_bends(D) )
+    ->  forall(( bend_option(Options, Name),
+                 Given =.. [Name,_],
+                 option(Given, Options) ),
+               ( atom_concat('--', Name, Option),
+                 print_message(warning, sanggwan(unfold(no_bend(Option)))) ))
+    ;   true
+    ).
+
+bend_option(_, 'bend-radius').
+bend_option(_, relief).
+bend_option(Options, bends) :-
+    option(bends(true), Options),
+    \+ option(material(_), Options).
 
 %   clumped(Kinds, Kind, N) is nondet: N of the sorted Kinds are Kind.
 
@@ -215,7 +238,7 @@ drawing_options(Options, DrawingOptions) :-
 drawing_option(Options, Option) :-
     member(Name,
            [ page,tile,overlap,margin,gap,tabs,numbers,angles,inside,grid,
-             dashes,height,pages,fit,kerf
+             dashes,height,up,pages,fit,kerf
            ]),
     Option =.. [Name,_],
     option(Option, Options).

@@ -112,6 +112,9 @@ unfold_option(option(unit, '', one_of([mm, cm, m, inch]), 'UNIT',
     'what one is in the model, for the scale; default mm')).
 unfold_option(option(height, '', above(0), 'MM',
     'the scale at which the model is so high')).
+unfold_option(option(up, '', one_of([x, y, z]), 'AXIS',
+    'with --height: which axis of the model points up (z, as is usual; y in \c
+     most .obj files)')).
 unfold_option(option(pages, '', whole(1,5000), 'N',
     'the largest scale at which all is on N pages; A4, if --page does not say \c
      another')).
@@ -246,6 +249,8 @@ unfold_option_ko('other-thickness',
     '--true, --trim, --thickness와 함께: 다른 세그먼트의 두께').
 unfold_option_ko(scale, '도면의 척도. 1:2, 5:1 등. 기본값 1:1').
 unfold_option_ko(height, '모델의 높이가 이만큼 되는 척도').
+unfold_option_ko(up,
+    '--height와 함께: 모델의 어느 축이 위인가 (기본값 z, .obj 파일은 흔히 y)').
 unfold_option_ko(pages,
     '모두 N쪽에 들어가는 가장 큰 척도. --page가 없으면 A4').
 unfold_option_ko(fit, '쪽에 맞추어 조각을 나누지 않아도 되는 가장 큰 척도').
@@ -286,8 +291,8 @@ unfold_example('sanggwan unfold facts/gallery/saddle.pl --trim outside \c
 --page A4 -o saddle.pdf').
 unfold_example('sanggwan unfold facts/patterns/house.pl --tabs 6 \c
 --page A4-landscape -o house.pdf').
-unfold_example('sanggwan unfold cow.obj --faces 300 --height 200 --tabs 6 \c
---page A4 -o cow.pdf').
+unfold_example('sanggwan unfold cow.obj --faces 300 --height 200 --up y \c
+--tabs 6 --page A4 -o cow.pdf').
 unfold_example('sanggwan unfold pipes.pl --trim outside --only branch \c
 --remove base,top -o branch.dxf').
 unfold_example('sanggwan unfold facts/patterns/saddle.pl --trim outside \c

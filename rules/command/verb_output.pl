@@ -7,6 +7,7 @@
             no_model_replaced/2,        % +Files, +Outputs
             output_written/2,           % :Writer, +Output
             reported/2,                 % +Outputs, :Goal
+            summary_sent_told/2,        % +Outputs, +Endings
             usage_error/1               % +What
           ]).
 :- use_module('../kernel', [device_file/1]).
@@ -148,3 +149,18 @@ reported(Outputs, Goal) :-
         setup_call_cleanup(set_output(user_error), Goal, set_output(Out))
     ;   when_written(Goal)
     ).
+
+%!  summary_sent_told(+Outputs, +Endings) is det.
+%
+%   A warning where nothing is written and standard output, which has a summary,
+%   is a file with one of Endings: who wrote `> part.stl` wanted the solid.
+
+summary_sent_told([], Endings) :-
+    catch(read_link('/proc/self/fd/1', File, _), error(_, _), fail),
+    file_name_extension(_, Ending0, File),
+    downcase_atom(Ending0, Ending),
+    memberchk(Ending, Endings),
+    !,
+    file_base_name(File, Base),
+    print_message(warning, sanggwan(summary_sent(Base))).
+summary_sent_told(_, _).

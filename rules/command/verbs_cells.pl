@@ -21,7 +21,7 @@
 :- use_module(solid_verbs, [empty_roots_warned/0]).
 :- use_module(verb_output,
               [ some_files/2, outputs/3, no_model_replaced/2, output_written/2,
-                reported/2
+                reported/2, summary_sent_told/2
               ]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [member/2, sum_list/2]).
@@ -55,6 +55,7 @@ cells_run(Files, Options, Status) :-
                                Segments, Reports))),
     apart_warned(Glues),
     reported(Outputs, sg_verbs_cells:printed(Options, Reports)),
+    summary_sent_told(Outputs, [pl,dot,poly,geo,obj,off,stl]),
     forall(member(Output, Outputs),
            output_written(sg_verbs_cells:written(Output, Reports, Options),
                           Output)),

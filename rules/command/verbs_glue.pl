@@ -25,7 +25,7 @@
 :- use_module(solid_verbs, [operands_loaded/4, operands_evaluated/2]).
 :- use_module(verb_output,
               [ some_files/2, outputs/3, some_outputs/1, no_model_replaced/2,
-                output_written/2, reported/2
+                output_written/2, reported/2, summary_sent_told/2
               ]).
 :- use_module(verbs_cells, [print_cells/3, print_totals/3]).
 :- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
@@ -60,6 +60,7 @@ glue_run(Files, Options, 0) :-
              ; option(strict(true), Options), overlaps(Report) ))
     ->  printed(Options, Report)
     ;   reported(Outputs, sg_verbs_glue:printed(Options, Report)),
+        summary_sent_told(Outputs, [pl]),
         maplist(output_written(save_model), Outputs)
     ).
 

@@ -30,16 +30,16 @@
 :- use_module('../unfolding/unfold_whole', [pattern_whole/1]).
 :- use_module(verb_output,
               [ some_files/2, outputs/3, no_model_replaced/2, reported/2,
-                usage_error/1
+                summary_sent_told/2, usage_error/1
               ]).
 :- use_module(unfold_names,
               [ trims/1, flag_wishes/2, flag_option/2, flag_terms/3,
                 in_file/5
               ]).
 :- use_module(unfold_output,
-              [ laid_flat_told/2, tables_written/2, sheets_once/4,
-                sheets_laid/3, on_sheets/1, written_to/3, is_drawing/1,
-                drawing_options/2
+              [ laid_flat_told/2, no_bends_told/2, tables_written/2,
+                sheets_once/4, sheets_laid/3, on_sheets/1, written_to/3,
+                is_drawing/1, drawing_options/2
               ]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [include/3, maplist/2, maplist/3, maplist/4]).
@@ -73,7 +73,9 @@ unfold_run(Files, Options, 0) :-
     empty_roots_warned,
     roots_apart(Options),
     asked_once(patterns_reported(Files, Options, Flags, All, Ds, Options0)),
+    summary_sent_told(All, [svg,pdf,eps,ps,png,dxf,hpgl,fold,pl,obj,off]),
     laid_flat_told(Options0, Ds),
+    no_bends_told(Options0, Ds),
     tables_written(Options0, Ds),
     with_sheet_stack(Ds,
                      ( sheets_once(Options0, Ds, Outputs, Options1),

@@ -169,7 +169,7 @@ notice_en(one_segment) -->
 notice_en(empty_result(S, Name)) -->
     [ 'segment ~d (~p) is empty: nothing is left of its operands'-[S, Name] ].
 notice_en(summary_sent(File)) -->
-    [ '~w has this summary, not the solid'-[File], nl,
+    [ '~w has this summary, not the result'-[File], nl,
       '  Write it with -o ~w instead of > ~w.'-[File, File] ].
 notice_en(wrote(File)) -->
     [ 'wrote ~w'-[File] ].

@@ -168,7 +168,7 @@ notice_ko(one_segment) -->
 notice_ko(empty_result(S, Name)) -->
     [ '세그먼트 ~d(~p)이(가) 비었습니다. 피연산자에서 남은 것이 없습니다'-[S, Name] ].
 notice_ko(summary_sent(File)) -->
-    [ '~w 파일에는 입체가 아니라 요약이 들어갔습니다'-[File], nl,
+    [ '~w 파일에는 결과가 아니라 요약이 들어갔습니다'-[File], nl,
       '  > ~w 대신 -o ~w 옵션을 쓰십시오.'-[File, File] ].
 notice_ko(wrote(File)) -->
     [ '~w 파일을 썼습니다'-[File] ].

@@ -274,7 +274,7 @@ cityjson_ko(index(Index)) -->
 cityjson_ko(index(Index, Count)) -->
     [ '꼭짓점 ~d번이 없습니다. 0번부터 ~D개입니다'-[Index, Count] ].
 cityjson_ko(ring) -->
-    [ '고리의 꼭짓점이 셋보다 적습니다' ].
+    [ '루프의 꼭짓점이 셋보다 적습니다' ].
 cityjson_ko(geometry(Type)) -->
     [ '모르는 형상입니다: ~p'-[Type] ].
 cityjson_ko(no_lod(Lod)) -->

@@ -239,6 +239,8 @@ unfold_en(mitre_not_set_in(S)) -->
       '  --set-in is for a branch that is narrower than its header.' ].
 unfold_en(no_sphere(Option)) -->
     [ '~w says nothing: no sphere was unrolled'-[Option] ].
+unfold_en(no_bend(Option)) -->
+    [ '~w says nothing: no pattern has a bend'-[Option] ].
 unfold_en(kept_apart(S, N)) -->
     [ 'segment ~d: ~D edge(s) could not be kept: on one side is what is \c
        unrolled, on the other what is flat, in a pattern of its own'-[S, N] ].

@@ -190,6 +190,8 @@ unfold_ko(mitre_not_set_in(S)) -->
       '  --set-in은 주관보다 가는 지관에 쓰십시오.' ].
 unfold_ko(no_sphere(Option)) -->
     [ '~w 옵션은 뜻이 없습니다. 편 구가 없습니다'-[Option] ].
+unfold_ko(no_bend(Option)) -->
+    [ '~w 옵션은 뜻이 없습니다. 굽힘이 있는 전개도가 없습니다'-[Option] ].
 unfold_ko(kept_apart(S, N)) -->
     [ '세그먼트 ~d: 모서리 ~D개를 이을 수 없습니다. 한쪽은 말린 것을 펴고 다른 \c
        쪽은 평평하여 따로 전개합니다'-[S, N] ].

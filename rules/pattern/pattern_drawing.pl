@@ -15,7 +15,7 @@
 :- use_module(pattern_text, [written/5]).
 :- use_module(pattern_table, [pattern_tables/4, table_loops/2]).
 :- use_module(pattern_scale,
-              [fitting_scale/4, height_scale/3, pages_scale/4, scale_text/2]).
+              [fitting_scale/4, height_scale/4, pages_scale/4, scale_text/2]).
 :- use_module(pattern_tile, [tiled/4]).
 :- use_module(pattern_title, [pattern_title/2, pattern_titles/2]).
 :- use_module(pattern_parted, [parted_segments/2]).
@@ -146,8 +146,9 @@ says_scale(Option) :-
     functor(Option, Name, _),
     memberchk(Name, [scale,unit,height]).
 
-found_scale(height(H), Ds, _, Scale) :-
-    height_scale(Ds, H, Scale).
+found_scale(height(H), Ds, Options, Scale) :-
+    option(up(Axis), Options, z),
+    height_scale(Ds, Axis, H, Scale).
 found_scale(fit, Ds, Options, Scale) :-
     unit_pieces(Ds, Options, Pieces, Paper),
     fitting_scale(Pieces, Paper, Options, Scale).

@@ -2,6 +2,7 @@
 :- module(sg_pattern_plate,
           [ plate_measures/4,           % +D, +Area, +Options, -Measures
             material/2,                 % ?Name, -Density
+            has_bends/1,                % +D
             bend_numbers/2,             % +Plate, -Numbers
             bend_table/4                % +Plate, +Options, -Marks, -Size
           ]).
@@ -71,6 +72,14 @@ radius(Options, T, Radius) :-
     ->  Radius = Radius0
     ;   option(bend_radius(Radius), Options, T)
     ).
+
+%!  has_bends(+D) is semidet.
+%
+%   True when pattern D has a fold that bends by more than half a degree.
+
+has_bends(D) :-
+    bend(D, 0, _),
+    !.
 
 bend(D, Radius, _{fold:J, edge:E1, polygons:[P1,P2], length:Length,
                   angle:Degrees, direction:Direction, radius:Radius}) :-

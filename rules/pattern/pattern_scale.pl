@@ -1,5 +1,5 @@
 :- module(sg_pattern_scale,
-          [ height_scale/3,             % +Ds, +Millimetres, -Scale
+          [ height_scale/4,             % +Ds, +Axis, +Millimetres, -Scale
             fitting_scale/4,            % +Pieces, +Paper, +Options, -Scale
             pages_scale/4,              % +Area, +Room, :Pages, -Scale
             scale_text/2                % +Scale, -Text
@@ -25,22 +25,29 @@ scale for that. A scale is how many millimetres a unit of the model is.
 steps(12).
 worse(0.97).
 
-%!  height_scale(+Ds:list, +Millimetres, -Scale) is det.
+%!  height_scale(+Ds:list, +Axis, +Millimetres, -Scale) is det.
 %
 %   What the patterns Ds are of is Millimetres high at Scale, from its lowest
-%   vertex to its highest.
+%   vertex to its highest along Axis, `x`, `y` or `z`.
 %
 %   @error usage_error(pattern(no_height)): it is flat, or nobody knows of what
 %          these patterns are
 
-height_scale(Ds, Millimetres, Scale) :-
-    (   aggregate_all(r(min(Z), max(Z)),
-                      ( member(D, Ds), pattern_of(D, T), v(T, _, _, _, Z) ),
+height_scale(Ds, Axis, Millimetres, Scale) :-
+    (   aggregate_all(r(min(H), max(H)),
+                      ( member(D, Ds),
+                        pattern_of(D, T),
+                        v(T, _, X, Y, Z),
+                        along(Axis, X, Y, Z, H) ),
                       r(Low, High)),
         High > Low
     ->  Scale is Millimetres/(High-Low)
     ;   throw(error(usage_error(pattern(no_height)), _))
     ).
+
+along(x, X, _, _, X).
+along(y, _, Y, _, Y).
+along(z, _, _, Z, Z).
 
 %!  fitting_scale(+Pieces, +Paper, +Options, -Scale) is det.
 %

@@ -9,6 +9,7 @@
             row_height/2                % +Height, -Row
           ]).
 :- use_module('../csg/placed_surface', [placed_surface/3]).
+:- use_module('../near', [tolerance/2]).
 :- use_module('../language', [result_language/1, with_result_language/2]).
 :- use_module('../sheet/lettering', [lettering_width/3]).
 :- use_module('../output', [writing/3]).
@@ -16,7 +17,9 @@
 :- use_module(true_words, [column_word/3]).
 :- use_module(library(apply), [foldl/4, maplist/3, maplist/4]).
 :- use_module(library(lists),
-              [append/2, append/3, last/2, member/2, nth1/3, sum_list/2]).
+              [ append/2, append/3, last/2, max_list/2, member/2, nth1/3,
+                sum_list/2
+              ]).
 :- use_module(library(option), [option/2, option/3]).
 /** <module> Generators of a true development, and the table of true lengths.
 
@@ -47,11 +50,12 @@ generator_mark(D, Number, X1-Y1, X2-Y2) :-
 %   parameter. Of a cylinder Position is the arc from the left side of the
 %   pattern, From and To are how far its ends are above the base line; of a cone
 %   Position is the angle at the apex, degrees, from the seam, From and To are
-%   the distances of its ends from the apex; of a transition they say nothing
-%   more than Length. StepFrom and StepTo are the distances in the pattern of
-%   its ends from those of the next generator, Diagonal that of its first end
-%   from the next one's last: so the pattern can be drawn with compasses,
-%   triangle by triangle. They are `none` where there is no next one, and for
+%   the distances of its ends from the apex (of a layer whose generators do not
+%   meet, from that of the drawn surface: no column has them); of a transition
+%   they say nothing more than Length. StepFrom and StepTo are the distances in
+%   the pattern of its ends from those of the next generator, Diagonal that of
+%   its first end from the next one's last: so the pattern can be drawn with
+%   compasses, triangle by triangle. They are `none` where there is no next one, and for
 %   the further parts of one that holes interrupt.
 
 true_length_rows(D, Rows) :-
@@ -127,9 +131,40 @@ true_length_columns(D, Unit, Columns) :-
     result_language(Language),
     maplist(column_name(Language, Unit), Names, Columns).
 
-%   pattern_kind(D, Kind): of which surface D is.
+%   pattern_kind(D, Kind): of which surface D is; cone_moved: of a layer of a
+%   cone whose generators have no one point in common.
 
 pattern_kind(D, Kind) :-
+    surface_kind(D, Kind0),
+    (   Kind0 == cone,
+        \+ one_apex(D)
+    ->  Kind = cone_moved
+    ;   Kind = Kind0
+    ).
+
+%   one_apex(D): the distances from the apex that its generators name are, in
+%   the pattern, those from one point.
+
+one_apex(D) :-
+    findall(X-Y,
+            ( origin(D, e(E), generator(_, _, _, From, To)),
+              edge_ends(D, E, X1-Y1, X2-Y2),
+              From =\= To,
+              X is X1 + (X2-X1)*From/(From-To),
+              Y is Y1 + (Y2-Y1)*From/(From-To) ),
+            Apexes),
+    findall(To, origin(D, e(_), generator(_, _, _, _, To)), Tos),
+    findall(From, origin(D, e(_), generator(_, _, _, From, _)), Froms),
+    append(Froms, Tos, Distances),
+    max_list([0.0|Distances], Size),
+    tolerance(place, Of),
+    (   Apexes = [Apex|Others]
+    ->  forall(member(Other, Others),
+               ( distance(Apex, Other, Off), Off < Of*Size ))
+    ;   true
+    ).
+
+surface_kind(D, Kind) :-
     (   segment(D, _, true_development(S, Part)),
         (   Part = Leaf/Name
         ->  true
@@ -147,6 +182,7 @@ pattern_kind(D, Kind) :-
 place_columns(cylinder, [arc-unit,from-unit,to-unit]).
 place_columns(sphere, [arc-unit,from-unit,to-unit]).
 place_columns(cone, [angle-degrees,apex_from-unit,apex_to-unit]).
+place_columns(cone_moved, [angle-degrees]).
 place_columns(ruled, []).
 place_columns(transition, []).
 
@@ -209,6 +245,8 @@ place_texts(sphere, Decimals, F, Position, Ends, Texts) :-
 place_texts(cone, Decimals, F, Position, Ends, [Angle|Texts]) :-
     number_text(Decimals, 1, Position, Angle),
     maplist(number_text(Decimals, F), Ends, Texts).
+place_texts(cone_moved, Decimals, _, Position, _, [Angle]) :-
+    number_text(Decimals, 1, Position, Angle).
 place_texts(ruled, _, _, _, _, []).
 place_texts(transition, _, _, _, _, []).
 

@@ -257,6 +257,9 @@ command(unfold(attached(_,_,_)), [unfold, @('two_welds.pl')]).
 command(unfold(not_developable(_,_,_)), [unfold, @('ring.pl'), '--true']).
 command(unfold(no_sphere(_)), [unfold, @('pipes.pl'), '--true', '--gores', '8',
                                '--no-lines']).
+command(unfold(no_bend(_)),
+        [unfold, @('pipes.pl'), '--true', '--thickness', '0.1', '--relief',
+         round, '--no-lines']).
 command(unfold(mitre_not_set_in(_)),
         [unfold, @('tee.pl'), '--true', '--trim', outside, '--thickness', '2',
          '--set-in', '--only', '2']).

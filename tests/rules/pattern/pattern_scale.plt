@@ -30,11 +30,16 @@ scaled_box(Size, Options, Scale, Sheets) :-
 
 test(height, Scale =:= 50.0) :-
     scaled_box(size(3,2,4), [height(200)], Scale, _).
+test(height_along_another_axis, Scales == [40.0,100.0]) :-
+    findall(Scale,
+            ( member(Axis, [x,y]),
+              scaled_box(size(5,2,4), [height(200),up(Axis)], Scale, _) ),
+            Scales).
 test(height_says_more_than_scale, Scale =:= 50.0) :-
     scaled_box(size(3,2,4), [scale(1:7),unit(m),height(200)], Scale, _).
 test(flat_has_none, error(usage_error(pattern(no_height)))) :-
     new_world(World),
-    in_world(World, height_scale([], 100, _)).
+    in_world(World, height_scale([], z, 100, _)).
 % A cross of four by three on A4 with 190 x 268 mm for it: 190/3.
 test(fit, Sheets == 1) :-
     scaled_box(size(1,1,1), [fit(true)], Scale, Sheets),
