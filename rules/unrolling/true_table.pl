@@ -55,8 +55,8 @@ generator_mark(D, Number, X1-Y1, X2-Y2) :-
 %   they say nothing more than Length. StepFrom and StepTo are the distances in
 %   the pattern of its ends from those of the next generator, Diagonal that of
 %   its first end from the next one's last: so the pattern can be drawn with
-%   compasses, triangle by triangle. They are `none` where there is no next one, and for
-%   the further parts of one that holes interrupt.
+%   compasses, triangle by triangle. They are `none` where there is no next one,
+%   and for the further parts of one that holes interrupt.
 
 true_length_rows(D, Rows) :-
     findall(generator(Number, Degrees, Position, From, To)-(P-Q),
