@@ -18,6 +18,7 @@ them too. What is in none can be imported from the module that has it.
               gluing/2, unfolding/2, region/3, sides/4, from_r/4, lies_in/3,
               piece/3, joint/6, view/3, projection/1,
               title_block/2, look/2, light/2, param/2, param_about/2, formula/2,
+              question/2,
               screen/5, contour/13, surface_facing/6, drawn/7, span/7 ]).
 
 :- topic(asking, "Asking what is there").

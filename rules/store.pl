@@ -31,6 +31,7 @@
             param/2,                  % ?Name, ?Value
             param_about/2,            % ?Name, ?Items
             formula/2,                % ?Row, ?Fact
+            question/2,               % ?Name, ?Goal
             screen/5,                 % ?S, ?V, ?Xs, ?Ys, ?Zs
             contour/13,               % ?S, ?K, ?T, ?I1, ?F1, ?I2, ?F2,
                                       % ?To, ?Ts, ?X1, ?Y1, ?X2, ?Y2
@@ -271,6 +272,11 @@ refers to any more is freed with its handle by atom garbage collection.
 %   with the key of the row; or the row itself, if it has no key. It holds as
 %   long as the values of the formulas are those of the row (formula_rows.pl).
 %   Row is set(Name) if the parameter Name was set: Fact has its default.
+
+%!  question(?Name, ?Goal) is nondet.
+%
+%   True when the model has a question Name; Goal, an atom, is the text of a goal,
+%   which is read when it is asked.
 
 %!  screen(?S, ?V, ?Xs, ?Ys, ?Zs) is nondet.
 %
@@ -639,6 +645,7 @@ sandbox:safe_primitive(sg_store:light(_,_)).
 sandbox:safe_primitive(sg_store:param(_,_)).
 sandbox:safe_primitive(sg_store:param_about(_,_)).
 sandbox:safe_primitive(sg_store:formula(_,_)).
+sandbox:safe_primitive(sg_store:question(_,_)).
 sandbox:safe_primitive(sg_store:screen(_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:contour(_,_,_,_,_,_,_,_,_,_,_,_,_)).
 sandbox:safe_primitive(sg_store:surface_facing(_,_,_,_,_,_)).

@@ -28,6 +28,7 @@ function commands(studio) {
     ...studio.models.map((name) => [named(w("open"), name), () => studio.opened(name)]),
     ...studio.formats.flatMap(([what, formats]) => formats.map((format) =>
       [named(w("export"), w(what + "_of"), format), () => studio.export(what, format)])),
+    ...studio.asking.questions.map(({ name, goal }) => [named(w("ask"), name), () => studio.asking.pose(goal), goal]),
     ["한국어 / English", otherTongue],
     ...studio.segments.map(({ segment, name }) => [`s${segment} ${name}`, () => {
       studio.leftTo("tree");

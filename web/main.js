@@ -197,6 +197,7 @@ class Studio {
 
   reworded() {
     this.tree.draw();
+    this.asking.list(this.asking.questions);
     this.ports.refresh();
     this.problems.reworded();
     if (this.ready && this.pane === "rules") this.rules.refresh().catch((error) => this.failed(error));

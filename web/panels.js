@@ -28,8 +28,53 @@ export class Asking {
       h("h2", { "data-word": "ask" }),
       h("div", { class: "line" }, h("span", { class: "prompt", "aria-hidden": "true" }, "?-"), this.box, this.words,
         h("button", { class: "main", "data-word": "ask" }),
+        this.keep = h("button", { type: "button", "data-word": "save_question", onclick: () => this.naming() }),
         h("button", { type: "button", "data-word": "clear", onclick: () => this.clear() }), this.count),
-      this.table);
+      this.kept = h("div", { class: "line saved", role: "group", hidden: true }), this.table);
+    this.kept.dataset.label = "saved_questions";
+    this.questions = [];
+  }
+
+  // The questions that are kept with the model.
+  list(questions) {
+    const { studio } = this;
+    this.questions = questions;
+    this.keep.hidden = !studio.isText;
+    this.kept.hidden = !questions.length;
+    this.kept.replaceChildren(...questions.flatMap(({ name, goal }) => [
+      h("button", { type: "button", class: "name", title: goal, onclick: () => this.pose(goal) }, name),
+      studio.isText ? h("button", { type: "button", class: "name", "aria-label": w("remove_question", name),
+        title: w("remove_question", name), onclick: () => studio.change("question", { name, goal: null }) }, "×") : null])
+      .filter(Boolean));
+  }
+
+  pose(goal) {
+    this.studio.paneTo("asking");
+    this.box.value = goal;
+    return this.ask();
+  }
+
+  // What is in the box is kept, under a name that is asked for where they stand.
+  naming() {
+    const goal = this.box.value.trim();
+    if (!goal) return;
+    const names = this.questions.map(({ name }) => name);
+    const word = /[a-z]\w*/.exec(goal)?.[0] || "goal";
+    let free = word;
+    for (let i = 2; names.includes(free); i++) free = `${word} ${i}`;
+    const box = h("input", { type: "text", value: this.questions.find((one) => one.goal === goal)?.name || free,
+      onkeydown: (event) => {
+        if (!["Enter", "Escape"].includes(event.key) || event.isComposing) return;
+        event.preventDefault();
+        event.stopPropagation();
+        const name = box.value.trim();
+        if (event.key === "Enter" && name) this.studio.change("question", { name, goal });
+        this.list(this.questions);
+        this.keep.focus();
+      } });
+    this.kept.prepend(h("label", { class: "line remark" }, w("question_name"), box));
+    this.kept.hidden = false;
+    box.select();
   }
 
   complete = calm(200, async () => {

@@ -55,6 +55,7 @@ export class Tree {
       this.model = { params: [], forms: {}, segments: segments.map(({ segment, kind, name }) =>
         ({ segment, kind, term: name })) };
     }
+    this.studio.asking.list(this.model.questions || []);
     this.draw();
   }
 

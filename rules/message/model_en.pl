@@ -88,7 +88,8 @@ model_en(unknown_relation(Name, Arity)) -->
       '  A model has v/5, e/5, p/3, plane/6, t/6, segment/3, \c
        leaf_v/5, leaf_e/5, leaf_p/3, leaf_t/6, origin/3, from_v/4, \c
        from_p/5, line/9, curve/2, view/3, projection/1, \c
-       title_block/2, look/2, light/2 and param/2.' ].
+       title_block/2, look/2, light/2, param/2 and \c
+       question/2.' ].
 model_en(arity(Name, Arity, Wanted)) -->
     [ '~w has '-[Name] ],
     counted(Arity, argument, arguments),
@@ -188,6 +189,8 @@ expected_en(within(Most)) -->
       '  Choose other units: nothing can be computed at this size.' ].
 expected_en(text) -->
     [ 'text, a number or an atom' ].
+expected_en(words) -->
+    [ 'text or an atom, not an empty one' ].
 expected_en(look(What)) -->
     expected_look_en(What).
 expected_en(light(What)) -->
@@ -211,7 +214,9 @@ key_en(Key) -->
     ->  { maplist(term_to_atom, Key, Words),
           atomic_list_concat(Words, ', ', Text) },
         [ 'with the numbers ~w'-[Text] ]
-    ;   [ 'where one may stand' ]
+    ;   { Key == - }
+    ->  [ 'where one may stand' ]
+    ;   [ 'of ~q, where one may stand'-[Key] ]
     ).
 
 polygon_en(list) -->

@@ -87,7 +87,8 @@ model_ko(unknown_relation(Name, Arity)) -->
       '  모델의 관계: v/5, e/5, p/3, plane/6, t/6, segment/3, \c
        leaf_v/5, leaf_e/5, leaf_p/3, leaf_t/6, origin/3, from_v/4, \c
        from_p/5, line/9, curve/2, view/3, projection/1, \c
-       title_block/2, look/2, light/2, param/2.' ].
+       title_block/2, look/2, light/2, param/2, \c
+       question/2.' ].
 model_ko(arity(Name, Arity, Wanted)) -->
     [ '~w의 인수가 ~d개입니다. ~d개여야 합니다'-[Name, Arity, Wanted], nl,
       '  ~w/~d의 설명과 비교하십시오.'-[Name, Wanted] ].
@@ -182,6 +183,8 @@ expected_ko(within(Most)) -->
       '  다른 단위를 쓰십시오. 이 크기로는 계산할 수 없습니다.' ].
 expected_ko(text) -->
     [ '텍스트, 수, 또는 아톰' ].
+expected_ko(words) -->
+    [ '비어 있지 않은 텍스트나 아톰' ].
 expected_ko(look(What)) -->
     expected_look_ko(What).
 expected_ko(light(What)) -->
@@ -205,7 +208,9 @@ key_ko(Key) -->
     ->  { maplist(term_to_atom, Key, Words),
           atomic_list_concat(Words, ', ', Text) },
         [ '번호 ~w'-[Text] ]
-    ;   [ '하나만 있을 수 있습니다' ]
+    ;   { Key == - }
+    ->  [ '하나만 있을 수 있습니다' ]
+    ;   [ '~q에는 하나만 있을 수 있습니다'-[Key] ]
     ).
 
 polygon_ko(list) -->

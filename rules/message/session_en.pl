@@ -102,6 +102,8 @@ session_en(edit(no_edge(Text))) -->
       '  An edge is named like 7, base-side(3) or v(3)-v(8).' ].
 session_en(edit(no_wish(S, Edge))) -->
     [ 'the text does not say whether edge ~p of segment ~p is cut'-[Edge, S] ].
+session_en(edit(no_question(Name))) -->
+    [ 'the text has no question ~q'-[Name] ].
 session_en(no_name(Name)) -->
     [ 'the picture has nothing called ~w'-[Name], nl,
       '  Names are those of its lines and parts, like s1e7; ask for them \c
@@ -195,6 +197,8 @@ session_en(does(edit)) -->
     [ 'replaces a number of the model' ].
 session_en(does(cut)) -->
     [ 'says whether an edge is cut or kept in patterns' ].
+session_en(does(question)) -->
+    [ 'keeps a question with the model, or takes one away' ].
 session_en(does(text)) -->
     [ 'gives the text of the model, or another text to it' ].
 session_en(does(tree)) -->
@@ -277,6 +281,10 @@ wanted_en(word) -->
     [ 'a word, like "line/9"' ].
 wanted_en(text) -->
     [ 'the beginning of a word, of 200 characters at most' ].
+wanted_en(question) -->
+    [ 'what the question is called' ].
+wanted_en(question_goal) -->
+    [ 'the text of a goal, or null' ].
 wanted_en(names) -->
     [ 'a list of names, like ["s1e7", "s2"], 1,000 at most' ].
 wanted_en(edge) -->

@@ -98,6 +98,8 @@ session_ko(edit(no_edge(Text))) -->
       '  모서리의 이름은 7, base-side(3), v(3)-v(8)과 같습니다.' ].
 session_ko(edit(no_wish(S, Edge))) -->
     [ '글에 세그먼트 ~p의 모서리 ~p을(를) 자르는지가 없습니다'-[S, Edge] ].
+session_ko(edit(no_question(Name))) -->
+    [ '글에 ~q(이)라는 질문이 없습니다'-[Name] ].
 session_ko(no_name(Name)) -->
     [ '그림에 ~w(이)라는 것이 없습니다'-[Name], nl,
       '  이름은 s1e7처럼 그림의 선과 부분의 이름입니다. 변경 뒤에는 다시 \c
@@ -190,6 +192,8 @@ session_ko(does(edit)) -->
     [ '모델의 수 하나를 바꿉니다' ].
 session_ko(does(cut)) -->
     [ '전개도에서 모서리를 자를지 이을지 정합니다' ].
+session_ko(does(question)) -->
+    [ '질문을 모델과 함께 남기거나 지웁니다' ].
 session_ko(does(text)) -->
     [ '모델의 글을 주거나 다른 글로 바꿉니다' ].
 session_ko(does(tree)) -->
@@ -271,6 +275,10 @@ wanted_ko(word) -->
     [ '낱말. "line/9"처럼' ].
 wanted_ko(text) -->
     [ '낱말의 처음. 200자까지' ].
+wanted_ko(question) -->
+    [ '질문의 이름' ].
+wanted_ko(question_goal) -->
+    [ '목표의 텍스트, 또는 null' ].
 wanted_ko(names) -->
     [ '이름의 리스트. ["s1e7", "s2"]처럼, 1,000개까지' ].
 wanted_ko(edge) -->

@@ -52,6 +52,12 @@ studio_word(one_answer, '1 answer', '답 1개').
 studio_word(no_answers, 'no', '답이 없습니다').
 studio_word(yes, 'yes', '예').
 studio_word(more, '{0} more', '{0}개 더').
+studio_word(save_question, 'Keep', '남기기').
+studio_word(question_name,
+    'Called (Enter keeps it with the model):',
+    '질문의 이름 (엔터를 누르면 모델과 함께 남습니다):').
+studio_word(saved_questions, 'Questions kept with the model', '모델과 함께 남긴 질문').
+studio_word(remove_question, 'Remove the question {0}', '질문 {0} 지우기').
 studio_word(clear, 'Clear', '지우기').
 studio_word(view, 'View of this port', '이 뷰포트의 투상도').
 studio_word(iso, 'pictorial', '입체도').

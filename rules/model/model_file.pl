@@ -4,7 +4,7 @@
 :- use_module('../store',
               [ v/5, e/5, p/3, plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3,
                 leaf_t/6, segment/3, line/9, piece/3, joint/6, region/3,
-                title_block/2, param_about/2, assert_fact/1,
+                title_block/2, question/2, param_about/2, assert_fact/1,
                 retractall_facts/1, facts_transaction/1
               ]).
 :- use_module(item_where, [text_noted/2]).
@@ -62,8 +62,8 @@ A file holds facts of the relations (model_text.pl), in any order, and:
     CSG tree (csg_term.pl), whose nested operands get segments of their own
     after those of the file.
   - `view(Theta, Phi, Rho)` and `projection(Kind)`, once each, and
-    `title_block(Item, Text)`, once for an item; they replace those of the
-    world.
+    `title_block(Item, Text)` and `question(Name, Goal)`, once for an item or
+    a name; they replace those of the world.
   - `look(S, Property)`, `light(N, Property)`: see look_file.pl.
 
   - `param(Name, Default)`, once for a name. Where the schema wants a number, a
@@ -367,7 +367,8 @@ later_added(Facts, Later) :-
            later_rows(Relation, Facts, Later)),
     later_setting(Later, view/3),
     later_setting(Later, projection/1),
-    later_title(Later),
+    later_named(Later, title_block/2),
+    later_named(Later, question/2),
     later_abouts(Later).
 
 %   numbered_among(Facts, Polygons) is semidet: edges of one of Polygons are
@@ -420,20 +421,25 @@ later_abouts(Later) :-
              ;   row_added(Row, Place)
              ) )).
 
-%   later_title(Later): what the last file says of an item holds.
+%   later_named(Later, Relation): what the last file says of a name holds.
 
-later_title(Later) :-
-    later_of(Later, title_block/2, Items),
-    forall(member(later(title_block(Item, _), _), Items),
-           retractall_facts(title_block(Item, _))),
-    forall(member(later(Row, Place), Items), title_added(Row, Place)).
+later_named(Later, Relation) :-
+    later_of(Later, Relation, Items),
+    forall(member(later(Row, _), Items),
+           ( same_name(Row, Same), retractall_facts(Same) )),
+    forall(member(later(Row, Place), Items), named_added(Row, Place)).
 
-title_added(Row, Place) :-
-    Row = title_block(Item, _),
-    (   title_block(Item, _)
-    ->  place_error(Place, twice(title_block, Item))
+named_added(Row, Place) :-
+    same_name(Row, Same),
+    (   call(Same)
+    ->  Row =.. [Relation,Name|_],
+        place_error(Place, twice(Relation, Name))
     ;   row_added(Row, Place)
     ).
+
+same_name(Row, Same) :-
+    Row =.. [Relation,Name,_],
+    Same =.. [Relation,Name,_].
 
 %   later_segment(Item): the row, and what its primitive makes.
 

@@ -373,6 +373,7 @@ file_type(float, view, 2, distance) :- !.
 file_type(float, _, _, float).
 file_type(list, p, _, steps) :- !.
 file_type(list, _, _, ids).
+file_type(atom, question, _, words) :- !.
 file_type(atom, _, _, atom).
 file_type(term, title_block, _, text) :- !.
 file_type(term, param, _, number) :- !.
@@ -452,6 +453,11 @@ typed(one_of(Values), Value, Value) :-
     memberchk(Value, Values).
 typed(atom, Atom, Atom) :-
     atom(Atom).
+typed(words, Text, Atom) :-
+    ( atom(Text) ; string(Text) ),
+    Text \== '',
+    Text \== "",
+    atom_string(Atom, Text).
 typed(text, Text, Atom) :-
     string(Text),
     !,

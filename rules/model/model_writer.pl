@@ -11,7 +11,7 @@
                 gluing/2, unfolding/2, piece/3, joint/6, region/3, sides/4,
                 from_r/4, lies_in/3, view/3, projection/1,
                 title_block/2, look/2, light/2, param/2, param_about/2,
-                formula/2
+                formula/2, question/2
               ]).
 :- use_module(formula_rows,
               [made_by_formula/1, placed_by_formula/1, written_fact/2]).
@@ -23,10 +23,10 @@ Segments in the order of their numbers; in each segment/3, v/5, e/5, p/3,
 plane/6, t/6, leaf_v/5, leaf_e/5, leaf_p/3, leaf_t/6, origin/3, from_v/4,
 from_p/5, piece/3, joint/6, region/3, sides/4, from_r/4, lies_in/3, every
 relation in the order of its key, and unfolding/2, look/2; before them param/2
-and param_about/2, after them line/9, view/3, projection/1, title_block/2 and
-light/2. Floats have the fewest digits that read back to the same float. So
-equal worlds give equal bytes, a small change gives a small difference, and
-read_model/3 brings back the same relations.
+and param_about/2, after them line/9, view/3, projection/1, title_block/2,
+light/2 and question/2. Floats have the fewest digits that read back to the same
+float. So equal worlds give equal bytes, a small change gives a small
+difference, and read_model/3 brings back the same relations.
 
 Where the edges of a segment are just what read_model/3 makes from vertex
 lists, as after reading vertex lists or a mesh, its polygons are written as
@@ -65,7 +65,8 @@ write_model_to(Stream) :-
     write_rows(Stream, 1, view(_, _, _)),
     write_rows(Stream, 1, projection(_)),
     write_rows(Stream, Item, title_block(Item, _)),
-    write_rows(Stream, N-Property, light(N, Property)).
+    write_rows(Stream, N-Property, light(N, Property)),
+    write_rows(Stream, Question, question(Question, _)).
 
 all_segments(Ss) :-
     findall(S, segment(S, _, _), Ss0),

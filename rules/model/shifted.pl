@@ -72,7 +72,7 @@ shifted(_, Fact, Fact).
 segment_relation(Fact) :-
     functor(Fact, Name, Arity),
     \+ memberchk(Name/Arity, [ view/3, projection/1, title_block/2, param/2,
-                              param_about/2, light/2 ]).
+                              param_about/2, light/2, question/2 ]).
 
 %   made_of(Term0, DS, Term): Term0 names the segments that another was made of.
 

@@ -200,11 +200,11 @@ shape(World, Objects, _{segments:Segments, messages:Objects}) :-
 %!  document_changed(+Request, +Head:dict, +Body, -Reply:dict,
 %!                   -Commit:callable) is det.
 %
-%   Request is `edit`, `cut`, `text`, `undo`, `redo` or `rules`. Reply has the
-%   keys segments and messages; of `edit` also `was`, the number that was
-%   replaced, of `cut` `wish`, the fact that is there now. When
-%   Commit has been called, the change stands in the journal, and the document
-%   has it.
+%   Request is `edit`, `cut`, `question`, `text`, `undo`, `redo` or `rules`.
+%   Reply has the keys segments and messages; of `edit` also `was`, the number
+%   that was replaced, of `cut` `wish` and of `question` `question`, the fact
+%   that is there now. When Commit has been called, the change stands in the
+%   journal, and the document has it.
 %
 %   @error request_error(What), model_error(What)
 

@@ -7,8 +7,9 @@
           ]).
 :- use_module(document_content, [content/3, content_key/3]).
 :- use_module(protocol, [octets_text/2]).
+:- use_module(query, [read_goal/3]).
 :- use_module(request, [request_error/1]).
-:- use_module(text_edit, [number_place/5, text_replaced/5, wish_place/6]).
+:- use_module(text_edit, [fact_place/6, number_place/5, text_replaced/5]).
 :- use_module(library(lists), [append/3, member/2]).
 /** <module> Steps: how a document becomes another one, and back.
 
@@ -24,8 +25,8 @@ most_steps(1000).
 %!  change_step(+Request, +Head:dict, +Body, +Text, -Step:dict,
 %!              -More:dict) is det.
 %
-%   Step is what the Request `undo`, `redo`, `text`, `edit` or `cut` asks of a
-%   document with this Text; More is what its reply has besides.
+%   Step is what the Request `undo`, `redo`, `text`, `edit`, `cut` or `question`
+%   asks of a document with this Text; More is what its reply has besides.
 %
 %   @error request_error(What)
 
@@ -50,8 +51,31 @@ change_step(cut, Head, _, Text, _{do:"edit", from:From, to:To, with:Fact},
         get_dict(edge, Head, Edge),
         ( integer(Edge) ; string(Edge) ),
         wished(Head, Name)
-    ->  wish_place(Text, wish(S, Name, Edge), From, To, Fact, Wish)
+    ->  fact_place(Text, wish(S, Name, Edge), From, To, Fact, Wish)
     ;   request_error(bad_key(edge, edge))
+    ).
+change_step(question, Head, _, Text, _{do:"edit", from:From, to:To, with:Fact},
+            _{question:Question}) :-
+    question_wanted(Head, Name, Goal),
+    fact_place(Text, question(Name, Goal), From, To, Fact, Question).
+
+question_wanted(Head, Name, Goal) :-
+    (   get_dict(name, Head, Name0),
+        string(Name0),
+        normalize_space(string(Name), Name0),
+        Name \== ""
+    ->  true
+    ;   request_error(bad_key(name, question))
+    ),
+    (   get_dict(goal, Head, Goal0),
+        ( string(Goal0) ; Goal0 == null )
+    ->  true
+    ;   request_error(bad_key(goal, question_goal))
+    ),
+    (   Goal0 == null
+    ->  Goal = none
+    ;   Goal = Goal0,
+        read_goal(Goal, _, _)
     ).
 
 wished(Head, Name) :-

@@ -289,6 +289,7 @@ keys("unfold",   [segment,options,sheet]).
 keys("fold",     [segment,options]).
 keys("edit",     [set]).
 keys("cut",      [segment,edge,keep]).
+keys("question", [name,goal]).
 keys("text",     []).
 keys("tree",     []).
 keys("problems", []).

@@ -22,10 +22,12 @@ changes is one of the text (text_edit.pl).
 %       numbers min, max, step and the texts en, ko that the text gives
 %     - forms: of the primitives in it, _{cylinder:_{radius:Types, ...}, ...}:
 %       the types (primitive_argument.pl) of the numbers of each argument
+%     - questions: a list of _{name:Name, goal:Goal}, texts
 %
 %   Text is that of a model, which has been loaded.
 
-text_tree(Text, _{segments:Segments, params:Params, forms:Forms}) :-
+text_tree(Text, _{ segments:Segments, params:Params, forms:Forms,
+                   questions:Questions }) :-
     setup_call_cleanup(
         open_string(Text, In),
         facts(In, Facts),
@@ -42,7 +44,11 @@ text_tree(Text, _{segments:Segments, params:Params, forms:Forms}) :-
                                       has_name(Term, Name) )),
               form(Name, Form) ),
             Pairs),
-    dict_pairs(Forms, _, Pairs).
+    dict_pairs(Forms, _, Pairs),
+    findall(_{name:Called, goal:Goal},
+            ( member(question(Called0, Goal0), Facts),
+              text_to_string(Called0, Called), text_to_string(Goal0, Goal) ),
+            Questions).
 
 facts(In, Facts) :-
     read_term(In, Fact, [ module(sg_model_syntax), cycles(false),

@@ -360,6 +360,7 @@ request(unfold,   document, laid(unfolded)).
 request(fold,     document, laid(folded)).
 request(edit,     document, changed(edit)).
 request(cut,      document, changed(cut)).
+request(question, document, changed(question)).
 request(text,     document, text).
 request(tree,     document, treed).
 request(undo,     document, changed(undo)).

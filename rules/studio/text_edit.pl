@@ -1,12 +1,13 @@
 :- module(sg_text_edit,
           [ number_place/5,             % +Text, +Which, -From, -To, -Number
             text_replaced/5,            % +Text, +From, +To, +With, -New
-            wish_place/6                % +Text, +Wish, -From, -To, -With,
+            fact_place/6                % +Text, +Wanted, -From, -To, -With,
                                         % -Fact
           ]).
 :- use_module('../limits', [term_of_text/3]).
-:- use_module(library(lists), [nth1/3]).
-/** <module> Numbers and wishes of a model, and where they stand in its text.
+:- use_module(library(lists), [member/2, nth1/3]).
+/** <module> Numbers, wishes and questions of a model, and where they stand in
+its text.
 
 The text of a model file is the truth: who changes a size changes the number
 there, and comments and layout stay.
@@ -99,36 +100,40 @@ text_replaced(Text, From, To, With, New) :-
     ),
     atomics_to_string([Before,Space,Written,After], New).
 
-%!  wish_place(+Text, +Wish, -From:integer, -To:integer, -With, -Fact) is det.
+%!  fact_place(+Text, +Wanted, -From:integer, -To:integer, -With, -Fact) is det.
 %
 %   With in the place of the characters of Text behind From up to To makes Text
-%   say what Wish is: wish(S, Name, Edge), Name `cut`, `keep`, or `none`. Edge
-%   is a number, or the text of a name (polygon_name.pl). Fact is the text of
-%   the fact that is there then, "" if there is none.
+%   say what is Wanted:
 %
-%   @error request_error(edit(Why)): no_edge(Text), no_wish(S, Edge)
+%     - wish(S, Name, Edge): Name is `cut`, `keep`, or `none`, Edge a number or
+%       the text of a name (polygon_name.pl)
+%     - question(Name, Goal): texts; Goal `none` takes it away
+%
+%   Fact is the text of the fact that is there then, "" if there is none.
+%
+%   @error request_error(edit(Why)): no_edge(Text), no_wish(S, Edge),
+%   no_question(Name)
 
-wish_place(Text, wish(S, Name, Edge0), From, To, With, Fact) :-
-    edge_term(Edge0, Edge),
-    (   Name == none
+fact_place(Text, Wanted, From, To, With, Fact) :-
+    wanted_fact(Wanted, New, Same, Missing),
+    (   New == none
     ->  Fact = ""
-    ;   Wished =.. [Name,Edge],
-        format(string(Fact), "~W",
-               [ unfolding(S, Wished),
+    ;   format(string(Fact), "~W",
+               [ New,
                  [quoted(true), spacing(next_argument), numbervars(false)] ])
     ),
     (   setup_call_cleanup(
             open_string(Text, In),
-            wish_read(In, S, Edge, Start, End, Behind),
+            fact_found(In, Same, Start, End, Behind),
             close(In))
     ->  From = Start,
-        (   Name == none
+        (   New == none
         ->  behind_stop(Text, Behind, To)
         ;   To = End
         ),
         With = Fact
-    ;   Name == none
-    ->  edit_error(no_wish(S, Edge))
+    ;   New == none
+    ->  edit_error(Missing)
     ;   string_length(Text, From),
         To = From,
         (   ( From =:= 0 ; sub_string(Text, _, 1, 0, "\n") )
@@ -136,6 +141,29 @@ wish_place(Text, wish(S, Name, Edge0), From, To, With, Fact) :-
         ;   Before = "\n"
         ),
         atomics_to_string([Before,Fact,".\n"], With)
+    ).
+
+%   wanted_fact(Wanted, New, Same, Missing): New, or `none`, takes the place of
+%   a fact that is one of Same; Missing says that there is none.
+
+wanted_fact(wish(S, Name, Edge0), New,
+            [unfolding(S, cut(Edge)),unfolding(S, keep(Edge))],
+            no_wish(S, Edge)) :-
+    edge_term(Edge0, Edge),
+    (   Name == none
+    ->  New = none
+    ;   Wish =.. [Name,Edge],
+        New = unfolding(S, Wish)
+    ).
+wanted_fact(question(Name, Goal), New,
+            [question(NameAtom, _),question(NameText, _)],
+            no_question(NameAtom)) :-
+    atom_string(NameAtom, Name),
+    atom_string(Name, NameText),
+    (   Goal == none
+    ->  New = none
+    ;   atom_string(GoalAtom, Goal),
+        New = question(NameAtom, GoalAtom)
     ).
 
 edge_term(Edge, Edge) :-
@@ -151,22 +179,20 @@ edge_term(Text, Edge) :-
     ;   edit_error(no_edge(Text))
     ).
 
-%   wish_read(In, S, Edge, From, To, Behind) is semidet: the fact that says
-%   whether Edge of S is cut, and where its full stop has been read.
+%   fact_found(In, Same, From, To, Behind) is semidet: the first fact that is
+%   one of Same, and where its full stop has been read.
 
-wish_read(In, S, Edge, From, To, Behind) :-
+fact_found(In, Same, From, To, Behind) :-
     read_term(In, Term, [ module(sg_model_syntax), cycles(false),
                           dotlists(false), var_prefix(false),
                           subterm_positions(Position) ]),
     Term \== end_of_file,
-    (   nonvar(Term),
-        Term = unfolding(S0, Wish),
-        S0 == S,
-        ( Wish == cut(Edge) ; Wish == keep(Edge) )
+    (   member(One, Same),
+        subsumes_term(One, Term)
     ->  arg(1, Position, From),
         arg(2, Position, To),
         character_count(In, Behind)
-    ;   wish_read(In, S, Edge, From, To, Behind)
+    ;   fact_found(In, Same, From, To, Behind)
     ).
 
 %   behind_stop(Text, Behind, To): the line ends with the fact, if nothing else

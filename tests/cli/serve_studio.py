@@ -1,5 +1,5 @@
 """serve_studio.py PROGRAM FOLDER: what a studio asks of a session: strokes,
-selections, patterns, wishes, rules that are tried, words, progress."""
+selections, patterns, wishes, questions, rules that are tried, words, progress."""
 # covers: complete, line_change, pen_plan, picture_cut, port_cut, seen_stroke,
 # covers: decision_ko, select, verb_session, world_state
 import json
@@ -404,6 +404,45 @@ s = session()
 head, _ = s.ask("open", file=model, journal=True)
 check("replayed", head["replayed"] > 20 and
       s.ask("text")[1].decode() == text, head)
+
+# ---- questions are kept with the model ----
+
+before = s.ask("text")[1].decode()
+GOAL = "hides(S1, S2), S1 \\== S2"
+head, _ = s.ask("question", name=" what  hides ", goal=GOAL)
+check("a question", head["question"] ==
+      "question('what hides', 'hides(S1, S2), S1 \\\\== S2')", head)
+s.ask("question", name="몇 줄", goal="line(L, _, _, _, _, _, _, _, _)")
+check("in the text", s.ask("text")[1].decode() == before +
+      head["question"] + ".\nquestion('몇 줄', "
+      "'line(L, _, _, _, _, _, _, _, _)').\n", s.ask("text")[1])
+head, _ = s.ask("tree")
+check("listed", head["questions"] == [
+    {"name": "what hides", "goal": GOAL},
+    {"name": "몇 줄", "goal": "line(L, _, _, _, _, _, _, _, _)"}], head)
+head, _ = s.ask("ask", goal="question('what hides', G)")
+check("the model has it", head["answers"] == [[GOAL]], head)
+s.ask("question", name="what hides", goal="v(1, V, X, Y, Z)")
+check("another goal, in its place", s.ask("tree")[0]["questions"][0] ==
+      {"name": "what hides", "goal": "v(1, V, X, Y, Z)"})
+s.ask("undo")
+check("undone", s.ask("tree")[0]["questions"][0]["goal"] == GOAL)
+s.kill()
+s = session()
+s.ask("open", file=model, journal=True)
+check("not lost", len(s.ask("tree")[0]["questions"]) == 2)
+s.ask("question", name="what hides", goal=None)
+head, _ = s.ask("question", name="몇 줄", goal=None)
+check("taken away", head["question"] == "" and
+      s.ask("text")[1].decode() == before, s.ask("text")[1])
+refused("no such question", "request_error.edit", "no question x", "question",
+        name="x", goal=None)
+refused("no goal", "usage_error.bad_goal", "line(L", "question", name="x",
+        goal="line(L")
+refused("no text of a goal", "request_error.bad_key", '"goal"', "question",
+        name="x")
+refused("no name", "request_error.bad_key", '"name"', "question", name=" ",
+        goal="true")
 
 # ---- rules are tried ----
 

@@ -162,6 +162,38 @@ def kinds(language):
     turned_to("iso")
 
 
+def kept_questions(language):
+    """The question in the box is kept with the model; it is asked again by its
+    name, found by Ctrl-K, and taken away."""
+    text = front_page.ask("text")[1].decode()
+    browser.click(".ask [data-word=save_question]")
+    browser.keys(ENTER)
+    fact = "question(hides, 'hides(S1, S2), S1 \\\\== S2').\n"
+    check(language + ": a question is kept", browser.wait(
+        "document.querySelector('.saved button')") and
+        front_page.ask("text")[1].decode() == text + fact,
+        front_page.ask("text")[1])
+    browser.script("studio.asking.clear(); studio.asking.set('')")
+    browser.click(".saved button")
+    check(language + ": and asked again", browser.wait(
+        "studio.ports.ports[0].picture.lit.lit.size > 0 && "
+        "document.getElementById('goal').value.startsWith('hides(')"))
+    browser.script("studio.asking.clear(); studio.asking.set('')")
+    browser.chord(CONTROL, "k")
+    browser.wait("document.querySelector('dialog.find')")
+    browser.keys("hides", ".find input")
+    browser.wait("[...document.querySelectorAll('.find li')].some(li => "
+                 "li.textContent.includes('S1'))")
+    browser.keys(ENTER)
+    check(language + ": and found", browser.wait(
+        "studio.ports.ports[0].picture.lit.lit.size > 0"))
+    browser.click(".saved button:nth-child(2)")
+    check(language + ": and taken away", browser.wait(
+        "document.querySelector('.saved').hidden") and
+        front_page.ask("text")[1].decode() == text,
+        front_page.ask("text")[1])
+
+
 def file_changed(language):
     """Another program writes the file: one step; or whoever looks chooses."""
     path = os.path.join(models, "tee.pl")
@@ -515,6 +547,7 @@ def flows(language):
         picture.shown.strokes.some(s => [...s.edges].some(e => picture.lit.lit.has(
           `s${s.segment}e${e}`))) === Boolean(picture.layers.lit.getAttribute("d")))
         && studio.ports.ports[0].picture.layers.lit.getAttribute("d")'''))
+    kept_questions(language)
     browser.script("document.getElementById('goal').value = 'shell(ls)'")
     browser.keys(ENTER, "#goal")
     check(language + ": a refused question is said", browser.wait(

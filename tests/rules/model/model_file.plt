@@ -294,6 +294,11 @@ test(duplicate_polygon, W == twice(p,[1,1])) :-
     after_triangle("p(1,1,[3,2,1]).", Text), fault(Text, W, _).
 test(two_views, W-P == twice(view,-)-(2:14)) :-
     after_triangle("view(1,2,3). view(1,2,4).", Text), fault(Text, W, P).
+test(two_questions, W-P == twice(question,a)-(2:16)) :-
+    after_triangle("question(a,b). question(\"a\",c).", Text),
+    fault(Text, W, P).
+test(question_without_name, W == value(question,'Name',"",words)) :-
+    after_triangle("question(\"\", b).", Text), fault(Text, W, _).
 test(open_polygon, W-P == polygon(1,2,open(2))-(2:21)) :-
     after_triangle("v(1,4,5,5,5). p(1,2,[1,2,3,1,-2,4,3]).", Text),
     fault(Text, W, P).

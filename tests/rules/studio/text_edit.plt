@@ -82,9 +82,9 @@ test(random, [forall(between(1, 200, Seed)), true(Got =:= Value)]) :-
     From1 >= From.
 
 
-% wished(Text, Wish, New): what wish_place/6 makes of Text.
+% wished(Text, Wish, New): what fact_place/6 makes of Text.
 wished(Text, Wish, New, Fact) :-
-    wish_place(Text, Wish, From, To, With, Fact),
+    fact_place(Text, Wish, From, To, With, Fact),
     text_replaced(Text, From, To, With, New).
 
 test(wishes, [forall(member(Text-Wish-Wanted,
@@ -106,6 +106,22 @@ test(wishes, [forall(member(Text-Wish-Wanted,
     wished(Text, Wish, New, _).
 test(no_wish, throws(error(request_error(edit(no_wish(1, 7))), _))) :-
     wished("unfolding(2, cut(7)).", wish(1, none, 7), _, _).
+test(questions, [forall(member(Text-Question-Wanted,
+                    [ ""-question("all", "line(L)")-
+                          "question(all, 'line(L)').\n",
+                      "a."-question("몇 줄", "v(1,V,_,_,_),V\\==2")-
+                          "a.\nquestion('몇 줄', 'v(1,V,_,_,_),V\\\\==2').\n",
+                      "question(\"all\", \"a\"). % so\nb."-question("all", "c")-
+                          "question(all, c). % so\nb.",
+                      "question(a, x).\nquestion(b, y).\n"-
+                          question("a", none)-"question(b, y).\n",
+                      "question(7, x).\n"-question("7", "y")-
+                          "question(7, x).\nquestion('7', y).\n"
+                    ])),
+                 true(New == Wanted)]) :-
+    wished(Text, Question, New, _).
+test(no_question, throws(error(request_error(edit(no_question(a))), _))) :-
+    wished("question(b, c).", question("a", none), _, _).
 test(no_edge, [forall(member(Edge, ["X", "(", "f(X)"])),
                throws(error(request_error(edit(no_edge(Edge))), _))]) :-
     wished("", wish(1, cut, Edge), _, _).
