@@ -1,4 +1,5 @@
-/* stdio4pl.c -- the streams of a session (documented in kernel/file.pl).
+/* stdio4pl.c -- what a process was started with: the streams of a session, the
+ * socket of a front (documented in kernel/file.pl).
  *
  * Layer: glue.
  */
@@ -9,11 +10,14 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <stdbool.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/poll.h>
+#include <sys/socket.h>
+#include <sys/un.h>
 #include <unistd.h>
 
-enum { FIRST_FREE = 3 };
+enum { FIRST_FREE = 3, PASSED = 3 };
 
 static int
 raise_errno(const char *what)
@@ -83,9 +87,71 @@ reader_gone(term_t stream)
          (asked.revents & (POLLERR | POLLNVAL)) != 0;
 }
 
+/* The number that variable `name` of the environment says, or -1. */
+static long
+environment_number(const char *name)
+{
+  const char *text = getenv(name);
+  char *end;
+  long n = text ? strtol(text, &end, 10) : -1;
+
+  return text && *text && !*end ? n : -1;
+}
+
+/* Whether `fd` is a Unix socket with a name at which it listens. */
+static bool
+listens_at(int fd, struct sockaddr_un *address)
+{
+  socklen_t size = sizeof *address;
+  int on = 0;
+  socklen_t on_size = sizeof on;
+
+  memset(address, 0, sizeof *address);
+  return getsockname(fd, (struct sockaddr *)address, &size) == 0 &&
+         address->sun_family == AF_UNIX &&
+         getsockopt(fd, SOL_SOCKET, SO_ACCEPTCONN, &on, &on_size) == 0 && on;
+}
+
+/* passed_socket(-Path) is semidet. */
+static foreign_t
+passed_socket(term_t path)
+{
+  struct sockaddr_un address;
+  char name[sizeof address.sun_path + 1] = "";
+  long passed = environment_number("LISTEN_FDS");
+
+  if (environment_number("LISTEN_PID") != (long)getpid() || passed < 1) {
+    return FALSE;
+  }
+  if (passed == 1 && listens_at(PASSED, &address)) {
+    memcpy(name, address.sun_path, sizeof address.sun_path);
+  }
+  return PL_unify_chars(path, PL_ATOM | REP_FN, (size_t)-1, name);
+}
+
+/* passed_taken(+Fd) is det. */
+static foreign_t
+passed_taken(term_t t)
+{
+  int fd;
+
+  if (!PL_get_integer_ex(t, &fd)) {
+    return FALSE;
+  }
+  if (dup3(PASSED, fd, O_CLOEXEC) < 0) {
+    return raise_errno("socket");
+  }
+  close(PASSED);
+  unsetenv("LISTEN_PID");
+  unsetenv("LISTEN_FDS");
+  return TRUE;
+}
+
 static const PL_extension predicates[] = {
     {"stdio_apart", 2, stdio_apart, 0},
     {"reader_gone", 1, reader_gone, 0},
+    {"passed_socket", 1, passed_socket, 0},
+    {"passed_taken", 1, passed_taken, 0},
     {NULL, 0, NULL, 0},
 };
 

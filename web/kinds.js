@@ -124,11 +124,26 @@ const sheet = {
   },
 };
 
-const unfold = {
-  slow: true,
-  fits: "bar",
-  ask: (port) => port.studio.wire.ask("unfold", { sheet: port.sheet }),
-};
+// Which segment a pattern is of.
+function segmentTool(port) {
+  const { settings, studio: { record, tree } } = port;
+  port.listed = tree.unfoldable();
+  if (!port.listed.includes(Number(settings.segment))) settings.segment = "";
+  const segment = choice(port, "segment", "segment_of", ["", ...port.listed],
+    (one) => (one ? `${one} ${tree.called(one)}` : w("all_segments")));
+  segment.hidden = Boolean(record) || port.listed.length < 2;
+  return segment;
+}
+
+// Asks for the pattern; the choice follows the model.
+function patternAsked(port, request) {
+  if (String(port.listed) !== String(port.studio.tree.unfoldable())) port.retooled();
+  const { segment } = port.settings;
+  return port.studio.wire.ask(request, segment ? { segment: Number(segment) } : {});
+}
+
+const unfold = { slow: true, fits: "bar", tools: (port) => [segmentTool(port)],
+  ask: (port) => patternAsked(port, "unfold") };
 
 const folded = {
   slow: true,
@@ -136,9 +151,10 @@ const folded = {
   own: true,
   tools: (port) => {
     port.folding = port.folding || new Folding(port);
-    return [slider(port, "fold_by", () => port.folding.part, (part) => port.folding.fold(part), { min: 0, max: 1 })];
+    return [segmentTool(port),
+      slider(port, "fold_by", () => port.folding.part, (part) => port.folding.fold(part), { min: 0, max: 1 })];
   },
-  ask: (port) => port.studio.wire.ask("fold"),
+  ask: (port) => patternAsked(port, "fold"),
 };
 
 // What the teacher shows to all.

@@ -34,7 +34,6 @@ class Port {
     this.choice.value = this.kind;
     this.tooled();
     this.angles = [...PICTORIAL];
-    this.sheet = 1;
     this.scale = null;
     this.turning = null;
     this.took = 0;
@@ -84,15 +83,23 @@ class Port {
 
   // What stands beside the choice.
   tooled() {
-    const { tools } = kindOf(this.kind);
-    this.tools.replaceChildren(...(tools ? tools(this) : []));
-    reworded(this.tools);
+    this.retooled();
     this.element.dataset.kind = this.kind;
     this.choice.hidden = this.alone;
     this.showing.hidden = !this.studio.teaches || this.alone || this.kind === "folded";
     if (this.showing.hidden && this.studio.ports?.shown === this) this.studio.ports.showAll(this);
     this.canvas.classList.add("empty");
     this.canvas.setAttribute("aria-label", w(this.kind));
+  }
+
+  // The same anew; the keyboard stays where it is.
+  retooled() {
+    const { tools } = kindOf(this.kind);
+    const items = () => [...this.tools.querySelectorAll("input, select")];
+    const at = items().indexOf(document.activeElement);
+    this.tools.replaceChildren(...(tools ? tools(this) : []));
+    reworded(this.tools);
+    items()[at]?.focus();
   }
 
   set(key, value) {
@@ -170,9 +177,7 @@ class Port {
     if (this.zoomed) this.picture.look(...this.zoomed);
     const [lines, hidden] = this.picture.counts();
     this.describe(w("drawing", w(this.kind), lines, hidden));
-    this.remark.textContent = this.kind === "unfold" && head.sheets > 1
-      ? w("sheets", this.sheet, head.sheets)
-      : this.said || head.called || (head.ms === undefined ? "" : w("ms", head.ms < 10 ? head.ms.toFixed(1) : Math.round(head.ms)));
+    this.remark.textContent = this.said || head.called || (head.ms === undefined ? "" : w("ms", head.ms < 10 ? head.ms.toFixed(1) : Math.round(head.ms)));
     if (this.after) this.after();
     this.studio.handles?.draw(this);
   }

@@ -83,6 +83,16 @@ export class Tree {
     this.studio.handles?.choose(this.segment);
   }
 
+  // What has a pattern: solids and surfaces that are no operands.
+  unfoldable() {
+    const kinds = new Map(this.studio.segments.map(({ segment, kind }) => [segment, kind]));
+    return (this.roots || []).filter((segment) => ["solid", "surface"].includes(kinds.get(segment)));
+  }
+
+  called(segment) {
+    return label(this.byNumber.get(segment).term);
+  }
+
   // An operand that stands in the term of another segment has that one's sizes.
   row(operand, above, level, owner) {
     const number = typeof operand === "number" ? operand

@@ -212,6 +212,20 @@ Foreign predicates; see kernel.pl.
 %
 %   True when Stream writes to a pipe or a socket that nobody reads any more.
 
+%!  passed_socket(-Path) is semidet.
+%
+%   True when this process was started with sockets, as systemd does it
+%   (sd_listen_fds(3)): descriptors from 3 on, and LISTEN_PID and LISTEN_FDS in
+%   the environment. Path is where the socket listens, '' if that is no Unix
+%   socket with a name that listens, or there are more.
+
+%!  passed_taken(+Fd:integer) is det.
+%
+%   Descriptor Fd, which is closed, is the socket that was passed, and nothing
+%   says any more that one was.
+%
+%   @error system_error(What, Why)
+
 /* - - - part4pl.c - - - */
 
 %!  program_part(+From, +Bytes, -Stream) is semidet.

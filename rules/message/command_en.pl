@@ -90,6 +90,12 @@ command_en(no_socket(Path)) -->
     [ 'no socket can be made at ~w'-[Path], nl,
       '  Its folder must be there and be writable, and nothing else have this \c
        name, which is at most 107 octets long.' ].
+command_en(socket_passed('')) -->
+    [ 'what was passed (LISTEN_FDS) is not one Unix socket that listens', nl,
+      '  A unit of systemd has one ListenStream=, a path, and Accept=no.' ].
+command_en(socket_passed(Path)) -->
+    [ 'a socket was passed that listens at ~w'-[Path], nl,
+      '  Say --socket ~w, and --behind.'-[Path] ].
 command_en(embed(URL)) -->
     [ '--embed ~w is no origin of pages'-[URL], nl,
       '  Write it without a path, like https://h.example.' ].

@@ -95,6 +95,12 @@ command_ko(no_socket(Path)) -->
     [ '~w에 소켓을 만들지 못합니다'-[Path], nl,
       '  폴더가 있고 쓸 수 있어야 하며, 같은 이름의 다른 것이 없어야 하고, \c
        경로는 107바이트까지입니다.' ].
+command_ko(socket_passed('')) -->
+    [ '넘겨받은 것(LISTEN_FDS)이 받고 있는 유닉스 소켓 하나가 아닙니다', nl,
+      '  systemd의 유닛에는 ListenStream=에 경로 하나, Accept=no를 쓰십시오.' ].
+command_ko(socket_passed(Path)) -->
+    [ '넘겨받은 소켓은 ~w에서 받고 있습니다'-[Path], nl,
+      '  --socket ~w와 --behind를 쓰십시오.'-[Path] ].
 command_ko(embed(URL)) -->
     [ '--embed ~w: 페이지의 출처가 아닙니다'-[URL], nl,
       '  경로 없이 쓰십시오. 보기: https://h.example' ].

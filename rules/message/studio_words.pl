@@ -68,6 +68,8 @@ studio_word(left, 'left', '좌측면도').
 studio_word(back, 'back', '배면도').
 studio_word(bottom, 'bottom', '저면도').
 studio_word(unfold, 'flat pattern', '전개도').
+studio_word(segment_of, 'Segment of the pattern', '전개할 세그먼트').
+studio_word(all_segments, 'all', '전부').
 studio_word(folded, 'folded up', '접기').
 studio_word(section, 'section', '단면').
 studio_word(shaded, 'shaded', '음영').
@@ -117,7 +119,6 @@ studio_word(turn,
 studio_word(drawing,
     '{0}: {1} lines, {2} of them hidden',
     '{0}: 선 {1}개, 그중 숨은선 {2}개').
-studio_word(sheets, 'sheet {0} of {1}', '용지 {0}/{1}').
 studio_word(ms, '{0} ms', '{0} ms').
 studio_word(line, 'line {0}', '선 {0}').
 studio_word(restarted,

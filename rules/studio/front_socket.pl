@@ -3,14 +3,19 @@
             front_socket_gone/1,        % +Bound
             called/2                    % +Module, +Goal
           ]).
+:- use_module('../kernel', [passed_socket/1, passed_taken/1]).
 :- use_module(library(filesex), [chmod/2]).
 :- use_module(library(option), [option/2, option/3]).
 /** <module> Where the front of the studio listens: at a port, or at a Unix
-socket, which a proxy on the same machine asks.
+socket, which a proxy on the same machine asks. Who starts the program, such as
+systemd, may have opened that socket, and passes it.
 
 library(http) and library(socket) are loaded when the front starts: no other
 verb pays for them.
 */
+
+% made_here(Path): a Unix socket that is gone with the program.
+:- dynamic made_here/1.
 
 usual_port(1989).
 
@@ -22,14 +27,19 @@ usual_port(1989).
 %
 %   @error usage_error(port_taken(Port)), usage_error(port_refused(Port)),
 %   usage_error(no_address(Host)), usage_error(socket_taken(Path)),
-%   usage_error(no_socket(Path))
+%   usage_error(no_socket(Path)), usage_error(socket_passed(Path))
 
 front_socket(Options, Socket, Bound, Port) :-
     libraries_loaded,
     (   option(socket(Path), Options)
     ->  Bound = unix(Path),
         Port = none,
-        bound_path(Path, Socket)
+        (   passed_socket(Passed)
+        ->  passed_path(Path, Passed, Socket)
+        ;   bound_path(Path, Socket)
+        )
+    ;   passed_socket(Passed)
+    ->  throw(error(usage_error(socket_passed(Passed)), _))
     ;   option(host(Bound), Options, '127.0.0.1'),
         bound_port(Bound, Options, Socket, Port)
     ).
@@ -75,6 +85,18 @@ not_bound(Why, Host, Port) :-
     ;   throw(error(usage_error(no_address(Host)), _))
     ).
 
+%   passed_path(Path, Passed, Socket): Socket is the one that was passed, which
+%   listens at Path. It stays when the program ends.
+
+passed_path(Path, Passed, Socket) :-
+    (   Passed \== '',
+        catch(same_file(Path, Passed), error(_, _), fail)
+    ->  called(socket, unix_domain_socket(Socket)),
+        called(socket, tcp_getopt(Socket, file_no(Fd))),
+        passed_taken(Fd)
+    ;   throw(error(usage_error(socket_passed(Passed)), _))
+    ).
+
 %   bound_path(Path, Socket): the user and his group may connect. What another
 %   front left there when it was killed is taken away, and nothing else.
 
@@ -84,13 +106,14 @@ bound_path(Path, Socket) :-
     ;   exists_file(Path)
     ->  throw(error(usage_error(no_socket(Path)), _))
     ;   left_behind(Path)
-    ->  front_socket_gone(unix(Path))
+    ->  socket_deleted(Path)
     ;   true
     ),
     called(socket, unix_domain_socket(Socket)),
     catch(called(socket, tcp_bind(Socket, Path)), error(_, _),
           ( called(socket, tcp_close_socket(Socket)),
             throw(error(usage_error(no_socket(Path)), _)) )),
+    assertz(made_here(Path)),
     chmod(Path, 0o660),
     called(socket, tcp_listen(Socket, 64)).
 
@@ -107,10 +130,14 @@ left_behind(Path) :-
 
 %!  front_socket_gone(+Bound) is det.
 %
-%   A Unix socket is a file, which is deleted.
+%   A Unix socket is a file, which is deleted, if it was not passed.
 
 front_socket_gone(Bound) :-
-    (   Bound = unix(Path)
-    ->  catch(delete_file(Path), error(_, _), true)
+    (   Bound = unix(Path),
+        retract(made_here(Path))
+    ->  socket_deleted(Path)
     ;   true
     ).
+
+socket_deleted(Path) :-
+    catch(delete_file(Path), error(_, _), true).

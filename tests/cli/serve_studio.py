@@ -33,7 +33,7 @@ def code(head):
     return (head.get("error") or {}).get("code", "")
 
 
-def refused(name, wanted, said, do, body=b"", **keys):
+def refused(name, wanted, said, do, body=b"", /, **keys):
     head, _ = s.ask(do, body, **keys)
     check(name, code(head) == wanted and said in head["error"]["words"]["en"]
           and head["error"]["words"]["ko"] and head["rev"] == rev(), head)

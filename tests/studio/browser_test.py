@@ -139,6 +139,27 @@ def kinds(language):
     check(language + ": as far as the slider says", sum(whole) > sum(half) >
           sum(whole) / 4, (whole, half))
 
+    # The pattern of one segment, chosen by the keyboard.
+    turned_to("unfold")
+    of = "JSON.stringify([...new Set(studio.ports.ports[0].picture.shown" \
+         ".strokes.map(s => s.segment))].filter(Boolean).sort())"
+    check(language + ": patterns of all", browser.wait(of + " === '[1,2]'"))
+    browser.script("document.querySelector('.port .tools select').focus()")
+    for one in ("1", "2"):
+        browser.keys("\ue015")
+        check(language + ": the pattern of " + one, browser.wait(
+            of + " === '[" + one + "]'") and browser.script(
+                "return document.activeElement.value") == one)
+    head, _ = front_page.ask("unfold", segment=2)
+    check(language + ": as unfold of it", browser.script(
+        "return studio.ports.ports[0].picture.shown.strokes.length")
+        == head["strokes"])
+    turned_to("folded")
+    browser.wait("studio.ports.ports[0].folding.faces")
+    check(language + ": folded up, the same one", browser.script(
+        "return document.querySelector('.port .tools select').value") == "2")
+    browser.script("studio.ports.ports[0].set('segment', '')")
+
     # A pattern, folded up: at the end it is the model.
     turned_to("folded")
     browser.wait("studio.ports.ports[0].folding.faces")

@@ -82,6 +82,80 @@ status, _, error = front.end(signal.SIGTERM)
 check("ended, it is gone", not os.path.lexists(path), (status, error))
 check("said where", path.encode() in error, error)
 
+# As systemd does it: the socket is open already, and is passed.
+PASSED = """
+import os, socket, sys
+listening = [socket.socket(socket.AF_UNIX) for _ in range(int(sys.argv[1]))]
+for i, one in enumerate(listening):
+    if sys.argv[2] != "none":
+        one.bind(sys.argv[2] + ("" if i == 0 else str(i)))
+        one.listen(8)
+held = [os.dup(one.fileno()) for one in listening]
+held = [os.dup2(fd, 60 + i) for i, fd in enumerate(held)]
+for i, fd in enumerate(held):
+    os.dup2(fd, 3 + i)
+os.closerange(3 + len(held), 80)
+pid = os.getpid() + int(sys.argv[3])
+os.environ.update(LISTEN_PID=str(pid), LISTEN_FDS=sys.argv[1])
+os.execv(sys.argv[4], sys.argv[4:])
+"""
+
+
+def passed(count, at, more, *arguments):
+    return [sys.executable, "-c", PASSED, str(count), at, str(more), program,
+            "serve", "cube.pl", "--no-open", *arguments]
+
+
+given = os.path.join(folder, "given")
+running = subprocess.Popen(
+    passed(1, given, 0, *BEHIND, "--socket", given), cwd=models, env=env,
+    stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+front = Front.__new__(Front)
+front.process, front.path, front.host, front.port = (
+    running, given, "h.example", 80)
+front.token = running.stdout.readline().decode().strip().split("/#")[1]
+check("a socket that was passed", front.get("/", headers={
+    "Host": "h.example"})[0] == 200)
+page = front.socket(Host="h.example", Origin="https://h.example")
+page.say({"id": 0, "do": "hello", "token": front.token})
+page.hear()
+page.ask("open", file="cube.pl")
+check("a session at it", page.ask("view", format="strokes")[0]["strokes"] > 0)
+inherited = [os.readlink("/proc/%d/fd/%s" % (session, fd))
+             for session in front.sessions()
+             for fd in os.listdir("/proc/%d/fd" % session)]
+check("sessions have no socket", inherited != [] and not any(
+    name.startswith("socket:") for name in inherited), inherited)
+check("nor hear of one", all(
+    b"LISTEN_" not in open("/proc/%d/environ" % session, "rb").read()
+    for session in front.sessions()))
+page.close()
+status, _, error = front.end(signal.SIGTERM)
+check("ended, it stays", stat.S_ISSOCK(os.stat(given).st_mode), error)
+os.unlink(given)
+for name, arguments, said in (
+        ("another path", passed(1, given, 0, *BEHIND, "--socket", path),
+         b"listens at " + given.encode()),
+        ("no --socket", passed(1, given, 0), b"Say --socket"),
+        ("two", passed(2, given, 0, *BEHIND, "--socket", given), b"LISTEN_FDS"),
+        ("that does not listen", passed(1, "none", 0, *BEHIND, "--socket",
+                                        given), b"LISTEN_FDS")):
+    done = subprocess.run(arguments, cwd=models, env=env, timeout=20,
+                          stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, check=False)
+    check("passed: " + name, done.returncode == 2 and done.stdout == b"" and
+          said in done.stderr, (done.returncode, done.stderr))
+    for at in (given, given + "1"):
+        if os.path.lexists(at):
+            os.unlink(at)
+running = subprocess.Popen(
+    passed(1, given, 1, *BEHIND, "--socket", given + "2"), cwd=models, env=env,
+    stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+running.stdout.readline()
+check("for another process", stat.S_ISSOCK(os.stat(given + "2").st_mode))
+running.send_signal(signal.SIGTERM)
+running.communicate(timeout=20)
+
 own = os.path.join(folder, "own")
 with open(own, "w") as out:
     out.write("mine")
