@@ -20,11 +20,6 @@ function commands(studio) {
     ...["tree", "text", "rules"].map((pane) => [w(pane), () => { studio.paneTo("left"); studio.leftTo(pane); }]),
     [w("clear"), () => studio.asking.clear()], [w("larger"), () => ports.enlarge(ports.focused())],
     ...KINDS.map((kind) => [named(w("menu"), w(kind)), () => ports.focused().turnTo(kind)]),
-    ...studio.tree.unfoldable().map((one) => [named(w("unfold"), `${one} ${studio.tree.called(one)}`), () => {
-      const port = ports.focused();
-      port.settings.segment = one;
-      port.turnTo("unfold");
-    }]),
     ...look("hidden", ["dashed", "removed", "shown"]), ...look("lines", ["feature", "all", "penetration"]),
     [w("central"), () => {
       looks.projection = looks.projection === "central" ? "parallel" : "central";
@@ -38,6 +33,11 @@ function commands(studio) {
     ...studio.segments.map(({ segment, name }) => [`s${segment} ${name}`, () => {
       studio.leftTo("tree");
       studio.tree.choose(segment, "/" + segment, 0);
+    }]),
+    ...studio.tree.unfoldable().map((one) => [named(w("unfold"), `${one} ${studio.tree.called(one)}`), () => {
+      const port = ports.focused();
+      port.settings.segment = one;
+      port.turnTo("unfold");
     }]),
   ];
 }

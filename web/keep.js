@@ -79,9 +79,10 @@ async function bundled() {
     const imports = /^import \{([^}]*)\} from "\.\/(\w+)\.js";$/gm;
     for (const [, , from] of text.matchAll(imports)) await add(from);
     const names = [...text.matchAll(/^export (?:async )?(?:const|class|function) ([\w$]+)/gm)].map(([, one]) => one);
-    const body = text.replace(imports, "const {$1} = M.$2;").replace(/^export /gm, "");
+    const body = text.replace(imports, "const {$1} = M.$2;").replace('import("./find.js")', "M.find").replace(/^export /gm, "");
     out += `M.${name} = await (async () => {\n${body}\nreturn { ${names.join(", ")} };\n})();\n`;
   };
+  await add("find");
   await add("main");
   return `(async () => {\n"use strict";\n${out}})();`;
 }

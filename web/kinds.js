@@ -8,7 +8,6 @@ import { h } from "./dom.js";
 import { w } from "./words.js";
 import { Folding } from "./fold.js";
 import { Lost } from "./wire.js";
-import { posed } from "./problems.js";
 import { penTools, penShown } from "./pens.js";
 
 const MM = 25.4 / 96;
@@ -169,8 +168,10 @@ const taught = {
   },
 };
 
+const problem = { alone: true, fits: "frame", ask: async (port) => (await import("./problems.js")).posed(port) };
+
 const KIND = { iso: { ...view, turns: true }, front: view, top: view, right: view, left: view, back: view,
-  bottom: view, unfold, folded, section, shaded, sheet, apart, taught, problem: { fits: "frame", alone: true, ask: posed } };
+  bottom: view, unfold, folded, section, shaded, sheet, apart, taught, problem };
 
 // `problem` is chosen with a problem, `taught` by the teacher, not in the port.
 export const KINDS = Object.keys(KIND).filter((name) => !KIND[name].alone);

@@ -7,8 +7,6 @@ import { Kept, recordOf } from "./kept.js";
 import { Ports } from "./ports.js";
 import { KINDS, eyeWords } from "./kinds.js";
 import { Tree } from "./tree.js";
-import { Problems } from "./problems.js";
-import { find } from "./find.js";
 import { Handles } from "./handles.js";
 import { Asking, Why, Text, Rules } from "./panels.js";
 
@@ -31,7 +29,6 @@ class Studio {
     this.tree = new Tree(this);
     this.text = new Text(this);
     this.rules = new Rules(this);
-    this.problems = new Problems(this);
     this.asking = new Asking(this);
     this.why = new Why(this);
     this.ports = new Ports(this, $("ports"));
@@ -55,14 +52,14 @@ class Studio {
     this.wire.addEventListener("revision", (event) => this.revised(event.detail));
     this.wire.addEventListener("file", () => this.fileChanged());
     this.wire.addEventListener("shown", (event) => this.taught(event.detail.shown));
-    this.wire.addEventListener("class", () => this.problems.changed());
+    this.wire.addEventListener("class", () => this.problems?.changed());
     this.wire.addEventListener("rev", (event) => { this.rev = event.detail; });
   }
 
   // --- what stands where ---
 
   left() {
-    const panes = { tree: this.tree, text: this.text, rules: this.rules, problems: this.problems };
+    const panes = {};
     const tabs = h("div", { role: "tablist", class: "tabs", onkeydown: (event) => arrows(tabs, event) });
     this.leftTo = (name) => {
       for (const [key, pane] of Object.entries(panes)) {
@@ -72,12 +69,14 @@ class Studio {
       if (this.ready && !["tree", "problems"].includes(name)) panes[name].refresh().catch((error) => this.failed(error));
       this.pane = name;
     };
-    for (const key of Object.keys(panes)) {
+    this.tabbed = (key, pane) => {
+      panes[key] = pane;
       tabs.append(h("button", { role: "tab", "data-word": key, onclick: () => this.leftTo(key) }));
-      panes[key].element.setAttribute("role", "tabpanel");
-    }
-    $("left").append(tabs, ...Object.values(panes).map((pane) => pane.element));
-    tabs.lastChild.hidden = true;
+      pane.element.setAttribute("role", "tabpanel");
+      $("left").append(pane.element);
+    };
+    $("left").append(tabs);
+    for (const key of ["tree", "text", "rules"]) this.tabbed(key, this[key]);
     this.leftTo("tree");
     for (const [pane, word] of [["ports", "ports"], ["left", "tree"], ["asking", "ask"]]) {
       $("panes").append(h("button", { role: "tab", "data-word": word, onclick: () => this.paneTo(pane) }));
@@ -199,7 +198,7 @@ class Studio {
     this.tree.draw();
     this.asking.list(this.asking.questions);
     this.ports.refresh();
-    this.problems.reworded();
+    this.problems?.reworded();
     if (this.ready && this.pane === "rules") this.rules.refresh().catch((error) => this.failed(error));
     this.state();
     this.why.show(this.names || [], this.from);
@@ -211,14 +210,14 @@ class Studio {
     return !this.record && (this.file || "").endsWith(".pl");
   }
 
-  greeted(head) {
+  async greeted(head) {
     this.models = head.models;
     this.uploads = head.uploads || [];
     this.owner = head.owner;
     $("banner").hidden = true;
     clearTimeout(this.awayTimer);
     const file = this.file || head.file;
-    if (head.class) this.inClass(head.class);
+    if (head.class) await this.inClass(head.class);
     this.teaches = head.shows === "all";
     if (this.teaches) for (const port of this.ports.ports) port.tooled();
     this.taught(head.shows === "seen");
@@ -227,8 +226,13 @@ class Studio {
     else if (!head.class) this.banner("open", this.openMenu());
   }
 
-  inClass(told) {
-    $("left").querySelector("[data-word=problems]").hidden = false;
+  async inClass(told) {
+    const { Problems } = await import("./problems.js");
+    if (!this.problems) {
+      this.problems = new Problems(this);
+      this.tabbed("problems", this.problems);
+      reworded($("left"));
+    }
     document.body.classList.toggle("bare", !this.file);
     document.body.classList.toggle("teacher", told.teacher);
     $("panes").querySelector("[data-to=left]").dataset.word = "problems";
@@ -511,12 +515,17 @@ class Studio {
 
   // --- keys ---
 
+  async find() {
+    const { find } = await import("./find.js");
+    if (!document.querySelector("dialog[open]")) find(this);
+  }
+
   keyed(event) {
     const typing = /^(input|textarea|select)$/i.test(event.target.tagName);
     const key = event.key.toLowerCase();
     const control = event.ctrlKey || event.metaKey;
     if (control && key === "s") this.save();
-    else if (control && key === "k" && !document.querySelector("dialog[open]")) find(this);
+    else if (control && key === "k" && !document.querySelector("dialog[open]")) this.find();
     else if (control && !typing && key === "z") this.change(event.shiftKey ? "redo" : "undo");
     else if (control && !typing && key === "y") this.change("redo");
     else if (key === "f6") this.ports.next();

@@ -469,9 +469,13 @@ def as_a_file(language, words):
     browser.script("studio.ports.ports[0].turnTo('folded')")
     check(language + ": folded from a file", browser.wait(
         "studio.ports.ports[0].folding && studio.ports.ports[0].folding.faces"))
+    browser.chord(CONTROL, "k")
+    check(language + ": found, in a file", browser.wait(
+        "document.querySelector('dialog.find li')"))
+    browser.keys(ESCAPE)
     check(language + ": nothing is changed there", browser.script(
         "return [...document.querySelectorAll('#menus [data-word=save], "
-        ".wishes')].every(e => getComputedStyle(e).display === 'none')"))
+        ".wishes, [data-word=save_question]')].every(e => getComputedStyle(e).display === 'none')"))
     check(language + ": nobody is asked", browser.log() == [] and
           browser.script("return performance.getEntriesByType('resource')"
                          ".filter(e => !e.name.startsWith('blob:')).length")
