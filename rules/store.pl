@@ -275,8 +275,8 @@ refers to any more is freed with its handle by atom garbage collection.
 
 %!  question(?Name, ?Goal) is nondet.
 %
-%   True when the model has a question Name; Goal, an atom, is the text of a goal,
-%   which is read when it is asked.
+%   True when the model has a question Name; Goal, an atom, is the text of a
+%   goal, which is read when it is asked.
 
 %!  screen(?S, ?V, ?Xs, ?Ys, ?Zs) is nondet.
 %

@@ -187,13 +187,13 @@ export class Folding {
         if (found && found.kind !== "J") {
           sides += `M${at(points[i])}L${at(points[(i + 1) % points.length])}`;
           this.lines.push({ name: nameOf(this.segments[f], found.edge), edge: found.edge, segment: this.segments[f],
-            from: points[i], to: points[(i + 1) % points.length] });
+            folds: "MVF".includes(found.kind), from: points[i], to: points[(i + 1) % points.length] });
         }
       });
       return [s("path", { class: area > 0 ? "face inside" : "face", d: "M" + points.map(at).join("L") + "Z" }),
         s("path", { class: "sides", d: sides })];
     }).flat();
-    const d = this.lines.filter(({ name, segment }) => lit.has(name) || lit.has("s" + segment))
+    const d = this.lines.filter(({ name, segment, folds }) => lit.has(name) || (!folds && lit.has("s" + segment)))
       .map(({ from, to }) => `M${from.join(" ")}L${to.join(" ")}`).join("");
     svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
     svg.replaceChildren(...paths, s("path", { class: "lit", d }));

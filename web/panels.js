@@ -292,6 +292,7 @@ export class Text extends Editor {
 export class Rules extends Editor {
   constructor(studio) {
     super(studio, "rules");
+    this.field.placeholder = "may_cut(S1, S2) :-\n    S1 =\\= 1,\n    default(may_cut(S1, S2)).";
     this.counts = h("p", { class: "remark", role: "status" });
     this.decisions = h("ul", { class: "decisions" });
     this.element = h("div", { class: "panel editor" }, this.field, this.wrong, this.counts,

@@ -51,6 +51,8 @@ function partPath(stroke, of) {
   return d;
 }
 
+const FILLING = new Set(["hatching", "fold_up", "fold_down"]);
+
 export const nameOf = (segment, edge) => `s${segment}e${edge}`;
 
 export class Picture {
@@ -120,13 +122,14 @@ export class Picture {
     this.look(left - edge, top - edge, right - left + 2 * edge, bottom - top + 2 * edge);
   }
 
-  // Lights the lines of these names, a Set of s2, s2e7.
+  // Lights the lines of these names, a Set of s2, s2e7; of a whole segment not
+  // what fills its faces.
   light(layer, names) {
     this.lit[layer] = names;
     let d = "";
     if (names.size && this.shown) {
       for (const stroke of this.shown.strokes) {
-        d += names.has(`s${stroke.segment}`) ? wholePath(stroke)
+        d += names.has(`s${stroke.segment}`) && !FILLING.has(this.shown.looks[stroke.look][1]) ? wholePath(stroke)
           : partPath(stroke, (edge) => names.has(nameOf(stroke.segment, edge)));
       }
     }
