@@ -154,6 +154,12 @@ def kinds(language):
     check(language + ": as unfold of it", browser.script(
         "return studio.ports.ports[0].picture.shown.strokes.length")
         == head["strokes"])
+    browser.script("studio.light('chosen', ['s2'])")
+    check(language + ": a segment is lit without its folds", browser.script("""
+      const { picture } = studio.ports.ports[0], { strokes, looks } = picture.shown;
+      const own = strokes.filter((s) => s.segment === 2), folds = own.filter((s) => looks[s.look][1].startsWith("fold_"));
+      const lit = picture.layers.chosen.getAttribute("d").split("M").length - 1;
+      return folds.length > 0 && lit === own.length - folds.length;"""))
     turned_to("folded")
     browser.wait("studio.ports.ports[0].folding.faces")
     check(language + ": folded up, the same one", browser.script(
