@@ -100,7 +100,7 @@ command_ko(socket_passed('')) -->
       '  systemd의 유닛에는 ListenStream=에 경로 하나, Accept=no를 쓰십시오.' ].
 command_ko(socket_passed(Path)) -->
     [ '넘겨받은 소켓은 ~w에서 받고 있습니다'-[Path], nl,
-      '  --socket ~w와 --behind를 쓰십시오.'-[Path] ].
+      '  --behind와 함께 쓰십시오: --socket ~w'-[Path] ].
 command_ko(embed(URL)) -->
     [ '--embed ~w: 페이지의 출처가 아닙니다'-[URL], nl,
       '  경로 없이 쓰십시오. 보기: https://h.example' ].
