@@ -72,6 +72,7 @@ sandbox:safe_primitive(sg_seen:seen_layers(_,_,_,_)).
 sandbox:safe_primitive(sg_surface_look:line_layers(_,_,_)).
 sandbox:safe_primitive(sg_seen:line_spans(_,_,_)).
 sandbox:safe_primitive(sg_seen:seen_side(_,_,_,_,_)).
+sandbox:safe_primitive(sg_pick:pick(_,_,_)).
 sandbox:safe_primitive(sg_hidden_lines:hidden_by(_,_,_,_,_,_)).
 sandbox:safe_primitive(sg_hidden_lines:hidden_by_polygon(_,_,_,_,_,_)).
 sandbox:safe_primitive(sg_penetration:touches(_,_)).

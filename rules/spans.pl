@@ -11,4 +11,5 @@ line meets and what is seen on it. sanggwan.pl has what a first model needs.
 :- reexport(shading/seen,
             [ slice/3, met/4, seen_layers/4, line_spans/3, seen_side/5 ]).
 :- reexport(shading/surface_look, [line_layers/3]).
+:- reexport(shading/pick, [pick/3]).
 :- reexport(shading/shading_scan, [scan/1]).

@@ -312,6 +312,9 @@ example(seen_side/5, 'facts/two_cubes.pl',
         "shading_scene(320-200, _Scene), \c
          seen_side(_Scene, 160, 99.9, Depth, Normal).",
         "Depth = _, Normal = vector(_,_,_)").
+example(pick/3, 'facts/two_cubes.pl',
+        "pick(pixel(160, 99), [size(320-200)], Picked).",
+        "Picked = picked(1,1,side(2),1.0,point(_,_,_))").
 example(scan/1, 'facts/two_cubes.pl',
         "scan([size(320-200)]), once(span(100, 0, _, _, R, S, _)).",
         "R = 1, S = 1").

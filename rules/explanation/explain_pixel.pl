@@ -9,19 +9,18 @@
                 side_normal/7, tone_because/4, tree_because/4, walked/5 ]).
 :- use_module(explain_pair, [decided_by/2]).
 :- use_module(explain_tree, [tree_way/3, false_reason/4]).
-:- use_module('../csg/csg', [root_segment/1]).
 :- use_module('../kernel', [image_dot/4, shading_layers/5, shading_place/5]).
-:- use_module('../picture/view', [current_view/4]).
 :- use_module('../shading/group_owner', [owners_asked/2]).
 :- use_module('../shading/seen', [met/4, seen_layers/4, slice/3]).
 :- use_module('../shading/shaded_picture',
-              [picture_image/3, shade_has_shadows/1, shaded_picture/4]).
+              [picture_image/3, shade_has_shadows/1, world_scene/2]).
 :- use_module('../shading/shading_light', [light_layers/4]).
 :- use_module('../shading/shading_scene',
-              [ is_shaded/1, scene_handle/2, scene_leaf/2, scene_model/2,
-                scene_place/2, scene_scale/2, scene_size/2, shaded_eye/3,
-                shaded_model/2 ]).
-:- use_module('../shading/surface_look', [scene_looks/4, scene_opacities/2]).
+              [ scene_handle/2, scene_leaf/2, scene_model/2, scene_place/2,
+                scene_scale/2, scene_size/2 ]).
+:- use_module('../shading/surface_look',
+              [ face_opacity/4, layer_shares/3, scene_looks/4,
+                scene_opacities/2 ]).
 :- use_module('../shading/surface_tone', [light_ways/1]).
 :- use_module('../store', [segment/3]).
 :- use_module(library(apply), [maplist/3, maplist/4]).
@@ -79,11 +78,7 @@ dot_statement(Options, nearest_of_palette(Most)) :-
 picture_scene(Options, Scene) :-
     (   option(scene(Scene0), Options)
     ->  Scene = Scene0
-    ;   findall(S, ( root_segment(S), is_shaded(S) ), Roots),
-        shaded_model(Roots, Model),
-        current_view(Theta, Phi, Rho, Kind),
-        shaded_eye(Model, view(Theta,Phi,Rho,Kind), Eye),
-        shaded_picture(Model, Eye, Options, Scene)
+    ;   world_scene(Options, Scene)
     ).
 
 %   dot_parts(Scene, X, Y, Lines, Opaque, Parts): part(Share, R, Leaf, F, Z,
@@ -100,7 +95,7 @@ dot_parts(Scene, X, Y, Lines, Opaque, Parts) :-
               dot_cell(Scene, X, Y1, Opaque, A, B),
               X1 is (A+B)/512.0,
               seen_layers(Scene, X1, Y1, Layers),
-              layer_shares(Layers, Opaque, 1.0, [], Shares),
+              layer_shares(Layers, Opaque, Shares),
               member(share(Z,R,Leaf,F,Nth,Part), Shares),
               Share is (B-A)*Part ),
             Pieces0),
@@ -133,35 +128,6 @@ dot_cell(Scene, X, Y, Opaque, A, B) :-
             Ends),
     sort([Left,Right|Ends], Cuts),
     append(_, [A,B|_], Cuts).
-
-%   layer_shares(Layers, Opaque, Left, Before, Shares): Shares are share(Z, R,
-%   Leaf, F, Nth, Part) of those of Layers (seen_layers/4) that light comes
-%   from: the Nth layer of that face has that Part of it, as long as something
-%   is Left.
-
-layer_shares([], _, _, _, []).
-layer_shares([layer(Z,R,Leaf,F)|Layers], Opaque, Left0, Before, Shares) :-
-    face_opacity(Opaque, Leaf, F, A),
-    Part is Left0*A,
-    Left is Left0-Part,
-    findall(F, member(Leaf-F, Before), Same),
-    length(Same, Nth),
-    (   Part > 0
-    ->  Shares = [share(Z,R,Leaf,F,Nth,Part)|Shares1]
-    ;   Shares = Shares1
-    ),
-    (   Left > 0
-    ->  layer_shares(Layers, Opaque, Left, [Leaf-F|Before], Shares1)
-    ;   Shares1 = []
-    ).
-
-face_opacity(opaque(Opacities,Leaves), Leaf, F, A) :-
-    nth1(Leaf, Leaves, Own),
-    (   nth0(F, Own, Place)
-    ->  true
-    ;   Own = [Place|_]
-    ),
-    nth0(Place, Opacities, A).
 
 background_because(Parts, All, Options, Because) :-
     findall(C, member(part(C,_,_,_,_,_), Parts), Cs),
@@ -247,7 +213,7 @@ way_stops(Scene, Opaque, Point, vector(A,B,C), Way, stops(Come,Because)) :-
     Way = [X,Y,Z],
     (   A*X + B*Y + C*Z > 0
     ->  light_layers(Scene, Way, Point, Layers),
-        layer_shares(Layers, Opaque, 1.0, [], Shares),
+        layer_shares(Layers, Opaque, Shares),
         findall(Part, member(share(_,_,_,_,_,Part), Shares), Parts),
         sum_list(Parts, Stopped),
         Come is 1.0-Stopped,

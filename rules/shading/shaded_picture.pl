@@ -1,5 +1,6 @@
 :- module(sg_shaded_picture,
           [ shaded_picture/4,           % +Model, +Eye, +Options, -Scene
+            world_scene/2,              % +Options, -Scene
             picture_place/5,            % +Model, +Eye, +Options, -Size, -Place
             empty_picture/3,            % +Eye, +Options, -Scene
             solid_box/2,                % +Model, -Box
@@ -13,17 +14,19 @@
             looks_for_kernel/3          % +Looks, +Options, -KernelLooks
           ]).
 :- use_module('../colour', [colour_rgb/2]).
+:- use_module('../csg/csg', [root_segment/1]).
 :- use_module('../decision', [decision_is_default/1]).
 :- use_module('../kernel',
               [ image_colours/2, image_extent/2, image_parts/6, image_shade/5,
                 light_srgb/2, shading_size/3, srgb_light/2
               ]).
+:- use_module('../picture/view', [current_view/4]).
 :- use_module(group_owner, [owners_asked/3]).
 :- use_module(pixel_colour, [pixels_decided/3]).
 :- use_module(shading_light, [light_scene/3]).
 :- use_module(shading_scene,
-              [ named_face/3, scene_handle/2, scene_leaf/2, shaded_box/3,
-                shaded_eye/3, shaded_scene/5 ]).
+              [ is_shaded/1, named_face/3, scene_handle/2, scene_leaf/2,
+                shaded_box/3, shaded_eye/3, shaded_model/2, shaded_scene/5 ]).
 :- use_module(surface_look, [look_opacity/2, scene_looks/4]).
 :- use_module(surface_ramp, [look_ramp/2, ramp_step/3]).
 :- use_module(surface_tone, [light_ways/1, look_shine/2, look_tones/2]).
@@ -49,6 +52,20 @@ units.
 shaded_picture(Model, Eye, Options, Scene) :-
     picture_place(Model, Eye, Options, Size, Place),
     shaded_scene(Model, Eye, Place, Size, Scene).
+
+%!  world_scene(+Options, -Scene) is semidet.
+%
+%   Scene is the picture of the roots of the current world in its view; Options
+%   are those of shaded_picture/4. Fails if nothing is seen.
+%
+%   @error as of shaded_model/2 and shaded_eye/3
+
+world_scene(Options, Scene) :-
+    findall(S, ( root_segment(S), is_shaded(S) ), Roots),
+    shaded_model(Roots, Model),
+    current_view(Theta, Phi, Rho, Kind),
+    shaded_eye(Model, view(Theta,Phi,Rho,Kind), Eye),
+    shaded_picture(Model, Eye, Options, Scene).
 
 %!  picture_place(+Model, +Eye, +Options, -Size, -Place) is semidet.
 %

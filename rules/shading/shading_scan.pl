@@ -3,18 +3,14 @@
             write_spans/1,              % +Out
             write_shading_facts/1       % +Out
           ]).
-:- use_module('../csg/csg', [root_segment/1]).
 :- use_module('../kernel', [fill_spans/2, shading_scan/5]).
-:- use_module('../picture/view', [current_view/4]).
 :- use_module('../store',
               [ facts_transaction/1, light/2, look/2, projection/1,
                 retractall_facts/1, span/7, view/3
               ]).
 :- use_module(group_owner, [owners_asked/2]).
-:- use_module(shaded_picture, [shaded_picture/4]).
-:- use_module(shading_scene,
-              [ is_shaded/1, scene_handle/2, scene_leaf/2, shaded_eye/3,
-                shaded_model/2 ]).
+:- use_module(shaded_picture, [world_scene/2]).
+:- use_module(shading_scene, [scene_handle/2, scene_leaf/2]).
 :- use_module(surface_look, [scene_opacities/2]).
 :- use_module(library(error), [must_be/2]).
 :- use_module(library(option), [option/3]).
@@ -40,19 +36,12 @@ scan(What) :-
     ->  true
     ;   must_be(list, What),
         option(smooth(Lines), What, 4),
-        world_scene(What, Scene)
+        (   world_scene(What, Scene0)
+        ->  Scene = Scene0
+        ;   Scene = none                % nothing is seen
+        )
     ),
     facts_transaction(scene_scanned(Scene, Lines)).
-
-world_scene(Options, Scene) :-
-    findall(S, ( root_segment(S), is_shaded(S) ), Roots),
-    shaded_model(Roots, Model),
-    current_view(Theta, Phi, Rho, Kind),
-    shaded_eye(Model, view(Theta,Phi,Rho,Kind), Eye),
-    (   shaded_picture(Model, Eye, Options, Scene0)
-    ->  Scene = Scene0
-    ;   Scene = none                    % nothing is seen
-    ).
 
 scene_scanned(none, _) :-
     !,

@@ -4,6 +4,8 @@
             scene_looks/4,              % +Scene, +Colours, -Looks, -Leaves
             look_opacity/2,             % +Look, -Opacity
             scene_opacities/2,          % +Scene, -Opaque
+            layer_shares/3,             % +Layers, +Opaque, -Shares
+            face_opacity/4,             % +Opaque, +Leaf, +F, -A
             line_layers/3               % +Scene, +Y, -Layers
           ]).
 :- use_module('../csg/csg', [node/4]).
@@ -18,8 +20,8 @@
 :- use_module(library(error), [must_be/2]).
 :- use_module(library(pairs), [pairs_values/2]).
 :- use_module(library(lists),
-              [ append/2, append/3, list_to_set/2, member/2, nth0/3, selectchk/3
-              ]).
+              [ append/2, append/3, list_to_set/2, member/2, nth0/3, nth1/3,
+                selectchk/3 ]).
 /** <module> How a face looks (CB-8).
 
 A look is a list of properties, those of look/2. Of each the nearest wins: that
@@ -314,6 +316,46 @@ line_layers(Scene, Y, Layers) :-
 scene_opacities(Scene, opaque(Opacities,Leaves)) :-
     scene_looks(Scene, root, Looks, Leaves),
     maplist(look_opacity, Looks, Opacities).
+
+%!  layer_shares(+Layers, +Opaque, -Shares) is det.
+%
+%   Shares are share(Z, R, Leaf, F, Nth, Part) of those of Layers
+%   (seen_layers/4) that light comes from: the Nth layer of that face, from 0,
+%   has that Part of it. Opaque is as of scene_opacities/2.
+
+layer_shares(Layers, Opaque, Shares) :-
+    layer_shares(Layers, Opaque, 1.0, [], Shares).
+
+%   layer_shares(Layers, Opaque, Left, Before, Shares): as long as something is
+%   Left, the layers Before being nearer.
+
+layer_shares([], _, _, _, []).
+layer_shares([layer(Z,R,Leaf,F)|Layers], Opaque, Left0, Before, Shares) :-
+    face_opacity(Opaque, Leaf, F, A),
+    Part is Left0*A,
+    Left is Left0-Part,
+    findall(F, member(Leaf-F, Before), Same),
+    length(Same, Nth),
+    (   Part > 0
+    ->  Shares = [share(Z,R,Leaf,F,Nth,Part)|Shares1]
+    ;   Shares = Shares1
+    ),
+    (   Left > 0
+    ->  layer_shares(Layers, Opaque, Left, [Leaf-F|Before], Shares1)
+    ;   Shares1 = []
+    ).
+
+%!  face_opacity(+Opaque, +Leaf, +F, -A) is det.
+%
+%   The face F of leaf number Leaf is A opaque, 0 to 1.
+
+face_opacity(opaque(Opacities,Leaves), Leaf, F, A) :-
+    nth1(Leaf, Leaves, Own),
+    (   nth0(F, Own, Place)
+    ->  true
+    ;   Own = [Place|_]
+    ),
+    nth0(Place, Opacities, A).
 
 %!  look_opacity(+Look, -Opacity) is det.
 
