@@ -93,8 +93,6 @@ test(by_rule, Seen == 1-2) :-
                    delete_file(File)),
                pick(pixel(40,40), Options, picked(3,S2,top,_,_)) )),
     Seen = S1-S2.
-test(nothing, Picked == []) :-
-    in_model("view(270, 0, 0).", findall(P, pick(_, [], P), Picked)).
 test(nothing_in_the_window, Picked == []) :-
     plate(Text),
     in_model(Text,
