@@ -18,10 +18,10 @@
 %   row Y, counted from 0 from the upper left, of the picture of the current
 %   world: picked(R, S, Face, Share, Point), this Face, as in face_of/3, of
 %   segment S (0: of none), a leaf of the root R, at Point = point(PX, PY, PZ)
-%   of the model. Share, to 1.0, is how much of the light there is its own; behind
-%   what is see-through comes more, the nearest first. Options are those of
-%   shaded_picture/4, such as size(640-400). Where Pixel is not known it is each
-%   dot at which something is seen, row by row.
+%   of the model. Share, to 1.0, is how much of the light there is its own;
+%   behind what is see-through comes more, the nearest first. Options are those
+%   of shaded_picture/4, such as size(640-400). Where Pixel is not known it is
+%   each dot at which something is seen, row by row.
 %
 %   @error as of shaded_model/2 and shaded_eye/3
 

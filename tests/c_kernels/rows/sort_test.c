@@ -1,5 +1,5 @@
 /* sort_test.c -- sg_sort(): stable, and whole when it is stopped;
- * sg_sort_measured(): the same order. */
+ * sg_sort_measured(), sg_sort_upper(): the same order. */
 #include "rows/sort.h"
 #include "tests/check.h"
 
@@ -103,6 +103,38 @@ sorts_measured(size_t n)
   return good;
 }
 
+static int
+by_upper(const void *a, const void *b)
+{
+  const uint64_t *x = a, *y = b; /* lower halves are places */
+
+  return (*x > *y) - (*x < *y);
+}
+
+/* Keys in an array of just their size, or one with room for more, which stays
+ * as it is. `wide`: how many bits of the upper halves differ. */
+static bool
+sorts_upper(size_t n, size_t more, unsigned wide)
+{
+  uint64_t *found = malloc((n + more) * sizeof *found + 1);
+  uint64_t *expected = malloc(n * sizeof *expected + 1);
+
+  for (size_t i = 0; i < n + more; i++) {
+    uint64_t upper = (uint64_t)rand() << 16 ^ (uint64_t)rand();
+    found[i] = (wide ? upper << (64 - wide) : 0) | i;
+  }
+  memcpy(expected, found, n * sizeof *found);
+  qsort(expected, n, sizeof *expected, by_upper);
+  uint64_t behind = more > 0 ? found[n] : 0;
+  bool good = sg_sort_upper(found, n) &&
+              memcmp(found, expected, n * sizeof *found) == 0 &&
+              (more == 0 || found[n] == behind);
+
+  free(found);
+  free(expected);
+  return good;
+}
+
 /* Ids: each once, ascending, each found where it is. */
 static bool
 sorts_ids(size_t n)
@@ -142,6 +174,14 @@ main(void)
     measured &= sorts_measured(size[i]);
   }
   CHECK("numbers sorted, equals in order", measured);
+  bool upper = true;
+  for (size_t i = 0; i < sizeof size / sizeof *size; i++) {
+    for (unsigned wide = 0; wide <= 32; wide += 4) {
+      upper = upper && sorts_upper(size[i], 0, wide) &&
+              sorts_upper(size[i], 1000, wide);
+    }
+  }
+  CHECK("upper halves sorted, equals in order", upper);
   for (int asks = 0; asks < 12; asks++) {
     int left = asks;
     sg_cancel cancel = {stop_at_zero, &left};
