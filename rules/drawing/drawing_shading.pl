@@ -7,6 +7,7 @@
             shading_images/5            % +Shadeds, +Sheet, +Dots, +Background,
                                         % -Images
           ]).
+:- use_module('../decision', [decision_is_default/1]).
 :- use_module('../kernel', [image_strokes/7, view_range/5]).
 :- use_module('../picture/view', [current_view/4]).
 :- use_module('../shading/group_owner', [owners_asked/2]).
@@ -16,7 +17,10 @@
               [ scene_handle/2, shaded_box/3, shaded_model/3, shaded_scene/5,
                 without_picture/2 ]).
 :- use_module('../shading/surface_look', [scene_looks/4]).
-:- use_module(library(apply), [maplist/3]).
+:- use_module('../store',
+              [ assert_fact/1, facts_snapshot/1, retractall_facts/1, segment/3
+              ]).
+:- use_module(library(apply), [maplist/2, maplist/3]).
 :- use_module(library(lists), [append/2, append/3, member/2, reverse/2]).
 :- use_module(library(option), [option/3]).
 /** <module> Shading under the lines of a drawing.
@@ -25,9 +29,13 @@ What is shaded are the trees of the roots (rules/shading/), in the frame of the
 lines: either dots, or, for a pen, strokes where it is dark: scan lines in three
 directions, each for tones of its own.
 
-    shading(Model, Looks, Leaves)       taken before operands are put aside
-    shaded(Model, Eye, Place, KernelLooks, Leaves)
+    shading(Model, Looks, Leaves, Segments)
+                                        taken before operands are put aside
+    shaded(Model, Eye, Place, KernelLooks, Leaves, Segments)
                                         of one view; Place as of placed_part/3
+
+Segments are the facts segment/3 as they were then, for rules that are asked
+while it is shaded; [] if there are none.
 */
 
 %   Between strokes, in thousandths of a millimetre; how many of these are a dot
@@ -54,18 +62,40 @@ way_parts(135, G, H) :-
 %
 %   @error as of shaded_model/3
 
-shading_taken(Roots, Matrix, shading(Model,Looks,Leaves)) :-
+shading_taken(Roots, Matrix, shading(Model,Looks,Leaves,Segments)) :-
     shaded_model(Roots, Matrix, Model),
     without_picture(Model, Scene),
-    scene_looks(Scene, root, Looks, Leaves).
+    scene_looks(Scene, root, Looks, Leaves),
+    (   decision_is_default(owner/3)
+    ->  Segments = []
+    ;   findall(segment(S,Kind,Term), segment(S, Kind, Term), Segments)
+    ).
+
+%   with_segments(Segments, :Goal): Goal, once, with these as they were.
+
+:- meta_predicate with_segments(+, 0).
+
+with_segments([], Goal) :-
+    !,
+    once(Goal).
+with_segments(Segments, Goal) :-
+    facts_snapshot(( maplist(segment_back, Segments), Goal )).
+
+segment_back(Segment) :-
+    Segment = segment(S,_,_),
+    (   call(Segment)
+    ->  true
+    ;   retractall_facts(segment(S,_,_)),
+        assert_fact(Segment)
+    ).
 
 %!  shaded_view(+Shading, +Shade, +Place, +Away, -Shaded) is det.
 %
 %   Shaded is Shading in the view of the current world, on a sheet by Place. The
 %   world has been moved from Away, [X,Y,Z], to the origin.
 
-shaded_view(shading(Model,Looks,Leaves), Shade0, Place, Away,
-            shaded(Model,at(Eye,Away),Place,KernelLooks,Leaves)) :-
+shaded_view(shading(Model,Looks,Leaves,Segments), Shade0, Place, Away,
+            shaded(Model,at(Eye,Away),Place,KernelLooks,Leaves,Segments)) :-
     current_view(Theta, Phi, Rho, Kind),
     (   Kind == central
     ->  view_range(Theta, Phi, Near, _, _),
@@ -95,7 +125,8 @@ shading_strokes(Shaded, Strokes) :-
             All),
     append(All, Strokes).
 
-way_strokes(shaded(Model,Eye,Place,Looks,Leaves), Degrees, Tone, Strokes) :-
+way_strokes(shaded(Model,Eye,Place,Looks,Leaves,Segments), Degrees, Tone,
+            Strokes) :-
     way_parts(Degrees, Cos, Sin),
     Turned = rolled(Eye,Cos,Sin),
     shaded_box(Model, Turned, b(X1,Y1,X2,Y2)),
@@ -111,9 +142,10 @@ way_strokes(shaded(Model,Eye,Place,Looks,Leaves), Degrees, Tone, Strokes) :-
     Height is max(1, ceiling((Top-Y1)*Scale)),
     shaded_scene(Model, Turned, place(Scale,X1,Top), Width-Height, Scene),
     scene_handle(Scene, Handle),
-    owners_asked(Scene,
-                 image_strokes(Handle, Tone, Looks, Leaves, Apart, Apart,
-                               Lines)),
+    with_segments(Segments,
+                  owners_asked(Scene,
+                               image_strokes(Handle, Tone, Looks, Leaves, Apart,
+                                             Apart, Lines))),
     sheet_strokes(Lines, none, right,
                   at(Place,Cos,Sin,X1,Top,Scale), Strokes).
 way_strokes(_, _, _, []).
@@ -196,8 +228,8 @@ whole(X, N) :-
 
 %   Whole dots of the sheet, so that pictures of one sheet have one grid.
 
-shading_image(shaded(Model,Eye,Place,Looks,Leaves), sheet(Wide,High,_), Dots,
-              Background, image(X,Y,W,H,Image)) :-
+shading_image(shaded(Model,Eye,Place,Looks,Leaves,Segments),
+              sheet(Wide,High,_), Dots, Background, image(X,Y,W,H,Image)) :-
     shaded_box(Model, Eye, b(X1,Y1,X2,Y2)),
     Place = place(PerUnit,X0,Y0,Left,Top),
     A is max(0, floor(((X1-X0)*PerUnit + Left)*Dots/1000)),
@@ -218,4 +250,6 @@ shading_image(shaded(Model,Eye,Place,Looks,Leaves), sheet(Wide,High,_), Dots,
     XL is X0 + (X-Left)/PerUnit,
     YT is Y0 + (Top-Y)/PerUnit,
     shaded_scene(Model, Eye, place(Scale,XL,YT), Width-Height, Scene),
-    picture_image(Scene, Looks, Leaves, [background(Background)], Image).
+    with_segments(Segments,
+                  picture_image(Scene, Looks, Leaves, [background(Background)],
+                                Image)).

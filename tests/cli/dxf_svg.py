@@ -25,7 +25,7 @@ for line in drawing.modelspace().query('POLYLINE LINE'):
             points.append(points[0])
     layer = line.dxf.layer
     thick = (0.7 if 'PENETRATION' in layer or layer == 'FRAME' else 0.5)
-    if layer in ('FIELD', 'HATCHING'):
+    if layer in ('FIELD', 'HATCHING', 'SHADING'):
         thick = 0.25
     if layer.startswith('HIDDEN'):
         thick /= 2

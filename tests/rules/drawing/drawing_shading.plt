@@ -7,6 +7,7 @@
 :- use_module(library(plunit)).
 :- use_module(library(yall)).
 :- use_module(rules(csg/csg_matrix)).
+:- use_module(rules(decision)).
 :- use_module(rules(drawing/drawing_shading)).
 :- use_module(rules(drawing/image_text)).
 :- use_module(rules(kernel)).
@@ -94,6 +95,37 @@ test(image_in_place, Place == [10000,10000,80000,80000]) :-
     Image = image(X,Y,W,H,Dots),
     maplist([A,B]>>(B is round(A)), [X,Y,W,H], Place),
     image_size(Dots, 160, 160).
+%   A rule is asked as if operands were not put aside; afterwards they are.
+test(owner_by_segment, Dot-Left == [0,0,170]-[3]) :-
+    in_new_world(
+        ( maplist(assert_fact,
+                  [ segment(1, solid, box(size(6,6,1))),
+                    segment(2, solid, named(inlay,box(size(4,4,1)))),
+                    segment(3, solid, union([1,2])),
+                    look(1, colour(red)), look(2, colour(rgb(0,0,255))),
+                    light(0, strength(0.4)), light(1, strength(0.0)) ]),
+          by_rule("owner(_, Group, S-Face) :- lists:member(S-Face, Group), \c
+                   segment(S, _, named(inlay,_))."),
+          set_view(270, 0, 0),
+          identity_matrix(Matrix),
+          shading_taken([3], Matrix, Shading),
+          retractall_facts(segment(1,_,_)),
+          retractall_facts(segment(2,_,_)),
+          shaded_view(Shading, lambert, place(10000,0,0,50000,50000), [0,0,0],
+                      Shaded),
+          shading_images([Shaded], sheet(100000,100000,10), 2, white,
+                         [image(_,_,_,_,Image)]),
+          image_dot(Image, 60, 60, Dot),
+          findall(S, segment(S, _, _), Left) )).
+
+by_rule(Text) :-
+    setup_call_cleanup(
+        ( tmp_file_stream(File, Out, [encoding(utf8), extension(pl)]),
+          write(Out, Text),
+          close(Out) ),
+        use_rules(File),
+        delete_file(File)).
+
 test(base_64, Head == "iVBORw0KGgo") :- % the signature of PNG
     image_blank(3, 2, rgb(1,2,3), Image),
     image_base64(Image, Text),
