@@ -5,8 +5,9 @@
             hull/2                      % +Points, -Hull
           ]).
 :- use_module('../kernel', [nest/8, nest_open/2, turned_boxes/3]).
+:- use_module('../near', [tolerance/2]).
 :- use_module(pattern_face, [first_of/3]).
-:- use_module(library(apply), [foldl/4, maplist/3, maplist/4]).
+:- use_module(library(apply), [foldl/4, foldl/6, maplist/3, maplist/4]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2, put_assoc/4]).
 :- use_module(library(lists),
               [ append/2, append/3, last/2, max_list/2, member/2, nth0/4,
@@ -254,14 +255,37 @@ tried(task(Paper,Nest), How, trial(Score,How,Pairs,Size), Work) :-
     square(W, H, Gap, Paper, Raster, Square),
     Squares is max(1, ceiling(Gap/Square)),
     nest(W-H, Square, Squares, One, Nest, Turns, Places0, Work),
-    maplist(seen_place(Side, W), Places0, Places),
+    maplist(seen_place(Side, W), Places0, Places1),
+    last_sheet(Places1, Nested),
+    foldl(placed_alone(Paper), Ways, Places1, Places, Nested, Sheets),
     pairs_keys_values(Pairs, Names, Places),
     used_size(Paper, Ways, Places, Size, Used),
     findall(x, member(place(0,_,_,_), Places), Xs),
     length(Xs, Unplaced),
-    findall(I, member(place(I,_,_,_), Places), Is),
-    max_list([0|Is], Sheets),
     Score = score(Unplaced, Sheets, Used).
+
+last_sheet(Places, Sheets) :-
+    findall(I, member(place(I,_,_,_), Places), Is),
+    max_list([0|Is], Sheets).
+
+%   placed_alone(Paper, Way, Place0, Place, Sheets0, Sheets): what has room on a
+%   page, but none in whole squares of its raster, has a page of its own.
+
+placed_alone(room(RoomW,RoomH,_), way(_,_,Hull,_,_,_), place(0,_,_,_),
+             place(Sheets,Degrees,DX,DY), Sheets0, Sheets) :-
+    hull_box(Hull, Least, _, _),
+    Across is Least+90.0,
+    member(Degrees, [0.0,90.0,Least,Across]),
+    maplist(turned(Degrees), Hull, Points),
+    box_of(Points, box(X1,Y1,X2,Y2)),
+    W is X2-X1,
+    H is Y2-Y1,
+    within(RoomW, RoomH, W, H),
+    !,
+    DX is -X1,
+    DY is -Y1,
+    Sheets is Sheets0+1.
+placed_alone(_, _, Place, Place, Sheets, Sheets).
 
 way_turn(Side, way(Name,I,_,Angles0,_,_), Name, turn(I,Angles)) :-
     (   Side == left,
@@ -369,27 +393,28 @@ fits_on(Points, Paper) :-
     box_fits(Paper, W, H),
     !.
 
-%   box_fits(Paper, W, H): also on its side; squares of the raster are on the
-%   safe side.
+%   box_fits(Paper, W, H): also on its side.
 
 box_fits(roll(_), _, _).
-box_fits(Paper, W, H) :-
-    Paper = room(RoomW, RoomH, Gap),
-    square(RoomW, RoomH, Gap, Paper, coarse, Square),
-    Width is RoomW-2.1*Square,
-    Height is RoomH-2.1*Square,
-    (   W =< Width,
-        H =< Height
+box_fits(room(RoomW,RoomH,_), W, H) :-
+    (   within(RoomW, RoomH, W, H)
     ->  true
-    ;   H =< Width,
-        W =< Height
+    ;   within(RoomW, RoomH, H, W)
     ).
 
+within(RoomW, RoomH, W, H) :-
+    tolerance(paper, Off),
+    W =< RoomW+Off,
+    H =< RoomH+Off.
+
 points_box(Points, W, H) :-
-    Points = [X-Y|_],
-    foldl(boxed, Points, box(X,Y,X,Y), box(X1,Y1,X2,Y2)),
+    box_of(Points, box(X1,Y1,X2,Y2)),
     W is X2-X1,
     H is Y2-Y1.
+
+box_of(Points, Box) :-
+    Points = [X-Y|_],
+    foldl(boxed, Points, box(X,Y,X,Y), Box).
 
 boxed(X-Y, box(X1,Y1,X2,Y2), box(X3,Y3,X4,Y4)) :-
     X3 is min(X1, X),

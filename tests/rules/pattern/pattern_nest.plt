@@ -130,6 +130,25 @@ test(fits_and_is_placed, [ forall(between(0, 24, I)), nondet ]) :-
                  assertion(Sheet =:= 1)
              ;   true
              ) )).
+% The whole of a page is used: by what has room there, but not in squares.
+test(as_large_as_the_page, Sheets == [2,1,3]) :-
+    Parts = [a-[[0.0-0.0,190.0-0.0,190.0-277.0,0.0-277.0]],
+             b-[[0.0-0.0,100.0-0.0,100.0-50.0,0.0-50.0]],
+             c-[[5.0-5.0,282.0-5.0,282.0-194.9,5.0-194.9]]],
+    nested(Parts, room(190,277,3), nested(_,Places)),
+    findall(I, member(_-place(I,_,_,_), Places), Sheets),
+    forall(( nth1(N, Parts, Name-[Loop]),
+             nth1(N, Places, Name-place(_,Degrees,DX,DY)),
+             member(X0-Y0, Loop) ),
+           ( X is X0*cos(Degrees*pi/180) - Y0*sin(Degrees*pi/180) + DX,
+             Y is X0*sin(Degrees*pi/180) + Y0*cos(Degrees*pi/180) + DY,
+             assertion(( X > -1.0e-6, X < 190.000001,
+                         Y > -1.0e-6, Y < 277.000001 )) )).
+test(larger_than_the_page) :-
+    Loop = [0.0-0.0,190.01-0.0,190.01-277.0,0.0-277.0],
+    \+ fits_on(Loop, room(190,277,3)),
+    nested([a-[Loop]], room(190,277,3), nested(_,[a-place(Sheet,_,_,_)])),
+    assertion(Sheet =:= 0).
 test(same_again) :-
     parts(9, 25, 20, 150, Parts),
     nested(Parts, room(500,400,3), A),
