@@ -175,7 +175,7 @@ in_a_world(Calls) :-
              facts_snapshot(called(Door))
            )).
 
-%   wrong_word(Module:Door, Type): a Door that is given a word that Type has not.
+%   wrong_word(Module:Door, Type): a Door that gets a word that Type has not.
 %   Handles, of which there may be none, are looked at before it, as are other
 %   arguments, which may be wrong too.
 
