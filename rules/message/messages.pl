@@ -395,6 +395,12 @@ fault_en(polygon_edge(S, P, V1, V2)) -->
 notice_en(polygon_edge(S, P, V1, V2)) -->
     invalid_polygon_en(S, P, V1, V2),
     [ nl, '  It is left out.' ].
+notice_en(polygon_edges(S, Count, P, V1, V2)) -->
+    [ 'polygons of segment ~d are invalid: ~D; no triangle fits the edge of \c
+       the first, ~d, from vertex ~d to ~d'-[S, Count, P, V1, V2], nl,
+      '  They cross or overlap themselves, or a hole is outside or runs the \c
+       wrong way round.', nl,
+      '  They are left out.' ].
 notice_en(no_area(S, Count, P)) -->
     [ 'polygons without area in segment ~d: ~D (the first is ~d)'-
       [S, Count, P], nl, '  Left out.' ].

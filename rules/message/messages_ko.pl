@@ -409,6 +409,10 @@ fault_ko(polygon_edge(S, P, V1, V2)) -->
 notice_ko(polygon_edge(S, P, V1, V2)) -->
     invalid_polygon_ko(S, P, V1, V2),
     [ nl, '  빼고 계속합니다.' ].
+notice_ko(polygon_edges(S, Count, P, V1, V2)) -->
+    [ '세그먼트 ~d의 다각형 ~D개가 자기 자신과 교차하거나 겹칩니다 (처음은 다각형 ~d의 \c
+       꼭짓점 ~d, ~d 사이)'-[S, Count, P, V1, V2], nl,
+      '  빼고 계속합니다.' ].
 notice_ko(no_area(S, Count, P)) -->
     [ '세그먼트 ~d의 다각형 ~D개는 넓이가 없습니다 (처음은 ~d)'-
       [S, Count, P], nl,

@@ -174,12 +174,20 @@ refuse_open(Faults) :-
     ).
 
 warn(Faults) :-
-    forall(member(fault(S, P, not_simple(V1, V2)), Faults),
-           warning(polygon_edge(S, P, V1, V2))),
+    forall(setof(P-(V1-V2), member(fault(S, P, not_simple(V1, V2)), Faults),
+                 Invalid),
+           warn_not_simple(S, Invalid)),
     forall(setof(P, member(fault(S, P, no_area), Faults), Ps),
            warn_no_area(S, Ps)),
     forall(setof(Off-P, member(fault(S, P, not_flat(Off)), Faults), Pairs),
            warn_not_flat(S, Pairs)).
+
+warn_not_simple(S, [P-(V1-V2)|Others]) :-
+    (   Others == []
+    ->  warning(polygon_edge(S, P, V1, V2))
+    ;   length([P|Others], Count),
+        warning(polygon_edges(S, Count, P, V1, V2))
+    ).
 
 warn_no_area(S, Ps) :-
     Ps = [P|_],

@@ -118,6 +118,9 @@ e(1,10,7,5,1). e(1,11,5,4,1). e(1,12,4,7,1). p(1,4,[10,11,12]).
 segment(1, solid, split).\n").
 file('grain.pl', "segment(1, solid, at([translate(1.0e9,0,0)],
                      box(size(1,1,1)))).\n").
+file('bows.pl', "segment(1, surface, sheet(points([[0,0,0],[4,0,0],[0,1,0],
+    [1,1,0],[0,3,0],[4,3,0],[0,4,0],[1,4,0]]), faces([[1,2,3,4],[5,6,7,8]]))).
+").
 file('bow.pl', "v(1,1,0,0,0). v(1,2,4,0,0). v(1,3,0,1,0). v(1,4,1,1,0).
 e(1,1,1,2,1). e(1,2,2,3,1). e(1,3,3,4,1). e(1,4,4,1,1).
 p(1,1,[1,2,3,4]). segment(1, surface, bow).\n").
@@ -157,6 +160,7 @@ command(points_alone(_), [penetrate, @('pin.pl')]).
 command(no_area(_,1,_), [check, @('thin.off')]).
 command(not_flat(_,1,_,_), [check, @('bent.pl')]).
 command(polygon_edge(_,_,_,_), [check, @('bow.pl')]).
+command(polygon_edges(_,2,_,_,_), [check, @('bows.pl')]).
 command(parameter(renamed(_,_,_)), [check, @('wide.pl'), @('narrow.pl')]).
 command(comma(_,_), [check, @('comma.pl')]).
 command(comma(_,none), [query, @('cube.pl'), 
