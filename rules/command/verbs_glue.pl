@@ -45,7 +45,8 @@ so that is what is written, and taking it apart again only takes the node away.
 %   contacts: how many of each kind. What is written are the operands as they
 %   were read, and the glue. With 'dry-run'(true) nothing is; then the report
 %   has each contact, and where operands come near each other (glue_misses/2).
-%   With strict(true) nothing is written of operands that overlap.
+%   With strict(true) nothing is written of operands that overlap, or that come
+%   near each other and were not glued.
 
 glue_run(Files, Options, 0) :-
     some_files(Files, 'MODEL'),
@@ -55,9 +56,10 @@ glue_run(Files, Options, 0) :-
     once(root_segment(S)),
     forall(option(only(What), Options), assert_fact(gluing(S, only(What)))),
     facts_snapshot(( operands_evaluated(Sources, Options),
-                     report(S, Options, Report) )),
+                     report(S, Options, Report, Misses) )),
     (   once(( option('dry-run'(true), Options)
-             ; option(strict(true), Options), overlaps(Report) ))
+             ; option(strict(true), Options),
+               ( Misses = [_|_] ; overlaps(Report) ) ))
     ->  printed(Options, Report)
     ;   reported(Outputs, sg_verbs_glue:printed(Options, Report)),
         summary_sent_told(Outputs, [pl]),
@@ -69,9 +71,10 @@ overlaps(Report) :-
     Region.inside = [_,_|_],
     !.
 
-%   report(S, Options, Report): of the glue S, which is the only root.
+%   report(S, Options, Report, Misses): of the glue S, which is the only root;
+%   Misses as of glue_misses/2.
 
-report(S, Options, Report) :-
+report(S, Options, Report, Misses) :-
     glue_report(S, Report0),
     mended_warned(S),
     forall(member(Region, Report0.regions), overlap_warned(S, Region)),
@@ -84,14 +87,14 @@ report(S, Options, Report) :-
     ->  print_message(informational, sanggwan(glue_apart(S)))
     ;   true
     ),
+    glue_misses(S, Misses),
     (   option('dry-run'(true), Options)
     ->  findall(Contact, contact_dict(S, Contact), Each),
-        glue_misses(S, Misses),
         maplist(miss_dict, Misses, Gaps),
         Report = Report1.put(_{each_contact:Each, misses:Gaps})
-    ;   Report = Report1,
-        misses_told(S)
-    ).
+    ;   Report = Report1
+    ),
+    misses_warned(S, Misses).
 
 contact_dict(S, _{ kind:Kind, segment1:S1, place1:Text1, segment2:S2,
                    place2:Text2 }) :-
@@ -133,14 +136,15 @@ mended(S0, part(_,_,_,_,_,_,_,Defects), What, N) :-
 
 %!  glue_misses_told is det.
 %
-%   Notices of where operands of the glues that are roots come near each other
-%   and were not glued: of three pairs each, and how many more; and warnings of
-%   those that overlap.
+%   Warnings of where operands of the glues that are roots overlap, and of where
+%   they come near each other and were not glued: of three pairs each, and how
+%   many more.
 
 glue_misses_told :-
     forall(( root_segment(S), node(S, glue, _, _) ),
            ( overlaps_warned(S),
-             misses_told(S) )).
+             glue_misses(S, Misses),
+             misses_warned(S, Misses) )).
 
 overlaps_warned(S) :-
     (   from_r(S, R, S1, _),
@@ -151,15 +155,14 @@ overlaps_warned(S) :-
     ;   true
     ).
 
-misses_told(S) :-
-    glue_misses(S, Misses),
+misses_warned(S, Misses) :-
     forall(( nth1(I, Misses, miss(S1-_,S2-_,Gap,End-_)), I =< 3 ),
-           print_message(informational,
+           print_message(warning,
                          sanggwan(glue_gap(S, S1, S2, Gap, End)))),
     length(Misses, N),
     More is N-3,
     (   More > 0
-    ->  print_message(informational, sanggwan(glue_gaps(S, More)))
+    ->  print_message(warning, sanggwan(glue_gaps(S, More)))
     ;   true
     ).
 
