@@ -1,13 +1,18 @@
 /* pages.c -- see pages.h. */
 #include "pages.h"
 
+#include "engine/search.h"
 #include "number/exact.h"
 
 #include <stdlib.h>
 
-/* An edge, and the page that the others are counted from. */
+enum { FEW = 8 };
+
+/* An edge, and the page that the others are counted from: along this axis it
+ * is seen to lie on this side; 0: it has no area. */
 typedef struct hinge {
   const double *u, *w, *first;
+  int axis, side;
 } hinge;
 
 static int
@@ -19,17 +24,22 @@ turn(int axis, const double a[3], const double b[3], const double c[3])
                      (double[2]){c[x], c[y]});
 }
 
+static void
+see_first(hinge *h)
+{
+  for (h->axis = 0; h->axis < 3; h->axis++) {
+    h->side = turn(h->axis, h->u, h->w, h->first);
+    if (h->side != 0) {
+      return;
+    }
+  }
+}
+
 /* Of a point in the plane of the first page: on its side of the edge? */
 static bool
 is_beside_first(const hinge *h, const double p[3])
 {
-  for (int axis = 0; axis < 3; axis++) {
-    int side = turn(axis, h->u, h->w, h->first);
-    if (side != 0) {
-      return side == turn(axis, h->u, h->w, p);
-    }
-  }
-  return true; /* the first page has no area */
+  return h->side == 0 || h->side == turn(h->axis, h->u, h->w, p);
 }
 
 /* 0 at the first page, 1 up to opposite of it, 2 there, 3 behind. */
@@ -59,13 +69,19 @@ sg_pages_order(const double u[3], const double w[3], sg_page_at_edge *page,
                size_t n)
 {
   double first[3] = {page[0].beside[0], page[0].beside[1], page[0].beside[2]};
-  hinge h = {u, w, first};
+  hinge h = {.u = u, .w = w, .first = first};
   bool alternating = true;
 
-  for (size_t i = 0; i < n; i++) {
+  see_first(&h);
+  page[0].quarter = 0;
+  for (size_t i = 1; i < n; i++) {
     page[i].quarter = quarter(&h, page[i].beside);
   }
-  qsort_r(page, n, sizeof *page, compare, &h);
+  if (n > FEW) {
+    qsort_r(page, n, sizeof *page, compare, &h);
+  } else {
+    SG_SORT_FEW(sg_page_at_edge, page, n, compare(x, y, &h) > 0);
+  }
   for (size_t i = 0; i < n; i++) {
     alternating &= page[i].forward != page[(i + 1) % n].forward;
   }

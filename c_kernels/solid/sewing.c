@@ -20,18 +20,12 @@ typedef struct part {
 static const uint32_t NO_CORNER = UINT32_MAX;
 static const int32_t ANOTHER = INT32_MIN; /* as a weight: the same as another */
 
-/* A polygon by what it is made of, whichever way round. */
-typedef struct print {
-  uint64_t value;
-  uint32_t polygon;
-} print;
-
 typedef struct sewer {
   const sg_dense *d;
   sg_sewing *out;
   uint32_t *begin;    /* [polygons + 1] in triangle[] */
   uint32_t *triangle; /* by polygon */
-  print *print;       /* [polygons], by value, then by polygon */
+  uint64_t *key;      /* [polygons], ascending: print_of(), then the polygon */
   part *part[2];      /* room for those of any polygon */
 } sewer;
 
@@ -164,8 +158,9 @@ turned_round(part one)
                                : (part){one.first, one.last, one.second};
 }
 
-/* The same for all equal polygons; rarely for others. */
-static uint64_t
+/* What a polygon is made of, whichever way round: the same for all equal ones;
+ * rarely for others. */
+static uint32_t
 print_of(const sewer *s, uint32_t p)
 {
   size_t n = edges_of(s, p);
@@ -176,15 +171,7 @@ print_of(const sewer *s, uint32_t p)
     sum += sg_spread_bits((uint64_t)one.first << 32 | one.second) +
            sg_spread_bits((uint64_t)one.second << 32 | one.first);
   }
-  return sum;
-}
-
-static int
-by_print(const void *x, const void *y)
-{
-  uint64_t a = ((const print *)x)->value, b = ((const print *)y)->value;
-
-  return (a > b) - (a < b);
+  return (uint32_t)(sum >> 32);
 }
 
 static int
@@ -269,37 +256,39 @@ same_way(const sewer *s, uint32_t p, uint32_t q)
 
 /* Those of one print: each is added to the first that it is the same as. */
 static void
-weigh_run(const sewer *s, const print *run, size_t n)
+weigh_run(const sewer *s, const uint64_t *run, size_t n)
 {
   for (size_t i = 0; i < n; i++) {
     int32_t *weight = s->out->weight;
     int way = 0;
 
     for (size_t k = 0; k < i && way == 0; k++) {
-      if (weight[run[k].polygon] != ANOTHER) {
-        way = same_way(s, run[k].polygon, run[i].polygon);
-        weight[run[k].polygon] += way;
+      uint32_t first = (uint32_t)run[k];
+
+      if (weight[first] != ANOTHER) {
+        way = same_way(s, first, (uint32_t)run[i]);
+        weight[first] += way;
       }
     }
-    weight[run[i].polygon] = way == 0 ? 1 : ANOTHER;
+    weight[(uint32_t)run[i]] = way == 0 ? 1 : ANOTHER;
   }
 }
 
 static bool
-make_prints(sewer *s, const sg_cancel *cancel)
+make_keys(sewer *s, const sg_cancel *cancel)
 {
   size_t n = s->d->polygons, most = 0;
 
-  s->print = malloc((n + 1) * sizeof *s->print);
+  s->key = malloc((n + 1) * sizeof *s->key);
   s->out->weight = calloc(n + 1, sizeof *s->out->weight);
   s->out->again = calloc(n + 1, sizeof *s->out->again);
-  if (!s->print || !s->out->weight || !s->out->again) {
+  if (!s->key || !s->out->weight || !s->out->again) {
     return false;
   }
   for (uint32_t p = 0; p < n; p++) {
     size_t edges = edges_of(s, p), triangles = triangles_of(s, p);
 
-    s->print[p] = (print){print_of(s, p), p};
+    s->key[p] = (uint64_t)print_of(s, p) << 32 | p;
     most = edges > most ? edges : most;
     most = triangles > most ? triangles : most;
     if (p % ASKED == ASKED - 1 && sg_cancelled(cancel)) {
@@ -309,8 +298,7 @@ make_prints(sewer *s, const sg_cancel *cancel)
   for (int k = 0; k < 2; k++) {
     s->part[k] = malloc((most + 1) * sizeof(part));
   }
-  return s->part[0] && s->part[1] &&
-         sg_sort(s->print, n, sizeof *s->print, by_print, cancel) == SG_SORTED;
+  return s->part[0] && s->part[1] && sg_sort_upper(s->key, n);
 }
 
 static bool
@@ -318,14 +306,13 @@ weigh_polygons(sewer *s, const sg_cancel *cancel)
 {
   size_t n = s->d->polygons;
 
-  if (!make_prints(s, cancel)) {
+  if (!make_keys(s, cancel)) {
     return false;
   }
   for (size_t i = 0, end; i < n; i = end) {
-    for (end = i + 1; end < n && s->print[end].value == s->print[i].value;
-         end++) {
+    for (end = i + 1; end < n && s->key[end] >> 32 == s->key[i] >> 32; end++) {
     }
-    weigh_run(s, s->print + i, end - i);
+    weigh_run(s, s->key + i, end - i);
   }
   for (size_t p = 0; p < n; p++) {
     int32_t *weight = &s->out->weight[p];
@@ -348,7 +335,7 @@ sg_sewing_find(const sg_dense *dense, bool doubles, const sg_cancel *cancel,
 
   free(s.begin);
   free(s.triangle);
-  free(s.print);
+  free(s.key);
   free(s.part[0]);
   free(s.part[1]);
   return good;

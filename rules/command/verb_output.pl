@@ -143,6 +143,9 @@ output_written(Writer, output(File, _)) :-
 
 :- meta_predicate reported(+, 0).
 
+reported([], Goal) :-
+    !,
+    once(Goal).
 reported(Outputs, Goal) :-
     (   memberchk(output(-, _), Outputs)
     ->  current_output(Out),

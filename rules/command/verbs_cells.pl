@@ -15,14 +15,17 @@
 :- use_module('../model/model', [load_model/2, save_model/1, save_model/2]).
 :- use_module('../plain', [plain_json/2, plain_text/2]).
 :- use_module('../solid/glue', [glue_report/2]).
+:- use_module('../space_limit', [with_stack_for/3]).
 :- use_module('../stage', [stage/2]).
-:- use_module('../store', [segment/3, facts_snapshot/1, facts_transaction/1]).
+:- use_module('../store',
+              [p/3, segment/3, facts_snapshot/1, facts_transaction/1]).
 :- use_module(cells_table, [write_cells_table/3]).
 :- use_module(solid_verbs, [empty_roots_warned/0]).
 :- use_module(verb_output,
               [ some_files/2, outputs/3, no_model_replaced/2, output_written/2,
                 reported/2, summary_sent_told/2
               ]).
+:- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [member/2, sum_list/2]).
 :- use_module(library(option), [option/2]).
@@ -44,6 +47,21 @@ cells_run(Files, Options, Status) :-
     no_model_replaced(Files, Outputs),
     load_model(Files, Options),
     empty_roots_warned,
+    with_report_stack(cells_reported(Outputs, Options, Status)).
+
+:- meta_predicate with_report_stack(0).
+
+%   with_report_stack(Goal): as much of the stacks as a report of all polygons
+%   takes, also as JSON.
+
+with_report_stack(Goal) :-
+    aggregate_all(count, p(_, _, _), Polygons),
+    polygon_octets(Octets),
+    with_stack_for(Polygons, Octets, Goal).
+
+polygon_octets(8000).
+
+cells_reported(Outputs, Options, Status) :-
     findall(S-Report,
             ( root_segment(S), node(S, glue, _, _), glue_report(S, Report) ),
             Glues),
@@ -54,7 +72,8 @@ cells_run(Files, Options, Status) :-
                        maplist(sg_verbs_cells:segment_report(Glues),
                                Segments, Reports))),
     apart_warned(Glues),
-    reported(Outputs, sg_verbs_cells:printed(Options, Reports)),
+    reported(Outputs, sg_verbs_cells:with_report_stack(
+                                         printed(Options, Reports))),
     summary_sent_told(Outputs, [pl,dot,poly,geo,obj,off,stl]),
     forall(member(Output, Outputs),
            output_written(sg_verbs_cells:written(Output, Reports, Options),
