@@ -6,7 +6,9 @@
    glue, without making the cubes, in place and turned; the exponent of the
    first from the size before; and how much higher the peak of memory is, in
    bytes a cube. Then milliseconds for one cube more (asserted, and evaluated
-   again), undo of that, and unglue. The same cubes, and ten times as many, as a
+   again), for one in the middle that goes, where others went before and the
+   indexes are there, and one that moves to the outside; for undo of that, and
+   for unglue. The same cubes, and ten times as many, as a
    soup of faces without operands, read from an OFF file: seconds for the
    regions with their rows and their report, their exponent, and microseconds
    for each of all answers about neighbours. Then the regions of a book of
@@ -39,7 +41,7 @@ main :-
     ).
 
 told(Sizes) :-
-    table([cubes,glue,exponent,turned,bytes,more,undo,unglue]),
+    table([cubes,glue,exponent,turned,bytes,more,goes,moves,undo,unglue]),
     foldl(cubes_told, Sizes, none, _),
     last(Sizes, Most),
     Larger is round(10**(1/3)*Most),
@@ -59,12 +61,12 @@ table([First|Others]) :-
 
 cubes_told(N, Before, Cubes-Glue) :-
     Cubes is N**3,
-    in_new_world(glued(N, [], Glue, [More,Undo,Unglue])),
+    in_new_world(glued(N, [], Glue, [More,Goes,Moves,Undo,Unglue])),
     in_new_world(glued(N, [rotate(axis(1,2,3),17.3)], Turned, _)),
     maplist(peak(N), [cubes,glue], [Without,With]),
     Bytes is round((With-Without)/Cubes),
     exponent(Before, Cubes-Glue, Exponent),
-    table([Cubes,Glue,Exponent,Turned,Bytes,More,Undo,Unglue]).
+    table([Cubes,Glue,Exponent,Turned,Bytes,More,Goes,Moves,Undo,Unglue]).
 
 soup_told(N, Before, Cells-Seconds) :-
     Cells is N**3,
@@ -141,13 +143,31 @@ cubes_made(N, Steps, S) :-
     facts_transaction(( complete_tree([S], Incomplete),
                         complete_segments(Incomplete) )).
 
-glued(N, Steps, Seconds, [More,Undo,Unglue]) :-
+glued(N, Steps, Seconds, [More,Goes,Moves,Undo,Unglue]) :-
     cubes_made(N, Steps, S),
     timed(evaluate(S), Seconds),
     cube(Steps, N-0-0, Term),
     milliseconds(one_more(S, Term), More),
+    facts_undo,
+    Middle is (S+1)//2,
+    forall(between(1, 3, _), ( one_less(S, Middle), facts_undo )),
+    milliseconds(one_less(S, Middle), Goes),
+    facts_undo,
+    milliseconds(one_moved(S, Middle, Term), Moves),
     milliseconds(facts_undo, Undo),
     milliseconds(unglue(S), Unglue).
+
+one_less(S, N) :-
+    segment(S, cells, glue(Ss)),
+    selectchk(N, Ss, Others),
+    facts_transaction(( retractall_facts(segment(S, _, _)),
+                        assert_fact(segment(S, cells, glue(Others))),
+                        evaluate(S) )).
+
+one_moved(S, N, Term) :-
+    facts_transaction(( retractall_facts(segment(N, _, _)),
+                        assert_fact(segment(N, solid, Term)),
+                        evaluate(S) )).
 
 one_more(S, Term) :-
     N is S+1,

@@ -8,15 +8,29 @@
 
 /* ---- reading ------------------------------------------------------------ */
 
+bool
+sg_cells_part_read(sg_call *call, const sg_version *version,
+                   sg_relation relation, int32_t s, sg_cells_part *out)
+{
+  bool good =
+      sg_version_view(version, relation, &out->view) &&
+      sg_segment_rows_find(&out->view, &s, 1, &call->cancel, &out->rows);
+
+  out->n = good ? out->rows.begin[1] : 0;
+  return good || sg_call_ended(call);
+}
+
+void
+sg_cells_part_clear(sg_cells_part *part)
+{
+  sg_segment_rows_clear(&part->rows);
+  sg_view_clear(&part->view);
+}
+
 static bool
 read_part(sg_cell_joiner *j, sg_relation relation, sg_cells_part *out)
 {
-  bool good =
-      sg_version_view(j->version, relation, &out->view) &&
-      sg_segment_rows_find(&out->view, &j->s, 1, &j->call->cancel, &out->rows);
-
-  out->n = good ? out->rows.begin[1] : 0;
-  return good;
+  return sg_cells_part_read(j->call, j->version, relation, j->s, out);
 }
 
 static int32_t
@@ -100,8 +114,9 @@ read_all(sg_cell_joiner *j)
   if (!read_part(j, SG_V, &j->v) || !read_part(j, SG_P, &j->p) ||
       !read_part(j, SG_T, &j->t) || !read_part(j, SG_SIDES, &j->sides) ||
       !read_part(j, SG_REGION, &j->region) ||
-      !sg_id_rows_make(&j->v.view, j->v.rows.row, j->v.n, &j->place)) {
-    return sg_call_ended(j->call);
+      (!sg_id_rows_make(&j->v.view, j->v.rows.row, j->v.n, &j->place) &&
+       !sg_call_no_memory(j->call))) {
+    return false;
   }
   j->last_v = last_id(&j->v, 1);
   j->last_p = last_id(&j->p, 1);
@@ -280,21 +295,14 @@ sg_cell_read(sg_cell_joiner *j)
   return true;
 }
 
-static void
-clear_part(sg_cells_part *part)
-{
-  sg_segment_rows_clear(&part->rows);
-  sg_view_clear(&part->view);
-}
-
 void
 sg_cell_clear(sg_cell_joiner *j)
 {
-  clear_part(&j->v);
-  clear_part(&j->p);
-  clear_part(&j->t);
-  clear_part(&j->sides);
-  clear_part(&j->region);
+  sg_cells_part_clear(&j->v);
+  sg_cells_part_clear(&j->p);
+  sg_cells_part_clear(&j->t);
+  sg_cells_part_clear(&j->sides);
+  sg_cells_part_clear(&j->region);
   sg_id_rows_clear(&j->place);
   sg_solid_clear(&j->both);
 }

@@ -4,6 +4,7 @@
 #include "doors/gluing.h"
 #include "engine/symbol.h"
 #include "rows/append_rows.h"
+#include "solid/coincident_faces.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -214,6 +215,41 @@ sg_door_cell_added(sg_call *call, int32_t s, int32_t n, sg_solid *solid,
          (sg_cell_added(&j.both, j.near, n, reach, pool, &call->cancel, &how) ||
           sg_call_ended(call));
   good = good && find_regions(&j, how) && write_all(&j, how);
+  sg_cell_clear(&j);
+  return good;
+}
+
+static bool
+write_rest(sg_cell_joiner *j)
+{
+  sg_world *world = sg_call_claim(j->call);
+  bool good = world && sg_cell_write(j, world);
+
+  if (world) {
+    sg_world_release(world);
+  }
+  return good;
+}
+
+bool
+sg_door_cell_completed(sg_call *call, int32_t s, int32_t n, sg_solid *solid,
+                       double reach, size_t *faces)
+{
+  sg_cell_joiner j = {.call = call,
+                      .version = sg_call_version(call),
+                      .s = s,
+                      .of = n,
+                      .solid = solid,
+                      .reach = reach,
+                      .rest_only = true};
+  size_t doubles;
+  bool good = j.version && solid->plain == solid->vertices && sg_cell_read(&j);
+
+  good =
+      good && (sg_coincident_faces(&j.both, reach, &call->cancel, &doubles) ||
+               sg_call_ended(call));
+  *faces = j.both.faces - j.near;
+  good = good && write_rest(&j);
   sg_cell_clear(&j);
   return good;
 }

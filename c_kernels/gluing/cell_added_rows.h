@@ -33,9 +33,15 @@ typedef struct sg_cell_joiner {
   uint8_t *border;         /* [triangles] of both */
   int32_t *id;             /* [vertices] of both: of the glue */
   int32_t *polygon;        /* [faces] of both: of the glue */
+  bool rest_only;          /* what is shared is known to be made of it too */
   int32_t inside;          /* the region that the solid becomes */
   int32_t before, outside; /* of the outside, until now and from now on */
 } sg_cell_joiner;
+
+/* The rows of segment s. False: no memory, or stopped. Clear it in any case. */
+bool sg_cells_part_read(sg_call *call, const sg_version *version,
+                        sg_relation relation, int32_t s, sg_cells_part *out);
+void sg_cells_part_clear(sg_cells_part *part);
 
 static inline int32_t
 sg_cells_int(const sg_cells_part *part, int column, uint32_t row)

@@ -278,9 +278,11 @@ write_sources(sg_cell_joiner *j, sg_world *world)
 
     if (i == 0 || compare_parts(&from[i], &from[i - 1]) != 0) {
       find_fate(j, from[i].face, &polygon, &turned);
-      sg_cell_table_add(&to, 5,
-                        (int32_t[]){j->s, polygon, from[i].s, from[i].p,
-                                    from[i].reversed != turned ? -1 : 1});
+      if (!j->rest_only || polygon > j->last_p) {
+        sg_cell_table_add(&to, 5,
+                          (int32_t[]){j->s, polygon, from[i].s, from[i].p,
+                                      from[i].reversed != turned ? -1 : 1});
+      }
     }
   }
   return sg_cell_table_write(j, world, SG_FROM_P, NULL, 0, &to);

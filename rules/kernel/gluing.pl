@@ -80,3 +80,20 @@ Foreign predicates; see kernel.pl and c_kernels/gluing/regions.h.
 %   Reach, or where regions change otherwise than by one more, or a void less.
 %
 %   @see c_kernels/gluing/cell_added.h
+
+%!  cell_completed(+S:id, +N:id, +Solid:solid, +Reach:number,
+%!                 -Faces:count) is semidet.
+%
+%   So many Faces of segment N, an operand of the glue S that is Solid, with its
+%   faces merged, are not in S, and get rows; of sides/4 they have none.
+
+/* - - - regions_joined_rows.c - - - */
+
+%!  regions_joined(+S:id, +N:id, +Polygons:set(id)) is semidet.
+%
+%   Operand N goes from the glue S, and Polygons with it, which no other operand
+%   has: the regions on their two sides become one, and sides/4, region/3 and
+%   from_r/4 say so, with the numbers that regions_open/3 would give. Fails, and
+%   writes nothing, where the regions that become one are inside different
+%   operands else, and where there is a slit. N may be S: no operand goes, and
+%   regions get their numbers anew.

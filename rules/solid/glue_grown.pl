@@ -8,6 +8,7 @@
 :- use_module('../csg/source', [source_kept/3]).
 :- use_module('../decision', [decision_is_default/1]).
 :- use_module(faces, [faces_merged/2]).
+:- use_module(glue_left, [operand_gone/3, made_first/4]).
 :- use_module(glue_whole, [is_elsewhere/1]).
 :- use_module('../gluing/glue_choice', [choice_made/1]).
 :- use_module('../kernel',
@@ -19,64 +20,99 @@
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
               [segment/3, origin/3, segment_stamp/2, facts_transaction/1]).
-:- use_module(library(apply), [maplist/2]).
-:- use_module(library(lists), [append/3, is_set/1, member/2]).
-/** <module> A glue that got more operands: only what is near them changes.
+:- use_module(library(apply), [exclude/3, foldl/4, maplist/2]).
+:- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(ordsets),
+              [ord_intersection/3, ord_subtract/3, ord_union/3]).
+/** <module> A glue whose operands came, went or changed: only what is near them
+changes.
 
 Where an operand more is a solid that meets the glue in equal features alone,
 and makes one region more, or fills one, the rows are those that the glue of
 all would have. What it takes depends on what is near (cell_added/4), but for
-one look at the rows. In all other cases the glue is made anew.
+one look at the rows. An operand that goes takes with it what only it had
+(glue_left.pl); one that changed goes, and comes as it is now. If that is the
+last one, ids are those of the glue of all too. In all other cases the glue is
+made anew.
 
 @see c_kernels/gluing/cell_added.h
 */
 
 %!  glue_grown(+S, +Tolerance) is semidet.
 %
-%   True when segment S is a glue that has got operands after those that its
-%   rows were made from, with this Tolerance (evaluate/2), and now they are made
-%   from these too. Else it fails, and nothing has changed.
+%   True when segment S is a glue some of whose operands came, went or changed
+%   after its rows were made, with this Tolerance (evaluate/2), and now they are
+%   made from those that are. Else it fails, and nothing has changed.
 
 glue_grown(S, Tolerance) :-
     segment(S, cells, glue(Operands)),
     origin(S, node(S), evaluated(made(glue(Known, Tolerance0, []), Stamp))),
     Tolerance0 == Tolerance,
     segment_stamp(S, Stamp),
-    append(Known, News, Operands),
-    few(News),
-    are_new(News, Known),
-    changed_leaves(Known, Stamp, Others),
-    newer_segments(Others, Stamp, []),
-    maplist(is_as_made, Others),
+    operands_compared(Known, Operands, Stayed, Gone, News0),
+    changed_leaves(Stayed, Stamp, Others),
+    newer_segments(Others, Stamp, Newer),
+    exclude(is_as_made(Newer), Others, Changed0),
+    sort(Changed0, Changed),
+    ord_union(Changed, Gone, Leaving),
+    ord_union(Changed, News0, News),
+    few(Leaving, News),
+    maplist(is_leaf, News),
     decision_is_default(disk_relation/3),
     \+ choice_made(S),
     \+ is_elsewhere(S),
-    facts_transaction(sg_glue_grown:grown(S, News, Tolerance)),
+    facts_transaction(sg_glue_grown:grown(S, Leaving, News, Tolerance)),
     record(S, evaluated(glue(Operands, Tolerance, []))).
 
-%   few(News): with more of them, all at once is faster.
+%   operands_compared(Known, Operands, Stayed, Gone, News): as sets. Mostly some
+%   came after those that were there.
 
-few(News) :-
-    length(News, N),
-    N > 0,
-    N < 8.
-
-are_new(News, Known) :-
-    maplist(integer, News),
-    is_set(News),
+operands_compared(Known, Operands, Known, [], News) :-
+    append(Known, News0, Operands),
+    !,
+    maplist(integer, News0),
+    sort(News0, News),
+    same_length(News, News0),
     \+ ( member(New, News), memberchk(New, Known) ).
+operands_compared(Known, Operands, Stayed, Gone, News) :-
+    maplist(integer, Operands),
+    sort(Known, Set0),
+    sort(Operands, Set),
+    same_length(Set, Operands),
+    ord_intersection(Set0, Set, Stayed),
+    ord_subtract(Set0, Set, Gone),
+    ord_subtract(Set, Set0, News),
+    Stayed \== [].
 
-%   is_as_made(S): there is nothing to be made of operand S.
-
-is_as_made(S) :-
+is_leaf(S) :-
     segment(S, _, Term),
     \+ is_node_term(Term),
-    \+ is_primitive(Term),
     !.
 
-grown(S, News, Tolerance) :-
+%   few(Leaving, News): with more of them, all at once is faster.
+
+few(Leaving, News) :-
+    length(Leaving, M),
+    length(News, N),
+    M+N > 0,
+    M+N < 8.
+
+%   is_as_made(Newer, S): operand S is none of Newer, and there is nothing to be
+%   made of it.
+
+is_as_made(Newer, S) :-
+    \+ memberchk(S, Newer),
+    is_leaf(S),
+    once(segment(S, _, Term)),
+    \+ is_primitive(Term).
+
+grown(S, Leaving, News, Tolerance) :-
     drop_views(S),
+    foldl(last_first, Leaving, [], Reversed),
+    maplist(operand_gone(S, Tolerance), Reversed),
     maplist(operand_added(S, Tolerance), News).
+
+last_first(N, Ns, [N|Ns]).
 
 operand_added(S, Tolerance, N) :-
     complete_leaf(S, N, solid, Incomplete),
@@ -92,6 +128,7 @@ operand_added(S, Tolerance, N) :-
           stage(join, cell_added(S, N, Solid, Reach))
         ),
         solid_close(Solid)),
+    made_first(S, N, Reach, Merging),
     source_kept([S,N], 1, S).
 
 %   reach_kept(Tolerance, S, N, Reach, Merging): what is near is what it was

@@ -1,5 +1,5 @@
 /* cell_added_rows_test.c -- cubes that become operands of a glue, one by one,
- * through the functions of the doors, without Prolog.
+ * and one that goes, through the functions of the doors, without Prolog.
  */
 #include "doors/boolean.h"
 #include "doors/gluing.h"
@@ -72,6 +72,46 @@ adding(void)
   CHECK("not one solid", !added(MANY));
 }
 
+static size_t
+completed(int32_t s)
+{
+  sg_solid *solid = taken(s);
+  size_t faces = SIZE_MAX;
+
+  CHECK("taken", solid);
+  CHECK("completed",
+        sg_door_cell_completed(&call, GLUE, s, solid, 1e-9, &faces));
+  sg_solid_free(solid);
+  sg_call_rest(&call);
+  return faces;
+}
+
+/* The last five polygons are of BESIDE alone; two cubes make three regions. */
+static void
+leaving(void)
+{
+  int32_t last[] = {7, 8, 9, 10, 11}, others[] = {1, 2};
+  sg_int_list five = {last, 5, 5}, two = {others, 2, 2};
+  size_t p = rows_of(SG_P), v = rows_of(SG_V);
+
+  CHECK("numbers stay",
+        sg_door_regions_joined(&call, GLUE, GLUE, &(sg_int_list){0}));
+  sg_call_rest(&call);
+  CHECK("rows too", rows_of(SG_REGION) == 3 && rows_of(SG_SIDES) == 11);
+  CHECK("inside of FIRST", !sg_door_regions_joined(&call, GLUE, BESIDE, &two));
+  CHECK("not refused", was_refused(SG_REFUSED_NOTHING));
+  sg_call_rest(&call);
+  CHECK("nothing is written",
+        rows_of(SG_SIDES) == 11 && rows_of(SG_FROM_R) == 2);
+  CHECK("all is there", completed(BESIDE) == 0 && rows_of(SG_P) == p);
+  CHECK("gone", sg_door_regions_joined(&call, GLUE, BESIDE, &five));
+  sg_call_rest(&call);
+  CHECK("one less", rows_of(SG_REGION) == 2 && rows_of(SG_SIDES) == 6 &&
+                        rows_of(SG_FROM_R) == 1);
+  CHECK("nothing is there", completed(ACROSS) == 6 && rows_of(SG_P) == p + 6 &&
+                                rows_of(SG_V) == v + 8);
+}
+
 static void
 asking(void)
 {
@@ -103,6 +143,7 @@ main(void)
   glue_of_one();
   adding();
   asking();
+  leaving();
   sg_call_close(&call);
   sg_world_let_go(world);
   return check_report();

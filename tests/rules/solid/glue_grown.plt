@@ -1,13 +1,15 @@
-/* A glue that gets one operand more has the rows of the glue of all, whether
-   only what is near changed or all was made anew.
-   covers: cell_added, cell_added_read_rows, cell_added_rows
-   covers: cell_added_write_rows, region_content, region_content_rows */
+/* A glue whose operands came, went or changed has the rows of the glue of those
+   that are, whether only what is near changed or all was made anew.
+   covers: cell_added, cell_added_read_rows, cell_added_rows, glue_left
+   covers: cell_added_write_rows, region_content, region_content_rows
+   covers: regions_joined_rows */
 :- module(test_glue_grown, []).
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
 :- use_module(library(lists)).
 :- use_module(library(plunit)).
 :- use_module(library(random)).
+:- use_module(rules(gluing/regions)).
 :- use_module(rules(solid/csg_evaluate)).
 :- use_module(rules(store)).
 :- use_module(tests(rules/polyhedron), [in_new_world/1]).
@@ -37,8 +39,11 @@ one_more(Term, N0, N) :-
     operand(N, Term),
     glued(N).
 
-operand(S, Term) :-
-    assert_fact(segment(S, solid, Term)).
+operand(S, Term0) :-
+    (   Term0 = sheet(Term)
+    ->  assert_fact(segment(S, surface, Term))
+    ;   assert_fact(segment(S, solid, Term0))
+    ).
 
 glued(N) :-
     glue(S),
@@ -121,4 +126,277 @@ test(permuted, Different-Few == []-false) :-
     aggregate_all(min(N), member(_-N, Pairs), Least),
     (   number(Least), Least > 15 -> Few = false ; Few = Least ).
 
+%   Operands come, go and change: but for ids, and the numbers of regions that
+%   follow from these, the rows are those of the glue made at once.
+
+test(steps, [ forall(steps(_, Steps, Around)), Found == same-Around ]) :-
+    steps_compared(Steps, Found).
+test(last, Rows-Around == AtOnce-3) :-
+    cubes(2, [], Terms),
+    append(Five, [_,A,B], Terms),
+    !,
+    append(Five, [A,B], Now),
+    in_new_world(( forall(nth1(S, Terms, Term), operand(S, Term)),
+                   glued(8),
+                   csg_statistics_reset,
+                   forall(member(N, [7,6]), glued(N)),
+                   forall(nth1(I, [A,B], Term),
+                          ( S is I+5,
+                            retractall_facts(segment(S, _, _)),
+                            operand(S, Term) )),
+                   glued(7),
+                   csg_statistics(Statistics),
+                   rows(Rows) )),
+    Around = Statistics.around,
+    at_once(Now, AtOnce).
+test(random, Different-Enough == []-true) :-
+    findall(What-N,
+            ( between(1, 15, Seed),
+              random_steps(Seed, Steps),
+              steps_compared(Steps, What-N) ),
+            Found),
+    findall(What, ( member(What-_, Found), What \== same ), Different),
+    aggregate_all(sum(N), member(_-N, Found), Around),
+    (   Around > 40
+    ->  Enough = true
+    ;   Enough = Around
+    ).
+
 :- end_tests(glue_grown).
+
+operand_again(S, Term) :-
+    retractall_facts(segment(S, _, _)),
+    operand(S, Term).
+
+%   steps(What, Steps, Around): add(S, Term), also of one that is there, or
+%   gone(S). At first the glue is of segments 1 and 2, far from all.
+
+steps(middle_goes, Steps, 1) :-
+    cubes(3, [], Terms),
+    all_at_once(Terms, Steps, [gone(16)]).
+steps(corner_goes, Steps, 1) :-
+    cubes(2, [], Terms),
+    all_at_once(Terms, Steps, [gone(3)]).
+steps(middle_moves, Steps, 2) :-
+    cubes(3, [rotate(axis(1,2,3),17.3)], Terms),
+    nth1(14, Terms, Middle),
+    nth1(2, Terms, Other),
+    all_at_once(Terms, Steps, [add(16, Other),add(16, Middle)]).
+steps(moves, Steps, 1) :-
+    cubes(2, [], Terms),
+    cube([], 2-0-0, Beside),
+    all_at_once(Terms, Steps, [add(3, Beside)]).
+steps(of_two, [all([add(3, A),add(4, A)]),gone(3)], 1) :-
+    cube([], 0-0-0, A).
+steps(inside_goes, [all([add(3, box(size(9,9,9))),add(4, B)]),gone(4)], 1) :-
+    cube([], 1-1-1, B).
+steps(round_goes, [all([add(3, box(size(9,9,9))),add(4, B)]),gone(3)], 1) :-
+    cube([], 1-1-1, B).
+steps(half_a_face, [all([add(3, A),add(4, B)]),gone(4)], 0) :-
+    maplist(cube([]), [0-0-0,1-0.5-0], [A,B]).
+steps(half_an_edge, [all([add(3, A),add(4, B)]),gone(4)], 0) :-
+    maplist(cube([]), [0-0-0,1-1-0.5], [A,B]).
+steps(parts_of_a_plane, [all([add(3, Prism),add(4, B)]),gone(4)], 0) :-
+    halved_prism(Prism),
+    cube([], 0-1-0, B).
+steps(parts_of_a_line, [all([add(3, Prism),add(4, B)]),gone(4)], 0) :-
+    halved_prism(Prism),
+    cube([], 0-1-1, B).
+steps(on_a_plate, [all([add(3, box(size(9,9,1))),add(4, B)]),gone(4)], 0) :-
+    cube([], 0-0-1, B).
+steps(crossing, [all([add(3, A),add(4, B)]),gone(4)], 0) :-
+    maplist(cube([]), [0-0-0,0.5-0.5-0.5], [A,B]).
+steps(sheet_between, [all([add(3, A),add(4, sheet(Sheet)),add(5, B)]),gone(3),
+                      gone(4)], 2) :-
+    Sheet = at([translate(0,0,1)], rectangle(size(1,1))),
+    maplist(cube([]), [0-0-0,0-0-1], [A,B]).
+steps(sheet_in_two, [all([add(3, box(size(2,1,1))),
+                          add(4, sheet(Sheet))]),gone(4)], 0) :-
+    Sheet = at([rotate(y,90),translate(-0.5,0,0)], rectangle(size(1,1))).
+steps(sheets_apart, [all([add(3, A),add(4, sheet(Sheet))]),gone(4)], 1) :-
+    Sheet = at([translate(0,0,9)], rectangle(size(1,1))),
+    cube([], 0-0-0, A).
+steps(several, Steps, 1) :-
+    cubes(3, [], Terms),
+    all_at_once(Terms, Steps, [ several([gone(16),gone(5),gone(20)]) ]).
+
+%   halved_prism(Prism): two of its sides lie in two parts in one plane.
+
+halved_prism(prism(outline([[-0.5,-0.5],[0.5,-0.5],[1.5,-0.5],[1.5,0.5],
+                            [0.5,0.5],[-0.5,0.5]]),
+                   height(1))).
+
+all_at_once(Terms, [all(Adds)|Steps], Steps) :-
+    findall(add(S, Term), ( nth1(I, Terms, Term), S is I+2 ), Adds).
+
+%   steps_compared(Steps, What-Around): What is `same`, or the first step after
+%   which the rows differ.
+
+steps_compared(Steps, What-Around) :-
+    maplist(cube([]), [100-0-0,-100-0-0], [A,B]),
+    in_new_world(( operand(1, A),
+                   operand(2, B),
+                   glued_of([1,2]),
+                   steps_done(Steps, 1, [1-A,2-B], 0, What, Around) )).
+
+steps_done([], _, _, Around, same, Around).
+steps_done([Step|Steps], I, Operands0, Around0, What, Around) :-
+    csg_statistics_reset,
+    step_done(Step, Operands0, Operands),
+    pairs_keys_values(Operands, Ss, Terms),
+    glued_of(Ss),
+    csg_statistics(Statistics),
+    Around1 is Around0+Statistics.around,
+    canonical_rows(Rows),
+    numbers_right(Right),
+    in_new_world(( maplist(operand, Ss, Terms),
+                   glued_of(Ss),
+                   canonical_rows(AtOnce) )),
+    (   Rows \== AtOnce
+    ->  What = rows(I, Step),
+        Around = Around1
+    ;   Right == false
+    ->  What = numbers(I, Step),
+        Around = Around1
+    ;   I1 is I+1,
+        steps_done(Steps, I1, Operands, Around1, What, Around)
+    ).
+
+step_done(all(Steps), Operands0, Operands) :-
+    foldl(step_done, Steps, Operands0, Operands).
+step_done(several(Steps), Operands0, Operands) :-
+    foldl(step_done, Steps, Operands0, Operands).
+step_done(gone(S), Operands0, Operands) :-
+    retractall_facts(segment(S, _, _)),
+    selectchk(S-_, Operands0, Operands).
+step_done(add(S, Term), Operands0, Operands) :-
+    (   selectchk(S-_, Operands0, Operands1)
+    ->  retractall_facts(segment(S, _, _))
+    ;   Operands1 = Operands0
+    ),
+    operand(S, Term),
+    sort([S-Term|Operands1], Operands).
+
+glued_of(Ss) :-
+    glue(S),
+    retractall_facts(segment(S, _, _)),
+    assert_fact(segment(S, cells, glue(Ss))),
+    evaluate(S).
+
+%   canonical_rows(Rows): a vertex is where it is, a polygon its edges, a region
+%   what bounds it.
+
+canonical_rows(rows(Polygons, Regions, Vertices, Others)) :-
+    glue(S),
+    findall(polygon(Edges, Triangles, Planes, Sources),
+            polygon_row(S, Edges, Triangles, Planes, Sources), Polygons0),
+    msort(Polygons0, Polygons),
+    findall(region(Role, Insides, Faces), region_row(S, Role, Insides, Faces),
+            Regions0),
+    msort(Regions0, Regions),
+    findall(vertex(Place, Sources),
+            ( vertex_place(S, V, Place),
+              findall(S0-V0, from_v(S, V, S0, V0), Sources) ),
+            Vertices0),
+    msort(Vertices0, Vertices),
+    findall(Other,
+            ( member(Other, [lies_in(S,_,_),segment(S,_,_),origin(S,_,_)]),
+              call(sg_store:Other),
+              Other \= origin(_, node(_), _) ),
+            Others0),
+    msort(Others0, Others).
+
+vertex_place(S, V, p(X,Y,Z)) :-
+    v(S, V, X, Y, Z).
+
+polygon_row(S, Edges, Triangles, Planes, Sources) :-
+    p(S, P, _),
+    polygon_edges(S, P, Edges),
+    findall(Triangle,
+            ( t(S, P, _, A, B, C),
+              maplist(vertex_place(S), [A,B,C], [PA,PB,PC]),
+              msort([t(PA,PB,PC),t(PB,PC,PA),t(PC,PA,PB)], [Triangle|_]) ),
+            Triangles0),
+    msort(Triangles0, Triangles),
+    findall(plane(X,Y,Z,D), plane(S, P, X, Y, Z, D), Planes),
+    findall(from(S0,P0,Sense), from_p(S, P, S0, P0, Sense), Sources0),
+    msort(Sources0, Sources).
+
+polygon_edges(S, P, Edges) :-
+    p(S, P, Es),
+    findall(edge(PV,PW,Et),
+            ( member(E, Es), e(S, E, V, W, Et),
+              maplist(vertex_place(S), [V,W], [PV,PW]) ),
+            Edges0),
+    msort(Edges0, Edges).
+
+region_row(S, Role, Insides, Faces) :-
+    region(S, R, Role),
+    findall(S0-R0, from_r(S, R, S0, R0), Insides0),
+    msort(Insides0, Insides),
+    findall(Side-Edges,
+            ( (   sides(S, P, R, _), Side = below
+              ;   sides(S, P, _, R), Side = above
+              ),
+              polygon_edges(S, P, Edges) ),
+            Faces0),
+    msort(Faces0, Faces).
+
+%   numbers_right(Right): regions have the numbers that they get when they are
+%   found again.
+
+numbers_right(Right) :-
+    glue(S),
+    findall(P-Below-Above, sides(S, P, Below, Above), Sides),
+    facts_snapshot(( regions_made(S, _),
+                     findall(P-Below-Above, sides(S, P, Below, Above),
+                             Again) )),
+    msort(Sides, Sorted),
+    msort(Again, SortedAgain),
+    (   Sorted == SortedAgain -> Right = true ; Right = false ).
+
+%   random_steps(Seed, Steps): cubes of a grid, and some that fit less.
+
+random_steps(Seed, Steps) :-
+    set_random(seed(Seed)),
+    cubes(2, [], Terms),
+    (   Seed mod 3 =:= 0
+    ->  Adds = [all([])]
+    ;   all_at_once(Terms, Adds, [])
+    ),
+    findall(Step, ( between(1, 10, _), random_step(Step) ), Tries),
+    foldl(possible_step, Tries, Adds-[], _-Rest),
+    reverse(Rest, Later),
+    append(Adds, Later, Steps).
+
+random_step(Step) :-
+    random_between(3, 12, S),
+    random_between(0, 3, Kind),
+    (   Kind =:= 0
+    ->  Step = gone(S)
+    ;   maplist(random_between(0, 2), [X,Y,Z]),
+        (   maybe(0.95)
+        ->  Size = 1
+        ;   Size = 2
+        ),
+        Step = add(S, at([translate(X,Y,Z)], box(size(Size,Size,Size))))
+    ).
+
+%   possible_step(Step, Before-Later0, Before-Later): only what is there goes.
+
+possible_step(gone(S), Before-Later, Before-Next) :-
+    !,
+    (   append(Later, Before, All),
+        member(Step, All),
+        ( Step = gone(S)
+        ; Step = add(S, _)
+        ; Step = all(Adds), memberchk(add(S, _), Adds)
+        )
+    ->  (   Step = gone(S)
+        ->  Next = Later
+        ;   Next = [gone(S)|Later]
+        )
+    ;   Next = Later
+    ).
+possible_step(Step, Before-Later, Before-[Step|Later]).
+
