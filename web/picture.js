@@ -122,18 +122,19 @@ export class Picture {
     this.look(left - edge, top - edge, right - left + 2 * edge, bottom - top + 2 * edge);
   }
 
-  // Lights the lines of these names, a Set of s2, s2e7; of a whole segment not
-  // what fills its faces.
+  // Lights the lines of these names, a Set of s2, s2e7; of a whole segment what
+  // is seen of it, if anything is, and not what fills its faces.
   light(layer, names) {
     this.lit[layer] = names;
-    let d = "";
-    if (names.size && this.shown) {
-      for (const stroke of this.shown.strokes) {
-        d += names.has(`s${stroke.segment}`) && !FILLING.has(this.shown.looks[stroke.look][1]) ? wholePath(stroke)
-          : partPath(stroke, (edge) => names.has(nameOf(stroke.segment, edge)));
-      }
-    }
-    if (this.shown) this.layers[layer].setAttribute("d", d);
+    if (!this.shown) return;
+    const { strokes, looks } = this.shown;
+    const hidden = ({ look }) => looks[look][0] === "hidden";
+    const seen = new Set(strokes.filter((stroke) => !hidden(stroke)).map(({ segment }) => segment));
+    const whole = (stroke) => names.has(`s${stroke.segment}`) && !FILLING.has(looks[stroke.look][1])
+      && !(hidden(stroke) && seen.has(stroke.segment));
+    const d = names.size ? strokes.map((stroke) => (whole(stroke) ? wholePath(stroke)
+      : partPath(stroke, (edge) => names.has(nameOf(stroke.segment, edge))))).join("") : "";
+    this.layers[layer].setAttribute("d", d);
   }
 
   // Lines that an older picture had.

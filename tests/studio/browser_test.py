@@ -187,6 +187,13 @@ def kinds(language):
         "getComputedStyle(p).display !== 'none').length") == 1)
     browser.script("studio.ports.enlarge(studio.ports.ports[0])")
     turned_to("iso")
+    browser.script("studio.light('chosen', ['s1'])")
+    check(language + ": a segment is lit where it is seen", browser.script("""
+      const { picture } = studio.ports.ports[0], { strokes, looks } = picture.shown;
+      const own = strokes.filter((s) => s.segment === 1), hidden = own.filter((s) => looks[s.look][0] === "hidden");
+      const lit = picture.layers.chosen.getAttribute("d").split("M").length - 1;
+      return hidden.length > 0 && lit === own.length - hidden.length;"""))
+    browser.script("studio.light('chosen', [])")
 
 
 def kept_questions(language):
