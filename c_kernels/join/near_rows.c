@@ -26,6 +26,7 @@ typedef struct boxed {
   size_t n;
   int32_t *s; /* ascending */
   sg_box *box;
+  bool *curve; /* [n] those of which two are no pair; null: each two may be */
 } boxed;
 
 static int
@@ -101,19 +102,73 @@ find_boxes(sg_call *call, boxed *out)
   return good || sg_call_ended(call);
 }
 
+/* A segment of edges alone. */
+static bool
+is_curve(const boxed *all, int32_t s, sg_row of)
+{
+  const sg_value key[SG_MAX_COLUMNS] = {[0].i = s};
+  bool any = sg_version_value(all->version, SG_SEGMENT, of, 1).i !=
+             SG_SYMBOL_CURVE;
+
+  for (int k = 0; k < 2 && !any; k++) {
+    sg_walk walk;
+
+    any = !sg_walk_open(&walk, all->version, k ? SG_T : SG_P, 1, key);
+    if (!any) {
+      any = sg_walk_next(&walk) != SG_NO_ROW;
+      sg_walk_close(&walk);
+    }
+  }
+  return !any;
+}
+
+static bool
+find_curves(sg_call *call, boxed *all)
+{
+  bool any = false;
+  bool *curve = sg_call_alloc(call, all->n * sizeof *curve);
+
+  for (size_t i = 0; curve && i < all->n; i++) {
+    const sg_value key[SG_MAX_COLUMNS] = {[0].i = all->s[i]};
+
+    curve[i] = is_curve(all, all->s[i],
+                        sg_version_find(all->version, SG_SEGMENT, key));
+    any = any || curve[i];
+  }
+  all->curve = any ? curve : NULL;
+  return curve != NULL;
+}
+
+/* Those boxes that are of curves, or are not; the others empty. */
+static sg_bvh *
+tree_of(sg_call *call, const boxed *all, const sg_box *box, bool curves)
+{
+  sg_box *of = sg_call_alloc(call, all->n * sizeof *of);
+
+  for (size_t i = 0; of && i < all->n; i++) {
+    of[i] = all->curve[i] == curves ? box[i] : sg_box_none();
+  }
+  return of ? sg_bvh_open(of, all->n, &call->cancel) : NULL;
+}
+
 /* The pairs whose boxes overlap within the reach, as places, of those whose
  * other boxes do within another reach. */
 static bool
 join_boxes(sg_call *call, const boxed *all, const sg_box *other, double reach,
            sg_bvh_hits *hits)
 {
-  sg_bvh *tree = sg_bvh_open(other, all->n, &call->cancel);
-  bool good = tree && sg_bvh_join(&(sg_bvh_pair){tree, tree}, 1, reach, NULL,
-                                  &call->cancel, hits);
+  sg_bvh *tree = all->curve ? tree_of(call, all, other, false)
+                            : sg_bvh_open(other, all->n, &call->cancel);
+  sg_bvh *curves = all->curve ? tree_of(call, all, other, true) : NULL;
+  const sg_bvh_pair pair[] = {{tree, tree}, {tree, curves}};
+  bool good = tree && (curves || !all->curve) &&
+              sg_bvh_join(pair, curves ? 2 : 1, reach, NULL, &call->cancel,
+                          hits);
   size_t n = 0;
 
   for (size_t k = 0; good && k < hits->n; k++) {
-    uint32_t i = tree->item[hits->hit[k].a], j = tree->item[hits->hit[k].b];
+    const sg_bvh_hit *hit = &hits->hit[k];
+    uint32_t i = tree->item[hit->a], j = pair[hit->pair].b->item[hit->b];
 
     if (sg_box_overlap(&all->box[i], &all->box[j], all->reach)) {
       hits->hit[n++] = (sg_bvh_hit){0, i < j ? i : j, i < j ? j : i};
@@ -121,6 +176,7 @@ join_boxes(sg_call *call, const boxed *all, const sg_box *other, double reach,
   }
   hits->n = n;
   sg_bvh_close(tree);
+  sg_bvh_close(curves);
   return good || sg_call_ended(call);
 }
 
@@ -278,9 +334,10 @@ drop_apart(sg_call *call, const boxed *all, sg_bvh_hits *hits)
   return good || sg_call_ended(call);
 }
 
-/* The pairs of wanted segments (null: of all) that are near each other. */
+/* The pairs of wanted segments (null: of all) that are near each other; or of
+ * those that may cut each other. */
 static bool
-find_near(sg_call *call, double reach, const sg_int_list *wanted,
+find_near(sg_call *call, double reach, const sg_int_list *wanted, bool to_cut,
           sg_near_segments_rows *out)
 {
   boxed all = {.version = sg_call_version(call), .reach = reach};
@@ -291,7 +348,7 @@ find_near(sg_call *call, double reach, const sg_int_list *wanted,
   }
   bool good =
       all.version && list_segments(call, wanted, &all) &&
-      find_boxes(call, &all) &&
+      (!to_cut || find_curves(call, &all)) && find_boxes(call, &all) &&
       (are_crowded(&all) ? join_askew(call, &all, &hits)
                          : join_boxes(call, &all, all.box, reach, &hits)) &&
       drop_apart(call, &all, &hits);
@@ -312,7 +369,21 @@ sg_door_near_segments(sg_call *call, double reach, const int32_t *s1,
 {
   (void)s1;
   (void)s2;
-  return find_near(call, reach, NULL, rows);
+  return find_near(call, reach, NULL, true, rows);
+}
+
+bool
+sg_door_near_pairs(sg_call *call, double reach, const sg_int_list *ss,
+                   sg_id_pair_list *pairs)
+{
+  sg_near_segments_rows rows = {0};
+  bool good = find_near(call, reach, ss, true, &rows);
+
+  for (size_t i = 0; good && i < rows.n; i++) {
+    good = sg_id_pair_list_add(call, pairs,
+                               (sg_id_pair){rows.at[i].s1, rows.at[i].s2});
+  }
+  return good;
 }
 
 bool
@@ -321,7 +392,7 @@ sg_door_near_segments_of(sg_call *call, double reach, const sg_int_list *ss,
 {
   sg_near_segments_rows pairs = {0};
 
-  if (!find_near(call, reach, ss, &pairs)) {
+  if (!find_near(call, reach, ss, false, &pairs)) {
     return false;
   }
   for (size_t i = 0, n = pairs.n; i < n; i++) { /* both ways round */

@@ -9,8 +9,9 @@
 
 #include <stdlib.h>
 
-/* A segment, of whose equal shells only the first are asked about: two, and one
- * more than are listed, so that the first meetings listed are those of all. */
+/* A segment, of whose equal polygons only the first are asked about: two, and
+ * one more than are listed, so that the first meetings listed are those of all.
+ */
 typedef struct asking {
   const sg_dense *dense;
   size_t s;
@@ -48,7 +49,7 @@ leave_out(sg_call *call, asking *a)
   return a->left_out != NULL;
 }
 
-/* How often there is such a meeting, of whichever of equal shells. */
+/* How often there is such a meeting, of whichever of equal polygons. */
 static size_t
 times(const asking *a, const sg_self_meeting *m)
 {
@@ -107,7 +108,7 @@ add_segment(sg_call *call, asking *a, sg_self_segment_list *out)
   sg_pool *pool = sg_call_pool(call);
   sg_self_meetings found = {0};
 
-  if (!pool || !sg_shell_copies_find(dense, a->s, &call->cancel, &a->copies) ||
+  if (!pool || !sg_polygon_copies_find(dense, a->s, &call->cancel, &a->copies) ||
       !leave_out(call, a) ||
       !sg_self_cut_some(dense, a->s, a->left_out,
                         sg_self_tolerance(dense, a->s), pool, &call->cancel,

@@ -3,6 +3,7 @@
 
 #include "rows/disjoint.h"
 #include "rows/edge_print.h"
+#include "rows/key_table.h"
 #include "rows/places.h"
 #include "rows/sort.h"
 
@@ -36,13 +37,14 @@ typedef struct copier {
   uint32_t v0, e0, p0, t0;
   size_t vertices, edges, polygons, triangles;
   uint32_t *place; /* [vertices] */
-  uint32_t *root;  /* [vertices] of their shell */
+  uint32_t *root;  /* [vertices] of their shell; null: polygons are asked */
   uint32_t *begin; /* [polygons + 1] in part[] */
   part *part;      /* by polygon, sorted */
   member *member;  /* [polygons] by shell, by print, by polygon */
   shell *shell;    /* [shells] by print, by first polygon */
   size_t shells;
-  bool *whole; /* [vertices] of a shell's first: all its edges are used */
+  bool *whole; /* [vertices] of a shell's first: all its edges are used; or
+                  null, as root */
 } copier;
 
 static void
@@ -105,12 +107,17 @@ edges_of(const copier *c, size_t p, uint32_t *begin)
 
 /* ---- what is connected ---- */
 
-static void
+/* False: no memory. */
+static bool
 join_polygons(copier *c)
 {
   const int32_t *list = c->d->list;
   uint32_t begin;
 
+  c->root = malloc((c->vertices + 1) * sizeof *c->root);
+  if (!c->root) {
+    return false;
+  }
   for (uint32_t v = 0; v < c->vertices; v++) {
     c->root[v] = v;
   }
@@ -132,6 +139,7 @@ join_polygons(copier *c)
   for (uint32_t v = 0; v < c->vertices; v++) {
     c->root[v] = sg_disjoint_root(c->root, v);
   }
+  return true;
 }
 
 /* Edges of no polygon make their shells unlike others. False: no memory. */
@@ -280,18 +288,23 @@ by_print(const void *x, const void *y)
                               : (a->first > b->first) - (a->first < b->first);
 }
 
+/* The shell of a polygon; each is one of its own if none were looked for. */
+static uint32_t
+shell_of(const copier *c, uint32_t p)
+{
+  uint32_t begin, end = edges_of(c, p, &begin);
+
+  return end == begin ? UINT32_MAX
+         : c->root    ? c->root[start_of(c, c->d->list[begin])]
+                      : p;
+}
+
 static bool
 find_members(copier *c, const sg_cancel *cancel)
 {
-  uint32_t begin;
-
   c->member = malloc((c->polygons + 1) * sizeof *c->member);
   for (uint32_t p = 0; c->member && p < c->polygons; p++) {
-    bool none = edges_of(c, p, &begin) == begin;
-
-    c->member[p] =
-        (member){none ? UINT32_MAX : c->root[start_of(c, c->d->list[begin])], p,
-                 print_of(c, p)};
+    c->member[p] = (member){shell_of(c, p), p, print_of(c, p)};
   }
   return c->member && sg_sort(c->member, c->polygons, sizeof *c->member,
                               by_shell, cancel) == SG_SORTED;
@@ -340,7 +353,7 @@ is_whole(const copier *c, const shell *of)
 {
   uint32_t root = c->member[of->begin].shell;
 
-  return root != UINT32_MAX && c->whole[root];
+  return root != UINT32_MAX && (!c->whole || c->whole[root]);
 }
 
 /* ---- copies ---- */
@@ -419,6 +432,60 @@ any_twice(const copier *c)
   return false;
 }
 
+/* The first of the half-edges of a polygon by the places of its ends. */
+static void
+least_edge(const copier *c, size_t p, uint32_t out[2])
+{
+  uint32_t begin, end = edges_of(c, p, &begin);
+
+  out[0] = out[1] = UINT32_MAX;
+  for (uint32_t i = begin; i < end; i++) {
+    uint32_t from = c->place[start_of(c, c->d->list[i])];
+    uint32_t to = c->place[end_of(c, c->d->list[i])];
+
+    if (from < out[0] || (from == out[0] && to < out[1])) {
+      out[0] = from, out[1] = to;
+    }
+  }
+}
+
+/* Equal polygons have equal half-edges, of which most models have none. False:
+ * no memory. */
+static bool
+any_equal(const copier *c, bool *any)
+{
+  sg_key_table seen;
+  bool good;
+
+  *any = false;
+  sg_key_table_init(&seen, 2);
+  good = sg_key_table_reserve(&seen, c->polygons);
+  for (size_t p = 0; good && !*any && p < c->polygons; p++) {
+    uint32_t key[2];
+
+    least_edge(c, p, key);
+    good = sg_key_table_add(&seen, key);
+    *any = seen.n <= p;
+  }
+  sg_key_table_clear(&seen);
+  return good;
+}
+
+static bool
+find_places(copier *c, const sg_cancel *cancel)
+{
+  c->place =
+      sg_places_of((const double(*)[3])c->d->at + c->v0, c->vertices, cancel);
+  return c->place != NULL;
+}
+
+static bool
+find_equal(copier *c, const sg_cancel *cancel, sg_shell_copies *out)
+{
+  return file_parts(c) && find_members(c, cancel) && find_shells(c, cancel) &&
+         find_copies(c, out);
+}
+
 bool
 sg_shell_copies_find(const sg_dense *dense, size_t s, const sg_cancel *cancel,
                      sg_shell_copies *out)
@@ -430,16 +497,29 @@ sg_shell_copies_find(const sg_dense *dense, size_t s, const sg_cancel *cancel,
   if (c.polygons == 0) {
     return true;
   }
-  c.place =
-      sg_places_of((const double(*)[3])dense->at + c.v0, c.vertices, cancel);
-  c.root = malloc((c.vertices + 1) * sizeof *c.root);
-  bool good = c.place && c.root;
+  bool good = find_places(&c, cancel);
 
   if (good && any_twice(&c)) {
-    join_polygons(&c);
-    good = find_whole(&c) && file_parts(&c) && find_members(&c, cancel) &&
-           find_shells(&c, cancel) && find_copies(&c, out);
+    good = join_polygons(&c) && find_whole(&c) && find_equal(&c, cancel, out);
   }
+  copier_clear(&c);
+  return good;
+}
+
+bool
+sg_polygon_copies_find(const sg_dense *dense, size_t s, const sg_cancel *cancel,
+                       sg_shell_copies *out)
+{
+  copier c;
+
+  *out = (sg_shell_copies){0};
+  copier_init(&c, dense, s);
+  if (c.polygons == 0) {
+    return true;
+  }
+  bool any, good = find_places(&c, cancel) && any_equal(&c, &any) &&
+                   (!any || find_equal(&c, cancel, out));
+
   copier_clear(&c);
   return good;
 }

@@ -166,10 +166,16 @@ Foreign predicates; see kernel.pl.
 %   Ascending, as they are at the first call. Found by a tree of boxes: the
 %   other pairs are not looked at. Segments with more than 16 such others, as
 %   long thin ones askew may have, are looked at in boxes along their own axes
-%   too; two that are plainly apart so are not near.
+%   too; two that are plainly apart so are not near. Nor are two curves, which
+%   do not cut each other: many may come from one point.
+
+%!  near_pairs(+Reach:number, +Ss:set(id), -Pairs:list(id_pair)) is det.
+%
+%   Pairs are the S1-S2 that near_segments/3 has of the segments Ss.
 
 %!  near_segments_of(+Reach:number, +Ss:set(id),
 %!                   -Near:list(near_others)) is det.
 %
 %   Near has S-Others for each of the segments Ss, each once, ascending: Others
-%   are those of Ss that near_segments/3 has with S, ascending.
+%   are those of Ss that near_segments/3 has with S, ascending, and of curves
+%   the near curves, too.

@@ -8,7 +8,7 @@
 :- use_module('../kernel',
               [ cut_set_open/2, cut_set_close/1, cut_find/1, curve_candidate/3,
                 curve_enter/4, cut_seal/1, cut_polygons/2, cut_lines/2,
-                cut_vertices/2, near_segments_of/3
+                cut_vertices/2, near_pairs/3
               ]).
 :- use_module('../csg/leaf', [origin_segment/2]).
 :- use_module(resolve, [resolve_contacts/2, tolerance_reach/2]).
@@ -44,9 +44,7 @@ pairs_contacts([Pair], _, [Pair]) :-
 pairs_contacts(Pairs, Tolerance, Contacts) :-
     findall(S, ( member(S1-S2, Pairs), member(S, [S1,S2]) ), Segments),
     tolerance_reach(Tolerance, Reach),
-    near_segments_of(Reach, Segments, Near),
-    findall(S1-S2, ( member(S1-Others, Near), member(S2, Others), S1 < S2 ),
-            NearPairs),
+    near_pairs(Reach, Segments, NearPairs),
     ord_union(Pairs, NearPairs, Contacts).
 
 %!  touching_pairs(+Pairs:list, -Contacts:list) is det.
