@@ -14,10 +14,17 @@
 /* A shape of so few rows takes all cells of its box: quicker than to look. */
 enum { MOST_CELLS_A_SIDE = 4096, MOST_ROWS = 1 << 16, FEW_ROWS = 2 };
 
-/* Items are entered so often at most, or MANY times each: where they are large
- * and many the cells are wider. Between two cancellations there are so many
- * entries, an item counting as AN_ITEM of them. */
-enum { MOST_ENTRIES = 1 << 26, MANY = 8, ASK_EVERY = 1 << 18, AN_ITEM = 64 };
+/* Items are entered MOST times each at most, on average, or MANY times where
+ * they are more than MOST_ENTRIES in all: where they are large and many the
+ * cells are wider. Between two cancellations there are so many entries, an item
+ * counting as AN_ITEM of them. */
+enum {
+  MOST = 128,
+  MOST_ENTRIES = 1 << 26,
+  MANY = 8,
+  ASK_EVERY = 1 << 18,
+  AN_ITEM = 64
+};
 
 static void
 shape_box(const sg_grid_shape *shape, double low[2], double high[2])
@@ -188,7 +195,10 @@ most_entries(const sg_grid *grid, size_t n)
 {
   bool one = grid->nx == 1 && grid->ny == 1;
 
-  return one ? SIZE_MAX : n > MOST_ENTRIES / MANY ? MANY * n : MOST_ENTRIES;
+  return one                       ? SIZE_MAX
+         : n < MOST_ENTRIES / MOST ? MOST * n
+         : n < MOST_ENTRIES / MANY ? MOST_ENTRIES
+                                   : MANY * n;
 }
 
 /* All items: entered, or counted until they are too many. False: stopped. */

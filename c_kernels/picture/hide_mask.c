@@ -9,8 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Up to so many are sorted by insertion. Where a line meets more masks than
- * MANY in a cell, these are sorted. */
+/* Up to so many are sorted by insertion. The masks of a cell with more than
+ * MANY are sorted. */
 enum { FEW = 16, MANY = 64 };
 
 /* ---- the grid ---- */
@@ -294,17 +294,26 @@ find_in(asking *q, const sg_grid_shape *shape, unsigned x, unsigned y)
   }
 }
 
-/* How far the line goes away from the eye in the cell at hand and near it. */
-static double
-far_end_in(const asking *q)
+/* How far the line goes away from the eye in the cell at hand and near it: what
+ * comes no nearer there does not hide it by more than the tolerance. */
+static uint32_t
+far_end_in(const asking *q, const sg_near_plane *plane,
+           const sg_grid_shape *shape)
 {
-  const double *a = q->a, *b = q->b;
-  double x = b[0] - a[0], y = b[1] - a[1];
+  const double *p = shape->at[0], *r = shape->at[1];
+  double x = r[0] - p[0], y = r[1] - p[1];
   double more = SG_REACH * q->masks->grid.margin / sqrt(x * x + y * y);
-  double from = a[2] + sg_larger(0.0, q->in[0] - more) * (b[2] - a[2]);
-  double to = a[2] + sg_smaller(1.0, q->in[1] + more) * (b[2] - a[2]);
+  double from = q->a[2] - sg_plane_depth(plane, p);
+  double way = q->b[2] - sg_plane_depth(plane, r) - from;
+  double t[2] = {sg_larger(0.0, q->in[0] - more),
+                 sg_smaller(1.0, q->in[1] + more)};
+  double far = more < 1.0 ? sg_larger(from + t[0] * way, from + t[1] * way)
+                          : sg_larger(from, from + way);
+  double slack =
+      SG_DEPTH_SLACK * (1.0 + fabs(plane->rise[0]) + fabs(plane->rise[1]));
 
-  return more < 1.0 ? sg_larger(from, to) : q->far;
+  far += slack - q->masks->scene->tolerance;
+  return sg_depth_order(-sg_float_below(-far));
 }
 
 /* Whether nothing more is wanted of the cell at hand: some are enough, and
@@ -329,24 +338,48 @@ ask_mask(asking *q, uint32_t m)
          q->low[1] > box->high[1] || q->high[1] < box->low[1] || try_mask(q, m);
 }
 
-/* Those of a cell that come nearer there than the line's far end there. */
+/* Whether a mask was found to hide a part of the line. */
 static bool
-ask_near(asking *q, size_t cell)
+was_found(const asking *q, uint32_t m)
 {
-  const sg_grid *grid = &q->masks->grid;
-  const sg_mask_order *near = sg_mask_grid_near(q->masks, cell);
-  uint32_t far = sg_depth_order(-sg_float_below(-far_end_in(q)));
-  size_t n = grid->start[cell + 1] - grid->start[cell];
-  bool good = near != NULL;
+  size_t i = 0;
 
-  for (size_t i = 0; good && i < n && near[i] >> 32 < far && !is_done(q); i++) {
-    good = ask_mask(q, (uint32_t)near[i]);
+  for (; i < q->out->n && q->out->part[i].mask != m; i++) {
   }
-  return good;
+  return i < q->out->n;
+}
+
+/* Of a cell of many masks the one that covers it; those that come nearer there
+ * than the line's far end there; and the others if the one hides nothing. */
+static bool
+ask_near(asking *q, const sg_grid_shape *shape, size_t cell)
+{
+  const sg_mask_near *near = sg_mask_grid_near(q->masks, cell);
+  uint32_t far = near ? far_end_in(q, &near->plane, shape) : 0, i = 0;
+
+  if (!near ||
+      (near->cover != SG_NO_COVER && !ask_mask(q, near->cover))) {
+    return false;
+  }
+  for (; i < near->front && near->order[i] >> 32 < far && !is_done(q); i++) {
+    if (!ask_mask(q, (uint32_t)near->order[i])) {
+      return false;
+    }
+  }
+  bool more = i == near->front && i < near->n && !is_done(q) &&
+              !was_found(q, near->cover);
+
+  for (; more && i < near->n && !is_done(q); i++) {
+    if (near->order[i] >> 32 < far &&
+        !ask_mask(q, (uint32_t)near->order[i])) {
+      return false;
+    }
+  }
+  return true;
 }
 
 /* The masks of one cell up to the line's far end, by their nearest corner; if
- * these are many, the others by how near they come in this cell. */
+ * these are many and some are enough, by how near they come in this cell. */
 static bool
 ask_cell(asking *q, const sg_grid_shape *shape, unsigned x, unsigned y)
 {
@@ -355,16 +388,16 @@ ask_cell(asking *q, const sg_grid_shape *shape, unsigned x, unsigned y)
   uint32_t begin = grid->start[cell], end = grid->start[cell + 1];
 
   q->known = SIZE_MAX;
-  if (begin < end && (q->enough || end - begin > MANY)) {
+  if (begin < end && q->enough) {
     find_in(q, shape, x, y);
+    if (end - begin > MANY && isfinite(q->far)) {
+      return ask_near(q, shape, cell);
+    }
   }
   for (uint32_t i = begin; i < end && !is_done(q); i++) {
     uint32_t m = grid->item[i];
     if (q->masks->box[m].low[2] >= q->far) {
       return true;
-    }
-    if (i - begin == MANY && isfinite(q->far)) {
-      return ask_near(q, cell);
     }
     if (!ask_mask(q, m)) {
       return false;

@@ -67,12 +67,29 @@ typedef struct sg_mask_box {
  * the mask in this cell is nearer than, by sg_depth_order(), then the mask. */
 typedef uint64_t sg_mask_order;
 
+/* Depths along the x and y of the grid. */
+typedef struct sg_near_plane {
+  double depth, rise[2]; /* in the origin */
+} sg_near_plane;
+
+/* A cell of many masks. Depths there are those behind the plane of one that
+ * most of the others are behind. `cover` is one that covers all of the cell, before and
+ * behind which there are few; SG_NO_COVER: there is none. What it does not hide
+ * there, the masks after the first `front` do not hide, if it may. */
+#define SG_NO_COVER UINT32_MAX
+typedef struct sg_mask_near {
+  sg_near_plane plane;
+  uint32_t cover;
+  uint32_t front, n;
+  sg_mask_order order[]; /* [n] all of the cell; the first `front` are sorted */
+} sg_mask_near;
+
 typedef struct sg_mask_grid {
   const sg_scene *scene;
   double way[2]; /* x of the grid: that of most sides, if they have one */
   sg_grid grid;
   sg_mask_box *box;               /* [masks] */
-  _Atomic(sg_mask_order *) *near; /* [cells of the grid] null: not asked yet */
+  _Atomic(sg_mask_near *) *near;  /* [cells of the grid] null: not asked yet */
 } sg_mask_grid;
 
 /* Requires: the scene stays open as long. False: stopped by the cancellation,

@@ -38,9 +38,18 @@ sg_float_below(double x)
   return (double)f > x ? nextafterf(f, -INFINITY) : f;
 }
 
+/* And far below this of a depth, and as much more as it rises. */
+#define SG_DEPTH_SLACK 1e-12
+
 /* What a mask hides may reach beyond it at a sharp corner: by so many margins
  * of the grid. */
 enum { SG_REACH = 64 };
+
+static inline double
+sg_plane_depth(const sg_near_plane *plane, const double at[2])
+{
+  return plane->depth + plane->rise[0] * at[0] + plane->rise[1] * at[1];
+}
 
 /* Unsigned integers in the order of the floats. */
 static inline uint32_t
@@ -53,8 +62,8 @@ sg_depth_order(float x)
   return bits >> 31 ? ~bits : bits | UINT32_C(1) << 31;
 }
 
-/* All items of a cell, nearest first; of the grid. Null: no memory. */
-const sg_mask_order *sg_mask_grid_near(const sg_mask_grid *masks, size_t cell);
+/* Of the grid. Null: no memory. */
+const sg_mask_near *sg_mask_grid_near(const sg_mask_grid *masks, size_t cell);
 
 /* Makes `way` its x. */
 static inline void
