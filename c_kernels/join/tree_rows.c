@@ -9,7 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { CONTENTS = 4 }; /* of a segment that are remembered */
+enum {
+  CONTENTS = 4, /* of a segment that are remembered */
+  FEW = 64      /* segments */
+};
 
 /* What is known of some contents of a segment. */
 typedef struct self_entry {
@@ -30,6 +33,7 @@ typedef struct tree_store {
   pthread_mutex_t lock;
   entry *of; /* by segment, ascending */
   size_t n, room;
+  size_t stayed; /* when trees of segments that are gone were last looked for */
   size_t grown, found;
 } tree_store;
 
@@ -201,13 +205,18 @@ keep_tree(tree_store *store, sg_kept_tree *kept)
   pthread_mutex_unlock(&store->lock);
 }
 
-/* Trees of segments that `version` does not have any more go. */
+/* Trees of segments that `version` does not have any more go: at once where
+ * there are few, else when there may be as many of these as of others. */
 static void
 forget_gone(tree_store *store, const sg_version *version)
 {
   size_t n = 0;
 
   pthread_mutex_lock(&store->lock);
+  if (store->n > FEW && store->n < 2 * store->stayed) {
+    pthread_mutex_unlock(&store->lock);
+    return;
+  }
   for (size_t i = 0; i < store->n; i++) {
     entry *e = &store->of[i];
     sg_value key[SG_MAX_COLUMNS] = {[0].i = e->s};
@@ -220,7 +229,7 @@ forget_gone(tree_store *store, const sg_version *version)
       store->of[n++] = *e;
     }
   }
-  store->n = n;
+  store->n = store->stayed = n;
   pthread_mutex_unlock(&store->lock);
 }
 

@@ -38,13 +38,9 @@
                 get_assoc/3, list_to_assoc/2,
                 ord_list_to_assoc/2, put_assoc/4
               ]).
-:- use_module(library(ordsets),
-              [ ord_intersection/3, ord_memberchk/2, ord_subtract/3,
-                ord_union/3
-              ]).
-:- use_module(library(pairs), [pairs_keys/2]).
-:- use_module(library(apply),
-              [exclude/3, foldl/4, include/3, maplist/2, maplist/3]).
+:- use_module(library(ordsets), [ord_subtract/3, ord_union/3]).
+:- use_module(library(pairs), [pairs_keys/2, pairs_keys_values/3]).
+:- use_module(library(apply), [exclude/3, foldl/4, maplist/2, maplist/3]).
 :- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(option), [option/2]).
 /** <module> Arrangements: leaves cut along all their lines, in pieces.
@@ -208,10 +204,33 @@ around(Ss, Near, Around) :-
     sort(Around0, Around).
 
 include_current(Current0, Stale, Current) :-
-    exclude(is_among(Stale), Current0, Current).
+    parted(Current0, Stale, _, Current).
 
-is_among(Stale, S-_) :-
-    ord_memberchk(S, Stale).
+%   parted(+Pairs, +Ss, -Of, -Others): the S-X of Pairs with S in Ss, and the
+%   others; both ascend.
+
+parted([], _, [], []).
+parted([S-X|Pairs], Ss0, Of, Others) :-
+    from(Ss0, S, Ss),
+    (   Ss = [S|_]
+    ->  Of = [S-X|Of1],
+        Others = Others1
+    ;   Of = Of1,
+        Others = [S-X|Others1]
+    ),
+    parted(Pairs, Ss, Of1, Others1).
+
+from([S0|Ss0], S, Ss) :-
+    S0 < S,
+    !,
+    from(Ss0, S, Ss).
+from(Ss, _, Ss).
+
+%   set_of(+Ss, -Set): an assoc with them as its keys.
+
+set_of(Ss, Set) :-
+    pairs_keys_values(Pairs, Ss, Ss),
+    ord_list_to_assoc(Pairs, Set).
 
 %   keep(+Leaves, +Keys, +Fresh, +Touch): Fresh is kept, for the third last
 %   of a leaf, and for those of segments that are there no more.
@@ -247,7 +266,11 @@ exchanged(Leaves, KeyOf, Touch, Fresh, Old) :-
                  member(entry(_, A, _, _), Es) ),
             Old0),
     foldl(forget_leaf, Gone, Kept0, Kept1),
-    foldl(keep_leaf(KeyOf, Touch), Fresh, Kept1-Old0, Kept-Old),
+    Touch = touch(Clusters, Touched0),
+    findall(S-Cluster, ( member(Cluster, Clusters), member(S, Cluster) ),
+            Connected0),
+    maplist(list_to_assoc, [Connected0,Touched0], [Connected,Touched]),
+    foldl(keep_leaf(KeyOf, Connected, Touched), Fresh, Kept1-Old0, Kept-Old),
     keep_pieces(Kept).
 
 is_alive(S) :-
@@ -260,11 +283,10 @@ is_alive(S) :-
 forget_leaf(S, Kept0, Kept) :-
     del_assoc(S, Kept0, _, Kept).
 
-keep_leaf(KeyOf, touch(Clusters, Touched), S-Arrangement, Kept0-Old0,
-          Kept-Old) :-
+keep_leaf(KeyOf, Connected, Touched, S-Arrangement, Kept0-Old0, Kept-Old) :-
     get_assoc(S, KeyOf, Key),
-    cluster(S, Clusters, Cluster),
-    contacts_of(S, Touched, Contacts),
+    entries(S, Connected, Cluster),
+    entries(S, Touched, Contacts),
     entries(S, Kept0, Entries0),
     arrangement_hold(Arrangement),
     (   Entries0 = [Last,entry(_, Gone, _, _)|_]
@@ -275,26 +297,13 @@ keep_leaf(KeyOf, touch(Clusters, Touched), S-Arrangement, Kept0-Old0,
     ),
     put_assoc(S, Kept0, Entries, Kept).
 
-cluster(S, Clusters, Cluster) :-
-    (   member(Cluster, Clusters),
-        ord_memberchk(S, Cluster)
-    ->  true
-    ;   Cluster = []
-    ).
-
-contacts_of(S, Touched, Contacts) :-
-    (   memberchk(S-Contacts0, Touched)
-    ->  Contacts = Contacts0
-    ;   Contacts = []
-    ).
-
 %   contacts(+Kept, +Stale, +Touch, -Contacts): the vertices that leaves have in
 %   pieces alone, as S-Places, of those that have some (contact_origin.pl): what
 %   is kept of leaves that are not Stale, and what is new.
 
 contacts(Kept, Stale, touch(_, Touched), Contacts) :-
-    exclude(is_among(Stale), Kept, Old),
-    include(is_among(Stale), Touched, New),
+    parted(Kept, Stale, _, Old),
+    parted(Touched, Stale, New, _),
     append(Old, New, Contacts).
 
 /* - - - new pieces - - - */
@@ -309,12 +318,13 @@ fresh_pieces([], _, _, [], touch([], [])) :-
     !.
 fresh_pieces(Stale, Near, Tolerance, Fresh, touch(Clusters, Touched)) :-
     around(Stale, Near, Segments),
+    set_of(Segments, Set),
     findall(A-B,
             ( member(A, Segments),
-              get_assoc(A, Near, Others0),
-              ord_intersection(Others0, Segments, Others),
+              get_assoc(A, Near, Others),
               member(B, Others),
-              A < B
+              A < B,
+              get_assoc(B, Set, _)
             ),
             Different),
     selves(Segments, Selves),
@@ -330,10 +340,11 @@ fresh_pieces(Stale, Near, Tolerance, Fresh, touch(Clusters, Touched)) :-
 %   then winding decides what of them is inside.
 
 selves(Segments, Selves) :-
-    stage(self, segments_meeting_themselves(Segments, Meeting)),
+    stage(self, segments_meeting_themselves(Segments, Meeting0)),
+    set_of(Meeting0, Meeting),
     findall(S-S,
             ( member(S, Segments),
-              (   ord_memberchk(S, Meeting)
+              (   get_assoc(S, Meeting, _)
               ->  true
               ;   were_cut(S, S)
               )
@@ -404,25 +415,33 @@ filled_with(arrangement_polygons(Works, Tolerance), Arrangement) :-
 
 %   clusters(+Changed, +Near, -Clusters): what is connected by being near.
 
-clusters([], _, []).
-clusters([S|Ss], Near, [Cluster|Clusters]) :-
-    connected([S], Near, [S|Ss], [S], Cluster),
-    ord_subtract([S|Ss], Cluster, Rest),
-    clusters(Rest, Near, Clusters).
+clusters(Changed, Near, Clusters) :-
+    set_of(Changed, Left),
+    clusters(Changed, Near, Left, Clusters).
 
-connected([], _, _, Cluster, Cluster).
-connected([S|Ss], Near, In, Cluster0, Cluster) :-
+clusters([], _, _, []).
+clusters([S|Ss], Near, Left0, Clusters) :-
+    (   del_assoc(S, Left0, _, Left1)
+    ->  connected([S], Near, Cluster0, Left1, Left),
+        sort(Cluster0, Cluster),
+        Clusters = [Cluster|Clusters1]
+    ;   Left = Left0,
+        Clusters = Clusters1
+    ),
+    clusters(Ss, Near, Left, Clusters1).
+
+connected([], _, [], Left, Left).
+connected([S|Ss], Near, [S|Cluster], Left0, Left) :-
     get_assoc(S, Near, Others),
-    findall(A,
-            ( member(A, Others),
-              ord_memberchk(A, In),
-              \+ ord_memberchk(A, Cluster0)
-            ),
-            New0),
-    sort(New0, New),
-    ord_union(Cluster0, New, Cluster1),
-    append(New, Ss, Next),
-    connected(Next, Near, In, Cluster1, Cluster).
+    foldl(reached, Others, Ss-Left0, Next-Left1),
+    connected(Next, Near, Cluster, Left1, Left).
+
+reached(A, Next0-Left0, Next-Left) :-
+    (   del_assoc(A, Left0, _, Left)
+    ->  Next = [A|Next0]
+    ;   Next = Next0,
+        Left = Left0
+    ).
 
 /* - - - using it - - - */
 
@@ -515,7 +534,7 @@ leaves_around(arrangement(_, _, Near), Leaves, Around) :-
 
 part_of_arrangement(arrangement(Pieces0, Contacts, Near), Leaves,
                     arrangement(Pieces, Contacts, Near)) :-
-    include(is_among(Leaves), Pieces0, Pieces).
+    parted(Pieces0, Leaves, Pieces, _).
 
 %!  pieces_statistics(-Statistics:dict) is det.
 %

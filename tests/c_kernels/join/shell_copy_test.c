@@ -1,5 +1,6 @@
 /* shell_copy_test.c -- equal shells of a segment: the first ones stay, and what
  * differs in a corner, a triangle, the way round or a kind of edge does too.
+ * The same of polygons.
  */
 #include "join/shell_copy.h"
 #include "tests/check.h"
@@ -68,23 +69,33 @@ add(model *m, double x, bool turned, int first)
   }
 }
 
+/* Finds copies in all that was added. */
+typedef bool finder(const sg_dense *dense, size_t s, const sg_cancel *cancel,
+                    sg_shell_copies *out);
+
+static bool
+find(model *m, finder *by, sg_shell_copies *out)
+{
+  uint32_t begin[4][2] = {{0, (uint32_t)m->d.vertices},
+                          {0, (uint32_t)m->d.edges},
+                          {0, (uint32_t)m->d.polygons},
+                          {0, (uint32_t)m->d.triangles}};
+
+  m->d.vertex_begin = begin[0];
+  m->d.edge_begin = begin[1];
+  m->d.polygon_begin = begin[2];
+  m->d.triangle_begin = begin[3];
+  return by(&m->d, 0, NULL, out);
+}
+
 /* Whether exactly the shells of the string have so many equal ones before them:
  * '-' of those added, as they were. */
 static bool
 goes(model *m, size_t most, const char *which)
 {
   static const uint32_t none = 0;
-  uint32_t begin[4][2] = {{0, (uint32_t)m->d.vertices},
-                          {0, (uint32_t)m->d.edges},
-                          {0, (uint32_t)m->d.polygons},
-                          {0, (uint32_t)m->d.triangles}};
   sg_shell_copies copies;
-
-  m->d.vertex_begin = begin[0];
-  m->d.edge_begin = begin[1];
-  m->d.polygon_begin = begin[2];
-  m->d.triangle_begin = begin[3];
-  bool good = sg_shell_copies_find(&m->d, 0, NULL, &copies);
+  bool good = find(m, sg_shell_copies_find, &copies);
 
   for (size_t p = 0; good && p < m->d.polygons && p / SIDES < strlen(which);
        p++) {
@@ -144,10 +155,54 @@ joined(void)
   free(m);
 }
 
+/* Whether each polygon has as many equal ones before it as the digits say. */
+static bool
+polygons_are(model *m, const char *copy)
+{
+  sg_shell_copies copies;
+  bool good = find(m, sg_polygon_copies_find, &copies);
+
+  for (size_t p = 0; good && p < m->d.polygons; p++) {
+    good = copies.any ? copies.copy[p] == (uint32_t)(copy[p] - '0') &&
+                            copies.copies[p] > copies.copy[p] &&
+                            copies.kind[p] <= p
+                      : copy[p] == '0';
+  }
+  sg_shell_copies_clear(&copies);
+  return good;
+}
+
+/* Tetrahedra with another apex each have one side in common. */
+static void
+polygons(void)
+{
+  model *m = model_new();
+
+  add(m, 0, false, 0);
+  CHECK("no polygon is equal to another one", polygons_are(m, "0000"));
+  add(m, 0, false, 0);
+  add(m, 0, false, 1);
+  m->at[1 * CORNERS + 3][2] = 2;
+  m->at[2 * CORNERS + 3][2] = 3;
+  CHECK("one side is there three times", polygons_are(m, "000010000002"));
+  m->at[2 * CORNERS + 3][2] = 2;
+  CHECK("a shell that is there twice", polygons_are(m, "000010001112"));
+  add(m, 0, true, 0);
+  CHECK("the other way round is another one",
+        polygons_are(m, "0000100011120000"));
+  m->real[1 * EDGES] = 0;
+  CHECK("an auxiliary edge", polygons_are(m, "0000000011110000"));
+  m->real[1 * EDGES] = 1;
+  memcpy(m->corner[SIDES], (int32_t[3]){4, 5, 4}, sizeof m->corner[0]);
+  CHECK("other triangles", polygons_are(m, "0000000011110000"));
+  free(m);
+}
+
 int
 main(void)
 {
   copies();
   joined();
+  polygons();
   return check_report();
 }

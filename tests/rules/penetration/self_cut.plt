@@ -74,6 +74,23 @@ copied_shell(at([Turn,translate(X,Y,Z)], box(size(A,B,C)))) :-
     maplist([N]>>random_between(0, 2, N), [X,Y,Z]),
     random_member(Turn, [rotate(x,0),rotate(x,90),rotate(z,20)]).
 
+%   shells_on_one_polygon(-Shells): pyramids up and down, boxes and prisms, many
+%   of which have their floors or roofs in common.
+
+shells_on_one_polygon(Shells) :-
+    random_between(4, 16, N),
+    length(Shells, N),
+    maplist(shell_on_one_polygon, Shells).
+
+shell_on_one_polygon(at([Turn,translate(0,0,Z)], Shell)) :-
+    random_member(Z, [0,0,0,2]),
+    random_member(Turn, [rotate(z,0),rotate(z,0),rotate(x,180)]),
+    random_between(1, 4, H),
+    random_member(Shell, [ cone(radius(1), height(H), facets(4)),
+                           cone(radius(1), height(H), facets(4)),
+                           cylinder(radius(1), height(H), facets(4)),
+                           box(size(1,1,H)) ]).
+
 %   counted_as_all(-N): N meetings are counted, and the first of each kind
 %   listed, as when all are listed.
 
@@ -300,6 +317,25 @@ test(equal_shells_count_as_all_do, true(Most > 60)) :-
                          one_segment(Shells, counted_as_all(N)),
                          M is max(M0, N) ),
           Seeds, 0, Most).
+
+%   The same of equal polygons of shells that are not equal.
+
+test(equal_polygons_count_as_all_do, true(Most > 60)) :-
+    numlist(1, 40, Seeds),
+    foldl([Seed,M0,M]>>( set_random(seed(Seed)),
+                         shells_on_one_polygon(Shells),
+                         one_segment(Shells, counted_as_all(N)),
+                         M is max(M0, N) ),
+          Seeds, 0, Most).
+test(many_pyramids_on_one_square, N == 4950) :-
+    findall(Pyramid,
+            ( between(1, 100, I), H is 1+I/8,
+              Pyramid = cone(radius(1), height(H), facets(4)) ),
+            Pyramids),
+    one_segment(Pyramids,
+                ( self_meetings(3, [self(1, Counts, Listed)]),
+                  Counts = [self_overlap-N],
+                  length(Listed, 3) )).
 
 test(defects, Ds == [self_penetration(1, 1, 2)]) :-
     soup([0-0-0, 3-0-0, 0-3-0, 1-1-(-1), 1-1-1, 5-5-0], [[1,2,3], [4,5,6]],

@@ -140,6 +140,23 @@ test(near_of_some, Near == [1-[2],2-[1],3-[],9-[]]) :-
                    near_segments_of(0, [3,9,1,2,1], Near) )).
 test(near_of_none, Near == []) :-
     in_new_world(near_segments_of(0, [], Near)).
+%   Two curves do not cut each other; a curve and a box may.
+
+test(curves, Near-All-Pairs-Of == [1-2,1-3]-[1-2]-[]-[2-[3],3-[2]]) :-
+    in_new_world(( boxes([0-0-0]),
+                   add_primitive(line(from(0,0,0), to(3,1,1)), _),
+                   add_primitive(line(from(0,0,0), to(1,3,1)), _),
+                   near(0, Near),
+                   near_pairs(0, [1,2], All),
+                   near_pairs(0, [2,3], Pairs),
+                   near_segments_of(0, [2,3], Of) )).
+test(a_curve_with_a_polygon, Near == [1-2]) :-
+    in_new_world(( boxes([0-0-0, 1-0-0]),
+                   retractall_facts(segment(1, _, _)),
+                   retractall_facts(segment(2, _, _)),
+                   assert_fact(segment(1, curve, a)),
+                   assert_fact(segment(2, curve, b)),
+                   near(0, Near) )).
 test(near_of_negative, error(domain_error(not_less_than_zero, -1))) :-
     in_new_world(near_segments_of(-1, [], _)).
 test(near_of_list, error(type_error(list, 1))) :-

@@ -1,0 +1,78 @@
+% What verbs do with models that grow: four times as many take about four times
+% as long.
+:- module(test_verb_growth, []).
+:- use_module(library(plunit)).
+:- use_module(library(lists)).
+:- use_module(rules(command/check)).
+:- use_module(rules(model/mesh), [read_mesh/2]).
+:- use_module(rules(penetration/penetration)).
+:- use_module(rules(picture/hidden_lines)).
+:- use_module(rules(picture/view)).
+:- use_module(rules(polygon/triangulation), [complete_segments/0]).
+:- use_module(rules(primitive/primitive_rows)).
+:- use_module(rules(store)).
+:- use_module(tests('rules/solid/grown')).
+
+/* A time that grows as n^2 is 16 times as long for four times as many, one that
+   grows as n log n about 5 times. What is far below a second is mostly what does
+   not grow. The least of several runs counts, of all threads. */
+
+%   case(Name, N, Most): from N to 4 N the time grows by less than Most.
+
+case(check(base),       400, 8).
+case(penetrate(curves), 400, 8).
+case(picture(wedges),   800, 10).
+
+:- meta_predicate least_time(0, -).
+
+grows(Name, N, Ratio) :-
+    M is 4*N,
+    time_of(Name, N, T1),
+    time_of(Name, M, T2),
+    Ratio is T2/max(T1, 0.02).
+
+time_of(Name, N, Time) :-
+    Name =.. [Verb,Family],
+    new_world(World),
+    in_world(World,
+             ( model(Family, N),
+               least_time(facts_snapshot(done(Verb)), Time) )).
+
+least_time(Goal, Time) :-
+    findall(T,
+            ( between(1, 3, _),
+              statistics(process_cputime, T0),
+              call(Goal),
+              statistics(process_cputime, T1),
+              T is T1-T0 ),
+            Ts),
+    min_list(Ts, Time).
+
+model(curves, N) :-
+    !,
+    forall(between(1, N, I),
+           ( A is 2*pi*I/N, X is cos(A), Y is sin(A),
+             add_primitive(line(from(0,0,0), to(X,Y,1)), _) )).
+model(Family, N) :-
+    tmp_file_stream(File, Stream, [extension(off)]),
+    close(Stream),
+    call_cleanup(( grown_file(Family, N, File, _),
+                   read_mesh(File, _) ),
+                 delete_file(File)),
+    complete_segments.
+
+done(check) :-
+    check_report(_).
+done(penetrate) :-
+    penetrate.
+done(picture) :-
+    penetrate(all, [themselves(true),shown(true)]),
+    set_view(300, 60, 0),
+    picture.
+
+:- begin_tests(verb_growth).
+
+test(time, [forall(case(Name, N, Most)), true(Ratio < Most)]) :-
+    grows(Name, N, Ratio).
+
+:- end_tests(verb_growth).
