@@ -35,17 +35,19 @@ family(stack,      union, [1000,2000,4000,8000]).
 family(apart,      union, [1000,2000,4000,8000]).
 family(row,        union, [1000,2000,4000,8000]).
 family(identical,  check, [800,1600,3200,6400]).
+family(base,       check, [800,1600,3200,6400]).
+family(wedges,     check, [800,1600,3200,6400]).
 family(row,        check, [1000,2000,4000,8000]).
 family(apart,      check, [1000,2000,4000,8000]).
 family(apart,      draw,  [1000,2000,4000]).
 family(stack,      draw,  [250,500,1000]).
 family(needles,    draw,  [800,1600,3200,6400]).
 family(identical,  draw,  [400,800,1600,3200]).
-family(base,       draw,  [200,400,800,1600]).
-family(wedges,     draw,  [200,400,800,1600]).
+family(base,       draw,  [400,800,1600,3200]).
+family(wedges,     draw,  [400,800,1600,3200]).
 family(apexes,     draw,  [250,500,1000]).
-family(comb,       draw,  [250,500,1000]).
-family(comb,       unfold, [25,50,100]).
+family(comb,       draw,  [500,1000,2000,4000]).
+family(comb,       unfold, [50,100,200,400]).
 family(holes,      draw,  [500,1000,2000,4000]).
 family(circles,    check, [250,500,1000,2000]).
 family(discs,      check, [250,500,1000,2000]).
@@ -53,6 +55,9 @@ family(rods,       penetrate, [400,800,1600,3200]).
 family(rods,       union, [400,800,1600,3200]).
 family(boxes,      penetrate, [1000,2000,4000]).
 family(chain,      penetrate, [500,1000,2000]).
+family(chain,      split, [500,1000,2000,4000]).
+family(curves,     penetrate, [1600,3200,6400,12800]).
+family(curves,     draw,  [1600,3200,6400,12800]).
 family(boxes,      query, [2500,5000,10000]).
 family(boxes,      check, [2500,5000,10000]).
 family(boxes,      draw,  [1000,2000,4000]).
@@ -133,6 +138,9 @@ verb_arguments(draw, File, [draw,'-q',File,'-o',Out], [Out]) :-
     output(svg, Out).
 verb_arguments(penetrate, File, [penetrate,'-q',File,'-o',Out], [Out]) :-
     output(pl, Out).
+verb_arguments(split, File,
+               [split,'-q',File,'--plane','1,2,3,100','-o',Out], [Out]) :-
+    output(obj, Out).
 verb_arguments(query, File, [query,'-q',File,'v(S, V, X, Y, Z)'], []).
 verb_arguments(twice, File, [union,'-q',File,File,'-o',Out], [Out]) :-
     output(off, Out).
@@ -249,6 +257,13 @@ segments(rods, N, Stream) :-
              format(Stream,
                     "segment(~d, solid, at([rotate(x,35), rotate(y,40), \c
                      translate(~w,~w,0)], box(size(0.002,0.002,10)))).~n",
+                    [I,X,Y]) )).
+%   N curves from one point, each a segment.
+segments(curves, N, Stream) :-
+    forall(between(1, N, I),
+           ( A is 2*pi*I/N, X is cos(A), Y is sin(A),
+             format(Stream,
+                    "segment(~d, curve, line(from(0,0,0), to(~w,~w,1))).~n",
                     [I,X,Y]) )).
 %   N boxes apart, each a segment.
 segments(boxes, N, Stream) :-

@@ -26,7 +26,8 @@ typedef struct boxed {
   size_t n;
   int32_t *s; /* ascending */
   sg_box *box;
-  bool *curve; /* [n] those of which two are no pair; null: each two may be */
+  size_t curves; /* so many are called so */
+  bool *curve;   /* [n] those of which two are no pair; null: each two may be */
 } boxed;
 
 static int
@@ -44,6 +45,12 @@ sort_pairs(sg_near_segments_rows *pairs)
   if (pairs->n > 0) {
     qsort(pairs->at, pairs->n, sizeof *pairs->at, compare_pairs);
   }
+}
+
+static bool
+is_called_curve(const boxed *all, sg_row of)
+{
+  return sg_version_value(all->version, SG_SEGMENT, of, 1).i == SG_SYMBOL_CURVE;
 }
 
 /* The segments of segment/3 that are wanted; null: all. */
@@ -64,6 +71,7 @@ list_segments(sg_call *call, const sg_int_list *wanted, boxed *out)
 
     if (!wanted || sg_find_id(wanted->at, wanted->n, id) != SIZE_MAX) {
       out->s[out->n++] = id;
+      out->curves += is_called_curve(out, row);
     }
   }
   sg_walk_close(&walk);
@@ -104,11 +112,11 @@ find_boxes(sg_call *call, boxed *out)
 
 /* A segment of edges alone. */
 static bool
-is_curve(const boxed *all, int32_t s, sg_row of)
+is_curve(const boxed *all, int32_t s)
 {
   const sg_value key[SG_MAX_COLUMNS] = {[0].i = s};
-  bool any = sg_version_value(all->version, SG_SEGMENT, of, 1).i !=
-             SG_SYMBOL_CURVE;
+  bool any =
+      !is_called_curve(all, sg_version_find(all->version, SG_SEGMENT, key));
 
   for (int k = 0; k < 2 && !any; k++) {
     sg_walk walk;
@@ -122,21 +130,18 @@ is_curve(const boxed *all, int32_t s, sg_row of)
   return !any;
 }
 
+/* If there may be two. */
 static bool
 find_curves(sg_call *call, boxed *all)
 {
-  bool any = false;
-  bool *curve = sg_call_alloc(call, all->n * sizeof *curve);
-
-  for (size_t i = 0; curve && i < all->n; i++) {
-    const sg_value key[SG_MAX_COLUMNS] = {[0].i = all->s[i]};
-
-    curve[i] = is_curve(all, all->s[i],
-                        sg_version_find(all->version, SG_SEGMENT, key));
-    any = any || curve[i];
+  if (all->curves < 2) {
+    return true;
   }
-  all->curve = any ? curve : NULL;
-  return curve != NULL;
+  all->curve = sg_call_alloc(call, all->n * sizeof *all->curve);
+  for (size_t i = 0; all->curve && i < all->n; i++) {
+    all->curve[i] = is_curve(all, all->s[i]);
+  }
+  return all->curve != NULL;
 }
 
 /* Those boxes that are of curves, or are not; the others empty. */
@@ -161,9 +166,9 @@ join_boxes(sg_call *call, const boxed *all, const sg_box *other, double reach,
                             : sg_bvh_open(other, all->n, &call->cancel);
   sg_bvh *curves = all->curve ? tree_of(call, all, other, true) : NULL;
   const sg_bvh_pair pair[] = {{tree, tree}, {tree, curves}};
-  bool good = tree && (curves || !all->curve) &&
-              sg_bvh_join(pair, curves ? 2 : 1, reach, NULL, &call->cancel,
-                          hits);
+  bool good =
+      tree && (curves || !all->curve) &&
+      sg_bvh_join(pair, curves ? 2 : 1, reach, NULL, &call->cancel, hits);
   size_t n = 0;
 
   for (size_t k = 0; good && k < hits->n; k++) {

@@ -108,7 +108,8 @@ add_segment(sg_call *call, asking *a, sg_self_segment_list *out)
   sg_pool *pool = sg_call_pool(call);
   sg_self_meetings found = {0};
 
-  if (!pool || !sg_polygon_copies_find(dense, a->s, &call->cancel, &a->copies) ||
+  if (!pool ||
+      !sg_polygon_copies_find(dense, a->s, &call->cancel, &a->copies) ||
       !leave_out(call, a) ||
       !sg_self_cut_some(dense, a->s, a->left_out,
                         sg_self_tolerance(dense, a->s), pool, &call->cancel,

@@ -203,7 +203,8 @@ typedef struct asking {
   bool enough;
   double in[2]; /* where the line is in the cell at hand */
   size_t known; /* so many were found when it was last looked whether they hide
-                   all of the line there */
+                   all of the line there, */
+  bool done;    /* which they do */
 } asking;
 
 /* Whether what was found hides all of the line that is in the cell. */
@@ -322,11 +323,11 @@ far_end_in(const asking *q, const sg_near_plane *plane,
 static bool
 is_done(asking *q)
 {
-  if (!q->enough || q->out->n == 0 || q->out->n == q->known) {
-    return false;
+  if (q->enough && !q->done && q->out->n > 0 && q->out->n != q->known) {
+    q->known = q->out->n;
+    q->done = cell_is_hidden(q);
   }
-  q->known = q->out->n;
-  return cell_is_hidden(q);
+  return q->done;
 }
 
 static bool
@@ -336,6 +337,13 @@ ask_mask(asking *q, uint32_t m)
 
   return q->low[0] > box->high[0] || q->high[0] < box->low[0] ||
          q->low[1] > box->high[1] || q->high[1] < box->low[1] || try_mask(q, m);
+}
+
+/* A mask that hides much of a cell, or none. */
+static bool
+ask_first(asking *q, uint32_t m)
+{
+  return m == SG_NO_MASK || is_done(q) || ask_mask(q, m);
 }
 
 /* Whether a mask was found to hide a part of the line. */
@@ -349,33 +357,30 @@ was_found(const asking *q, uint32_t m)
   return i < q->out->n;
 }
 
-/* Of a cell of many masks the one that covers it; those that come nearer there
- * than the line's far end there; and the others if the one hides nothing. */
+/* Of a cell of many masks those that hide much of it; those that come nearer
+ * there than the line's far end there; and the others if the one that covers it
+ * hides nothing. */
 static bool
 ask_near(asking *q, const sg_grid_shape *shape, size_t cell)
 {
   const sg_mask_near *near = sg_mask_grid_near(q->masks, cell);
   uint32_t far = near ? far_end_in(q, &near->plane, shape) : 0, i = 0;
+  bool good = near && ask_first(q, near->cover);
 
-  if (!near ||
-      (near->cover != SG_NO_COVER && !ask_mask(q, near->cover))) {
-    return false;
+  for (int k = 0; good && k < SG_SEEN_PLACES; k++) {
+    good = ask_first(q, near->seen[k]);
   }
-  for (; i < near->front && near->order[i] >> 32 < far && !is_done(q); i++) {
-    if (!ask_mask(q, (uint32_t)near->order[i])) {
-      return false;
+  for (; good && i < near->front && near->order[i] >> 32 < far && !is_done(q);
+       i++) {
+    good = ask_mask(q, (uint32_t)near->order[i]);
+  }
+  if (good && i == near->front && !is_done(q) && !was_found(q, near->cover)) {
+    for (; good && i < near->n && !is_done(q); i++) {
+      good =
+          near->order[i] >> 32 >= far || ask_mask(q, (uint32_t)near->order[i]);
     }
   }
-  bool more = i == near->front && i < near->n && !is_done(q) &&
-              !was_found(q, near->cover);
-
-  for (; more && i < near->n && !is_done(q); i++) {
-    if (near->order[i] >> 32 < far &&
-        !ask_mask(q, (uint32_t)near->order[i])) {
-      return false;
-    }
-  }
-  return true;
+  return good;
 }
 
 /* The masks of one cell up to the line's far end, by their nearest corner; if
@@ -388,6 +393,7 @@ ask_cell(asking *q, const sg_grid_shape *shape, unsigned x, unsigned y)
   uint32_t begin = grid->start[cell], end = grid->start[cell + 1];
 
   q->known = SIZE_MAX;
+  q->done = false;
   if (begin < end && q->enough) {
     find_in(q, shape, x, y);
     if (end - begin > MANY && isfinite(q->far)) {

@@ -141,7 +141,8 @@ covers(const turned *of, const cell_box *box)
   return true;
 }
 
-/* A depth that what a covering mask does not hide in the cell is nearer than. */
+/* A depth that what a covering mask does not hide in the cell is nearer than.
+ */
 static double
 far_in(const sg_scene *scene, const cell_box *box, const turned *of)
 {
@@ -149,34 +150,29 @@ far_in(const sg_scene *scene, const cell_box *box, const turned *of)
          2 * scene->tolerance / of->mask->normal[2];
 }
 
-/* ---- the plane that most are behind ---- */
+/* ---- what is seen ---- */
 
 enum { STEEPEST = 64, ASKED = 32 };
 
-/* The nearest mask at a point; null: none. */
-static bool
+/* The nearest mask at a point; SG_NO_MASK: there is none. */
+static uint32_t
 seen_at(const sg_mask_grid *masks, const uint32_t *item, uint32_t n,
-        const double at[2], turned *out)
+        const double at[2])
 {
   double near = INFINITY;
+  uint32_t seen = SG_NO_MASK;
 
-  for (uint32_t i = 0; i < n; i++) {
-    const sg_mask_box *box = &masks->box[item[i]];
-    turned of;
+  for (uint32_t i = 0; i < n && masks->box[item[i]].low[2] < near; i++) {
+    turned of = turned_mask(masks, item[i]);
+    const double(*p)[2] = (const double(*)[2])of.shape.at;
 
-    if (box->low[2] >= near) {
-      break;
-    }
-    of = turned_mask(masks, item[i]);
-    if (left_of(of.shape.at[0], of.shape.at[1], at) >= 0.0 &&
-        left_of(of.shape.at[1], of.shape.at[2], at) >= 0.0 &&
-        left_of(of.shape.at[2], of.shape.at[0], at) >= 0.0 &&
-        depth_at(&of, at) < near) {
+    if (left_of(p[0], p[1], at) >= 0.0 && left_of(p[1], p[2], at) >= 0.0 &&
+        left_of(p[2], p[0], at) >= 0.0 && depth_at(&of, at) < near) {
       near = depth_at(&of, at);
-      *out = of;
+      seen = item[i];
     }
   }
-  return near < INFINITY;
+  return seen;
 }
 
 /* How many of some masks are behind the plane in the cell. */
@@ -195,32 +191,40 @@ behind_plane(const sg_mask_grid *masks, const uint32_t *item, uint32_t n,
   return behind;
 }
 
-/* Of the planes that are seen in places of the cell. */
-static void
-find_plane(const sg_mask_grid *masks, const uint32_t *item, uint32_t n,
-           const cell_box *box, sg_near_plane *out)
+/* The plane of a mask. */
+static sg_near_plane
+plane_of(const sg_mask_grid *masks, uint32_t m)
 {
-  static const double place[][2] = {
+  turned of = turned_mask(masks, m);
+
+  return (sg_near_plane){depth_at(&of, (double[2]){0.0, 0.0}),
+                         {of.rise[0], of.rise[1]}};
+}
+
+/* What is seen in places of the cell, and the plane of one of these. */
+static void
+find_seen(const sg_mask_grid *masks, const uint32_t *item, uint32_t n,
+          const cell_box *box, sg_mask_near *out)
+{
+  static const double place[SG_SEEN_PLACES][2] = {
       {0.5, 0.5}, {0.2, 0.3}, {0.7, 0.2}, {0.3, 0.8}, {0.8, 0.7}};
   unsigned most = 0;
 
-  *out = (sg_near_plane){0};
-  for (size_t i = 0; i < sizeof place / sizeof *place; i++) {
+  for (size_t i = 0; i < SG_SEEN_PLACES; i++) {
     double at[2];
-    turned of = {.mask = NULL};
 
     for (int k = 0; k < 2; k++) {
       at[k] = box->low[k] + place[i][k] * (box->high[k] - box->low[k]);
     }
-    if (seen_at(masks, item, n, at, &of) &&
-        fabs(of.rise[0]) + fabs(of.rise[1]) < STEEPEST) {
-      const sg_near_plane plane = {
-          depth_at(&of, (double[2]){0.0, 0.0}), {of.rise[0], of.rise[1]}};
-      unsigned behind = behind_plane(masks, item, n, box, &plane);
+    out->seen[i] = seen_at(masks, item, n, at);
+    if (out->seen[i] != SG_NO_MASK) {
+      sg_near_plane plane = plane_of(masks, out->seen[i]);
+      bool steep = fabs(plane.rise[0]) + fabs(plane.rise[1]) > STEEPEST;
+      unsigned behind = steep ? 0 : behind_plane(masks, item, n, box, &plane);
 
       if (behind > most) {
         most = behind;
-        *out = plane;
+        out->plane = plane;
       }
     }
   }
@@ -257,8 +261,8 @@ look_at_cell(const sg_mask_grid *masks, size_t cell)
   if (!near) {
     return NULL;
   }
-  *near = (sg_mask_near){.cover = SG_NO_COVER, .front = n, .n = n};
-  find_plane(masks, item, n, &box, &near->plane);
+  *near = (sg_mask_near){.cover = SG_NO_MASK, .front = n, .n = n};
+  find_seen(masks, item, n, &box, near);
   for (uint32_t i = 0; i < n; i++) {
     turned of = turned_mask(masks, item[i]);
 
@@ -272,7 +276,7 @@ look_at_cell(const sg_mask_grid *masks, size_t cell)
       far = far_in(masks->scene, &box, &of);
     }
   }
-  if (near->cover != SG_NO_COVER) {
+  if (near->cover != SG_NO_MASK) {
     near->front = part(near->order, n, -sg_float_below(-far));
   }
   if (!sg_sort_upper(near->order, near->front)) {

@@ -72,14 +72,17 @@ typedef struct sg_near_plane {
   double depth, rise[2]; /* in the origin */
 } sg_near_plane;
 
-/* A cell of many masks. Depths there are those behind the plane of one that
- * most of the others are behind. `cover` is one that covers all of the cell, before and
- * behind which there are few; SG_NO_COVER: there is none. What it does not hide
- * there, the masks after the first `front` do not hide, if it may. */
-#define SG_NO_COVER UINT32_MAX
+/* A cell of many masks. `seen` are those that are in front in some places of
+ * it, so they hide much; SG_NO_MASK: nothing is there. Depths there are those
+ * behind the plane of one that most of the others are behind. `cover` is one
+ * that covers all of the cell, before and behind which there are few;
+ * SG_NO_MASK: there is none. What it does not hide there, the masks after the
+ * first `front` do not hide, if it may. */
+#define SG_NO_MASK UINT32_MAX
+enum { SG_SEEN_PLACES = 5 };
 typedef struct sg_mask_near {
   sg_near_plane plane;
-  uint32_t cover;
+  uint32_t seen[SG_SEEN_PLACES], cover;
   uint32_t front, n;
   sg_mask_order order[]; /* [n] all of the cell; the first `front` are sorted */
 } sg_mask_near;
@@ -88,8 +91,8 @@ typedef struct sg_mask_grid {
   const sg_scene *scene;
   double way[2]; /* x of the grid: that of most sides, if they have one */
   sg_grid grid;
-  sg_mask_box *box;               /* [masks] */
-  _Atomic(sg_mask_near *) *near;  /* [cells of the grid] null: not asked yet */
+  sg_mask_box *box;              /* [masks] */
+  _Atomic(sg_mask_near *) *near; /* [cells of the grid] null: not asked yet */
 } sg_mask_grid;
 
 /* Requires: the scene stays open as long. False: stopped by the cancellation,

@@ -11,6 +11,7 @@
 :- use_module(rules(polygon/triangulation), [complete_segments/0]).
 :- use_module(rules(primitive/primitive_rows)).
 :- use_module(rules(store)).
+:- use_module(tests('rules/boolean_case'), [result/2]).
 :- use_module(tests('rules/solid/grown')).
 
 /* A time that grows as n^2 is 16 times as long for four times as many, one that
@@ -70,9 +71,30 @@ done(picture) :-
     set_view(300, 60, 0),
     picture.
 
+%   inferences_of(N, Inferences): to unite N boxes, each through the next one.
+
+inferences_of(N, Inferences) :-
+    new_world(World),
+    in_world(World,
+             ( findall(S,
+                       ( between(1, N, I),
+                         X is 0.75*I,
+                         Y is 0.25*(I mod 2),
+                         add_primitive(at([translate(X,Y,Y)],
+                                          box(size(1,1,1))), S) ),
+                       Ss),
+               complete_segments,
+               statistics(inferences, N0),
+               result(union(Ss), _),
+               statistics(inferences, N1) )),
+    Inferences is N1-N0.
+
 :- begin_tests(verb_growth).
 
 test(time, [forall(case(Name, N, Most)), true(Ratio < Most)]) :-
     grows(Name, N, Ratio).
+test(inferences, true(N2 < 5*N1)) :-
+    inferences_of(200, N1),
+    inferences_of(800, N2).
 
 :- end_tests(verb_growth).

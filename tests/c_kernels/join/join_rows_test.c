@@ -47,6 +47,7 @@ near(void)
   const sg_int_list some = {ids, 3, 3};
   sg_near_segments_rows rows = {0};
   sg_near_others_list of = {0};
+  sg_id_pair_list pairs = {0};
 
   CHECK("near", sg_door_near_segments(&call, 0, NULL, NULL, &rows));
   CHECK("three pairs", rows.n == 3);
@@ -60,6 +61,8 @@ near(void)
                         of.at[0].others.at[0] == 3 &&
                         of.at[1].others.at[0] == 1);
   CHECK("9 is no segment", of.at[2].s == 9 && of.at[2].others.n == 0);
+  CHECK("pairs of some", sg_door_near_pairs(&call, 0, &some, &pairs));
+  CHECK("one", pairs.n == 1 && pairs.at[0].a == 1 && pairs.at[0].b == 3);
 }
 
 static sg_exact_point

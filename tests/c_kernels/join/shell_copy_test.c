@@ -163,10 +163,10 @@ polygons_are(model *m, const char *copy)
   bool good = find(m, sg_polygon_copies_find, &copies);
 
   for (size_t p = 0; good && p < m->d.polygons; p++) {
-    good = copies.any ? copies.copy[p] == (uint32_t)(copy[p] - '0') &&
-                            copies.copies[p] > copies.copy[p] &&
-                            copies.kind[p] <= p
-                      : copy[p] == '0';
+    good = copies.any
+               ? copies.copy[p] == (uint32_t)(copy[p] - '0') &&
+                     copies.copies[p] > copies.copy[p] && copies.kind[p] <= p
+               : copy[p] == '0';
   }
   sg_shell_copies_clear(&copies);
   return good;
