@@ -14,9 +14,9 @@
 :- use_module(tests('rules/boolean_case'), [result/2]).
 :- use_module(tests('rules/solid/grown')).
 
-/* A time that grows as n^2 is 16 times as long for four times as many, one that
-   grows as n log n about 5 times. What is far below a second is mostly what does
-   not grow. The least of several runs counts, of all threads. */
+/* For four times as many, a time that grows as n^2 is 16 times as long, one
+   that grows as n log n about 5 times. What is far below a second is mostly
+   what does not grow. The least of several runs counts, of all threads. */
 
 %   case(Name, N, Most): from N to 4 N the time grows by less than Most.
 
