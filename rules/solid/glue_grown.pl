@@ -21,7 +21,7 @@
 :- use_module('../store',
               [segment/3, origin/3, segment_stamp/2, facts_transaction/1]).
 :- use_module(library(apply), [exclude/3, foldl/4, maplist/2]).
-:- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(lists), [append/3, max_list/2, member/2]).
 :- use_module(library(ordsets),
               [ord_intersection/3, ord_subtract/3, ord_union/3]).
 /** <module> A glue whose operands came, went or changed: only what is near them
@@ -61,7 +61,8 @@ glue_grown(S, Tolerance) :-
     decision_is_default(disk_relation/3),
     \+ choice_made(S),
     \+ is_elsewhere(S),
-    facts_transaction(sg_glue_grown:grown(S, Leaving, News, Tolerance)),
+    max_list(Stayed, Last),
+    facts_transaction(sg_glue_grown:grown(S, Last, Leaving, News, Tolerance)),
     record(S, evaluated(glue(Operands, Tolerance, []))).
 
 %   operands_compared(Known, Operands, Stayed, Gone, News): as sets. Mostly some
@@ -106,15 +107,18 @@ is_as_made(Newer, S) :-
     once(segment(S, _, Term)),
     \+ is_primitive(Term).
 
-grown(S, Leaving, News, Tolerance) :-
+%   grown(S, Last, Leaving, News, Tolerance): Last is the greatest of those that
+%   stay.
+
+grown(S, Last, Leaving, News, Tolerance) :-
     drop_views(S),
     foldl(last_first, Leaving, [], Reversed),
     maplist(operand_gone(S, Tolerance), Reversed),
-    maplist(operand_added(S, Tolerance), News).
+    maplist(operand_added(S, Last, Tolerance), News).
 
 last_first(N, Ns, [N|Ns]).
 
-operand_added(S, Tolerance, N) :-
+operand_added(S, Last, Tolerance, N) :-
     complete_leaf(S, N, solid, Incomplete),
     complete_segments(Incomplete),
     \+ is_elsewhere(N),
@@ -128,7 +132,10 @@ operand_added(S, Tolerance, N) :-
           stage(join, cell_added(S, N, Solid, Reach))
         ),
         solid_close(Solid)),
-    made_first(S, N, Reach, Merging),
+    (   N > Last
+    ->  true
+    ;   made_first(S, N, Reach, Merging)
+    ),
     source_kept([S,N], 1, S).
 
 %   reach_kept(Tolerance, S, N, Reach, Merging): what is near is what it was

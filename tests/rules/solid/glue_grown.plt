@@ -11,6 +11,7 @@
 :- use_module(library(random)).
 :- use_module(rules(gluing/regions)).
 :- use_module(rules(solid/csg_evaluate)).
+:- use_module(rules(solid/glue), [unglue/1]).
 :- use_module(rules(store)).
 :- use_module(tests(rules/polyhedron), [in_new_world/1]).
 
@@ -149,6 +150,11 @@ test(last, Rows-Around == AtOnce-3) :-
                    rows(Rows) )),
     Around = Statistics.around,
     at_once(Now, AtOnce).
+%   An operand of which a vertex was moved, in its rows.
+
+test(edited, Rows-Around == AtOnce-1) :-
+    edited(true, Rows, Around),
+    edited(unglue(99), AtOnce, 0).
 test(random, Different-Enough == []-true) :-
     findall(What-N,
             ( between(1, 15, Seed),
@@ -164,9 +170,24 @@ test(random, Different-Enough == []-true) :-
 
 :- end_tests(glue_grown).
 
-operand_again(S, Term) :-
-    retractall_facts(segment(S, _, _)),
-    operand(S, Term).
+%   edited(Before, Rows, Around): of cubes, after a vertex was moved and
+%   call(Before).
+
+edited(Before, Rows, Around) :-
+    cubes(2, [], Terms),
+    numlist(1, 8, Ss),
+    in_new_world(( maplist(operand, Ss, Terms),
+                   glued_of(Ss),
+                   once(( v(5, V, X, Y, Z), X > 1, Y < 0, Z =:= 0 )),
+                   X1 is X+0.25,
+                   facts_transaction(( retractall_facts(v(5, V, _, _, _)),
+                                       assert_fact(v(5, V, X1, Y, Z)) )),
+                   call(Before),
+                   csg_statistics_reset,
+                   glued_of(Ss),
+                   csg_statistics(Statistics),
+                   canonical_rows(Rows) )),
+    Around = Statistics.around.
 
 %   steps(What, Steps, Around): add(S, Term), also of one that is there, or
 %   gone(S). At first the glue is of segments 1 and 2, far from all.
