@@ -75,31 +75,77 @@ compare_items(const void *a, const void *b)
   return (*x > *y) - (*x < *y);
 }
 
-/* A cell has the masks that its grid says, nearest first, none nearer there
- * than its order says. */
+/* The nearest corner of a mask, counted from a plane. */
+static double
+nearest_corner(const sg_mask_grid *masks, uint32_t m,
+               const sg_near_plane *plane)
+{
+  const sg_scene *scene = masks->scene;
+  double least = INFINITY;
+
+  for (int k = 0; k < 3; k++) {
+    const double *at = scene->at[scene->mask[m].v[k]];
+    sg_grid_shape shape = {1, {{at[0], at[1]}}};
+
+    sg_turn_shape(masks->way, &shape);
+    least = fmin(least, at[2] - sg_plane_depth(plane, shape.at[0]));
+  }
+  return least;
+}
+
+/* Whether a mask, if it is one, is among sorted ones. */
+static bool
+is_among(uint32_t m, const uint32_t *item, size_t n)
+{
+  return m == SG_NO_MASK ||
+         bsearch(&m, item, n, sizeof *item, compare_items) != NULL;
+}
+
+/* Nearest first, none nearer than its corners; what is behind the one that
+ * covers the cell comes last, in any order. */
+static bool
+depths_in_order(const sg_mask_grid *masks, const sg_mask_near *near)
+{
+  uint64_t last = near->front > 0 ? near->order[near->front - 1] >> 32 : 0;
+  bool good = near->front <= near->n &&
+              (near->cover != SG_NO_MASK || near->front == near->n);
+
+  for (size_t i = 0; good && i < near->n; i++) {
+    uint64_t depth = near->order[i] >> 32;
+    uint32_t m = (uint32_t)near->order[i];
+
+    good = m < masks->scene->masks &&
+           (i == 0 || i >= near->front || near->order[i - 1] >> 32 <= depth) &&
+           (i < near->front || depth >= last) &&
+           depth >= sg_depth_order(sg_float_below(
+                        nearest_corner(masks, m, &near->plane) - 1e-9));
+  }
+  return good;
+}
+
+/* A cell has the masks that its grid says. */
 static bool
 cell_in_order(const sg_mask_grid *masks, size_t cell)
 {
   const sg_grid *grid = &masks->grid;
   const uint32_t *item = grid->item + grid->start[cell];
   size_t n = grid->start[cell + 1] - grid->start[cell];
-  const sg_mask_order *order = sg_mask_grid_near(masks, cell);
+  const sg_mask_near *near = sg_mask_grid_near(masks, cell);
   uint32_t *found = calloc(n + 1, sizeof *found);
   uint32_t *wanted = calloc(n + 1, sizeof *wanted);
-  bool good = order != NULL;
+  bool good = near && near->n == n && depths_in_order(masks, near);
 
   for (size_t i = 0; good && i < n; i++) {
-    found[i] = (uint32_t)order[i];
+    found[i] = (uint32_t)near->order[i];
     wanted[i] = item[i];
-    good =
-        found[i] < masks->scene->masks &&
-        (i == 0 || order[i - 1] >> 32 <= order[i] >> 32) &&
-        order[i] >> 32 >=
-            sg_depth_order(sg_float_below(masks->scene->mask[found[i]].low[2]));
   }
   qsort(found, n, sizeof *found, compare_items);
   qsort(wanted, n, sizeof *wanted, compare_items);
-  good = good && memcmp(found, wanted, n * sizeof *found) == 0;
+  good = good && memcmp(found, wanted, n * sizeof *found) == 0 &&
+         is_among(near->cover, wanted, n);
+  for (int k = 0; good && k < SG_SEEN_PLACES; k++) {
+    good = is_among(near->seen[k], wanted, n);
+  }
   free(found);
   free(wanted);
   return good;
