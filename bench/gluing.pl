@@ -8,8 +8,8 @@
    bytes a cube. Then milliseconds for one cube more (asserted, and evaluated
    again), for one in the middle that goes, where others went before and the
    indexes are there, and one that moves to the outside; for undo of that, and
-   for unglue. The same cubes, and ten times as many, as a
-   soup of faces without operands, read from an OFF file: seconds for the
+   for unglue. The same cubes, and ten times as many, as a soup of faces without
+   operands, read from an OFF file by a process of its own: seconds for the
    regions with their rows and their report, their exponent, and microseconds
    for each of all answers about neighbours. Then the regions of a book of
    pages at one edge.
@@ -33,7 +33,7 @@ main :-
     current_prolog_flag(argv, Words),
     (   Words = [peak,N,What]
     ->  atom_number(N, Number),
-        peak_told(Number, What)
+        child_told(What, Number)
     ;   Words == []
     ->  told([5,10,22,46])
     ;   maplist(atom_number, Words, Sizes),
@@ -70,7 +70,7 @@ cubes_told(N, Before, Cubes-Glue) :-
 
 soup_told(N, Before, Cells-Seconds) :-
     Cells is N**3,
-    in_new_world(soup(N, Seconds, Faces, Each)),
+    child(N, soup, soup(Seconds,Faces,Each)),
     exponent(Before, Cells-Seconds, Exponent),
     table([Cells,Faces,Seconds,Exponent,Each]).
 
@@ -99,6 +99,11 @@ milliseconds(Goal, Milliseconds) :-
 %   the cubes, and glues them if What is `glue`.
 
 peak(N, What, Bytes) :-
+    child(N, What, Bytes).
+
+%   child(N, What, Answer): what a process of its own says.
+
+child(N, What, Answer) :-
     once(file_search_path(foreign, Build)),
     current_prolog_flag(executable, Swipl),
     source_file(main, Script),
@@ -106,8 +111,15 @@ peak(N, What, Bytes) :-
     setup_call_cleanup(
         process_create(Swipl, ['-p',Foreign,Script,'--',peak,N,What],
                        [stdout(pipe(Out))]),
-        read_term(Out, Bytes, []),
+        read_term(Out, Answer, []),
         close(Out)).
+
+child_told(soup, N) :-
+    !,
+    soup(N, Seconds, Faces, Each),
+    format("~q.~n", [soup(Seconds,Faces,Each)]).
+child_told(What, N) :-
+    peak_told(N, What).
 
 peak_told(N, What) :-
     cubes_made(N, [], S),
