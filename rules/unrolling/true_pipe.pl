@@ -8,6 +8,10 @@
             pipe_centers/2              % +Pipe, -Centers
           ]).
 :- use_module('../near', [is_exactly/2]).
+:- use_module(true_quadratic,
+              [ on_circle/3, coordinate/3, quadratic/5, discriminant/5,
+                signed_form/3, slope_sign/3, value_sign/3
+              ]).
 :- use_module('../vector',
               [cross_product/3, difference/3, dot_product/3]).
 :- use_module(library(apply), [foldl/4, maplist/3, maplist/4]).
@@ -92,68 +96,28 @@ divided_dot(Volume, Row, Vector, Q) :-
 
 
                 /*******************************
-                *          GENERATORS          *
+                *           EXTREMES           *
                 *******************************/
-
-%   on_circle(T, Cos, Sin): rational, and on the circle.
-
-on_circle(T, Cos, Sin) :-
-    Half is rational(tan(T*pi/360.0)),
-    Square is Half*Half,
-    Cos is rdiv(1 - Square, 1 + Square),
-    Sin is rdiv(2*Half, 1 + Square).
-
-%   coordinate(T, Row, c(X0, X1, D0, D1)): X0 + X1*H along the generator, and
-%   how these grow with T in radians.
-
-coordinate(Cos-Sin, row(A0, A1, A2, A3, F), c(X0, X1, D0, D1)) :-
-    Across is A1*Cos + A2*Sin,
-    X0 is A0 + Across,
-    X1 is A3 + F*Across,
-    D0 is A2*Cos - A1*Sin,
-    D1 is F*D0.
-
-%   quadratic(Rows, Quadric, T, abc(A, B, C), abc(DA, DB, DC)): exact, and how
-%   they grow with T.
-
-quadratic(Rows, quadric(S, N0, N1, Const), T, abc(A, B, C), abc(DA, DB, DC)) :-
-    on_circle(T, Cos, Sin),
-    maplist(coordinate(Cos-Sin), Rows,
-            [c(X0, X1, XD0, XD1), c(Y0, Y1, YD0, YD1), c(Z0, Z1, ZD0, ZD1)]),
-    M0 is N0 + N1*Z0,
-    M1 is N1*Z1,
-    MD0 is N1*ZD0,
-    MD1 is N1*ZD1,
-    A is X1*X1 + Y1*Y1 + S*M1*M1,
-    B is X0*X1 + Y0*Y1 + S*M0*M1,
-    C is X0*X0 + Y0*Y0 + S*M0*M0 - Const,
-    DA is 2*(X1*XD1 + Y1*YD1 + S*M1*MD1),
-    DB is XD0*X1 + X0*XD1 + YD0*Y1 + Y0*YD1 + S*(MD0*M1 + M0*MD1),
-    DC is 2*(X0*XD0 + Y0*YD0 + S*M0*MD0).
-
-discriminant(Rows, Quadric, T, D, Slope) :-
-    quadratic(Rows, Quadric, T, abc(A, B, C), abc(DA, DB, DC)),
-    D is B*B - A*C,
-    Slope is 2*B*DB - DA*C - A*DC.
 
 %   extremes(Rows, Quadric, Caps, Extremes): one in a degree at the most.
 
 extremes(Rows, Quadric, Caps, Extremes) :-
-    findall(Slope,
-            ( between(0, 360, T), discriminant(Rows, Quadric, T, _, Slope) ),
-            Slopes),
-    extremes_(Slopes, 0, Rows-Quadric, Caps, Extremes).
+    signed_form(Rows, Quadric, Form),
+    findall(Sign,
+            ( between(0, 360, T), slope_sign(Form, T, Sign) ),
+            Signs),
+    extremes_(Signs, 0, Form, Caps, Extremes).
 
-extremes_([S1,S2|Slopes], T1, Form, Caps, Extremes) :-
+extremes_([S1,S2|Signs], T1, Form, Caps, Extremes) :-
     !,
     T2 is T1+1,
     (   between_signs(S1, S2)
-    ->  bisected(slope(Form), T1, S1, T2, 52, T),
+    ->  bisected(slope_sign(Form), T1, S1, T2, 52, T),
         extreme(Form, Caps, T, Extreme),
         Extremes = [Extreme|Extremes1]
     ;   Extremes = Extremes1
     ),
-    extremes_([S2|Slopes], T2, Form, Caps, Extremes1).
+    extremes_([S2|Signs], T2, Form, Caps, Extremes1).
 extremes_([_], _, _, _, []).
 
 between_signs(V1, V2) :-
@@ -163,13 +127,10 @@ between_signs(V1, V2) :-
         V1*V2 < 0
     ).
 
-slope(Rows-Quadric, T, Slope) :-
-    discriminant(Rows, Quadric, T, _, Slope).
-
 %   extreme(Form, Caps, T, Extreme): where the line does not cross the surface,
 %   Off is how far, the radius of that 1 or so.
 
-extreme(Rows-Quadric, Caps, T, extreme(T, D, Foot, Near)) :-
+extreme(form(Rows, Quadric, _), Caps, T, extreme(T, D, Foot, Near)) :-
     quadratic(Rows, Quadric, T, abc(A, B, C), _),
     D is B*B - A*C,
     (   A > 0
@@ -360,7 +321,8 @@ bend_size(pipe(Rows, Quadric, _, _), T, D, Degrees) :-
     Step = 0.0078125,
     T1 is T-Step,
     T2 is T+Step,
-    maplist(slope(Rows-Quadric), [T1,T2], [S1,S2]),
+    discriminant(Rows, Quadric, T1, _, S1),
+    discriminant(Rows, Quadric, T2, _, S2),
     Bend is float(S2-S1)/(2.0*Step*pi/180.0),
     Bend > 0.0,
     Degrees is sqrt(2.0*float(D)/Bend)*180.0/pi.
@@ -376,10 +338,9 @@ pipe_tip(pipe(Rows, Quadric, _, Extremes), T) :-
     Near1 \== touch,
     Near2 \== touch,
     D1*D2 < 0,
-    bisected(value(Rows-Quadric), T1, D1, T2, 60, T).
-
-value(Rows-Quadric, T, D) :-
-    discriminant(Rows, Quadric, T, D, _).
+    signed_form(Rows, Quadric, Form),
+    Sign is sign(D1),
+    bisected(value_sign(Form), T1, Sign, T2, 60, T).
 
 
                 /*******************************
