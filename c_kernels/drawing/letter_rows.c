@@ -1,4 +1,4 @@
-/* letter_rows.c -- letter_lines/5 and laid_lines/6. */
+/* letter_rows.c -- letter_lines/5 and laid_letters/8. */
 #include "doors/drawing.h"
 
 #include <math.h>
@@ -92,25 +92,19 @@ laid_point(const sg_sheet_point *p, const sg_paper_point *at,
 }
 
 bool
-sg_door_laid_lines(sg_call *call, const sg_list_sheet_point_list *lines,
-                   const sg_paper_point *at, const sg_paper_point *way,
-                   const sg_sheet_move *move, double height,
-                   sg_list_sheet_point_list *out)
+sg_door_laid_letters(sg_call *call, const sg_pen_glyph_list *glyphs,
+                     double start, double scale, const sg_paper_point *at,
+                     const sg_paper_point *way, const sg_sheet_move *move,
+                     double height, sg_list_sheet_point_list *out)
 {
-  sg_sheet_point_list *line = sg_call_alloc(call, lines->n * sizeof *line);
-
-  for (size_t i = 0; line && i < lines->n; i++) {
-    size_t n = lines->at[i].n;
-    sg_sheet_point *to = sg_call_alloc(call, n * sizeof *to);
-
-    if (!to) {
-      return false;
-    }
-    for (size_t k = 0; k < n; k++) {
-      to[k] = laid_point(&lines->at[i].at[k], at, way, move, height);
-    }
-    line[i] = (sg_sheet_point_list){to, n, n};
+  if (!sg_door_letter_lines(call, glyphs, start, 0, scale, out)) {
+    return false;
   }
-  *out = (sg_list_sheet_point_list){line, lines->n, lines->n};
-  return line != NULL;
+  for (size_t i = 0; i < out->n; i++) {
+    for (size_t k = 0; k < out->at[i].n; k++) {
+      sg_sheet_point *p = &out->at[i].at[k];
+      *p = laid_point(p, at, way, move, height);
+    }
+  }
+  return true;
 }

@@ -300,14 +300,18 @@ write_line(Out, Look, Line, state(Group0,Ids0), state(Group,Ids)) :-
     ->  true
     ;   emit(Out, group(Prefix, Group0, Group))
     ),
-    emit(Out, line_head(Line, Look, N, Pointss, Before)),
-    foldl(write_points(Out), Pointss, Before, _),
-    format(Out, '"/>~n', []).
+    line_head(Line, Look, N, Pointss, Before, Head, []),
+    (   Pointss = [Points]              % mostly: at once is faster
+    ->  points_text(Points, Text),
+        format(Out, '~s~w~w"/>~n', [Head,Before,Text])
+    ;   format(Out, '~s', [Head]),
+        foldl(write_points(Out), Pointss, Before, _),
+        format(Out, '"/>~n', [])
+    ).
 
 write_points(Out, Points, Before, 'M') :-
     points_text(Points, Text),
-    write(Out, Before),
-    write(Out, Text).
+    format(Out, '~w~w', [Before,Text]).
 
 new_id(S, E, Ids0, Ids, N) :-
     (   Ids0 == ids

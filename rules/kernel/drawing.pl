@@ -198,14 +198,14 @@ Foreign predicates; see kernel.pl.
 %   them, each At to the right of Start, y DOWN from Base, Scale times as large.
 %   A curve becomes four straight pieces.
 
-%!  laid_lines(+Lines0:list(list(sheet_point)), +At:paper_point,
-%!             +Way:paper_point, +Move:sheet_move, +Height:number,
-%!             -Lines:list(list(sheet_point))) is det.
+%!  laid_letters(+Glyphs:list(pen_glyph), +Start:number, +Scale:number,
+%!               +At:paper_point, +Way:paper_point, +Move:sheet_move,
+%!               +Height:number, -Lines:list(list(sheet_point))) is det.
 %
-%   Lines are Lines0, thousandths, from At and to the right along Way, a unit
-%   vector, both in millimetres, y up; then turned, and moved by X + Left, Y +
-%   Bottom: Move is move(Cos, Sin, X, Y, Left, Bottom). Lines are on a sheet of
-%   Height mm, thousandths, y down.
+%   Lines are those of letter_lines/5 with Base 0, thousandths, from At and to
+%   the right along Way, a unit vector, both in millimetres, y up; then turned,
+%   and moved by X + Left, Y + Bottom: Move is move(Cos, Sin, X, Y, Left,
+%   Bottom). Lines are on a sheet of Height mm, thousandths, y down.
 
 /* - - - drawn_stroke_rows.c - - - */
 

@@ -6,9 +6,7 @@
           ]).
 :- use_module('../near', [less_part/2]).
 :- use_module(library(apply), [exclude/3, foldl/4, maplist/3]).
-:- use_module(library(assoc),
-              [ del_assoc/4, get_assoc/3, list_to_assoc/2, min_assoc/3,
-                put_assoc/4 ]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- use_module(library(lists), [append/3, member/2, select/3]).
 :- use_module(library(pairs), [group_pairs_by_key/2, pairs_values/2]).
 /** <module> Where a piece is cut out: its outline in closed loops.
@@ -70,8 +68,14 @@ walked_sides(Sides, Loops) :-
 walked_pairs(Pairs0, Loops) :-
     keysort(Pairs0, Pairs),
     group_pairs_by_key(Pairs, Groups),
-    list_to_assoc(Groups, Leaving),
-    walked_loops(Leaving, Loops).
+    maplist(leaving, Groups, Corners),
+    list_to_assoc(Corners, Leaving),
+    walked_loops(Corners, Leaving, Loops).
+
+%   leaving(W-Sides, W-Left): Left is left(Sides), those that leave corner W and
+%   are in no loop yet; taken/2 changes it.
+
+leaving(W-Sides, W-left(Sides)).
 
 %   fold_steps(Sides, Steps): W-Side for each end of a fold that its two sides
 %   have in two places.
@@ -102,37 +106,38 @@ steps_alone(Steps, Loop) :-
 is_cut(border).
 is_cut(seam(_,_,_)).
 
-walked_loops(Leaving0, Loops) :-
-    (   min_assoc(Leaving0, W, [First|_])
-    ->  taken(W, First, Leaving0, Leaving1),
-        walked(First, W, Leaving1, Leaving, Rest),
+%   walked_loops(Corners, Leaving, Loops): each begins at the first of Corners
+%   that has a side left.
+
+walked_loops([], _, []).
+walked_loops([W-Left|Corners], Leaving, Loops) :-
+    (   Left = left([First|_])
+    ->  taken(Left, First),
+        walked(First, W, Leaving, Rest),
         Loops = [[First|Rest]|Loops1],
-        walked_loops(Leaving, Loops1)
-    ;   Loops = []
+        walked_loops([W-Left|Corners], Leaving, Loops1)
+    ;   walked_loops(Corners, Leaving, Loops)
     ).
 
-taken(W, Side, Leaving0, Leaving) :-
-    get_assoc(W, Leaving0, Sides),
-    once(select(Side, Sides, Left)),
-    (   Left == []
-    ->  del_assoc(W, Leaving0, _, Leaving)
-    ;   put_assoc(W, Leaving0, Left, Leaving)
-    ).
+taken(Left, Side) :-
+    Left = left(Sides0),
+    once(select(Side, Sides0, Sides)),
+    setarg(1, Left, Sides).
 
-%   walked(Side, Start, Leaving0, Leaving, Loop): on from the end of Side until
-%   Start, or until no side goes on.
+%   walked(Side, Start, Leaving, Loop): on from the end of Side until Start, or
+%   until no side goes on.
 
-walked(side(_,_,_,Start-_,_), Start, Leaving, Leaving, []) :-
+walked(side(_,_,_,Start-_,_), Start, _, []) :-
     !.
-walked(Side, Start, Leaving0, Leaving, Loop) :-
+walked(Side, Start, Leaving, Loop) :-
     Side = side(_, _, _, W-_, _),
-    (   get_assoc(W, Leaving0, Sides)
-    ->  next_side(Sides, Side, Next),
-        taken(W, Next, Leaving0, Leaving1),
+    (   get_assoc(W, Leaving, Left),
+        Left = left([One|Sides])
+    ->  next_side([One|Sides], Side, Next),
+        taken(Left, Next),
         Loop = [Next|Loop1],
-        walked(Next, Start, Leaving1, Leaving, Loop1)
-    ;   Leaving = Leaving0,
-        Loop = []
+        walked(Next, Start, Leaving, Loop1)
+    ;   Loop = []
     ).
 
 %   Where the piece is connected by a point alone several sides go on from

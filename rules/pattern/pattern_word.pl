@@ -4,8 +4,8 @@
             word_text/6                 % +Height, +Role, +S, +Word, +Strokes,
                                         % -Text
           ]).
-:- use_module('../kernel', [laid_lines/6]).
-:- use_module('../sheet/lettering', [lettering/2]).
+:- use_module('../kernel', [laid_letters/8]).
+:- use_module('../sheet/lettering', [text_glyphs/4]).
 /** <module> Words on the sheets of a pattern.
 
     word(At, Way, High, Anchor, String)
@@ -23,15 +23,15 @@ takes word_text/6 of them instead.
 %
 %   Lines are the letters of Word on a sheet of Height mm: lists of points, in
 %   thousandths of a millimetre, y down. They are moved by Move, of
-%   laid_lines/6.
+%   laid_letters/8.
 
 word_lines(Height, Word, Lines) :-
     word_lines(Height, move(1, 0, 0, 0, 0, 0), Word, Lines).
 
 word_lines(Height, Move, word(At,Way,High0,Anchor,String), Lines) :-
     High is round(High0*1000),
-    lettering(text(0,0,High,Anchor,String), Lines0),
-    laid_lines(Lines0, At, Way, Move, Height, Lines).
+    text_glyphs(text(0,0,High,Anchor,String), Glyphs, Start, Scale),
+    laid_letters(Glyphs, Start, Scale, At, Way, Move, Height, Lines).
 
 %!  word_text(+Height, +Role, +S, +Word, +Strokes, -Text) is det.
 %

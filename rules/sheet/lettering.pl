@@ -1,5 +1,6 @@
 :- module(sg_lettering,
           [ lettering/2,                % +Text, -Lines
+            text_glyphs/4,              % +Text, -Glyphs, -Start, -Scale
             lettering_width/3,          % +String, +Height, -Width
             lettering_reach/3           % +String, -Width, -Drop
           ]).
@@ -22,11 +23,19 @@ character that is not known is drawn as a box.
 %   Lines are the letters of Text, text(X,Y,Height,Anchor,String), see
 %   sheet.pl: lists of points, X-Y, integers in its unit, y DOWN.
 
-lettering(text(X,Y,Height,Anchor,String), Lines) :-
+lettering(Text, Lines) :-
+    Text = text(_, Y, _, _, _),
+    text_glyphs(Text, Glyphs, Start, Scale),
+    letter_lines(Glyphs, Start, Y, Scale, Lines).
+
+%!  text_glyphs(+Text, -Glyphs, -Start, -Scale) is det.
+%
+%   Glyphs, Start and Scale are those of letter_lines/5 for Text.
+
+text_glyphs(text(X,_,Height,Anchor,String), Glyphs, Start, Scale) :-
     Scale is Height/6,
     placed(String, Glyphs, Width),
-    start(Anchor, X, Width*Scale, Start),
-    letter_lines(Glyphs, Start, Y, Scale, Lines).
+    start(Anchor, X, Width*Scale, Start).
 
 start(start, X, _, X).
 start(middle, X, Width, Start) :-

@@ -42,17 +42,25 @@ letters(void)
 static void
 laid(void)
 {
-  sg_sheet_point point[2] = {{0, 0}, {1000, -500}};
-  sg_sheet_point_list line = {point, 2, 0};
-  const sg_list_sheet_point_list lines = {&line, 1, 0};
+  sg_pen_point stroke[2] = {corner(0, 0), corner(1, 0.5)};
+  sg_pen_point_list strokes = {stroke, 2, 0};
+  sg_pen_glyph glyph = {0, {&strokes, 1, 0}};
+  const sg_pen_glyph_list glyphs = {&glyph, 1, 0};
   const sg_sheet_move move = {0, 1, 3, 4, 10, 20};
   sg_list_sheet_point_list out = {0};
 
-  CHECK("laid", sg_door_laid_lines(&call, &lines, &(sg_paper_point){1, 2},
-                                   &(sg_paper_point){0, 1}, &move, 100, &out) &&
-                    out.n == 1 && out.at[0].n == 2);
+  CHECK("laid",
+        sg_door_laid_letters(&call, &glyphs, 0, 1000, &(sg_paper_point){1, 2},
+                             &(sg_paper_point){0, 1}, &move, 100, &out) &&
+            out.n == 1 && out.at[0].n == 2);
   CHECK("its place", is_at(&out.at[0], 0, 11000, 75000));
   CHECK("along, and beside it", is_at(&out.at[0], 1, 10000, 75500));
+  strokes.n = 1;
+  stroke[0].is = SG_PEN_POINT_C;
+  CHECK("a curve that begins nowhere",
+        !sg_door_laid_letters(&call, &glyphs, 0, 1000, &(sg_paper_point){1, 2},
+                              &(sg_paper_point){0, 1}, &move, 100, &out) &&
+            is_domain("stroke", 1));
 }
 
 int
