@@ -3,7 +3,7 @@
           [ unfold_report/2,            % +Ds, +Options
             pattern_measures/3          % +Parts, +D, -Measures
           ]).
-:- use_module('../csg/placed_surface', [kept_answer/4]).
+:- use_module('../csg/placed_surface', [asked_once/1, kept_answer/4]).
 :- use_module('../decision', [decision_is_default/1]).
 :- use_module('../development/development_record', [development_measures/2]).
 :- use_module('../kernel', [census/1]).
@@ -35,7 +35,7 @@
 
 unfold_report(Ds, Options) :-
     census(Parts),
-    maplist(pattern_measures(Parts), Ds, All0),
+    asked_once(maplist(pattern_measures(Parts), Ds, All0)),
     maplist(measured_if_bent(Options), All0, All1),
     maplist(with_yield(Options), All1, All),
     (   option(json(true), Options)

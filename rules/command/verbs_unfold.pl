@@ -72,7 +72,10 @@ unfold_run(Files, Options, 0) :-
     options_together(Options),
     empty_roots_warned,
     roots_apart(Options),
-    asked_once(patterns_reported(Files, Options, Flags, All, Ds, Options0)),
+    asked_once(unfolded(Files, Options, Flags, All, Outputs)).
+
+unfolded(Files, Options, Flags, All, Outputs) :-
+    patterns_reported(Files, Options, Flags, All, Ds, Options0),
     summary_sent_told(All, [svg,pdf,eps,ps,png,dxf,hpgl,fold,pl,obj,off]),
     laid_flat_told(Options0, Ds),
     no_bends_told(Options0, Ds),

@@ -42,6 +42,7 @@ found for a whole segment at the first question, and kept as relations.
     polygon_/4,                         % as placed_polygon/4
     facet_/3,                           % as facet_surface/3
     drawn_/4,                           % as drawn_polygon/4
+    from_/2,                            % as goes_on/1: S, true or false
     answer_/5.                          % S, Find, Hash, Key, Answer
 
 %!  asked_once(:Goal) is semidet.
@@ -64,6 +65,7 @@ forgotten :-
     retractall(polygon_(_, _, _, _)),
     retractall(facet_(_, _, _)),
     retractall(drawn_(_, _, _, _)),
+    retractall(from_(_, _)),
     retractall(answer_(_, _, _, _, _)).
 
 %   kept(Relation, S): Relation is filled for segment S. A segment that was
@@ -99,6 +101,12 @@ fill(drawn, S) :-
     findall(drawn_(S, P, Drawn, P0), found_drawn(S, P, Drawn, P0), All0),
     sort(2, @=<, All0, All),
     forall(member(Fact, All), assertz(Fact)).
+fill(from, S) :-
+    retractall(from_(S, _)),
+    (   found_goes_on(S)
+    ->  assertz(from_(S, true))
+    ;   assertz(from_(S, false))
+    ).
 fill(answer(Find), S) :-
     retractall(answer_(S, Find, _, _, _)),
     forall(call(Find, S, Key, Answer),
@@ -236,7 +244,16 @@ found_polygon(S, P, Leaf, P0) :-
         P0 = P1
     ).
 
+%   goes_on(S): the polygons of S come from those of other segments that are to
+%   be asked.
+
 goes_on(S) :-
+    (   kept(from, S)
+    ->  from_(S, true)
+    ;   found_goes_on(S)
+    ).
+
+found_goes_on(S) :-
     once(from_p(S, _, _, _, _)),        % first: most have none
     \+ copy(S, _, _),
     (   is_helper(S)
