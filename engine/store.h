@@ -334,6 +334,16 @@ bool sg_index_ready(const sg_version *version, sg_relation relation,
                     uint16_t mask, const sg_cancel *cancel);
 bool sg_walk_open(sg_walk *walk, const sg_version *version,
                   sg_relation relation, uint16_t mask, const sg_value *row);
+/* As sg_walk_open(); SG_WALK_WAITS: nothing is open, sg_index_ready() comes
+ * first. */
+typedef enum sg_walk_opening {
+  SG_WALK_OPEN,
+  SG_WALK_WAITS,
+  SG_WALK_NO_MEMORY
+} sg_walk_opening;
+sg_walk_opening sg_walk_try(sg_walk *walk, const sg_version *version,
+                            sg_relation relation, uint16_t mask,
+                            const sg_value *row);
 bool sg_walk_open_member(sg_walk *walk, const sg_version *version,
                          sg_relation relation, int32_t s, int32_t member);
 /* True if there is a row that such a walk finds, or no memory to look. */

@@ -31,7 +31,8 @@ typedef struct asking {
   uint16_t open; /* columns to unify with their arguments */
   sg_row next;   /* the next answer, SG_NO_ROW: none */
   sg_walk walk;
-  void *owned[SG_MAX_COLUMNS]; /* lists and terms in walk.row, to free */
+  uint16_t owns; /* columns of which walk.row has a list or term to free */
+  void *owned[SG_MAX_COLUMNS];
 } asking;
 
 static asking
@@ -43,9 +44,8 @@ asking_of(sg_relation relation)
   a.relation = relation;
   a.retracts = a.numbers = a.strict = a.plain = false;
   a.first = 0;
-  a.open = 0;
+  a.open = a.owns = 0;
   a.next = SG_NO_ROW;
-  memset(a.owned, 0, sizeof(a.owned));
   return a;
 }
 
@@ -54,8 +54,8 @@ asking_close(asking *a)
 {
   sg_walk_close(&a->walk);
   sg_version_drop(a->version);
-  for (unsigned c = 0; c < SG_MAX_COLUMNS; c++) {
-    free(a->owned[c]);
+  for (unsigned left = a->owns; left; left &= left - 1) {
+    free(a->owned[__builtin_ctz(left)]);
   }
 }
 
@@ -74,8 +74,13 @@ asking_open(asking *a, term_t args)
     return FALSE;
   }
   for (unsigned c = 0; c < info->arity && bound != SG_NOWHERE; c++) {
-    bound =
-        sg_bound_value(args + c, info->column[c].type, &row[c], &a->owned[c]);
+    void *owned = NULL;
+
+    bound = sg_bound_value(args + c, info->column[c].type, &row[c], &owned);
+    if (owned) {
+      a->owned[c] = owned;
+      a->owns |= (uint16_t)(1U << c);
+    }
     if (bound == SG_BOUND) {
       mask |= (uint16_t)(1U << c);
     } else {
@@ -85,19 +90,34 @@ asking_open(asking *a, term_t args)
   }
   if (bound != SG_NOWHERE) {
     a->version = sg_world_version(world);
-    bool ready = mask == 0 || sg_index_ready(a->version, a->relation, mask,
-                                             &sg_prolog_cancel);
-
-    if (ready && sg_walk_open(&a->walk, a->version, a->relation, mask, row)) {
+    switch (sg_walk_try(&a->walk, a->version, a->relation, mask, row)) {
+    case SG_WALK_OPEN:
       return TRUE;
-    }
-    if (ready) { /* if not, an exception is pending */
+    case SG_WALK_WAITS:
+      if (!sg_index_ready(a->version, a->relation, mask, &sg_prolog_cancel)) {
+        break; /* an exception is pending */
+      }
+      if (sg_walk_open(&a->walk, a->version, a->relation, mask, row)) {
+        return TRUE;
+      }
+      PL_resource_error("memory");
+      break;
+    case SG_WALK_NO_MEMORY:
       PL_resource_error("memory");
     }
   }
   a->walk.rows = NULL;
   asking_close(a);
   return FALSE;
+}
+
+/* As sg_unify_value(); most columns are numbers. */
+static inline int
+unify_cell(term_t t, sg_type type, sg_value value)
+{
+  return type == SG_INT     ? PL_unify_integer(t, value.i)
+         : type == SG_FLOAT ? PL_unify_float(t, value.f)
+                            : sg_unify_value(t, type, value);
 }
 
 /* Unifies the open arguments with a row. *shared, where asked for, becomes
@@ -115,7 +135,7 @@ unify_row(const asking *a, term_t args, sg_row row, bool *shared)
     if (shared && !PL_is_variable(arg)) {
       *shared = true;
     }
-    if (!sg_unify_value(arg, info->column[c].type, value[c])) {
+    if (!unify_cell(arg, info->column[c].type, value[c])) {
       return FALSE;
     }
   }

@@ -359,16 +359,6 @@ sg_table_find(sg_table *table, const sg_map *map, const sg_value *row)
   return SG_NO_ROW;
 }
 
-void
-sg_page_row(const sg_page *page, const sg_relation_info *info, uint16_t mask,
-            unsigned place, sg_value *out)
-{
-  for (unsigned m = mask; m; m &= m - 1) {
-    unsigned c = (unsigned)__builtin_ctz(m);
-    out[c] = sg_page_value(page, info, c, place);
-  }
-}
-
 static bool
 value_equal(sg_type type, sg_value a, sg_value b)
 {

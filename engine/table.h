@@ -163,8 +163,16 @@ void sg_page_extend(sg_page *page, const int32_t *s, size_t n);
 /* After rows were vacated: as the others have it. */
 void sg_page_find_span(sg_page *page);
 
-void sg_page_row(const sg_page *page, const sg_relation_info *info,
-                 uint16_t mask, unsigned place, sg_value *out);
+static inline void
+sg_page_row(const sg_page *page, const sg_relation_info *info, uint16_t mask,
+            unsigned place, sg_value *out)
+{
+  for (unsigned m = mask; m; m &= m - 1) {
+    unsigned c = (unsigned)__builtin_ctz(m);
+    out[c] = sg_page_value(page, info, c, place);
+  }
+}
+
 /* The row at this place is equal to `row` in the columns of the mask. */
 bool sg_page_match(const sg_page *page, const sg_relation_info *info,
                    uint16_t mask, unsigned place, const sg_value *row);

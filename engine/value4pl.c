@@ -70,10 +70,12 @@ bound_term(term_t t, const uint32_t **out, void **owned)
 static sg_bound
 bound_float(term_t t, double *out)
 {
-  if (PL_is_variable(t)) {
+  int type = PL_term_type(t);
+
+  if (type == PL_VARIABLE) {
     return SG_OPEN;
   }
-  if (!PL_is_float(t) || !PL_get_float(t, out) ||
+  if (type != PL_FLOAT || !PL_get_float(t, out) ||
       (*out == 0 && signbit(*out))) {
     return SG_NOWHERE; /* no stored float is -0.0 */
   }
@@ -83,12 +85,12 @@ bound_float(term_t t, double *out)
 static sg_bound
 bound_int(term_t t, int32_t *out)
 {
-  int i;
+  int type = PL_term_type(t), i;
 
-  if (PL_is_variable(t)) {
+  if (type == PL_VARIABLE) {
     return SG_OPEN;
   }
-  if (!PL_is_integer(t) || !PL_get_integer(t, &i)) {
+  if (type != PL_INTEGER || !PL_get_integer(t, &i)) {
     return SG_NOWHERE;
   }
   *out = i;

@@ -346,14 +346,24 @@ has_never(const sg_walk *walk)
          (!map || !sg_ids_find(map->ids, walk->row[0].i));
 }
 
-bool
-sg_walk_open(sg_walk *walk, const sg_version *version, sg_relation relation,
-             uint16_t mask, const sg_value *row)
+/* An index of so many rows waits that it is to be made in steps. */
+static bool
+is_far_behind(const sg_walk *walk, const sg_index *index, const sg_table *table)
+{
+  const sg_map *map = walk->version->map[walk->relation];
+
+  return map && map->rows >= SOME_ROWS && !sg_index_is_whole(index, table) &&
+         sg_index_pays(index, table);
+}
+
+static sg_walk_opening
+open_walk(sg_walk *walk, const sg_version *version, sg_relation relation,
+          uint16_t mask, const sg_value *row, bool at_once)
 {
   sg_world *world = version->world;
   sg_table *table = &world->table[relation];
   sg_index *index = best_index(table, mask);
-  bool done = true;
+  sg_walk_opening how = SG_WALK_OPEN;
 
   walk_init(walk, version, relation, mask);
   for (unsigned m = mask; m; m &= m - 1) {
@@ -362,30 +372,48 @@ sg_walk_open(sg_walk *walk, const sg_version *version, sg_relation relation,
   }
   if (has_never(walk)) {
     walk->gathered = true;
-    return true;
+    return how;
   }
   if (!index) {
     walk->live = sg_map_live(version->map[relation], 0);
     atomic_fetch_add_explicit(&table->scans, 1, memory_order_relaxed);
-    return true;
+    return how;
   }
   pthread_mutex_lock(&world->lock);
   if (gather_run(walk, table, index)) {
     table->lookups++;
+  } else if (!at_once && is_far_behind(walk, index, table)) {
+    how = SG_WALK_WAITS;
   } else if (sg_index_pays(index, table) && sg_index_build(index, table)) {
     table->lookups++;
     walk->gathered = true;
-    done = gather(walk, index, sg_index_hash(walk->info, index->mask, row));
+    if (!gather(walk, index, sg_index_hash(walk->info, index->mask, row))) {
+      how = SG_WALK_NO_MEMORY;
+    }
   } else {
     index->searches++;
     atomic_fetch_add_explicit(&table->scans, 1, memory_order_relaxed);
     walk->live = sg_map_live(version->map[relation], 0);
   }
   pthread_mutex_unlock(&world->lock);
-  if (!done) {
+  if (how == SG_WALK_NO_MEMORY) {
     sg_walk_close(walk);
   }
-  return done;
+  return how;
+}
+
+sg_walk_opening
+sg_walk_try(sg_walk *walk, const sg_version *version, sg_relation relation,
+            uint16_t mask, const sg_value *row)
+{
+  return open_walk(walk, version, relation, mask, row, false);
+}
+
+bool
+sg_walk_open(sg_walk *walk, const sg_version *version, sg_relation relation,
+             uint16_t mask, const sg_value *row)
+{
+  return open_walk(walk, version, relation, mask, row, true) == SG_WALK_OPEN;
 }
 
 bool
@@ -451,8 +479,8 @@ scan_next(sg_walk *walk)
     }
     for (place = sg_live_next(walk->live->word, place); place < SG_PAGE_ROWS;
          place = sg_live_next(walk->live->word, place + 1)) {
-      if (sg_page_match(walk->live->page, walk->info, walk->mask, place,
-                        walk->row)) {
+      if (!walk->mask || sg_page_match(walk->live->page, walk->info, walk->mask,
+                                       place, walk->row)) {
         sg_row row = (sg_row)(page * SG_PAGE_ROWS) + place;
         walk->at = row + 1;
         if (place == SG_PAGE_ROWS - 1) {
