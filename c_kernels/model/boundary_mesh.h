@@ -47,8 +47,8 @@ typedef struct sg_boundary_mesh {
 /* A face that is one loop, passing each of its vertices once, stays a polygon
  * unless form says otherwise; others become triangles, chosen by geometry
  * alone. Faces on each other, back to back, cancel. Where a vertex of a face
- * that is divided lies on one of its edges, this edge is divided in the
- * boundary, in all its faces. Returns: DONE, NO_MEMORY or STOPPED. Owner:
+ * that is divided lies on one of its edges, this edge is divided in all its
+ * faces. Clears the boundary. Returns: DONE, NO_MEMORY or STOPPED. Owner:
  * sg_boundary_mesh_clear() in any case. */
 sg_boundary_end sg_boundary_mesh_make(sg_boundary *boundary,
                                       const sg_form *form,

@@ -157,14 +157,40 @@ make_again(const manner *how, const sg_cancel *cancel, sg_boundary_mesh *mesh)
   return end;
 }
 
+/* What boundaries are made from. */
+typedef struct rows_read {
+  sg_dense dense;
+  unsigned char *made;
+  double (*normal)[3];
+} rows_read;
+
+static void
+rows_read_clear(rows_read *rows)
+{
+  sg_dense_clear(&rows->dense);
+  free(rows->made);
+  free(rows->normal);
+  *rows = (rows_read){0};
+}
+
+/* The rows are cleared once the last part has a boundary. */
 static sg_boundary_end
-make_part(const sg_boundary_source *source, const manner *how,
+make_part(rows_read *rows, uint32_t s, const manner *how,
           const sg_cancel *cancel, sg_boundary_mesh *out)
 {
+  const sg_boundary_source source = {
+      .dense = &rows->dense,
+      .s = s,
+      .made = rows->made,
+      .normal = (const double(*)[3])rows->normal,
+      .divided = how->keep_turned};
   sg_boundary boundary;
   sg_boundary_end end =
-      sg_boundary_make(source, &how->rounding, cancel, &boundary);
+      sg_boundary_make(&source, &how->rounding, cancel, &boundary);
 
+  if (s + 1 == rows->dense.segments) {
+    rows_read_clear(rows);
+  }
   if (end == SG_BOUNDARY_DONE) {
     end = sg_boundary_drop_flat(&boundary, !how->keep_turned)
               ? sg_boundary_mesh_make(&boundary, &how->form, cancel, out)
@@ -195,30 +221,26 @@ give(sg_boundaries *b, bool done, sg_boundaries **out)
 }
 
 static bool
-open_parts(sg_call *call, const sg_dense *d, const sg_id_pair_list *list,
+open_parts(sg_call *call, rows_read *rows, const sg_id_pair_list *list,
            const manner *how, sg_boundaries **out)
 {
-  unsigned char *made = calloc(d->vertices + 1, 1);
-  double(*normal)[3] = calloc(d->polygons + 1, sizeof *normal);
-  sg_boundary_source source = {.dense = d,
-                               .made = made,
-                               .normal = (const double(*)[3])normal,
-                               .divided = how->keep_turned};
-  sg_boundaries *b =
-      make_boundaries(call, d->segments, how->form, how->rounding.single);
-  bool done = b && made && normal && read_normals(call, d, normal);
+  const sg_dense *d = &rows->dense;
+  uint32_t n = (uint32_t)d->segments;
+
+  rows->made = calloc(d->vertices + 1, 1);
+  rows->normal = calloc(d->polygons + 1, sizeof *rows->normal);
+  sg_boundaries *b = make_boundaries(call, n, how->form, how->rounding.single);
+  bool done = b && rows->made && rows->normal &&
+              read_normals(call, d, rows->normal);
 
   if (done) {
-    mark_made(d, list, made);
+    mark_made(d, list, rows->made);
   } else if (b) {
     sg_call_ended(call);
   }
-  for (source.s = 0; done && source.s < d->segments; source.s++) {
-    done = is_done(call,
-                   make_part(&source, how, &call->cancel, &b->part[source.s]));
+  for (uint32_t s = 0; done && s < n; s++) {
+    done = is_done(call, make_part(rows, s, how, &call->cancel, &b->part[s]));
   }
-  free(made);
-  free(normal);
   return give(b, done, out);
 }
 
@@ -234,11 +256,11 @@ sg_door_boundary_open(sg_call *call, const sg_int_list *segments,
                .flat = form == SG_BOUNDARY_FORM_FLAT,
                .copies = copies},
       .keep_turned = soup};
-  sg_dense dense;
-  bool done = sg_dense_read_these(call, segments, &dense) &&
-              open_parts(call, &dense, made, &how, out);
+  rows_read rows = {0};
+  bool done = sg_dense_read_these(call, segments, &rows.dense) &&
+              open_parts(call, &rows, made, &how, out);
 
-  sg_dense_clear(&dense);
+  rows_read_clear(&rows);
   return done;
 }
 
