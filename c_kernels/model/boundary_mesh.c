@@ -310,7 +310,8 @@ sg_boundary_mesh_make(sg_boundary *boundary, const sg_form *form,
               cancel_all(&m) && put_vertices(&m) && put_faces(&m) &&
               put_triangles(&m);
   close_maker(&m);
-  sg_boundary_clear(boundary); /* most memory is in use while edges are paired */
+  sg_boundary_clear(
+      boundary); /* most memory is in use while edges are paired */
   return done ? sg_boundary_mesh_pair(out, form->copies, cancel) : m.end;
 }
 

@@ -178,12 +178,11 @@ static sg_boundary_end
 make_part(rows_read *rows, uint32_t s, const manner *how,
           const sg_cancel *cancel, sg_boundary_mesh *out)
 {
-  const sg_boundary_source source = {
-      .dense = &rows->dense,
-      .s = s,
-      .made = rows->made,
-      .normal = (const double(*)[3])rows->normal,
-      .divided = how->keep_turned};
+  const sg_boundary_source source = {.dense = &rows->dense,
+                                     .s = s,
+                                     .made = rows->made,
+                                     .normal = (const double(*)[3])rows->normal,
+                                     .divided = how->keep_turned};
   sg_boundary boundary;
   sg_boundary_end end =
       sg_boundary_make(&source, &how->rounding, cancel, &boundary);
@@ -230,8 +229,8 @@ open_parts(sg_call *call, rows_read *rows, const sg_id_pair_list *list,
   rows->made = calloc(d->vertices + 1, 1);
   rows->normal = calloc(d->polygons + 1, sizeof *rows->normal);
   sg_boundaries *b = make_boundaries(call, n, how->form, how->rounding.single);
-  bool done = b && rows->made && rows->normal &&
-              read_normals(call, d, rows->normal);
+  bool done =
+      b && rows->made && rows->normal && read_normals(call, d, rows->normal);
 
   if (done) {
     mark_made(d, list, rows->made);

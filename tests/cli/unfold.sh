@@ -198,6 +198,12 @@ check "its ends as well" eval "[ \$(sanggwan unfold $pipe --true |
 check "a table" eval "sanggwan unfold -q $pipe --true --generators 12 \
   --remove base,top --table $TMP/pipe.csv >/dev/null &&
   [ \$(wc -l <$TMP/pipe.csv) = 14 ]"
+# What facets are of is found once for a segment: without that 50,000 questions.
+asked=$(sanggwan unfold -q "$saddle" --trim outside --true --stats \
+  -o "$TMP/asked.svg" 2>&1 >/dev/null |
+  sed -n 's/.*"segment": {[^}]*"lookups":\([0-9]*\).*/\1/p')
+check "segments are asked for a few times" test "${asked:-9999}" -lt 1000
+
 check "two tables" eval "sanggwan unfold -q $saddle --trim outside --true \
   --table $TMP/s.csv >/dev/null && [ -s $TMP/s-1.csv ] && [ -s $TMP/s-2.csv ]"
 check "half of it is all of it" output 'without 24 polygons' \
