@@ -79,15 +79,15 @@ discriminant_of(abc(A, B, C), abc(DA, DB, DC), D, Slope) :-
 
 %!  signed_form(+Rows, +Quadric, -Form) is det.
 %
-%   Form is form(Rows, Quadric, Filter), for slope_sign/3 and value_sign/3. Filter
-%   is filter(FRows, FQuadric, Bound), the same in floating point: a discriminant
-%   or slope that is computed from it is off by less than Bound. It is `none` if
-%   numbers are too large or small for that.
+%   Form is form(Rows, Quadric, Filter), for slope_sign/3 and value_sign/3.
+%   Filter is filter(FRows, FQuadric, Bound), the same in floating point: a
+%   discriminant or slope that is computed from it is off by less than Bound. It
+%   is `none` if numbers are too large or small for that.
 %
-%   Size is what A + C would be if all terms had one sign and the cosine and sine
-%   were 1. Then B is at most half of Size, DA, DB and DC at most twice A, B and C;
-%   so the terms of both sum to 2*Size^2 at the most. Each comes of fewer than 128
-%   roundings, by 2^-53 of it each.
+%   Size is what A + C would be if all terms had one sign and the cosine and
+%   sine were 1. Then B is at most half of Size, DA, DB and DC at most twice A, B
+%   and C; so the terms of both sum to 2*Size^2 at the most. Each comes of fewer
+%   than 128 roundings, by 2^-53 of it each.
 
 signed_form(Rows, Quadric, form(Rows, Quadric, Filter)) :-
     maplist(largest_coordinate, Rows, Largest),
@@ -123,8 +123,8 @@ as_float(Q, X) :-
 
 %!  slope_sign(+Form, +T, -Sign) is det.
 %
-%   Sign is that of how the discriminant grows at T: less than 0, 0 or more. It is
-%   exact: where floating point cannot tell, the exact slope does.
+%   Sign is that of how the discriminant grows at T: less than 0, 0 or more. It
+%   is exact: where floating point cannot tell, the exact slope does.
 
 slope_sign(form(Rows, Quadric, Filter), T, Sign) :-
     (   filtered(Filter, T, _, Slope, Bound),
@@ -136,7 +136,8 @@ slope_sign(form(Rows, Quadric, Filter), T, Sign) :-
 
 %!  value_sign(+Form, +T, -Sign) is det.
 %
-%   Sign is that of the discriminant at T, as slope_sign/3 has that of its slope.
+%   Sign is that of the discriminant at T, as slope_sign/3 has that of its
+%   slope.
 
 value_sign(form(Rows, Quadric, Filter), T, Sign) :-
     (   filtered(Filter, T, D, _, Bound),

@@ -1,15 +1,16 @@
-/* Signs of the discriminant and of its slope: those of the exact numbers, whether
-   floating point tells or not. */
+/* Signs of the discriminant and of its slope: those of the exact numbers,
+   whether floating point tells or not. */
 :- use_module(library(plunit)).
 :- use_module(library(lists)).
 :- use_module(rules(unrolling/true_quadratic)).
 
 :- begin_tests(true_quadratic).
 
-%   A pipe of radius R across a cylinder of radius sqrt(Const), its axis Off from
-%   that one's axis: the rows are those of true_pipe.pl.
+%   A pipe of radius R across a cylinder of radius sqrt(Const), its axis Off
+%   from that one's axis: the rows are those of true_pipe.pl.
 
-across(Off, R, Const, [row(Off, R, 0, 0, 0),row(0, 0, 0, 1, 0),row(0, 0, R, 0, 0)],
+across(Off, R, Const,
+       [row(Off, R, 0, 0, 0),row(0, 0, 0, 1, 0),row(0, 0, R, 0, 0)],
        quadric(0, 0, 0, Const)).
 
 askew([row(1r7, 2r9, -1r3, 4r11, -1r2),row(-3r8, 1r5, 2r7, 3r4, -1r2),
