@@ -85,9 +85,9 @@ discriminant_of(abc(A, B, C), abc(DA, DB, DC), D, Slope) :-
 %   is `none` if numbers are too large or small for that.
 %
 %   Size is what A + C would be if all terms had one sign and the cosine and
-%   sine were 1. Then B is at most half of Size, DA, DB and DC at most twice A,
-%   B and C; so the terms of both sum to 2*Size^2 at the most. Each comes of fewer
-%   than 128 roundings, by 2^-53 of it each.
+%   sine were 1. Then B is at most half of Size, and DA, DB and DC at most twice
+%   A, B and C; so the terms of both sum to 2*Size^2 at the most. Each comes of
+%   fewer than 128 roundings, by 2^-53 of it each.
 
 signed_form(Rows, Quadric, form(Rows, Quadric, Filter)) :-
     maplist(largest_coordinate, Rows, Largest),
