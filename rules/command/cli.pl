@@ -29,6 +29,7 @@
 :- use_module('../stage', [stages_reset/0, stage_name/1, stage_seconds/2]).
 :- use_module('../status', [error_status/2]).
 :- use_module('../store', [new_world/1, in_world/2, facts_statistics/2]).
+:- use_module(format_options, [format_options_told/3]).
 :- use_module(usage, [verb/4, verb_options/2]).
 :- use_module(usage_print, [print_usage/1, print_usage/2]).
 :- use_module(user:'../sanggwan').
@@ -357,6 +358,10 @@ limit_given(Text, Part) :-
 verb_watched(Verb, Files, Options, Status) :-
     option(rules(Rules), Options, []),
     maplist(use_rules, Rules),
+    (   memberchk(Verb, [repl,batch])
+    ->  true
+    ;   format_options_told(Verb, Files, Options)
+    ),
     (   ( memberchk(Verb, [repl,batch]) ; option(quiet(true), Options) )
     ->  verb_whole(Verb, Files, Options, Status)
     ;   with_progress(verb_whole(Verb, Files, Options, Status))

@@ -316,6 +316,9 @@ notice_en(shadows_in_vain) -->
 notice_en(facets_off(Dots)) -->
     [ 'what is round is shown round; the facets of files are up to ~1f dots \c
        from that (--surface facets shows them)'-[Dots] ].
+notice_en(format_option(Option, Format)) -->
+    [ '~w changes nothing: it is about .~w, and no file here is one'-
+      [Option, Format] ].
 notice_en(points_in_vain) -->
     [ 'there is no penetration line, so no point has a number' ].
 notice_en(nothing_seen) -->

@@ -304,6 +304,9 @@ notice_ko(shadows_in_vain) -->
 notice_ko(facets_off(Dots)) -->
     [ '둥근 것은 둥글게 보입니다. 파일의 면은 거기서 많아야 ~1f점 떨어져 있습니다 (--surface \c
 facets는 그 면을 보입니다)'-[Dots] ].
+notice_ko(format_option(Option, Format)) -->
+    [ '~w 옵션은 .~w 파일에 관한 것인데, 그런 파일이 없어 아무것도 바꾸지 \c
+       않습니다'-[Option, Format] ].
 notice_ko(points_in_vain) -->
     [ '상관선이 없어 번호를 붙일 점이 없습니다' ].
 notice_ko(nothing_seen) -->
