@@ -237,6 +237,10 @@ unfold_en(mitre_not_set_in(S)) -->
     [ 'segment ~d is not set in: parts of one radius meet in a mitre, by the \c
        middles of their plates'-[S], nl,
       '  --set-in is for a branch that is narrower than its header.' ].
+unfold_en(mitre_by_middles(S)) -->
+    [ 'segment ~d: --other-thickness changes nothing: parts of one radius meet \c
+       by the middles of their plates, by which they are drawn'-[S], nl,
+      '  With --size outside or inside it says how large the other one is.' ].
 unfold_en(no_sphere(Option)) -->
     [ '~w says nothing: no sphere was unrolled'-[Option] ].
 unfold_en(no_bend(Option)) -->

@@ -188,6 +188,10 @@ unfold_ko(mitre_not_set_in(S)) -->
     [ '세그먼트 ~d: 꽂기(--set-in)로 하지 않습니다. 반지름이 같은 관은 판재의 가운데끼리 \c
        마이터 이음으로 만납니다'-[S], nl,
       '  --set-in은 주관보다 가는 지관에 쓰십시오.' ].
+unfold_ko(mitre_by_middles(S)) -->
+    [ '세그먼트 ~d: --other-thickness는 아무것도 바꾸지 않습니다. 반지름이 같은 관은 \c
+       판재의 가운데끼리 만나고, 치수도 가운데를 기준으로 합니다'-[S], nl,
+      '  --size outside나 inside에서는 다른 관의 치수를 정합니다.' ].
 unfold_ko(no_sphere(Option)) -->
     [ '~w 옵션은 뜻이 없습니다. 편 구가 없습니다'-[Option] ].
 unfold_ko(no_bend(Option)) -->

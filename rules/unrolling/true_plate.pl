@@ -168,7 +168,7 @@ plate_parts(S, Others, Options0, Options, S1-Others1) :-
     part_role(Options0, S, Others, Role),
     option(set_in(In), Options0, false),
     must_be(boolean, In),
-    mitre_told(Role, In, S),
+    mitre_told(Role, In, Options0, S),
     touches(Role, In, Side),
     touching_sides(Side, Inner-Outer, OtherInner-OtherOuter, By, OtherBy),
     plate_layer(Options0, Layer0),
@@ -193,14 +193,22 @@ plate_alone(S, Options0, Options, S1) :-
     Options = [layer(Layer),size(middle)|Options0],
     parts_made([S-By], [layer(Layer0)|Options0], [S1]).
 
-%   mitre_told(Role, SetIn, S): a mitre has no side that is set in.
+%   mitre_told(Role, SetIn, Options, S): a mitre has no side that is set in, and
+%   if parts are drawn by the middles of their plates, the thickness of the other
+%   plate says nothing.
 
-mitre_told(Role, In, S) :-
-    (   Role-In == mitre-true
-    ->  part_named(S, Named),
-        print_message(warning, sanggwan(unfold(mitre_not_set_in(Named))))
-    ;   true
-    ).
+mitre_told(mitre, In, Options, S) :-
+    !,
+    part_named(S, Named),
+    forall(mitre_in_vain(In, Options, What),
+           ( Told =.. [What,Named],
+             print_message(warning, sanggwan(unfold(Told))) )).
+mitre_told(_, _, _, _).
+
+mitre_in_vain(true, _, mitre_not_set_in).
+mitre_in_vain(_, Options, mitre_by_middles) :-
+    option(other_thickness(_), Options),
+    option(size(middle), Options, middle).
 
 %   touches(Role, SetIn, Side): with which side its plate touches the others.
 
