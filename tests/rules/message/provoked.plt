@@ -177,6 +177,8 @@ command(not_shaded(_,_), [render, @('curve.pl'), '--size', '9x9',
                           '-o', @('a.png')]).
 command(points_in_vain, [draw, @('cube.pl'), '--points', '4',
                          '-o', @('a.svg')]).
+command(format_option('--dpi',png), [draw, @('cube.pl'), '--dpi', '30',
+                                     '-o', @('a.svg')]).
 command(surface_uncut(_), [render, @('sheet.pl'), '--size', '9x9',
                            '--section', 'z=-1', '-o', @('a.png')]).
 command(surface_see_through(_), [render, @('united.pl'), '--size', '9x9',
@@ -267,6 +269,9 @@ command(unfold(no_bend(_)),
 command(unfold(mitre_not_set_in(_)),
         [unfold, @('tee.pl'), '--true', '--trim', outside, '--thickness', '2',
          '--set-in', '--only', '2']).
+command(unfold(mitre_by_middles(_)),
+        [unfold, @('tee.pl'), '--true', '--trim', outside, '--thickness', '2',
+         '--other-thickness', '3']).
 command(unfold(nothing_unrolled), [unfold, @('cube.pl'), '--true']).
 command(unfold(kept_apart(_,_)), [unfold, @('pipes.pl'), '--true', '--only', 1,
                                   '--no-lines', '--keep', 'side-top']).
