@@ -70,10 +70,12 @@ solid_verb_run(Verb, Files, Options, 0) :-
     ),
     findall(S, root_segment(S), Ss),
     (   Outputs == []
-    ->  summary(Options, Ss),
+    ->  summary_measures(Ss, Dicts),
+        summary(Options, Dicts),
         summary_sent_told(Outputs, [pl,stl,off,obj,ply])
     ;   (   option(json(true), Options)
-        ->  reported(Outputs, sg_solid_verbs:summary(Options, Ss))
+        ->  summary_measures(Ss, Dicts),
+            reported(Outputs, sg_solid_verbs:summary(Options, Dicts))
         ;   true
         ),
         partition(takes_one(Verb, Ss), Outputs, Apart, Together),
@@ -364,11 +366,13 @@ json_apart(Options, Outputs) :-
     ;   true
     ).
 
-%   summary(Options, Ss): one line on standard output for each segment.
-
-summary(Options, Ss) :-
+summary_measures(Ss, Dicts) :-
     census(Parts),
-    maplist(measured(Parts), Ss, Dicts),
+    maplist(measured(Parts), Ss, Dicts).
+
+%   summary(Options, Dicts): one line on standard output for each segment.
+
+summary(Options, Dicts) :-
     (   option(json(true), Options)
     ->  plain_json(current_output,
                    json_laid_out(current_output, Dicts, inf)),

@@ -1,6 +1,7 @@
 :- encoding(utf8).
 :- module(sg_unfold_report,
-          [ unfold_report/2,            % +Ds, +Options
+          [ unfold_measures/3,          % +Ds, +Options, -Measures
+            unfold_report/2,            % +Options, +Measures
             pattern_measures/3          % +Parts, +D, -Measures
           ]).
 :- use_module('../csg/placed_surface', [asked_once/1, kept_answer/4]).
@@ -28,16 +29,22 @@
 /** <module> What is said of patterns: their pieces, seams, sheet and area.
 */
 
-%!  unfold_report(+Ds:list, +Options:list) is det.
+%!  unfold_measures(+Ds:list, +Options:list, -Measures:list) is det.
 %
-%   Print the measures of the patterns Ds to current output, as text in the
-%   language of the messages, or with json(true) as JSON.
+%   Measures are dicts, those of each of the patterns Ds.
 
-unfold_report(Ds, Options) :-
+unfold_measures(Ds, Options, All) :-
     census(Parts),
     asked_once(maplist(pattern_measures(Parts), Ds, All0)),
     maplist(measured_if_bent(Options), All0, All1),
-    maplist(with_yield(Options), All1, All),
+    maplist(with_yield(Options), All1, All).
+
+%!  unfold_report(+Options:list, +Measures:list) is det.
+%
+%   Print Measures to current output, as text in the language of the messages, or
+%   with json(true) as JSON.
+
+unfold_report(Options, All) :-
     (   option(json(true), Options)
     ->  plain_json(current_output,
                    json_laid_out(current_output, All, 78)),

@@ -23,7 +23,7 @@
                 unfolded_part/4
               ]).
 :- use_module(unfold_options, [options_together/1]).
-:- use_module(unfold_report, [unfold_report/2]).
+:- use_module(unfold_report, [unfold_measures/3, unfold_report/2]).
 :- use_module('../unfolding/unfold_mirror', [mirrored_pattern/2]).
 :- use_module('../unfolding/unfold_how', [how_wished/3, how_wished_of_any/2]).
 :- use_module('../unfolding/unfold_true', [true_patterns/4]).
@@ -113,7 +113,8 @@ patterns_reported(Files, Options0, Flags, Outputs, Ds, Options) :-
     ->  with_sheet_stack(Ds, sheets_laid(Options0, Ds, Options))
     ;   Options = Options0
     ),
-    reported(Outputs, sg_unfold_report:unfold_report(Ds, Options)).
+    unfold_measures(Ds, Options, Measures),
+    reported(Outputs, sg_unfold_report:unfold_report(Options, Measures)).
 
 %!  world_patterns(+Options:list, -Ds:list, -DrawingOptions:list) is det.
 %

@@ -21,7 +21,7 @@
 :- use_module('../store',
               [segment/3, origin/3, segment_stamp/2, facts_transaction/1]).
 :- use_module(library(apply), [exclude/3, foldl/4, maplist/2]).
-:- use_module(library(lists), [append/3, max_list/2, member/2]).
+:- use_module(library(lists), [append/3, max_list/2, member/2, same_length/2]).
 :- use_module(library(ordsets),
               [ord_intersection/3, ord_subtract/3, ord_union/3]).
 /** <module> A glue whose operands came, went or changed: only what is near them

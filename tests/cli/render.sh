@@ -105,19 +105,30 @@ check "a light as it would be" status_is 0
 shade facts/pipe_tee.pl --size 320x200 -o "$work/g.png" --light=-5,6,8
 check "is the usual one" cmp "$work/g.png" "$work/a.png"
 
-# What is interrupted leaves no file.
-mkdir "$work/to"
-for after in 0.05 0.3 0.6; do
-  timeout -s INT $after "$sanggwan" render facts/pipe_tee.pl --smooth 16 \
-    --size 8000x8000 -o "$work/to/x.png" >"$work/out" 2>&1 </dev/null
-  check "interrupted after $after s" holds "$work/to"
+# What is interrupted leaves no file, when soever in the time that all takes.
+mkdir "$work/to" "$work/all"
+large() { # large FOLDER [PREFIX...]
+  "${@:2}" "$sanggwan" render facts/pipe_tee.pl --smooth 16 --size 4000x4000 \
+    -o "$1/x.png" >"$work/out" 2>&1 </dev/null
+}
+several() {
+  "${@:2}" "$sanggwan" render facts/pipe_tee.pl --size 4000x4000 \
+    --buffer depth="$1/x.pfm" --buffer id="$1/x.csv" --spans "$1/s.csv" \
+    -o "$1/x.pl" >"$work/out" 2>&1 </dev/null
+}
+for what in large several; do
+  begin=${EPOCHREALTIME/./}
+  "$what" "$work/all"
+  all=$((${EPOCHREALTIME/./} - begin)) # microseconds
+  for percent in 5 30 60; do
+    after=$(printf '%d.%06d' $((all * percent / 100000000)) \
+      $((all * percent / 100 % 1000000)))
+    "$what" "$work/to" timeout -s INT "$after"
+    check "$what, interrupted after $percent %" holds "$work/to"
+  done
 done
-for after in 0.1 0.4 0.8; do
-  timeout -s INT $after "$sanggwan" render facts/pipe_tee.pl --size 4000x4000 \
-    --buffer depth="$work/to/x.pfm" --buffer id="$work/to/x.csv" \
-    --spans "$work/to/s.csv" -o "$work/to/x.pl" >"$work/out" 2>&1 </dev/null
-  check "buffers, interrupted after $after s" holds "$work/to"
-done
+check "not interrupted, all are there" holds "$work/all" s.csv x.csv x.pfm x.pl \
+  x.png
 shade facts/pipe_tee.pl -o "$work/nowhere/x.png"
 check "no folder" status_is 2
 shade facts/two_cubes.pl nothing.pl -o "$work/to/x.png"

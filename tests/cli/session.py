@@ -82,5 +82,5 @@ class Checks:
             print("FAILED:", name, "" if shown is None else repr(shown)[:600])
 
     def finish(self):
-        print("%d passed, %d failed" % (self.passed, self.failed))
+        print("%d passed, %d failed" % (self.passed, self.failed), flush=True)
         os._exit(1 if self.failed else 0)

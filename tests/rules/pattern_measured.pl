@@ -6,7 +6,7 @@
 
 %!  pattern_measured(+D, -Measures) is det.
 %
-%   Measures are what unfold_report/2 says of pattern D.
+%   Measures are what unfold_measures/3 says of pattern D.
 
 pattern_measured(D, Measures) :-
     census(Parts),
