@@ -238,8 +238,8 @@ unfold_en(mitre_not_set_in(S)) -->
        middles of their plates'-[S], nl,
       '  --set-in is for a branch that is narrower than its header.' ].
 unfold_en(mitre_by_middles(S)) -->
-    [ 'segment ~d: --other-thickness changes nothing: parts of one radius meet \c
-       by the middles of their plates, by which they are drawn'-[S], nl,
+    [ 'segment ~d: --other-thickness changes nothing: parts of one radius \c
+       meet by the middles of their plates, by which they are drawn'-[S], nl,
       '  With --size outside or inside it says how large the other one is.' ].
 unfold_en(no_sphere(Option)) -->
     [ '~w says nothing: no sphere was unrolled'-[Option] ].

@@ -194,8 +194,8 @@ plate_alone(S, Options0, Options, S1) :-
     parts_made([S-By], [layer(Layer0)|Options0], [S1]).
 
 %   mitre_told(Role, SetIn, Options, S): a mitre has no side that is set in, and
-%   if parts are drawn by the middles of their plates, the thickness of the other
-%   plate says nothing.
+%   if parts are drawn by the middles of their plates, the thickness of the
+%   other plate says nothing.
 
 mitre_told(mitre, In, Options, S) :-
     !,
