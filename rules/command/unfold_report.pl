@@ -41,8 +41,8 @@ unfold_measures(Ds, Options, All) :-
 
 %!  unfold_report(+Options:list, +Measures:list) is det.
 %
-%   Print Measures to current output, as text in the language of the messages, or
-%   with json(true) as JSON.
+%   Print Measures to current output, as text in the language of the messages,
+%   or with json(true) as JSON.
 
 unfold_report(Options, All) :-
     (   option(json(true), Options)
