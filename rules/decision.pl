@@ -377,10 +377,14 @@ new_module(Module) :-
     ).
 
 %   A file can be loaded into one module only, so it is loaded from a stream,
-%   under a name of its own where another world follows it too.
+%   under a name of its own where another world follows it too, or where it was
+%   loaded in part before an error: Prolog remembers its module.
 
 module_id(Module, File, Id) :-
-    (   ( source_file(File) ; followed(_, _, _, _, File) )
+    (   ( source_file(File)
+        ; followed(_, _, _, _, File)
+        ; source_file_property(File, load_context(_, _, _))
+        )
     ->  atomic_list_concat([File, ' (', Module, ')'], Id)
     ;   Id = File
     ).

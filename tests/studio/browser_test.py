@@ -653,10 +653,13 @@ def flows(language):
     browser.script("document.querySelector('.tabs [data-word=rules]')"
                    ".click()")
     browser.wait("document.querySelector('.decisions li')")
-    browser.script(typed.replace("studio.text", "studio.rules"),
-                   "line_role(_, _, outline).\n")
-    check(language + ": a rule or what is wrong with it", browser.wait(
-        "studio.rules.counts.textContent || !studio.rules.wrong.hidden"))
+    written = typed.replace("studio.text", "studio.rules")
+    browser.script(written, "line_role(_, _, outline).\n")
+    check(language + ": what is wrong with a rule", browser.wait(
+        "!studio.rules.wrong.hidden && studio.rules.wrong.textContent"))
+    browser.script(written, "line_segment(_, S2, S2).\n")
+    check(language + ": lines that a rule changes", browser.wait(
+        "studio.rules.wrong.hidden && studio.rules.counts.textContent"))
     browser.script("studio.rules.end(false)")
     browser.script("document.querySelector('.tabs [data-word=tree]').click()")
     browser.wait("document.getElementById('banner').hidden")

@@ -84,7 +84,7 @@ browser = opened("any", *SOFT)
 check("there is a card", browser.script(
     "return Boolean(document.createElement('canvas').getContext('webgl2'))"))
 turn(browser)
-browser.wait("studio.ports.ports[0].turning")
+browser.wait("Boolean(studio.ports.ports[0].turning)")
 turn(browser)
 check("its model comes", browser.wait("studio.ports.ports[0].turning.mesh",
                                       seconds=30))
