@@ -305,7 +305,7 @@ export class Rules extends Editor {
   async refresh() {
     if (this.dirty) return;
     const { head, body } = await this.studio.wire.ask("rules");
-    this.field.value = textOf(body);
+    if (!this.dirty) this.field.value = textOf(body);
     this.field.readOnly = !this.studio.owner || !this.studio.isText;
     this.decisions.replaceChildren(...head.decisions.map(({ decision, words, by }) =>
       h("li", { class: by, title: words[tongue()] }, h("code", {}, decision), " ", words[tongue()])));

@@ -654,7 +654,9 @@ def flows(language):
                    ".click()")
     browser.wait("document.querySelector('.decisions li')")
     written = typed.replace("studio.text", "studio.rules")
-    browser.script(written, "line_role(_, _, outline).\n")
+    # What is typed stays, also if an answer comes then.
+    browser.script("studio.rules.refresh();" + written,
+                   "line_role(_, _, outline).\n")
     check(language + ": what is wrong with a rule", browser.wait(
         "!studio.rules.wrong.hidden && studio.rules.wrong.textContent"))
     browser.script(written, "line_segment(_, S2, S2).\n")
