@@ -83,10 +83,12 @@ front(Model, Options, 130) :-
     retractall(front_(_, _, _)),
     assertz(front_(Front, Token, Model)),
     place_name(Host, Name),
+    % A connection that waits for its next request has a worker, and a page that
+    % was left has six of them.
     called(thread_httpd,
            http_server(sg_front:answered,
                        [ port(Name:Port), tcp_socket(Socket), workers(5),
-                         timeout(20), keep_alive_timeout(5), silent(true) ])),
+                         timeout(20), keep_alive_timeout(0.2), silent(true) ])),
     page_address(Behind, Host, Port, Page),
     format(string(Address), "~w#~w", [Page, Token]),
     format("~w~n", [Address]),

@@ -586,4 +586,18 @@ for arguments, said in ((["--port", str(again.port)], b"listens at port"),
     holder.close()
     check("said: %s" % said, done.returncode == 2 and said in done.stderr,
           (done.returncode, done.stderr))
+
+# A page that was left keeps its connections; who comes next need not wait.
+front = started()
+begin, left = time.time(), []
+for _ in range(12):
+    left.append(front.connected())
+    left[-1].sendall(b"GET / HTTP/1.1\r\nHost: 127.0.0.1:%d\r\n"
+                     b"Connection: keep-alive\r\n\r\n" % front.port)
+    check("the page", left[-1].recv(65536).startswith(b"HTTP/1.1 200"))
+check("connections that are left hold nobody up", time.time() - begin < 4,
+      time.time() - begin)
+for one in left:
+    one.close()
+front.end()
 checks.finish()
