@@ -88,6 +88,7 @@ variant_error(Formal, Context, Number, Place) :-
 of_problem(model_error(_)).
 of_problem(geometry_error(_)).
 of_problem(usage_error(sheet(_))).
+of_problem(usage_error(parameter(_))).
 
 %!  variant_number(+Problem, +N, -Number:atom) is det.
 %
