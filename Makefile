@@ -194,7 +194,8 @@ $(OUTLINE_CHECKER): tests/outline_checker/outline_checker.c
 
 # Programs that use the library as a host does: tests and the example.
 EMBEDS  := $(patsubst %.c,$(B)/%,$(wildcard tests/embed/*$(T)*_test.c))
-$(EMBEDS) $(B)/docs/example: $(B)/%: %.c engine/sanggwan.h tests/check.h \
+HOSTS   := $(patsubst %.c,$(B)/%,$(wildcard tests/embed/*_test.c))
+$(HOSTS) $(B)/docs/example: $(B)/%: %.c engine/sanggwan.h tests/check.h \
                              $(B)/libsanggwan.a
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $(WARN) -Wno-sign-conversion $(PL_CFLAGS) -Iengine \
@@ -247,11 +248,15 @@ mutants: all $(CHECKERS) $(FAILING)
 SAN := -fsanitize=address,undefined -fno-sanitize-recover=undefined \
        -fno-omit-frame-pointer -ftrivial-auto-var-init=pattern
 # What needs them runs as it is built, for a minute: threads that come and go.
-check-san: $(B)/tests/embed/stress_test
-	@STRESS_SECONDS=60 tests/run $<
+# With T only the tests of that name run.
+STRESS    := $(filter %/stress_test,$(EMBEDS))
+MESH_FUZZ := $(filter %/mesh_fuzz_test,$(C_TESTS))
+TEXT_CLI  := $(filter %/text_fuzz.sh,$(CLIS))
+check-san: $(STRESS)
+	@$(if $(STRESS),STRESS_SECONDS=60 tests/run $(STRESS))
 	@OPT=-O1 EXTRA_CFLAGS='$(SAN)' $(MAKE) --no-print-directory -s \
 	  B=$(B)/san san
-	@$(MAKE) --no-print-directory -s san-text
+	@$(if $(TEXT_CLI),$(MAKE) --no-print-directory -s san-text)
 	@OPT=-O1 EXTRA_CFLAGS='$(TSAN)' $(MAKE) --no-print-directory -s \
 	  B=$(B)/tsan tsan
 # Changed texts of every reader, read by the program with both sanitizers; the
@@ -267,7 +272,7 @@ san-text: $(B)/sanggwan
 	  tests/run tests/cli/text_fuzz.sh
 san: $(B)/sanggwan.so $(C_TESTS) $(CHECKERS)
 	@B=$(B) TEST_SECONDS=1200 tests/run $(C_TESTS)
-	@$(B)/tests/c_kernels/model/mesh_fuzz_test 20000
+	@$(if $(MESH_FUZZ),$(MESH_FUZZ) 20000)
 	@echo 'skipped: the tests of rules that need threads'
 	@B=$(B) TEST_SECONDS=1200 ASAN_OPTIONS=detect_leaks=0 SWIPL="env \
 	  LD_PRELOAD=$$($(CC) -print-file-name=libasan.so) swipl --no-threads" \

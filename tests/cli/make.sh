@@ -45,4 +45,11 @@ check "is all there" grep -q -- " -o $TMP/elsewhere/" "$TMP/log"
 check "nowhere else" eval '! grep -q -- " -o build/" "$TMP/log"'
 check "a space is refused" complains 2 'no spaces' make -C "$tree" B="a b"
 check "clean looks for nothing" asks '' clean
+
+# T picks tests in check-san too.
+san() { make -n check-san T="$1" >"$TMP/log" 2>&1; }
+check "check-san of one" san work_list
+check "without what needs no sanitizer" eval '! grep -q stress_test "$TMP/log"'
+check "without texts" eval '! grep -q text_fuzz "$TMP/log"'
+check "without meshes" eval '! grep -q mesh_fuzz "$TMP/log"'
 check_report
