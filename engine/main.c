@@ -96,34 +96,25 @@ start(int argc, char **argv)
   return started;
 }
 
-/* What signals do depends on the verb. */
-static sg_signals_of
-signals_of(char **words)
+/* From now on signals end the program. What is said then is in the user's
+ * language, and what they do depends on the verb. */
+static bool
+start_signals(void)
 {
-  for (; *words; words++) {
-    if (strcmp(*words, "repl") == 0) {
-      return SG_SIGNALS_OF_REPL;
-    }
-    if (strcmp(*words, "batch") == 0) {
-      return SG_SIGNALS_OF_BATCH;
-    }
+  predicate_t words_2 = PL_predicate("interrupted_words", 2, "sg_cli");
+  term_t text_verb = PL_new_term_refs(2);
+  char *text, *verb;
+
+  if (!PL_call_predicate(NULL, PL_Q_NORMAL, words_2, text_verb) ||
+      !PL_get_nchars(text_verb, NULL, &text,
+                     CVT_STRING | REP_UTF8 | BUF_MALLOC) ||
+      !PL_get_atom_chars(text_verb + 1, &verb)) {
+    return sg_signals_start("", SG_SIGNALS_OF_VERB);
   }
-  return SG_SIGNALS_OF_VERB;
-}
-
-/* What is said of an interrupt, in the user's language. */
-static const char *
-interrupted_words(void)
-{
-  predicate_t words_1 = PL_predicate("interrupted_words", 1, "sg_cli");
-  term_t t = PL_new_term_ref();
-  char *text;
-
-  return PL_call_predicate(NULL, PL_Q_NORMAL, words_1, t) &&
-                 PL_get_nchars(t, NULL, &text,
-                               CVT_STRING | REP_UTF8 | BUF_MALLOC)
-             ? text
-             : "";
+  return sg_signals_start(text, strcmp(verb, "repl") == 0 ? SG_SIGNALS_OF_REPL
+                                : strcmp(verb, "batch") == 0
+                                    ? SG_SIGNALS_OF_BATCH
+                                    : SG_SIGNALS_OF_VERB);
 }
 
 /* sg_cli:main/1 gives the exit status; it reports its own errors. */
@@ -148,7 +139,7 @@ main(int argc, char **argv)
 
   sg_signals_note();
   if (!arguments || !start(argc + PROLOG_WORDS - 1, arguments) ||
-      !sg_signals_start(interrupted_words(), signals_of(argv))) {
+      !start_signals()) {
     fprintf(stderr, "sanggwan: cannot start SWI-Prolog\n");
     return CANNOT_START;
   }

@@ -5,6 +5,7 @@
             files_together/1,           % :Goal
             when_written/1,             % :Goal
             files_waiting/1,            % -Files
+            output_waiting/0,
             files_recorded/2,           % :Goal, -Files
             write_fact/2                % +Stream, +Fact
           ]).
@@ -174,6 +175,18 @@ files_waiting(Files) :-
     ->  Files = []
     ;   findall(File, member(file(_, File), Items), Files)
     ).
+
+%!  output_waiting is semidet.
+%
+%   The end of files_together/1 will put a file in its place, or send one to
+%   standard output, a device or a pipe.
+
+output_waiting :-
+    pending(Items),
+    Items \== none,
+    member(Item, Items),
+    Item \= said(_),
+    !.
 
 %!  copied_to(+Target, +Ending, :Goal) is semidet.
 %

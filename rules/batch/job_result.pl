@@ -20,7 +20,8 @@
 :- use_module(job_words, [option_words/3, output_file/3]).
 :- use_module(run_state, [counted/1, stop_begun/0]).
 :- use_module('../language', [language/1]).
-:- use_module('../message/message_object', [message_object/3]).
+:- use_module('../message/message_object',
+              [error_object/3, message_object/3]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(filesex), [delete_directory_and_contents/1]).
 :- use_module(library(http/json), [atom_json_dict/3]).
@@ -59,13 +60,24 @@ cached_job(Job, Key, Run, Out) :-
     ->  Outcome = cached
     ;   Outcome = failed
     ),
+    error_said(Status, Said, Object, Error),
     line_said(Job, result(Outcome, Status, Key, usage(0, 0, 0), Paths, Said,
-                          null), Out),
+                          Error), Out),
     (   Outcome == failed
     ->  language(Language),
-        failure_told(Job, null, Language)
+        failure_told(Job, Object, Language)
     ;   true
     ).
+
+%   error_said(Status, Said, Object, Text): why the answer is no, if Said does
+%   say so (--strict), and as JSON; else null.
+
+error_said(0, _, null, null) :-
+    !.
+error_said(Status, Said, Object, Text) :-
+    atom_json_dict(Said, Objects, []),
+    error_object(Status, Objects, Object),
+    json_text(Object, Text).
 
 %   named_files(Job, Files): those that most jobs make, so that the folder need
 %   not be searched.
@@ -205,10 +217,11 @@ job_ended(Job, Key, Inputs, Folder, Start, Head, Body, Run, Out) :-
         ->  Outcome = done
         ;   Outcome = failed
         ),
-        line_said(Job, result(Outcome, Status, Key, Usage, Paths, Said, null),
+        error_said(Status, Said, Object, Error),
+        line_said(Job, result(Outcome, Status, Key, Usage, Paths, Said, Error),
                   Out),
         (   Outcome == failed
-        ->  failure_said(Job, null, Run)
+        ->  failure_said(Job, Object, Run)
         ;   true
         )
     ).

@@ -1,7 +1,7 @@
 :- encoding(utf8).
 :- module(sg_cli,
           [ main/1,                     % -Status
-            interrupted_words/1,        % -Text
+            interrupted_words/2,        % -Text, -Verb
             sanggwan/2                  % +Arguments, -Status
           ]).
 :- use_module(arguments, [parsed_arguments/4]).
@@ -19,7 +19,7 @@
 :- use_module('../message/messages', []).
 :- use_module('../message/messages_ko', []).
 :- use_module('../model/item_where', [error_placed/2]).
-:- use_module('../output', [files_together/1]).
+:- use_module('../output', [files_together/1, output_waiting/0]).
 :- use_module('../message/spoken', [spoken_lines/4]).
 :- use_module('../part', [loaded_rule/2, whole_program/0]).
 :- use_module('../progress', [with_progress/1]).
@@ -55,6 +55,8 @@ status is
          with --strict                  4    the geometry is not possible
     5    some of many have failed       128+N  ended by signal N (130: Ctrl-C)
 
+With --strict a verb that has warned writes no file.
+
 An interrupt is an exception here: transactions roll back, files being written
 vanish, then the program ends.
 */
@@ -79,14 +81,14 @@ own_arguments(Words, Arguments) :-
     ;   Arguments = []
     ).
 
-%!  interrupted_words(-Text) is det.
+%!  interrupted_words(-Text, -Verb) is det.
 %
 %   Text is the line that is said of an interrupt, in the language that the
 %   program's own arguments and the environment ask for; engine/signals.c says
-%   it where the work has to be ended at once. From now on an interrupt is an
-%   exception; other signals than SIGINT come as `term`.
+%   it where the work has to be ended at once. Verb is theirs, or none. From now
+%   on an interrupt is an exception; other signals than SIGINT come as `term`.
 
-interrupted_words(Text) :-
+interrupted_words(Text, Verb) :-
     on_signal(int, _, sg_cli:interrupt),
     on_signal(term, _, sg_cli:interrupt),
     current_prolog_flag(os_argv, Words),
@@ -94,7 +96,22 @@ interrupted_words(Text) :-
     set_language(Arguments),
     language(Language),
     interrupted_word(Language, Word),
-    format(string(Text), "sanggwan: ~w~n", [Word]).
+    format(string(Text), "sanggwan: ~w~n", [Word]),
+    (   verb_of(Arguments, Verb0)
+    ->  Verb = Verb0
+    ;   Verb = none
+    ).
+
+%   verb_of(Arguments, Verb): only options stand before it.
+
+verb_of([First|Rest], Verb) :-
+    (   verb(First, _, _, _)
+    ->  Verb = First
+    ;   sub_atom(First, 0, 1, _, -),
+        member(Verb, Rest),
+        verb(Verb, _, _, _)
+    ->  true
+    ).
 
 :- public interrupt/1.
 
@@ -374,7 +391,20 @@ verb_whole(Verb, Files, Options, Status) :-
     (   memberchk(Verb, [repl,query,batch])
     ->  verb_run(Verb, Files, Options, Status)
     ;   files_together(( verb_run(Verb, Files, Options, Status),
-                         places_looked_at(Options) ))
+                         places_looked_at(Options),
+                         files_allowed(Options) ))
+    ).
+
+%   files_allowed(Options): after a warning --strict lets no file take its
+%   place, and nothing go to standard output that -o sends there.
+
+files_allowed(Options) :-
+    (   option(strict(true), Options),
+        output_waiting,
+        flag(sg_cli_warnings, N, N),
+        N > 0
+    ->  throw(sanggwan_strict(N))
+    ;   true
     ).
 
 %   places_looked_at(Options): with --each, before files take their places.
@@ -459,6 +489,9 @@ failed_status(Error, Status) :-
     (   Error = sanggwan_interrupt(Signal)
     ->  print_message(error, sanggwan(interrupted)),
         signal_status(Signal, Status)
+    ;   Error = sanggwan_strict(N)
+    ->  print_message(error, sanggwan(nothing_written(N))),
+        Status = 1
     ;   broken_pipe(Error)
     ->  Status = 141
     ;   error_status(Error, Status),

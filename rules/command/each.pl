@@ -2,10 +2,10 @@
           [ each_file/5                 % :Run, +Verb, +Files, +Options, -Status
           ]).
 :- use_module('../batch/batch_report', [json_text/2]).
-:- use_module('../message/message_object', [objects_heard/2]).
+:- use_module('../message/message_object', [error_object/3, objects_heard/2]).
 :- use_module('../output', [files_recorded/2, files_waiting/1]).
 :- use_module('../plain', [plain_text/2]).
-:- use_module('../studio/job', [error_object/3, worlds_collected/0]).
+:- use_module('../studio/job', [worlds_collected/0]).
 :- use_module('../studio/process_state', [with_process_kept/3]).
 :- use_module(verb_output, [some_files/2, usage_error/1]).
 :- use_module(library(apply), [exclude/3, foldl/4, maplist/3]).

@@ -45,8 +45,6 @@ so that is what is written, and taking it apart again only takes the node away.
 %   contacts: how many of each kind. What is written are the operands as they
 %   were read, and the glue. With 'dry-run'(true) nothing is; then the report
 %   has each contact, and where operands come near each other (glue_misses/2).
-%   With strict(true) nothing is written of operands that overlap, or that come
-%   near each other and were not glued.
 
 glue_run(Files, Options, 0) :-
     some_files(Files, 'MODEL'),
@@ -56,25 +54,17 @@ glue_run(Files, Options, 0) :-
     once(root_segment(S)),
     forall(option(only(What), Options), assert_fact(gluing(S, only(What)))),
     facts_snapshot(( operands_evaluated(Sources, Options),
-                     report(S, Options, Report, Misses) )),
-    (   once(( option('dry-run'(true), Options)
-             ; option(strict(true), Options),
-               ( Misses = [_|_] ; overlaps(Report) ) ))
+                     report(S, Options, Report) )),
+    (   option('dry-run'(true), Options)
     ->  printed(Options, Report)
     ;   reported(Outputs, sg_verbs_glue:printed(Options, Report)),
         summary_sent_told(Outputs, [pl]),
         maplist(output_written(save_model), Outputs)
     ).
 
-overlaps(Report) :-
-    member(Region, Report.regions),
-    Region.inside = [_,_|_],
-    !.
+%   report(S, Options, Report): of the glue S, which is the only root.
 
-%   report(S, Options, Report, Misses): of the glue S, which is the only root;
-%   Misses as of glue_misses/2.
-
-report(S, Options, Report, Misses) :-
+report(S, Options, Report) :-
     glue_report(S, Report0),
     mended_warned(S),
     forall(member(Region, Report0.regions), overlap_warned(S, Region)),

@@ -1,11 +1,13 @@
 :- module(sg_message_object,
           [ message_object/3,           % +Kind, +Term, -Object
+            error_object/3,             % +Status, +Objects, -Error
             objects_heard/2,            % :Goal, -Objects
             files_untold/1,             % :Goal
             message_said/2              % +Kind, +Term
           ]).
 :- use_module(spoken, [spoken_lines/4]).
 :- use_module(library(aggregate), [aggregate_all/3]).
+:- use_module(library(lists), [last/2, member/2]).
 :- use_module(library(solution_sequences), [offset/2]).
 /** <module> Messages as objects, for programs: what JSON holds of them.
 
@@ -146,6 +148,20 @@ objects_heard(Goal, Objects) :-
 % hearing: of this thread; heard(Object): what was said since. untold: not that
 % files were written.
 :- thread_local hearing/0, heard/1, untold/0.
+
+%!  error_object(+Status, +Objects, -Error) is det.
+%
+%   Error is null, or, if Status is not 0, that of the messages Objects which
+%   ended the work: the last error.
+
+error_object(Status, Objects, Error) :-
+    (   Status =\= 0,
+        findall(Object, ( member(Object, Objects), Object.kind == "error" ),
+                Errors),
+        last(Errors, Error0)
+    ->  Error = Error0
+    ;   Error = null
+    ).
 
 %!  files_untold(:Goal) is semidet.
 %

@@ -197,6 +197,10 @@ notice_en(no_answer) -->
 notice_en(warnings_are_errors(N)) -->
     counted(N, warning, warnings),
     [ ', and --strict was given' ].
+notice_en(nothing_written(N)) -->
+    counted(N, warning, warnings),
+    [ ', and --strict was given, so nothing is written', nl,
+      '  Mend what is warned of, or leave --strict out.' ].
 notice_en(no_memory) -->
     [ 'there is not enough memory for this', nl,
       '  Nothing was changed. Smaller parts, or fewer facets, need less.' ].

@@ -195,6 +195,9 @@ notice_ko(no_answer) -->
     [ '답이 없습니다' ].
 notice_ko(warnings_are_errors(N)) -->
     [ '경고 ~d개, --strict 옵션이 주어졌습니다'-[N] ].
+notice_ko(nothing_written(N)) -->
+    [ '경고가 ~d개 있고 --strict 옵션이 주어져서 아무것도 쓰지 않습니다'-[N], nl,
+      '  경고한 것을 고치거나 --strict를 빼십시오.' ].
 notice_ko(no_memory) -->
     [ '메모리가 모자랍니다', nl,
       '  아무것도 바뀌지 않았습니다. 나누거나 면을 줄이면 덜 듭니다.' ].

@@ -1,6 +1,5 @@
 :- module(sg_job,
           [ captured/2,                 % :Goal, -Octets
-            error_object/3,             % +Status, +Objects, -Error
             printed_octets/3,           % +Type, :Goal, -Octets
             verb_job/5,                 % :Run, +Head, +Body, -Reply, -Out
             with_input/2,               % +Text, :Goal
@@ -8,13 +7,15 @@
           ]).
 :- use_module('../limits', [with_usual_limits/1]).
 :- use_module('../message/message_object',
-              [message_object/3, objects_heard/2, files_untold/1]).
+              [ error_object/3, message_object/3, objects_heard/2,
+                files_untold/1
+              ]).
 :- use_module('../output', [files_recorded/2]).
 :- use_module(files_read, [files_read/2]).
 :- use_module(process_state, [runs_users_code/1, with_process_kept/3]).
 :- use_module(request, [request_error/1]).
 :- use_module(library(apply), [maplist/2, maplist/3]).
-:- use_module(library(lists), [append/3, last/2, member/2]).
+:- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(memfile),
               [ new_memory_file/1, free_memory_file/1, open_memory_file/4,
                 memory_file_to_string/3, size_memory_file/3
@@ -410,20 +411,6 @@ printed(OutFile, ErrorFile, Status0, Objects0, Printed) :-
     ;   message_object(error, error(request_error(printed(Most)), _), Object),
         append(Objects0, [Object], Objects),
         Printed = printed(4, Objects, "", "")
-    ).
-
-%!  error_object(+Status, +Objects, -Error) is det.
-%
-%   Error is null, or, if Status is not 0, that of the messages Objects which
-%   ended the work: the last error.
-
-error_object(Status, Objects, Error) :-
-    (   Status =\= 0,
-        findall(Object, ( member(Object, Objects), Object.kind == "error" ),
-                Errors),
-        last(Errors, Error0)
-    ->  Error = Error0
-    ;   Error = null
     ).
 
 %!  worlds_collected is det.

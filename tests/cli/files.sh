@@ -114,4 +114,53 @@ check 'planted links' status_is 0
 check 'planted links: not followed' is "$(cat "$work/victim")" secret
 check 'planted links: a file' test ! -L "$to/a.svg"
 check 'planted links: nothing more' is "$(ls -A "$to" | wc -l)" 4002
+
+# --strict: a verb that has warned writes nothing, to no file and to no pipe.
+anew
+cd "$work" || exit 2
+echo 'segment(1, solid, cylinder(radius(2,1), height(3))).' >warns.pl
+echo 'segment(1, solid, at([translate(1,0,1)], box(size(1,1,1)))).' >box.pl
+{ sed 's/1/2/' box.pl; cat warns.pl
+  echo 'segment(3, cells, glue([1, 2])).'; } >glued.pl
+cat >sheets.pl <<'END'
+problem(one, 'warns.pl', [given([front, top]), ask(count(loops))]).
+sheet('A4', [one], []).
+END
+echo 'job(one, draw, ["warns.pl"], [output("%.svg")]).' >jobs.pl
+strictly() { # VERB ARGUMENT...
+  run "$@" --strict
+  check "strict $1: refused" test "$status" = 1 -o "$status" = 5
+  check "strict $*: nothing" untouched
+  check "strict $*: no data" silent out
+  check "strict $1: why" has 'so nothing is written'
+  run "$@"
+  check "not strict $1: done" status_is 0
+  anew
+}
+for verb in 'convert warns.pl -o to/a.stl -o to/b.off' \
+  'convert warns.pl -o to/b.pl' 'draw warns.pl -o to/a.svg -o to/b.svg' \
+  'draw warns.pl -o - --format pdf' 'draw --each warns.pl -o to/%.svg' \
+  'render warns.pl --size 9x9 -o to/a.png' \
+  'unfold warns.pl -o to/a.svg --true --table to/b.csv' \
+  'penetrate warns.pl box.pl -o to/a.csv' 'eval warns.pl -o to/a.off' \
+  'union warns.pl box.pl -o to/a.off' 'intersection warns.pl box.pl -o to/a.pl' \
+  'difference warns.pl box.pl -o to/a.stl' \
+  'split warns.pl --plane 0,0,1,-1 -o to/s.stl' \
+  'glue warns.pl box.pl -o to/a.pl' 'unglue glued.pl -o to/a.pl' \
+  'cells glued.pl -o to/a.pl' 'problems sheets.pl -o to'; do
+  strictly $verb
+done
+run batch jobs.pl -o to --strict
+check 'strict batch' status_is 5
+check 'strict batch: nothing' test ! -e to/one.svg
+check 'strict batch: why' has 'job one: 1 warning, and --strict was given'
+check 'strict batch: its line' grep -q '"error":{"code":"nothing_written"' \
+  "$work/out"
+grep -o '"error":.*' "$work/out" >first
+run batch jobs.pl -o to --strict
+check 'strict batch: again' has 'job one: 1 warning, and --strict was given'
+check 'strict batch: the same again' \
+  test "$(grep -o '"error":.*' "$work/out")" = "$(cat first)"
+run batch jobs.pl -o to
+check 'strict batch: kept nothing' test -e to/one.svg
 finish

@@ -70,6 +70,17 @@ for signal in INT TERM; do
   check "$signal that a goal catches: soon" test "$took" -lt 1000
 done
 
+# The verb decides, not another word of the command.
+cd "$work" || exit 2
+for word in repl batch; do
+  echo 'may_cut(_, _).' >$word
+  ended "a file $word" INT 800 -q query --rules $word "$here/facts/cube.pl" \
+    'catch((repeat, fail), _, (repeat, fail))'
+  check "a file $word: its number" status_is 130
+  check "a file $word: soon" test "$took" -lt 1000
+done
+cd "$here" || exit 2
+
 # In the top level SIGINT stops a goal, and the next one is read.
 mkfifo "$work/goals"
 "$sanggwan" repl facts/cube.pl <"$work/goals" >"$work/out" 2>"$work/err" &

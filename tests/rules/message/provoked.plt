@@ -197,6 +197,8 @@ command(style_in_vain(_), [draw, @('cube.pl'), '--style', @('style.pl'),
                            '-o', @('a.svg')]).
 command(empty_result(_,_), [eval, @('empty.pl')]).
 command(warnings_are_errors(1), [eval, @('empty.pl'), '--strict']).
+command(nothing_written(1), [eval, @('empty.pl'), '--strict',
+                             '-o', @('a.stl')]).
 command(not_utf8(_,_), [check, @('latin1.pl')]).
 command(mesh(_,degenerate(1)), [check, @('degenerate.off')]).
 command(mesh(_,ignored(1,_)), [check, @('ignored.obj')]).
