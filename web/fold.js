@@ -81,7 +81,9 @@ export class Folding {
   read(text, patterns) {
     const file = JSON.parse(text);
     this.flat = file.vertices_coords.map(([x, y]) => [x, y, 0]);
-    this.space = file.file_frames[0].vertices_coords;
+    // Without a place in the model a piece is folded where it lies.
+    this.space = file.file_frames[0]?.vertices_coords ?? this.flat;
+    this.folds = file.edges_foldAngle.some(Boolean);
     this.faces = file.faces_vertices;
     this.segments = file["sanggwan:faces_segment"].map((segment) => patterns.get(segment) ?? segment);
     this.edges = new Map();
@@ -193,10 +195,11 @@ export class Folding {
       return [s("path", { class: area > 0 ? "face inside" : "face", d: "M" + points.map(at).join("L") + "Z" }),
         s("path", { class: "sides", d: sides })];
     }).flat();
-    const d = this.lines.filter(({ name, segment, folds }) => lit.has(name) || (!folds && lit.has("s" + segment)))
-      .map(({ from, to }) => `M${from.join(" ")}L${to.join(" ")}`).join("");
+    const marks = ["lit", "chosen", "hover"].map((layer) => s("path", { class: layer, d: this.lines
+      .filter(({ name, segment, folds }) => lit[layer]?.has(name) || (!folds && lit[layer]?.has("s" + segment)))
+      .map(({ from, to }) => `M${from.join(" ")}L${to.join(" ")}`).join("") }));
     svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
-    svg.replaceChildren(...paths, s("path", { class: "lit", d }));
+    svg.replaceChildren(...paths, ...marks);
   }
 
   // The side of a face near a point of the drawing.

@@ -65,7 +65,7 @@ export async function recorded(studio, told) {
   const words = await (await fetch("words.json")).json();
   return { words, views, names, reasons, replies,
     hello: { file: studio.file, models: [studio.file], owner: false, rev: 0 },
-    refused: { words: { en: words.en.kept_only, ko: words.ko.kept_only } } };
+    refused: { words: { en: words.kept_only[0], ko: words.kept_only[1] } } };
 }
 
 // One script of the modules of the page: each a function that gives its exports.

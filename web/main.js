@@ -26,6 +26,7 @@ class Studio {
     this.models = [];
     this.formats = Object.entries(FORMATS);
     this.rev = 0;
+    this.warning = "";
     this.tree = new Tree(this);
     this.text = new Text(this);
     this.rules = new Rules(this);
@@ -100,10 +101,13 @@ class Studio {
     this.undoButton = button("undo", () => this.change("undo"), "↶");
     this.redoButton = button("redo", () => this.change("redo"), "↷");
     this.saveButton = button("save", () => this.save());
+    this.stopButton = h("button", { hidden: true, onclick: () => this.wire.stop() });
+    $("state").after(this.stopButton);
+    setInterval(() => this.long(), 300);
     $("menus").append(
       this.menu("open", () => this.openMenu()), this.saveButton, this.menu("export", () => this.exportMenu()),
       this.menu("menu", () => this.viewMenu()), this.undoButton, this.redoButton,
-      button("language", () => otherTongue()), this.menu("help", () => [h("p", {}, w("keys"))], "?"));
+      button("language", () => otherTongue()), this.menu("help", () => ["pointing", "keys"].map((word) => h("p", {}, w(word))), "?"));
   }
 
   menu(word, made, sign) {
@@ -133,7 +137,7 @@ class Studio {
       if (menu) menu.hidden = true;
       this.opened(name, null, keys);
     } }, name);
-    const file = h("input", { type: "file", accept: ".pl,.csg,.stl,.off,.obj,.ply", class: "unseen",
+    const file = h("input", { type: "file", class: "unseen",
       onchange: () => this.upload(file.files[0]) });
     return [...this.models.map((name) => choice(name)), ...this.uploads.map((name) => choice(name, { upload: true })),
       h("label", { class: "file" }, w("upload"), file)];
@@ -207,7 +211,7 @@ class Studio {
   // --- the document ---
 
   get isText() {
-    return !this.record && (this.file || "").endsWith(".pl");
+    return !this.record && /\.pl$/i.test(this.file);
   }
 
   async greeted(head) {
@@ -280,8 +284,8 @@ class Studio {
       this.ready = true;
       this.changes = head.replayed;
       $("banner").hidden = true;
-      if (remark) this.banner(remark, [], 4000);
-      else if (head.replayed) this.banner("replayed", [], 6000, head.replayed);
+      if (remark) this.banner(remark, null, 4000);
+      else if (head.replayed) this.banner("replayed", null, 6000, head.replayed);
       await this.revised(head);
       if (this.text.dirty) this.text.done();
     } catch (error) {
@@ -300,6 +304,7 @@ class Studio {
   // Every pane shows the new revision.
   async revised(head) {
     this.rev = head.rev;
+    this.warned(head.messages);
     $("ports").dataset.rev = head.rev;
     this.ports.refresh();
     this.state();
@@ -319,8 +324,20 @@ class Studio {
     return this.revised(head);
   }
 
+  // What takes long says how far it is, and can be stopped.
+  long() {
+    const now = Date.now();
+    const [first] = this.wire.waiting.values();
+    const was = this.stopButton.hidden;
+    this.stopButton.hidden = !first || now - first.since < 600;
+    if (this.stopButton.hidden !== was) this.state();
+    if (this.stopButton.hidden) return;
+    const { done, total, since } = first;
+    this.stopButton.textContent = `${w("stop")} · ${total ? Math.floor(100 * done / total) + " %" : Math.floor((now - since) / 1000) + " s"}`;
+  }
+
   state() {
-    $("state").textContent = this.ready ? w(this.changes ? "changed" : "saved") : w("connecting");
+    $("state").textContent = !this.stopButton.hidden ? w("working") : this.ready ? w(this.changes ? "changed" : "saved") : w("connecting");
     $("state").className = this.changes ? "changed" : "";
   }
 
@@ -393,7 +410,7 @@ class Studio {
   // The page as one file, which needs no program.
   async page() {
     const { keptPage } = await import("./keep.js");
-    return keptPage(this, (part) => this.banner("keeping", [], 0, Math.round(part * 100)));
+    return keptPage(this, (part) => this.banner("keeping", null, 0, Math.round(part * 100)));
   }
 
   async exportPage() {
@@ -498,19 +515,28 @@ class Studio {
 
   failed(error, ways = []) {
     if (error instanceof Lost) return;
-    const buttons = ways.map(([word, act]) => h("button", { onclick: act }, w(word)));
-    $("banner").replaceChildren(h("span", {}, this.wrong(error)), ...buttons, this.closing());
-    $("banner").hidden = false;
+    this.tell(this.wrong(error), ways.map(([word, act]) => h("button", { onclick: act }, w(word))));
   }
 
-  closing() {
-    return h("button", { onclick: () => { $("banner").hidden = true; } }, w("close"));
+  // What is not as it should be, though there is a model: once.
+  warned(messages = []) {
+    const text = messages.filter(({ kind }) => kind === "warning").map(said).join("\n");
+    if (text === this.warning) return;
+    this.warning = text;
+    this.tell(text, []);
+    $("banner").hidden = !text;
   }
 
-  banner(word, more = [], milliseconds = 0, ...given) {
-    $("banner").replaceChildren(h("span", {}, w(word, ...given)), ...more, ...(more.length ? [this.closing()] : []));
-    $("banner").hidden = false;
+  banner(word, more = null, milliseconds = 0, ...given) {
+    this.tell(w(word, ...given), more);
     if (milliseconds) calm(milliseconds, () => { $("banner").hidden = true; })();
+  }
+
+  // With `ways`, elements, it stays until it is closed.
+  tell(text, ways) {
+    const close = () => { $("banner").hidden = true; };
+    $("banner").replaceChildren(h("span", {}, text), ...(ways ? [...ways, h("button", { onclick: close }, w("close"))] : []));
+    $("banner").hidden = false;
   }
 
   // --- keys ---

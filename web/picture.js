@@ -51,7 +51,7 @@ function partPath(stroke, of) {
   return d;
 }
 
-const FILLING = new Set(["hatching", "fold_up", "fold_down"]);
+const FILLING = new Set(["hatching", "fold_up", "fold_down", "number"]);
 
 export const nameOf = (segment, edge) => `s${segment}e${edge}`;
 

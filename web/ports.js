@@ -162,10 +162,15 @@ class Port {
     this.element.classList.toggle("flat", ["unfold", "sheet", "problem"].includes(this.kind));
     this.element.dataset.rev = head.rev;
     this.under = null;
+    this.remark.title = "";
     this.image.hidden = head.kind !== "png";
     if (head.kind === "png") this.showImage(reply);
     else if (head.kind === "fold") this.showFolding(reply);
     else this.showStrokes(reply);
+    const warnings = (head.messages || []).filter(({ kind }) => kind === "warning").map(said);
+    if (!warnings.length) return;
+    this.remark.textContent = "⚠ " + warnings[0].split("\n")[0];
+    this.remark.title = warnings.join("\n");
   }
 
   showStrokes(reply) {
@@ -197,8 +202,8 @@ class Port {
 
   showFolding({ head, body }) {
     this.picture.clear();
-    this.remark.textContent = "";
     this.folding.read(textOf(body), laidOf(head));
+    this.remark.textContent = this.folding.folds ? "" : w("no_folds");
     this.describe(w("folded_of", this.folding.faces.length));
   }
 
@@ -206,9 +211,7 @@ class Port {
   redraw() {
     const { clientWidth, clientHeight } = this.canvas;
     if (this.kind !== "folded" || !this.folding.faces) return;
-    const { lit, chosen, hover } = this.picture.lit;
-    this.folding.draw(this.picture.own(), this.angles, clientWidth, clientHeight,
-      new Set([...(lit || []), ...(chosen || []), ...(hover || [])]));
+    this.folding.draw(this.picture.own(), this.angles, clientWidth, clientHeight, this.picture.lit);
   }
 
   near(event, within = 9) {

@@ -5,7 +5,7 @@ import { h } from "./dom.js";
 import { reworded, tongue } from "./words.js";
 import { Lost } from "./wire.js";
 
-const SIGNS = { union: "∪", intersection: "∩", difference: "−", xor: "⊕" };
+const SIGNS = { union: "∪", intersection: "∩", difference: "−", xor: "⊕", glue: "⊔" };
 
 // named(tee, at(Steps, union([8, 9]))) -> what a row of the tree says.
 function summary(term, path = []) {
@@ -83,10 +83,8 @@ export class Tree {
     this.studio.handles?.choose(this.segment);
   }
 
-  // What has a pattern: solids and surfaces that are no operands.
   unfoldable() {
-    const kinds = new Map(this.studio.segments.map(({ segment, kind }) => [segment, kind]));
-    return (this.roots || []).filter((segment) => ["solid", "surface"].includes(kinds.get(segment)));
+    return this.studio.segments.filter(({ unfolds }) => unfolds).map(({ segment }) => segment);
   }
 
   called(segment) {
@@ -174,7 +172,7 @@ export class Tree {
   // The numbers of a term, each with its path (docs/protocol.md, edit).
   numbers(term, path, within, found) {
     if (typeof term === "number") {
-      const axis = ["translate", "scale", "shift"].includes(within.name) ? "xyz"[within.at - 1] : within.at;
+      const axis = ["translate", "scale", "shift", "size"].includes(within.name) ? "xyz"[within.at - 1] : within.at;
       found.push({ name: within.name + (within.many > 1 ? " " + axis : ""), value: term,
         types: within.types || [], path, at: within.at });
     } else if (Array.isArray(term)) {
@@ -186,13 +184,15 @@ export class Tree {
       });
     } else if (term && typeof term === "object") {
       const primitive = this.model.forms[term.name];
+      // A size, or a number of a placement, may be a formula: it is the text's.
+      if (within?.sizes && !primitive && !isOperand(term)) return;
       const operation = term.name in SIGNS;
       term.args.forEach((inner, i) => {
         if (operation && typeof inner === "number") return;
         if ((term.name === "named" || term.name === "at") && typeof inner === "number") return;
         const within1 = primitive ? { types: [] }
           : { name: term.name, types: within && within.form ? within.form[term.name] : null,
-            at: i + 1, many: term.args.filter((one) => typeof one === "number").length, list: !operation && !isOperand(term) };
+            at: i + 1, many: term.args.filter((one) => typeof one === "number").length, list: !operation && !isOperand(term), sizes: within?.form || within?.name === "at" };
         if (primitive) within1.form = primitive;
         else if (within && within.form) within1.types = within.form[term.name] || [];
         this.numbers(inner, [...path, i + 1], within1, found);

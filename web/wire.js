@@ -69,7 +69,7 @@ export class Wire extends EventTarget {
       this.wait = 250;
       this.dispatchEvent(new CustomEvent("hello", { detail: head }));
     } else if (head.progress) {
-      this.dispatchEvent(new CustomEvent("progress", { detail: head.progress }));
+      Object.assign(this.waiting.get(head.id) || {}, head.progress);
     } else {
       const asked = this.waiting.get(head.id);
       this.waiting.delete(head.id);
@@ -77,7 +77,7 @@ export class Wire extends EventTarget {
       if (head.rev !== undefined) {
         this.dispatchEvent(new CustomEvent("rev", { detail: head.rev }));
       }
-      if (head.error) asked.reject(Object.assign(new Error(head.error.code), { head }));
+      if (head.error) asked.reject(Object.assign(new Error(asked.stopped ? "stopped" : head.error.code), { head }));
       else asked.resolve({ head, body });
     }
   }
@@ -90,9 +90,15 @@ export class Wire extends EventTarget {
     const id = this.number;
     this.slow = ["unfold", "fold", "sheet"].includes(request) ? id : 0;
     return new Promise((resolve, reject) => {
-      this.waiting.set(id, { resolve, reject });
-      this.send({ ...this.extra, ...keys, id, do: request });
+      this.waiting.set(id, { resolve, reject, since: Date.now() });
+      this.send({ ...this.extra, ...keys, id, do: request, progress: request !== "view" });
     });
+  }
+
+  // Whoever looks at the page does not want to wait any longer.
+  stop() {
+    for (const asked of this.waiting.values()) asked.stopped = true;
+    this.send({ do: "stop" });
   }
 }
 

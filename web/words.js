@@ -1,6 +1,7 @@
 // The words of the page, in the language that the reader chose.
 
-let words = { en: {}, ko: {} };
+// Of each key the words in English and in Korean.
+let words = {};
 let language = "en";
 
 export async function wordsLoaded(record) {
@@ -13,7 +14,7 @@ export async function wordsLoaded(record) {
 export const tongue = () => language;
 
 export function w(key, ...given) {
-  const word = words[language][key];
+  const word = words[key]?.[language === "ko" ? 1 : 0];
   if (word === undefined) throw new Error("no word: " + key);
   return word.replace(/\{(\d)\}/g, (_, i) => given[i]);
 }

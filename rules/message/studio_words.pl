@@ -44,7 +44,6 @@ studio_word(no_why,
     'Click a line: here stands why it is drawn so.',
     '선을 누르면 왜 그렇게 그려졌는지 여기에 나옵니다.').
 studio_word(nothing_why, 'There is no more to say of it.', '더 설명할 것이 없습니다.').
-studio_word(goal, 'its goal: {0}', '목표: {0}').
 studio_word(shows, 'seen with it', '함께 보이는 것').
 studio_word(answers, '{0} answers', '답 {0}개').
 studio_word(answers_here, 'Answers', '답').
@@ -100,6 +99,7 @@ studio_word(shaded_of, 'shaded', '음영').
 studio_word(folded_of,
     'pattern of {0} faces, being folded',
     '면 {0}개의 전개도, 접는 중').
+studio_word(no_folds, 'rolled: it has no folds', '접는 선 없이 말아서 만듭니다').
 studio_word(larger, 'This port alone', '이 뷰포트만').
 studio_word(ports, 'Ports', '뷰포트').
 studio_word(hidden, 'Hidden lines', '숨은선').
@@ -154,9 +154,14 @@ studio_word(find, 'Find a command, a name or a predicate',
     '명령, 이름, 술어 찾기').
 studio_word(keys,
     'Ctrl K find · Ctrl Z undo · Ctrl Y redo · Ctrl S save · / question · T \c
-     tree · X text · F6 next port · 1 to 6 views · Esc clears what is lit',
+     tree · X text · F6 next port · 1 to 7 views · Esc clears what is lit',
     'Ctrl K 찾기 · Ctrl Z 실행 취소 · Ctrl Y 다시 실행 · Ctrl S 저장 · / 질문 · T \c
-     트리 · X 텍스트 · F6 다음 뷰포트 · 1~6 투상도 · Esc 강조 해제').
+     트리 · X 텍스트 · F6 다음 뷰포트 · 1~7 투상도 · Esc 강조 해제').
+studio_word(pointing,
+    'Drag turns · wheel or two fingers: closer · click a line: why · double \c
+     click it, or hold a finger on it: its goal',
+    '끌기: 돌리기 · 휠 또는 두 손가락: 확대 · 선 클릭: 이유 · 선 두 번 클릭 또는 \c
+     길게 누르기: 목표').
 studio_word(problems, 'Problems', '문제').
 studio_word(problem, 'problem', '문제').
 studio_word(pupils, 'Pupils', '학생').
@@ -183,7 +188,6 @@ studio_word(it_is, 'It is {0}.', '정답: {0}.').
 studio_word(was_shown, 'was shown', '정답을 보았음').
 studio_word(not_yet, 'not right yet', '아직 틀림').
 studio_word(tries, '{0} tries', '{0}번').
-studio_word(done, 'done', '되었습니다').
 studio_word(working, 'working …', '계산 중 …').
 studio_word(stop, 'Stop', '중단').
 studio_word(page_of, 'this page', '이 페이지').

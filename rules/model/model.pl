@@ -1,6 +1,8 @@
 :- module(sg_model,
           [ load_model/1,               % +Files
             load_model/2,               % +Files, +Options
+            model_format/2,             % +File, -Format
+            model_there/1,              % +File
             save_model/1,               % +File
             save_model/2                % +File, +Options
           ]).
@@ -115,12 +117,11 @@ file_added(Format, File, Options) :-
     (   Format == csg
     ->  csg_added(File)
     ;   Format == json
-    ->  file_there(File),
+    ->  model_there(File),
         read_cityjson(File, Options)
     ;   mesh_ending(Format, Mesh)
     ->  read_mesh(File, _, [format(Mesh)])
-    ;   no_model(File, Format, Why),
-        throw(error(model_error(Why), location(File, 0, 0)))
+    ;   model_there(File)
     ).
 
 %   csg_added(File): the tree in a file of OpenSCAD, under the file's name. A
@@ -153,23 +154,41 @@ segments(Ss) :-
     findall(S, segment(S, _, _), Ss0),
     sort(Ss0, Ss).
 
-file_there(File) :-
+%!  model_format(+File, -Format) is semidet.
+%
+%   The ending of File says that it is a model of Format.
+
+model_format(File, Format) :-
+    file_format(File, pl, Format),
+    known_format(Format),
+    !.
+
+%!  model_there(+File) is det.
+%
+%   File may be a model: it is there, and has an ending of one.
+%
+%   @error model_error(cannot_read(directory)),
+%   model_error(cannot_read(missing)), model_error(unknown_format(Format,
+%   Formats))
+
+model_there(File) :-
     (   File \== (-),
-        member(Why, [cannot_read(directory),cannot_read(missing)]),
-        no_model(File, json, Why)
+        no_model(File, Why),
+        \+ ( Why = unknown_format(_,_), model_format(File, _) )
     ->  throw(error(model_error(Why), location(File, 0, 0)))
     ;   true
     ).
 
-%   no_model(File, Format, Why): Why a file with the ending Format is none.
+%   no_model(File, Why): Why File is none, if its format is not known.
 
-no_model(File, _, cannot_read(directory)) :-
+no_model(File, cannot_read(directory)) :-
     exists_directory(File),
     !.
-no_model(File, _, cannot_read(missing)) :-
+no_model(File, cannot_read(missing)) :-
     \+ access_file(File, exist),
     !.
-no_model(_, Format, unknown_format(Format, Formats)) :-
+no_model(File, unknown_format(Format, Formats)) :-
+    file_format(File, pl, Format),
     findall(F, known_format(F), Formats).
 
 known_format(pl).

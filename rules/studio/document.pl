@@ -14,6 +14,7 @@
             trial_ended/1               % -Commit
           ]).
 :- use_module('../development/leaf_face', [roots_alone_named/0]).
+:- use_module('../model/model', [model_format/2]).
 :- use_module('../output', [writing/3]).
 :- use_module('../store', [segment/3]).
 :- use_module('../unfolding/unfold', [unfoldable/1, wanted_of/3, wishes/3]).
@@ -31,6 +32,7 @@
 :- use_module(protocol, [text_octets/2]).
 :- use_module(request, [of_owner/2, request_error/1]).
 :- use_module(world_state, [in_state/3]).
+:- use_module(library(ordsets), [ord_memberchk/2]).
 :- use_module(library(readutil), [read_file_to_string/3]).
 /** <module> The document of a session: one model, its text, and how it became
 what it is.
@@ -140,8 +142,7 @@ document_opened(Head, Reply,
     ->  atom_string(File, Name)
     ;   request_error(bad_key(file, file))
     ),
-    file_name_extension(_, Ending, File),
-    (   Ending == pl
+    (   model_format(File, pl)
     ->  Kind = text,
         model_text(File, Saved, Steps0, Journal0, Head),
         text_digest(Saved, Digest),
@@ -186,11 +187,17 @@ next_revision(Revision) :-
 
 shape(World, Objects, _{segments:Segments, messages:Objects}) :-
     in_state(World, loaded,
-             findall(_{segment:S, kind:Kind, name:Text},
-                     ( segment(S, Kind, Name),
-                       format(string(Text), "~W",
-                              [Name, [quoted(true), max_depth(20)]]) ),
-                     Segments)).
+             ( findall(S, unfoldable(S), Unfoldable),
+               findall(Shape, segment_shape(Unfoldable, Shape), Segments) )).
+
+segment_shape(Unfoldable,
+              _{segment:S, kind:Kind, name:Text, unfolds:Unfolds}) :-
+    segment(S, Kind, Name),
+    format(string(Text), "~W", [Name, [quoted(true), max_depth(20)]]),
+    (   ord_memberchk(S, Unfoldable)
+    ->  Unfolds = true
+    ;   Unfolds = false
+    ).
 
 
                 /*******************************

@@ -1,6 +1,7 @@
 :- module(sg_front,
           [ front/3                     % +Model, +Options, -Status
           ]).
+:- use_module('../model/model', [model_format/2, model_there/1]).
 :- use_module('../problem/problem_file', [problems_read/3]).
 :- use_module('../version', [version/1]).
 :- use_module(visitor_answer, [class_begun/1, class_file/1, class_pupil/2]).
@@ -162,11 +163,9 @@ model_folder(none, Folder) :-
     working_directory(Folder0, Folder0),
     absolute_file_name(Folder0, Folder).
 model_folder(Model, Folder) :-
+    model_there(Model),
     absolute_file_name(Model, Path),
-    (   exists_file(Path)
-    ->  file_directory_name(Path, Folder)
-    ;   throw(error(model_error(cannot_read(missing)), location(Model, 0, 0)))
-    ).
+    file_directory_name(Path, Folder).
 
 shown_at('0.0.0.0', Name) :-
     !,
@@ -449,8 +448,7 @@ models(Folder, Models) :-
     catch(directory_files(Folder, Files), error(_, _), Files = []),
     findall(Name,
             ( member(File, Files),
-              file_name_extension(_, Ending, File),
-              memberchk(Ending, [pl,stl,off,obj,ply]),
+              model_format(File, _),
               atom_string(File, Name) ),
             Names),
     sort(Names, Models).

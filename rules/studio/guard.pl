@@ -14,6 +14,7 @@
             file_allowed/3,             % +Folder, +Name, -Path
             security_header/2           % ?Name, ?Value
           ]).
+:- use_module('../model/model', [model_format/2]).
 :- use_module(visitor_answer, [class_file/1, class_pupil/2]).
 :- use_module(request, [request_error/1]).
 :- use_module(library(apply), [maplist/2]).
@@ -453,9 +454,7 @@ upload_name(Name) :-
     (   string(Name),
         string_length(Name, Length),
         Length =< 100,
-        file_name_extension(_, Ending0, Name),
-        downcase_atom(Ending0, Ending),
-        memberchk(Ending, [pl,csg,stl,off,obj,ply]),
+        model_format(Name, _),
         string_codes(Name, [First|Codes]),
         forall(member(Code, [First|Codes]),
                ( code_type(Code, csym) ; memberchk(Code, `-.+ `) )),
@@ -507,8 +506,7 @@ file_allowed(Folder, Name, Path) :-
         catch(real_path(Path0, Real), error(_, _), fail),
         atom_concat(Root, Rest, Real),
         ( Root == (/) -> Local = Rest ; atom_concat(/, Local, Rest) ),
-        file_name_extension(_, Ending, Real),
-        memberchk(Ending, [pl,csg,stl,off,obj,ply])
+        model_format(Real, _)
     ->  atom_string(Local, Path)
     ;   request_error(outside(Name))
     ).

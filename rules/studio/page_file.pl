@@ -61,16 +61,12 @@ script(problems).
 
 %!  page_words(-Text:string) is det.
 %
-%   The words of the page in both languages, as JSON: {"en": {Key: ...}, "ko":
-%   ...}.
+%   The words of the page in both languages, as JSON: {Key: [English, Korean]}.
 
 page_words(Text) :-
-    findall(Key-Word, studio_word(Key, Word, _), English),
-    findall(Key-Word, studio_word(Key, _, Word), Korean),
-    dict_pairs(En, _, English),
-    dict_pairs(Ko, _, Korean),
+    findall(Key-[En,Ko], studio_word(Key, En, Ko), Pairs),
+    dict_pairs(Words, _, Pairs),
     with_output_to(string(Text),
                    plain_json(current_output,
                               json_write_dict(current_output,
-                                              _{en:En, ko:Ko},
-                                              [width(0)]))).
+                                              Words, [width(0)]))).

@@ -17,6 +17,13 @@ check 'no other options' status_is 2
 run serve --stdio
 check 'no request' status_is 0
 check 'no request: silent' silent out
+cp facts/cube.pl "$work/cube.txt"
+for model in "$work/cube.txt" "$work" "$work/none.pl"; do
+  run serve --no-open "$model"
+  check "no model: ${model##*/}" status_is 3
+done
+run serve --no-open "$work/cube.txt"
+check 'no model: said' has 'models of the format .txt are not known'
 
 # asked SCRIPT ARGUMENT...: its tests are counted here.
 asked() {

@@ -5,5 +5,5 @@
 cd "$here" || exit 2
 . tests/studio/asked.bash
 
-in_browser kill_browser_test.py matrix_test.py
+in_browser kill_browser_test.py matrix_test.py models_test.py
 finish

@@ -34,7 +34,10 @@ SEEN = """
     return r.width > 0 && r.bottom > 0 && r.y < innerHeight && getComputedStyle(e).visibility !== "hidden" &&
       !(at && (e.contains(at) || at.contains(e))) && !e.closest(".task, .problems, .book, .tree, .panel, .lines, .why"); };
   const all = [...document.querySelectorAll("button, select, h2")].filter((e) => e.offsetParent);
+  const { clientWidth } = document.documentElement;
   return { wide: document.documentElement.scrollWidth - innerWidth,
+    out: all.concat([...document.querySelectorAll(".menu :is(p, label)")].filter((e) => e.offsetParent)).map(inside)
+      .filter((e) => e.x < 0 || e.right > clientWidth + 1),
     cut: all.map(inside).filter((e) => e.cut), under: all.filter(on).map(inside) };"""
 # Texts that are seen, of the page and not of a model.
 TEXTS = """
@@ -55,6 +58,7 @@ def step(name, good=True, shown=None):
     checks.check(case, good, shown if shown is not None else browser.log())
     seen = browser.script(SEEN)
     checks.check(case + ": as wide as the screen", seen["wide"] <= 0, seen)
+    checks.check(case + ": nothing is outside", seen["out"] == [], seen["out"])
     checks.check(case + ": nothing is cut off", seen["cut"] == [], seen["cut"])
     checks.check(case + ": nothing is covered", seen["under"] == [] or
                  name.startswith("menu "), seen["under"])
