@@ -12,6 +12,9 @@ enum { DEEPEST = 1200 }; /* nested first arguments: 240 kB of the C stack */
 typedef struct encoding {
   sg_term_builder *out;
   bool deep; /* it is nested deeper than that */
+  /* The last name of a compound, 0: none. A list has one again and again. */
+  atom_t name;
+  int32_t symbol;
 } encoding;
 
 /* ---- symbols and atoms ------------------------------------------------- */
@@ -180,24 +183,29 @@ encode_text(term_t t, bool atom, sg_term_builder *out)
 }
 
 static int32_t
-intern_atom(atom_t atom)
+symbol_of_name(atom_t name, encoding *to)
 {
-  term_t t = PL_new_term_ref();
-  char *text;
-  size_t length;
-  int32_t symbol = -1;
-
-  PL_STRINGS_MARK();
-  if (t && PL_put_atom(t, atom) &&
-      PL_get_nchars(t, &length, &text, CVT_ATOM | REP_UTF8)) {
-    symbol = sg_symbol_intern(text, length);
+  if (name != to->name) {
+    to->name = name;
+    to->symbol = sg_intern_atom(name);
   }
-  PL_STRINGS_RELEASE();
-  PL_reset_term_refs(t);
-  return symbol;
+  return to->symbol;
 }
 
 static bool encode(term_t t, encoding *to, int depth);
+
+/* Most arguments are small integers. */
+static bool
+encode_argument(term_t t, encoding *to, int depth)
+{
+  int64_t i;
+
+  if (PL_is_integer(t) && PL_get_int64(t, &i)) {
+    sg_term_int(to->out, i);
+    return true;
+  }
+  return encode(t, to, depth);
+}
 
 /* A compound: its arguments but the last here, the last by the caller, so
  * that a list needs no deep stack. */
@@ -211,17 +219,18 @@ encode_head(term_t t, size_t *arity, encoding *to, int depth)
   if (!PL_get_compound_name_arity(t, &name, arity)) {
     return false;
   }
-  if ((symbol = intern_atom(name)) < 0) {
+  if ((symbol = symbol_of_name(name, to)) < 0) {
     to->out->no_memory = true;
     return false;
   }
   sg_term_compound(to->out, symbol, *arity);
   for (size_t i = 1; i < *arity; i++) {
     _PL_get_arg(i, t, arg);
-    if (!encode(arg, to, depth + 1)) {
+    if (!encode_argument(arg, to, depth + 1)) {
       return false;
     }
   }
+  PL_reset_term_refs(arg);
   return true;
 }
 

@@ -46,74 +46,93 @@ last_id(const sg_cells_part *part, int column)
   return last;
 }
 
-/* The edges of a glue are numbered by polygon. */
 static int32_t
 last_edge(const sg_cell_joiner *j)
 {
   int32_t last = 0;
 
-  for (size_t i = j->p.n; i-- > 0;) {
+  for (size_t i = 0; i < j->p.n; i++) {
     uint32_t row = j->p.rows.row[i];
+    const int32_t *list =
+        j->p.view.column[2].page[row / SG_PAGE_ROWS].list[row % SG_PAGE_ROWS];
 
-    if (sg_cells_int(&j->p, 1, row) == j->last_p) {
-      const int32_t *list =
-          j->p.view.column[2].page[row / SG_PAGE_ROWS].list[row % SG_PAGE_ROWS];
-
-      for (int32_t k = 1; k <= list[0]; k++) {
-        last = list[k] > last ? list[k] : last;
-      }
-      return last;
+    for (int32_t k = 1; k <= list[0]; k++) {
+      last = list[k] > last ? list[k] : last;
     }
   }
   return last;
 }
 
-static const double *
-vertex_at(const sg_cell_joiner *j, int32_t v, double at[3])
+static void
+row_place(const sg_cell_joiner *j, uint32_t row, double at[3])
 {
-  uint32_t row = sg_id_rows_find(&j->place, v);
-
   for (int k = 0; k < 3; k++) {
     at[k] =
         j->v.view.column[2 + k].page[row / SG_PAGE_ROWS].f[row % SG_PAGE_ROWS];
   }
-  return at;
 }
 
 static void
+widen(double low[3], double high[3], const double at[3], double by)
+{
+  for (int k = 0; k < 3; k++) {
+    double least = by > 0 ? nextafter(at[k] - by, -INFINITY) : at[k];
+    double most = by > 0 ? nextafter(at[k] + by, INFINITY) : at[k];
+
+    low[k] = least < low[k] ? least : low[k];
+    high[k] = most > high[k] ? most : high[k];
+  }
+}
+
+/* On which sides of the box of the solid a place is; 0: in it. */
+static uint8_t
+sides_out(const sg_cell_joiner *j, const double at[3])
+{
+  unsigned out = 0;
+
+  for (int k = 0; k < 3; k++) {
+    out |= (unsigned)(at[k] < j->low[k]) << 2 * k |
+           (unsigned)(at[k] > j->high[k]) << (2 * k + 1);
+  }
+  return (uint8_t)out;
+}
+
+static bool
 find_boxes(sg_cell_joiner *j)
 {
+  j->out = sg_call_alloc(j->call, j->place.places + 1);
+  if (!j->out) {
+    return false;
+  }
   for (int k = 0; k < 3; k++) {
     j->low[k] = j->least[k] = INFINITY;
     j->high[k] = j->most[k] = -INFINITY;
   }
   for (size_t t = 0; t < j->solid->triangles; t++) {
     for (int c = 0; c < 3; c++) {
-      const double *at = j->solid->vertex[j->solid->triangle[t][c]].at;
-
-      for (int k = 0; k < 3; k++) {
-        j->low[k] = fmin(j->low[k], nextafter(at[k] - j->reach, -INFINITY));
-        j->high[k] = fmax(j->high[k], nextafter(at[k] + j->reach, INFINITY));
-      }
+      widen(j->low, j->high, j->solid->vertex[j->solid->triangle[t][c]].at,
+            j->reach);
     }
   }
   for (size_t i = 0; i < j->v.n; i++) {
+    uint32_t row = j->v.rows.row[i];
     double at[3];
 
-    vertex_at(j, sg_cells_int(&j->v, 1, j->v.rows.row[i]), at);
-    for (int k = 0; k < 3; k++) {
-      j->least[k] = fmin(j->least[k], at[k]);
-      j->most[k] = fmax(j->most[k], at[k]);
-    }
+    row_place(j, row, at);
+    widen(j->least, j->most, at, 0);
+    j->out[sg_id_rows_place(&j->place, sg_cells_int(&j->v, 1, row))] =
+        sides_out(j, at);
   }
+  return true;
 }
 
 static bool
 read_all(sg_cell_joiner *j)
 {
   if (!read_part(j, SG_V, &j->v) || !read_part(j, SG_P, &j->p) ||
-      !read_part(j, SG_T, &j->t) || !read_part(j, SG_SIDES, &j->sides) ||
-      !read_part(j, SG_REGION, &j->region) ||
+      !read_part(j, SG_T, &j->t) ||
+      (!j->rest_only && (!read_part(j, SG_SIDES, &j->sides) ||
+                         !read_part(j, SG_REGION, &j->region))) ||
       (!sg_id_rows_make(&j->v.view, j->v.rows.row, j->v.n, &j->place) &&
        !sg_call_no_memory(j->call))) {
     return false;
@@ -123,8 +142,7 @@ read_all(sg_cell_joiner *j)
   j->last_e = last_edge(j);
   j->last_t = last_id(&j->t, 2);
   j->before = last_id(&j->region, 1);
-  find_boxes(j);
-  return true;
+  return find_boxes(j);
 }
 
 /* ---- what is near ------------------------------------------------------- */
@@ -132,18 +150,12 @@ read_all(sg_cell_joiner *j)
 static bool
 comes_near(const sg_cell_joiner *j, uint32_t row)
 {
-  double at[3][3];
+  unsigned out = 0xff;
 
   for (int c = 0; c < 3; c++) {
-    vertex_at(j, sg_cells_int(&j->t, 3 + c, row), at[c]);
+    out &= j->out[sg_id_rows_place(&j->place, sg_cells_int(&j->t, 3 + c, row))];
   }
-  for (int k = 0; k < 3; k++) {
-    if (fmin(at[0][k], fmin(at[1][k], at[2][k])) > j->high[k] ||
-        fmax(at[0][k], fmax(at[1][k], at[2][k])) < j->low[k]) {
-      return false;
-    }
-  }
-  return true;
+  return out == 0;
 }
 
 /* A triangle that is taken. */
@@ -221,7 +233,7 @@ number_of(sg_cell_joiner *j, uint32_t *number, int32_t v)
     sg_solid_vertex *to = &j->both.vertex[j->both.vertices];
 
     *to = (sg_solid_vertex){.s = j->s, .v = v};
-    vertex_at(j, v, to->at);
+    row_place(j, sg_id_rows_find(&j->place, v), to->at);
     *is = (uint32_t)j->both.vertices++;
   }
   return *is;

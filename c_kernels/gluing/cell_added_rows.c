@@ -233,7 +233,7 @@ write_rest(sg_cell_joiner *j)
 
 bool
 sg_door_cell_completed(sg_call *call, int32_t s, int32_t n, sg_solid *solid,
-                       double reach, size_t *faces)
+                       double reach, const sg_id_pair_list *was, size_t *faces)
 {
   sg_cell_joiner j = {.call = call,
                       .version = sg_call_version(call),
@@ -241,7 +241,9 @@ sg_door_cell_completed(sg_call *call, int32_t s, int32_t n, sg_solid *solid,
                       .of = n,
                       .solid = solid,
                       .reach = reach,
-                      .rest_only = true};
+                      .rest_only = true,
+                      .was = was->at,
+                      .was_n = was->n};
   size_t doubles;
   bool good = j.version && solid->plain == solid->vertices && sg_cell_read(&j);
 

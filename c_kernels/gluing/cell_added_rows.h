@@ -26,14 +26,19 @@ typedef struct sg_cell_joiner {
   sg_cells_part v, p, t, sides, region;
   sg_id_rows place;         /* of vertices */
   double low[3], high[3];   /* box of the solid, with the reach */
+  uint8_t *out;             /* [place.places] the sides of that it is beyond */
   double least[3], most[3]; /* box of the glue */
   int32_t last_v, last_e, last_p, last_t;
   size_t known, near; /* vertices and faces of the glue in `both` */
   sg_solid both;
-  uint8_t *border;         /* [triangles] of both */
-  int32_t *id;             /* [vertices] of both: of the glue */
-  int32_t *polygon;        /* [faces] of both: of the glue */
-  bool rest_only;          /* what is shared is known to be made of it too */
+  uint8_t *border;  /* [triangles] of both */
+  int32_t *id;      /* [vertices] of both: of the glue */
+  int32_t *polygon; /* [faces] of both: of the glue */
+  bool rest_only;   /* what is shared is known to be made of it too */
+  /* Then: [was_n] a polygon of the solid, ascending, and the number that its
+   * polygon of the glue gets. */
+  const struct sg_id_pair *was;
+  size_t was_n;
   int32_t inside;          /* the region that the solid becomes */
   int32_t before, outside; /* of the outside, until now and from now on */
 } sg_cell_joiner;

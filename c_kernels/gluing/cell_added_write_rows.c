@@ -2,6 +2,8 @@
  * cell_added_rows.h.
  */
 #include "cell_added_rows.h"
+#include "doors/gluing.h"
+#include "engine/search.h"
 #include "polygon/plane.h"
 #include "rows/sort.h"
 #include "solid/solid_border.h"
@@ -47,6 +49,52 @@ sg_cell_table_write(sg_cell_joiner *j, sg_world *world, sg_relation relation,
          sg_call_no_memory(j->call);
 }
 
+/* The number of face f of the solid in the glue: the one it had, or a new one.
+ * 0: it had none, or another face has it. */
+static int32_t
+number_of_face(const sg_cell_joiner *j, size_t f, uint8_t *taken)
+{
+  int32_t p = j->both.face[f].p;
+
+  if (!j->rest_only) {
+    return j->last_p + (int32_t)(f - j->near) + 1;
+  }
+  size_t at = sg_first_id(j->was, j->was_n, sizeof *j->was, p);
+
+  int32_t is = at < j->was_n && j->was[at].a == p ? j->was[at].b : 0;
+
+  return taken[is]++ ? 0 : is;
+}
+
+/* False: no memory, or a face has no number. */
+static bool
+number_faces(sg_cell_joiner *j)
+{
+  const sg_solid *both = &j->both;
+  size_t numbers = 1;
+
+  for (size_t i = 0; i < j->was_n; i++) {
+    size_t b = (size_t)j->was[i].b + 1;
+
+    numbers = b > numbers ? b : numbers;
+  }
+  uint8_t *taken = sg_call_alloc(j->call, numbers);
+
+  j->polygon = sg_call_alloc(j->call, (both->faces + 1) * sizeof *j->polygon);
+  if (!taken || !j->polygon) {
+    return false;
+  }
+  memset(taken, 0, numbers);
+  taken[0] = 1;
+  for (size_t f = 0; f < both->faces; f++) {
+    j->polygon[f] = f < j->near ? both->face[f].p : number_of_face(j, f, taken);
+    if (j->polygon[f] == 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
 /* Numbers what is new, vertices in the order of the solid. */
 static bool
 number_all(sg_cell_joiner *j)
@@ -58,16 +106,13 @@ number_all(sg_cell_joiner *j)
 
   j->border = sg_call_alloc(j->call, both->triangles + 1);
   j->id = sg_call_alloc(j->call, (both->vertices + 1) * sizeof *j->id);
-  j->polygon = sg_call_alloc(j->call, (both->faces + 1) * sizeof *j->polygon);
-  if (!(good = j->border && j->id && j->polygon)) {
+  if (!(good = j->border && j->id && number_faces(j))) {
     return false;
   }
   memset(j->id, 0, (both->vertices + 1) * sizeof *j->id);
   for (size_t f = 0; good && f < both->faces; f++) {
     const sg_solid_face *face = &both->face[f];
 
-    j->polygon[f] =
-        f < j->near ? face->p : j->last_p + (int32_t)(f - j->near) + 1;
     for (uint32_t t = face->first; f >= j->near && t < face->first + face->n;
          t++) {
       for (int c = 0; c < 3; c++) {
@@ -229,8 +274,9 @@ compare_parts(const void *x, const void *y)
                             : (a->p > b->p) - (a->p < b->p);
 }
 
-/* What face f of the solid became: a polygon, and turned or not. */
-static void
+/* What face f of the solid became: a polygon, and turned or not. False: it was
+ * there already. */
+static bool
 find_fate(const sg_cell_joiner *j, size_t f, int32_t *polygon, bool *turned)
 {
   const sg_solid *both = &j->both;
@@ -240,16 +286,17 @@ find_fate(const sg_cell_joiner *j, size_t f, int32_t *polygon, bool *turned)
   for (size_t i = j->near; i < both->faces; i++) {
     if (both->face[i].p == p) {
       *polygon = j->polygon[i];
-      return;
+      return true;
     }
   }
   for (size_t i = 0; i < both->parts; i++) {
     if (both->part[i].p == p) {
       *polygon = j->polygon[both->part[i].face];
       *turned = both->part[i].reversed;
-      return;
+      break;
     }
   }
+  return false;
 }
 
 static bool
@@ -277,8 +324,7 @@ write_sources(sg_cell_joiner *j, sg_world *world)
     bool turned;
 
     if (i == 0 || compare_parts(&from[i], &from[i - 1]) != 0) {
-      find_fate(j, from[i].face, &polygon, &turned);
-      if (!j->rest_only || polygon > j->last_p) {
+      if (find_fate(j, from[i].face, &polygon, &turned) || !j->rest_only) {
         sg_cell_table_add(&to, 5,
                           (int32_t[]){j->s, polygon, from[i].s, from[i].p,
                                       from[i].reversed != turned ? -1 : 1});

@@ -17,13 +17,14 @@ typedef struct leaver {
   sg_call *call;
   int32_t s, n; /* the glue, the operand that goes */
   const sg_int_list *gone;
+  uint8_t *is_gone; /* [last of gone + 1] */
   sg_cells_part sides, region, from_r;
   int32_t last;      /* region, the outside until now */
   uint32_t *set;     /* [last + 1] regions, disjoint sets */
   int32_t *by[2];    /* [last + 1] of a root: the last polygon it is behind, or
                       * before; 0: none */
   int32_t *role;     /* [last + 1] of a root */
-  int32_t *number;   /* [last + 1] of a root: from now on */
+  int32_t *number;   /* [last + 1] from now on */
   uint64_t *content; /* [from_r.n] region << 32 | operand, ascending */
   size_t contents;
   size_t regions; /* from now on */
@@ -34,7 +35,7 @@ typedef struct leaver {
 static bool
 is_gone(const leaver *l, int32_t p)
 {
-  return sg_find_id(l->gone->at, l->gone->n, p) != SIZE_MAX;
+  return l->gone->n > 0 && p <= l->gone->at[l->gone->n - 1] && l->is_gone[p];
 }
 
 static uint32_t
@@ -54,6 +55,15 @@ make_room(leaver *l)
   l->role = sg_call_alloc(l->call, n * sizeof *l->role);
   l->number = sg_call_alloc(l->call, n * sizeof *l->number);
   l->content = sg_call_alloc(l->call, (l->from_r.n + 1) * sizeof *l->content);
+  size_t last = l->gone->n > 0 ? (size_t)l->gone->at[l->gone->n - 1] : 0;
+
+  if (!(l->is_gone = sg_call_alloc(l->call, last + 1))) {
+    return false;
+  }
+  memset(l->is_gone, 0, last + 1);
+  for (size_t i = 0; i < l->gone->n; i++) {
+    l->is_gone[l->gone->at[i]] = 1;
+  }
   if (!l->set || !l->by[0] || !l->by[1] || !l->role || !l->number ||
       !l->content) {
     return false;
@@ -216,13 +226,10 @@ number_regions(leaver *l)
   }
   l->number[outside] = (int32_t)n + 1;
   l->regions = n + 1;
+  for (int32_t r = 1; r <= l->last; r++) {
+    l->number[r] = l->number[root_of(l, r)];
+  }
   return outside != 0;
-}
-
-static int32_t
-number_of(const leaver *l, int32_t region)
-{
-  return l->number[root_of(l, region)];
 }
 
 /* ---- writing ------------------------------------------------------------ */
@@ -283,7 +290,7 @@ write_sides(leaver *l, sg_world *world)
     int32_t p = sg_cells_int(&l->sides, 1, row);
     int32_t was[2] = {sg_cells_int(&l->sides, 2, row),
                       sg_cells_int(&l->sides, 3, row)};
-    int32_t now[2] = {number_of(l, was[0]), number_of(l, was[1])};
+    int32_t now[2] = {l->number[was[0]], l->number[was[1]]};
     bool goes = is_gone(l, p);
 
     if (goes || now[0] != was[0] || now[1] != was[1]) {
@@ -335,7 +342,7 @@ write_content(leaver *l, sg_world *world)
   }
   for (size_t i = 0; i < l->from_r.n; i++) {
     uint32_t row = l->from_r.rows.row[i];
-    int32_t r = sg_cells_int(&l->from_r, 1, row), now = number_of(l, r);
+    int32_t r = sg_cells_int(&l->from_r, 1, row), now = l->number[r];
     int32_t operand = sg_cells_int(&l->from_r, 2, row);
     bool stays = operand != l->n && l->set[r] == (uint32_t)r;
 

@@ -82,10 +82,12 @@ Foreign predicates; see kernel.pl and c_kernels/gluing/regions.h.
 %   @see c_kernels/gluing/cell_added.h
 
 %!  cell_completed(+S:id, +N:id, +Solid:solid, +Reach:number,
-%!                 -Faces:count) is semidet.
+%!                 +Was:list(id_pair), -Faces:count) is semidet.
 %
 %   So many Faces of segment N, an operand of the glue S that is Solid, with its
-%   faces merged, are not in S, and get rows; of sides/4 they have none.
+%   faces merged, are not in S, and get rows; of sides/4 they have none. P0-P in
+%   Was, ascending: polygon P0 of N becomes P. Fails, and writes nothing, where
+%   one has no number there, or two have one.
 
 /* - - - regions_joined_rows.c - - - */
 

@@ -21,9 +21,8 @@
 :- use_module('../store',
               [segment/3, origin/3, segment_stamp/2, facts_transaction/1]).
 :- use_module(library(apply), [exclude/3, foldl/4, maplist/2]).
-:- use_module(library(lists), [append/3, max_list/2, member/2, same_length/2]).
-:- use_module(library(ordsets),
-              [ord_intersection/3, ord_subtract/3, ord_union/3]).
+:- use_module(library(lists), [same_length/2]).
+:- use_module(library(ordsets), [ord_union/3]).
 /** <module> A glue whose operands came, went or changed: only what is near them
 changes.
 
@@ -61,29 +60,47 @@ glue_grown(S, Tolerance) :-
     decision_is_default(disk_relation/3),
     \+ choice_made(S),
     \+ is_elsewhere(S),
-    max_list(Stayed, Last),
+    sort(0, @>=, Stayed, [Last|_]),
     facts_transaction(sg_glue_grown:grown(S, Last, Leaving, News, Tolerance)),
     record(S, evaluated(glue(Operands, Tolerance, []))).
 
-%   operands_compared(Known, Operands, Stayed, Gone, News): as sets. Mostly some
-%   came after those that were there.
+%   operands_compared(Known, Operands, Stayed, Gone, News): as sets. Mostly they
+%   differ in few places, and both are in order.
 
-operands_compared(Known, Operands, Known, [], News) :-
-    append(Known, News0, Operands),
-    !,
-    maplist(integer, News0),
-    sort(News0, News),
-    same_length(News, News0),
-    \+ ( member(New, News), memberchk(New, Known) ).
 operands_compared(Known, Operands, Stayed, Gone, News) :-
-    maplist(integer, Operands),
     sort(Known, Set0),
     sort(Operands, Set),
     same_length(Set, Operands),
-    ord_intersection(Set0, Set, Stayed),
-    ord_subtract(Set0, Set, Gone),
-    ord_subtract(Set, Set0, News),
-    Stayed \== [].
+    sets_compared(Set0, Set, Stayed, Gone, News),
+    Stayed \== [],
+    maplist(integer, News).
+
+%   sets_compared(Set0, Set, Stayed, Gone, News): the end that both have is
+%   looked at by one comparison.
+
+sets_compared(Set, Set1, Stayed, Gone, News) :-
+    Set == Set1,
+    !,
+    Stayed = Set,
+    Gone = [],
+    News = [].
+sets_compared(Set0, Set, Stayed, Gone, News) :-
+    sets_differ(Set0, Set, Stayed, Gone, News).
+
+sets_differ([], News, [], [], News) :-
+    !.
+sets_differ(Gone, [], [], Gone, []) :-
+    !.
+sets_differ([X|Xs], [Y|Ys], Stayed, Gone, News) :-
+    compare(Order, X, Y),
+    sets_differ(Order, X, Xs, Y, Ys, Stayed, Gone, News).
+
+sets_differ(=, X, Xs, _, Ys, [X|Stayed], Gone, News) :-
+    sets_differ(Xs, Ys, Stayed, Gone, News).
+sets_differ(<, X, Xs, Y, Ys, Stayed, [X|Gone], News) :-
+    sets_compared(Xs, [Y|Ys], Stayed, Gone, News).
+sets_differ(>, X, Xs, Y, Ys, Stayed, Gone, [Y|News]) :-
+    sets_compared([X|Xs], Ys, Stayed, Gone, News).
 
 is_leaf(S) :-
     segment(S, _, Term),

@@ -4,7 +4,7 @@
           ]).
 :- use_module(faces, [faces_merged/2]).
 :- use_module('../kernel',
-              [ cell_completed/5, regions_joined/3, segment_grain/2,
+              [ cell_completed/6, regions_joined/3, segment_grain/2,
                 segments_tolerance/3, solid_close/1, solid_take/2
               ]).
 :- use_module('../near', [tolerance/2]).
@@ -209,10 +209,13 @@ made_first(S, N, Reach, Merging) :-
     forall(member(V, Vs), vertex_of(S, V, N)).
 
 %   given_anew(S, Heir, Reach, Merging, Ps): the polygons Ps, of operand Heir
-%   and others, get the rows that Heir gives.
+%   and others, get the rows that Heir gives, but keep their numbers: so regions
+%   do.
 
 given_anew(S, Heir, Reach, Merging, Ps) :-
     maplist(known_of(S), Ps, Known),
+    findall(P0-P, ( member(P, Ps), from_p(S, P, Heir, P0, _) ), Was0),
+    sort(Was0, Was),
     findall(V, ( member(P, Ps), polygon_side(S, P, A, B), ( V = A ; V = B ) ),
             Vs0),
     sort(Vs0, Vs),
@@ -223,7 +226,7 @@ given_anew(S, Heir, Reach, Merging, Ps) :-
     call_cleanup(
         ( faces_merged(Solid,
                        [tolerance(Merging),origins(separate),cells(true)]),
-          cell_completed(S, Heir, Solid, Reach, Faces)
+          cell_completed(S, Heir, Solid, Reach, Was, Faces)
         ),
         solid_close(Solid)),
     length(Ps, Faces),

@@ -72,18 +72,36 @@ adding(void)
   CHECK("not one solid", !added(MANY));
 }
 
+/* How many faces; SIZE_MAX: it was refused. */
 static size_t
-completed(int32_t s)
+completed(int32_t s, const sg_id_pair_list *was)
 {
   sg_solid *solid = taken(s);
-  size_t faces = SIZE_MAX;
+  size_t faces;
 
   CHECK("taken", solid);
-  CHECK("completed",
-        sg_door_cell_completed(&call, GLUE, s, solid, 1e-9, &faces));
+  if (!sg_door_cell_completed(&call, GLUE, s, solid, 1e-9, was, &faces)) {
+    CHECK("not refused", was_refused(SG_REFUSED_NOTHING));
+    faces = SIZE_MAX;
+  }
   sg_solid_free(solid);
   sg_call_rest(&call);
   return faces;
+}
+
+static void
+completing(size_t p, size_t v)
+{
+  sg_id_pair pair[] = {{1, 21}, {2, 22}, {3, 23}, {4, 23}, {5, 25}, {6, 26}};
+  sg_id_pair_list six = {pair, 6, 6}, five = {pair, 5, 5};
+
+  CHECK("two with one number", completed(ACROSS, &six) == SIZE_MAX);
+  pair[3].b = 24;
+  CHECK("one without", completed(ACROSS, &five) == SIZE_MAX);
+  CHECK("nothing is written", rows_of(SG_P) == p && rows_of(SG_V) == v);
+  CHECK("nothing is there", completed(ACROSS, &six) == 6 &&
+                                rows_of(SG_P) == p + 6 &&
+                                rows_of(SG_V) == v + 8);
 }
 
 /* The last five polygons are of BESIDE alone; two cubes make three regions. */
@@ -103,13 +121,13 @@ leaving(void)
   sg_call_rest(&call);
   CHECK("nothing is written",
         rows_of(SG_SIDES) == 11 && rows_of(SG_FROM_R) == 2);
-  CHECK("all is there", completed(BESIDE) == 0 && rows_of(SG_P) == p);
+  CHECK("all is there",
+        completed(BESIDE, &(sg_id_pair_list){0}) == 0 && rows_of(SG_P) == p);
   CHECK("gone", sg_door_regions_joined(&call, GLUE, BESIDE, &five));
   sg_call_rest(&call);
   CHECK("one less", rows_of(SG_REGION) == 2 && rows_of(SG_SIDES) == 6 &&
                         rows_of(SG_FROM_R) == 1);
-  CHECK("nothing is there", completed(ACROSS) == 6 && rows_of(SG_P) == p + 6 &&
-                                rows_of(SG_V) == v + 8);
+  completing(p, v);
 }
 
 static void

@@ -150,6 +150,22 @@ test(last, Rows-Around == AtOnce-3) :-
                    rows(Rows) )),
     Around = Statistics.around,
     at_once(Now, AtOnce).
+%   Where an operand goes, its polygons that others have keep their numbers, and
+%   so do the regions round it.
+
+test(numbers_stay, Now == Before) :-
+    cubes(3, [], Terms),
+    numlist(1, 27, Ss),
+    selectchk(14, Ss, Others),
+    in_new_world(( maplist(operand, Ss, Terms),
+                   glued_of(Ss),
+                   findall(P-Above, ( from_p(99, P, 14, _, _),
+                                      cell_beyond(P, 14, Above) ), Before),
+                   glued_of(Others),
+                   findall(P-Above, ( member(P-_, Before),
+                                      from_p(99, P, N, _, _),
+                                      cell_beyond(P, -1, Above),
+                                      from_r(99, Above, N, 1) ), Now) )).
 %   An operand of which a vertex was moved, in its rows.
 
 test(edited, Rows-Around == AtOnce-1) :-
@@ -169,6 +185,14 @@ test(random, Different-Enough == []-true) :-
     ).
 
 :- end_tests(glue_grown).
+
+%   cell_beyond(P, S, R): R is a region beside polygon P, of another operand than
+%   S.
+
+cell_beyond(P, S, R) :-
+    sides(99, P, R1, R2),
+    member(R, [R1,R2]),
+    once(( from_r(99, R, S1, _), S1 =\= S )).
 
 %   edited(Before, Rows, Around): of cubes, after a vertex was moved and
 %   call(Before).
