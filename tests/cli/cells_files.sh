@@ -77,6 +77,44 @@ for name in materials vertex crossing face mixed room inner; do
   fi
 done
 
+# CityJSON is right by another program, which sees each fault planted here.
+city() { python3 "$here/city_checker.py" "$@"; }
+for name in materials vertex crossing face mixed room inner; do
+  check "$name: CityJSON written" \
+    cells "$TMP/$name.pl" -o "$TMP/$name.city.json"
+  check "$name: CityJSON is right" city "$TMP/$name.city.json" \
+    "$TMP/$name.json"
+done
+planted() { # PYTHON: what it does to `city`, or to `solid`, its first member
+  python3 -c '
+import json, sys
+city = json.load(open(sys.argv[1]))
+solid = city["CityObjects"]["segment_7_part_1"]["geometry"][0]["boundaries"][0]
+exec(sys.argv[2])
+json.dump(city, open(sys.argv[3], "w"))' "$TMP/room.city.json" "$1" \
+    "$TMP/planted.city.json" &&
+    ! city "$TMP/planted.city.json" "$TMP/room.json" >/dev/null
+}
+while read -r fault; do
+  check "planted: $fault" planted "$fault"
+done <<'EOF'
+solid[0][0][0][0] = 99
+solid[0][0][0].reverse()
+solid[0][0][0][1] = solid[0][0][0][0]
+solid[0].pop()
+solid.append([])
+for rings in solid[0]: rings[0].reverse()
+del city["CityObjects"]["segment_7_part_1"]["geometry"][0]["boundaries"][1]
+city["vertices"][0] = city["vertices"][1]
+city["vertices"].append([7, 7, 7])
+city["vertices"][0][2] += 1
+city["vertices"][0][0] = 0.5
+city["transform"]["scale"][1] = 2.0
+city["version"] = "3.0"
+city["CityObjects"]["segment_7_part_1"]["type"] = "House"
+del city["CityObjects"]["segment_7_part_1"]["geometry"][0]["lod"]
+EOF
+
 # CityJSON: the parts are glued again. (Of what a wire runs in, twelve digits
 # are too few: see docs/limits.md.)
 city_again() { # NAME
