@@ -41,16 +41,15 @@ list_around(spreading *s)
   }
 }
 
-/* Region r has what region `from` has, but of the solids of the face only what
- * that has not. */
+/* Lists what is beyond a face of region `from`: what that has, but of the solids
+ * of the face only what it has not. */
 static bool
-cross(spreading *s, uint32_t from, uint32_t r, uint32_t face)
+cross(spreading *s, uint32_t from, size_t face)
 {
   const int32_t *solid = s->f->solid;
   size_t a = s->at[from], a_end = a + s->count[from];
   size_t b = s->f->begin[face], b_end = s->f->begin[face + 1];
 
-  s->at[r] = s->item.n;
   if (!sg_list_need(&s->item.item, s->item.n + (a_end - a) + (b_end - b) + 1,
                     &s->item.room, sizeof *s->item.item)) {
     return false;
@@ -71,8 +70,40 @@ cross(spreading *s, uint32_t from, uint32_t r, uint32_t face)
       b++;
     }
   }
-  s->count[r] = s->item.n - s->at[r];
   return true;
+}
+
+/* Region r is beyond a face of region `from`. */
+static bool
+reach(spreading *s, uint32_t from, uint32_t r, size_t face)
+{
+  s->at[r] = s->item.n;
+  bool good = cross(s, from, face);
+
+  s->count[r] = s->item.n - s->at[r];
+  return good;
+}
+
+/* Counts the faces that it is wrong to cross: beyond is something else. */
+static bool
+count_wrong(spreading *s, size_t *wrong)
+{
+  size_t n = s->item.n;
+  bool good = true;
+
+  *wrong = 0;
+  for (size_t f = 0; good && f < s->f->faces; f++) {
+    uint32_t a = s->f->side[2 * f], b = s->f->side[2 * f + 1];
+
+    if (s->at[a] != UNKNOWN && s->at[b] != UNKNOWN) {
+      good = cross(s, a, f);
+      *wrong += good && (s->item.n - n != s->count[b] ||
+                         memcmp(s->item.item + n, s->item.item + s->at[b],
+                                s->count[b] * sizeof(int32_t)) != 0);
+      s->item.n = n;
+    }
+  }
+  return good;
 }
 
 static bool
@@ -91,7 +122,7 @@ spread(spreading *s, uint32_t outside, const sg_cancel *cancel)
 
       if (s->at[other] == UNKNOWN) {
         s->next[known++] = other;
-        if (!cross(s, r, other, s->face[k])) {
+        if (!reach(s, r, other, s->face[k])) {
           return false;
         }
       }
@@ -128,7 +159,7 @@ put_in_order(const spreading *s, sg_region_content *out)
 bool
 sg_region_content_make(const sg_content_faces *faces, size_t regions,
                        uint32_t outside, const sg_cancel *cancel,
-                       sg_region_content *out)
+                       sg_region_content *out, size_t *wrong)
 {
   /* around: one more, as list_around() counts down to where they begin. */
   spreading s = {.f = faces,
@@ -146,7 +177,8 @@ sg_region_content_make(const sg_content_faces *faces, size_t regions,
       s.at[r] = UNKNOWN;
     }
     list_around(&s);
-    good = spread(&s, outside, cancel) && put_in_order(&s, out);
+    good = spread(&s, outside, cancel) && put_in_order(&s, out) &&
+           count_wrong(&s, wrong);
   }
   free(s.around);
   free(s.face);

@@ -27,14 +27,16 @@ typedef struct sg_region_content {
   int32_t *solid;
 } sg_region_content;
 
-/* A region that no way leads to from `outside` is inside none.
+/* A region that no way leads to from `outside` is inside none. All ways to a
+ * region say the same of it, unless faces are missing, or a region is beside a
+ * face that it does not end at: *wrong is the number of faces where they do not.
  *
  * Returns: false: no memory, or the cancellation said stop.
  * Owner:   sg_region_content_clear() in any case.
  * Cost:    of faces, and what is listed. */
 bool sg_region_content_make(const sg_content_faces *faces, size_t regions,
                             uint32_t outside, const sg_cancel *cancel,
-                            sg_region_content *out);
+                            sg_region_content *out, size_t *wrong);
 void sg_region_content_clear(sg_region_content *content);
 
 #endif

@@ -190,7 +190,7 @@ write_content(sg_call *call, int32_t s, const sg_region_content *content,
 
 bool
 sg_door_contents_written(sg_call *call, int32_t s, const sg_int_list *solids,
-                         sg_int_list *nothing)
+                         sg_int_list *nothing, size_t *wrong)
 {
   const sg_version *version = sg_call_version(call);
   sg_region_content content = {0};
@@ -201,7 +201,7 @@ sg_door_contents_written(sg_call *call, int32_t s, const sg_int_list *solids,
     const sg_content_faces faces = {r.sides.n, r.side, r.begin, r.solid};
 
     good = sg_region_content_make(&faces, r.regions, r.outside, &call->cancel,
-                                  &content) ||
+                                  &content, wrong) ||
            sg_call_ended(call);
   }
   for (size_t i = 0; good && i < r.regions; i++) {

@@ -2,6 +2,7 @@
           [ cells_exploded/1,           % +Factor
             cells_parted/0,
             cells_parted/1,             % +S
+            wire_seam/4,                % +S, -E, -A, -B
             faces_once/0,
             segment_exploded/3,         % +S, +Factor, -Parts
             region_copied/3             % +S, +R, -Ns
@@ -84,13 +85,15 @@ cells_parted(S) :-
                         sg_exploded:exploded(S, 0) )).
 
 seams_kept(S) :-
-    findall(E-(A-B), seam(S, E, A, B), Seams),
+    findall(E-(A-B), wire_seam(S, E, A, B), Seams),
     curve_kept(S, seams(S), Seams, _).
 
-%   seam(S, E, A, B) is nondet: of the faces at edge E, from A to B, there are
+%!  wire_seam(+S, -E, -A, -B) is nondet.
+%
+%   A wire alone keeps edge E, from vertex A to B: of the faces at it there are
 %   two, or one from both sides, in one plane and between the same regions.
 
-seam(S, E, A, B) :-
+wire_seam(S, E, A, B) :-
     e(S, E, A, B, 1),
     A < B,
     edge_polygon(S, E, P),

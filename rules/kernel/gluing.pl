@@ -63,7 +63,8 @@ Foreign predicates; see kernel.pl and c_kernels/gluing/regions.h.
 
 /* - - - region_content_rows.c - - - */
 
-%!  contents_written(+S:id, +Solids:set(id), -Nothing:list(int)) is det.
+%!  contents_written(+S:id, +Solids:set(id), -Nothing:list(int),
+%!                   -Wrong:count) is det.
 %
 %   Writes from_r/4 of segment S, a glue of which there is none and whose
 %   regions are known: which of Solids each is inside. Nothing are the regions

@@ -3,6 +3,7 @@
           ]).
 :- use_module(cells_face, [face_border/4, region_shells/3]).
 :- use_module('../disjoint_sets', [set_root/3, sets_joined/4]).
+:- use_module('../gluing/exploded', [wire_seam/4]).
 :- use_module('../json_layout', [json_laid_out/3]).
 :- use_module('../store',
               [v/5, e/5, segment/3, sides/4, edge_polygon/3]).
@@ -14,7 +15,8 @@
 /** <module> Cells as CityJSON 2.0.
 
 What hangs together by faces is a CompositeSolid, whose members are its cells;
-sheets that are no border of a cell are a MultiSurface, wires a MultiLineString.
+sheets that are no border of a cell are a MultiSurface, wires a MultiLineString,
+also those that run in faces: so they come again when all is glued.
 Vertices are shared by all. They are integers times a power of ten, which keeps
 twelve digits of the largest coordinate, or as many as the coordinates have, if
 these are fewer.
@@ -110,8 +112,7 @@ city_object(Vertices, Faces, Cells, Id, Object) :-
 city_object(Vertices, _, _, Id, Object) :-
     segment(S, _, _),
     findall(Line,
-            ( e(S, E, V1, V2, 1),
-              \+ edge_polygon(S, E, _),
+            ( wire(S, V1, V2),
               msort([V1,V2], Vs),
               maplist(index_of(Vertices, S), Vs, Line) ),
             Lines0),
@@ -119,6 +120,15 @@ city_object(Vertices, _, _, Id, Object) :-
     Lines \== [],
     format(atom(Id), 'segment_~d_wires', [S]),
     object("MultiLineString", Lines, Object).
+
+%   wire(S, V1, V2): also one that runs in a face, or between two that would be
+%   one without it: a face has no seams here.
+
+wire(S, V1, V2) :-
+    e(S, E, V1, V2, 1),
+    \+ edge_polygon(S, E, _).
+wire(S, V1, V2) :-
+    wire_seam(S, _, V1, V2).
 
 object(Type, Boundaries,
        _{ type:"GenericCityObject",

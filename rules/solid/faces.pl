@@ -34,6 +34,9 @@ left at them vanish. Bodies that touch in an edge keep it.
 %     - origins(Which)
 %     `separate`: faces that come from different segments never become one.
 %     Default: `together`.
+%     - cells(Bool)
+%     `true`: an edge of other faces in the middle of one, or between two, stays.
+%     Default: `false`.
 %     - apart(Pairs)
 %     Never these become one, as of solid_neighbours/3. Default: none.
 %
@@ -41,11 +44,13 @@ left at them vanish. Bodies that touch in an edge keep it.
 
 faces_merged(Solid, Options) :-
     merge_options(Options, Tolerance, BySize, Origins),
+    option(cells(Cells), Options, false),
     option(apart(Apart0), Options, []),
     kept_apart(Solid, Tolerance, Apart1),
     ord_union(Apart0, Apart1, Apart),
     solid_merge(Solid, Tolerance,
-                [origins(Origins), apart(Apart), by_size(BySize)], Tight),
+                [ origins(Origins), apart(Apart), by_size(BySize), cells(Cells)
+                ], Tight),
     flattened(Tight).
 
 %   flattened(Tight): what solid_merge/4 says of moves.

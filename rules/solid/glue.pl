@@ -25,7 +25,7 @@
 :- use_module('../gluing/regions',
               [regions_found/2, regions_report/2, law_fault/3]).
 :- use_module('../kernel',
-              [ contents_written/3, near_segments_of/3, segment_meetings/3,
+              [ contents_written/4, near_segments_of/3, segment_meetings/3,
                 solid_close/1, solid_coincident_faces/3, solid_write_cells/3
               ]).
 :- use_module('../limits', [limit_value/2]).
@@ -343,11 +343,16 @@ unglued(S) :-
 
 %   contents_found(S, Operands): write from_r/4 of the regions of S: which of
 %   the solids among Operands each is inside. A bounded one inside none is a
-%   `void`.
+%   `void`. Each polygon has a solid that it is made of on one side alone: else
+%   there is an error.
 
 contents_found(S, Operands) :-
     solids_among(Operands, Solids),
-    contents_written(S, Solids, Nothing),
+    contents_written(S, Solids, Nothing, Wrong),
+    (   Wrong =:= 0
+    ->  true
+    ;   throw(error(geometry_error(glue_law(S, [wrong_side-Wrong])), _))
+    ),
     forall(( member(R, Nothing), region(S, R, cell) ), is_void(S, R)).
 
 is_void(S, R) :-

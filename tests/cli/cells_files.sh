@@ -115,14 +115,13 @@ city["CityObjects"]["segment_7_part_1"]["type"] = "House"
 del city["CityObjects"]["segment_7_part_1"]["geometry"][0]["lod"]
 EOF
 
-# CityJSON: the parts are glued again. (Of what a wire runs in, twelve digits
-# are too few: see docs/limits.md.)
+# CityJSON: the parts are glued again.
 city_again() { # NAME
   cells "$TMP/$1.pl" -o "$TMP/$1.city.json" >"$TMP/$1.report" &&
     "$SANGGWAN" glue -q --json "$TMP/$1.city.json" >"$TMP/$1.again" &&
     volumes "$TMP/$1.json" report "$TMP/$1.again"
 }
-for name in vertex crossing face mixed room inner; do
+for name in materials vertex crossing face mixed room inner; do
   check "$name: CityJSON glued again" city_again "$name"
 done
 

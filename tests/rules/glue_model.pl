@@ -52,6 +52,10 @@ model(plate_through, [box(2,[0,0,0]),size([4,4,1],[0,0,0.5])], Counts) :-
     Counts = c(24,40,22,24,1,5,5,1).
 model(flush_sheet, [box(2,[0,0,0]),flat(2,2,1)], c(12,20,11,11,1,3,3,0)).
 model(large_sheet, [box(2,[0,0,0]),flat(4,4,1)], c(16,24,12,13,1,3,3,0)).
+model(sheet(into), [box(2,[0,0,0]),Sheet], c(14,19,8,9,1,2,2,0)) :-
+    Sheet = square([[-0.5,0.5,1],[0.5,0.5,1],[0.5,1.5,1],[-0.5,1.5,1]]).
+model(sheet(out_of_three), [box(2,[0,0,0]),Sheet], c(16,23,9,9,1,2,2,0)) :-
+    Sheet = square([[0,0,-1],[0,2,-1],[0,2,3],[0,0,3]]).
 model(book(K), Pages, c(V,E,K,K,1,1,1,0)) :-
     member(K, [1,2,3,8,64]),
     findall(Page, book_page(K, Page), Pages),

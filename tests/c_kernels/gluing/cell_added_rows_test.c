@@ -29,6 +29,7 @@ glue_of_one(void)
   sg_regions_handle *regions = NULL;
   int32_t first = FIRST;
   sg_int_list one = {&first, 1, 1}, nothing = {0};
+  size_t wrong;
 
   CHECK("taken", solid);
   CHECK("written", sg_door_solid_write_cells(&call, solid, GLUE, &none));
@@ -36,7 +37,9 @@ glue_of_one(void)
   CHECK("opened", sg_door_regions_open(&call, GLUE, &none, &regions));
   CHECK("regions", sg_door_regions_written(&call, regions));
   sg_call_rest(&call);
-  CHECK("contents", sg_door_contents_written(&call, GLUE, &one, &nothing));
+  CHECK("contents",
+        sg_door_contents_written(&call, GLUE, &one, &nothing, &wrong));
+  CHECK("on one side", wrong == 0);
   CHECK("but the outside", nothing.n == 1 && nothing.at[0] == 2);
   sg_call_rest(&call);
   CHECK("inside", rows_of(SG_FROM_R) == 1);
