@@ -41,8 +41,8 @@ list_around(spreading *s)
   }
 }
 
-/* Lists what is beyond a face of region `from`: what that has, but of the solids
- * of the face only what it has not. */
+/* Lists what is beyond a face of region `from`: what that has, but of the
+ * solids of the face only what it has not. */
 static bool
 cross(spreading *s, uint32_t from, size_t face)
 {

@@ -29,7 +29,8 @@ typedef struct sg_region_content {
 
 /* A region that no way leads to from `outside` is inside none. All ways to a
  * region say the same of it, unless faces are missing, or a region is beside a
- * face that it does not end at: *wrong is the number of faces where they do not.
+ * face that it does not end at: *wrong is the number of faces where they do
+ * not.
  *
  * Returns: false: no memory, or the cancellation said stop.
  * Owner:   sg_region_content_clear() in any case.

@@ -35,8 +35,8 @@ left at them vanish. Bodies that touch in an edge keep it.
 %     `separate`: faces that come from different segments never become one.
 %     Default: `together`.
 %     - cells(Bool)
-%     `true`: an edge of other faces in the middle of one, or between two, stays.
-%     Default: `false`.
+%     `true`: an edge of other faces in the middle of one, or between two,
+%     stays. Default: `false`.
 %     - apart(Pairs)
 %     Never these become one, as of solid_neighbours/3. Default: none.
 %

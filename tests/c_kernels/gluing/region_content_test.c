@@ -18,8 +18,8 @@ wrong_of(const uint32_t *begin, const int32_t *solid, sg_region_content *out)
   sg_cancel cancel = {0};
   size_t wrong = SIZE_MAX;
 
-  CHECK("made", sg_region_content_make(&faces, REGIONS, OUTSIDE, &cancel, out,
-                                       &wrong));
+  CHECK("made",
+        sg_region_content_make(&faces, REGIONS, OUTSIDE, &cancel, out, &wrong));
   return wrong;
 }
 
@@ -28,9 +28,8 @@ two_cubes(void)
 {
   sg_region_content content;
 
-  CHECK("right",
-        wrong_of((uint32_t[]){0, 1, 3, 4}, (int32_t[]){7, 7, 8, 8}, &content) ==
-            0);
+  CHECK("right", wrong_of((uint32_t[]){0, 1, 3, 4}, (int32_t[]){7, 7, 8, 8},
+                          &content) == 0);
   CHECK("each its own", content.begin[LEFT + 1] == 1 &&
                             content.begin[RIGHT + 1] == 2 &&
                             content.solid[0] == 7 && content.solid[1] == 8);

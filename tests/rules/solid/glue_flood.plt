@@ -1,6 +1,7 @@
 /* Random boxes and sheets with whole coordinates, that cross, touch and lie in
    each other, against a flood of the cubes between: which regions there are,
-   what each is inside, and its volume. The flood shares nothing with the engine.
+   what each is inside, and its volume. The flood shares nothing with the
+   engine.
    covers: region_content */
 :- module(test_glue_flood, []).
 :- use_module(library(apply)).

@@ -186,8 +186,8 @@ test(random, Different-Enough == []-true) :-
 
 :- end_tests(glue_grown).
 
-%   cell_beyond(P, S, R): R is a region beside polygon P, of another operand than
-%   S.
+%   cell_beyond(P, S, R): R is a region beside polygon P, of another operand
+%   than S.
 
 cell_beyond(P, S, R) :-
     sides(99, P, R1, R2),
