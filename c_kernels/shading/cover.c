@@ -221,7 +221,7 @@ add_bent(sg_dot_row *cover, const sg_shaded *in, const sg_span *span,
          uint32_t number, double y)
 {
   const sg_face_look *look = &in->looks.look[number];
-  uint64_t key = ((uint64_t)number << 34) + ((uint64_t)span->surface << 2) +
+  uint64_t key = ((uint64_t)number << 36) + ((uint64_t)span->surface << 4) +
                  (uint64_t)(span->sense + 2);
 
   for (int32_t x1 = span->x1; x1 < span->x2;) {

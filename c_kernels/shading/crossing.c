@@ -2,7 +2,10 @@
  * a straight one and an arc, it is the root of a linear or quadratic equation.
  * An arc bends one way only: between two places it lies in the triangle of its
  * chord and its tangents there. Two arcs whose triangles are apart do not
- * cross; else the way between is halved, down to 1/256 dot.
+ * cross; else the way between is halved, down to 1/256 dot. Of a torus is asked
+ * whether another slice, or the strip in which it lies between two places,
+ * meets it at all: on a straight line it is a quartic, the signs of whose
+ * numbers of Bernstein tell.
  */
 #include "shading_private.h"
 
@@ -100,7 +103,12 @@ typedef struct triangle {
 static arc_point
 point_of(const sg_slice *s, int32_t place)
 {
-  double x = place / 256.0, at = x - s->x0;
+  double x = place / 256.0;
+
+  if (sg_slice_is_ring(s)) {
+    return (arc_point){.x = x, .z = sg_ring_depth(s, x), .steep = true};
+  }
+  double at = x - s->x0;
   double square = (s->e * at + s->f) * at + s->g;
   double root = square > 0 ? sqrt(square) : 0.0;
   bool steep = root <= 1e-9 * (1.0 + fabs(s->f));
@@ -269,6 +277,152 @@ cross_together(reach *r, const sg_slice *p, const sg_slice *q,
   }
 }
 
+/* ---- a torus and another slice ---- */
+
+/* Where another slice lies between two places: in depth, at both. */
+typedef struct strip {
+  double low[2], high[2];
+} strip;
+
+typedef struct ring_pair {
+  const sg_slice *ring, *other;
+  double shift;  /* the other one is looked at so much deeper */
+  arc_pair pair; /* the two, in order */
+} ring_pair;
+
+/* 1: a torus is met nowhere between two places, straight; -1: all is in it; 0:
+ * it may be met. Null: only that is asked; else the quartic. */
+static int
+meets(const sg_slice *ring, const arc_point end[2], const double z[2],
+      double c[5])
+{
+  int above = 0, below = 0;
+
+  sg_ring_along(ring->line, (double[]){end[0].x, z[0]},
+                (double[]){end[1].x, z[1]}, c);
+  for (int k = 0; k < 5; k++) {
+    above += c[k] > 0;
+    below += c[k] < 0;
+  }
+  return above == 5 ? 1 : below == 5 ? -1 : 0;
+}
+
+/* A slice of a torus does not leave a strip whose borders do not meet it. */
+static double
+ring_strays(const sg_slice *s, const arc_point end[2])
+{
+  double z = sg_ring_depth(s, (end[0].x + end[1].x) / 2), c[5];
+  double off = 2.0 * fabs(z - (end[0].z + end[1].z) / 2) + 1e-9;
+  const double low[2] = {end[0].z - off, end[1].z - off};
+  const double high[2] = {end[0].z + off, end[1].z + off};
+
+  return meets(s, end, low, c) != 0 && meets(s, end, high, c) != 0
+             ? off
+             : (double)INFINITY;
+}
+
+/* False: nothing is known. */
+static bool
+find_strip(const ring_pair *of, const arc_point end[2], strip *out)
+{
+  const sg_slice *s = of->other;
+  double near = 0.0, far = 0.0;
+
+  if (sg_slice_is_ring(s)) {
+    near = far = ring_strays(s, end);
+  } else if (s->arc != 0) {
+    triangle t = bound(bend_of(s), &end[0], &end[1]);
+    double chord = limit(&t, t.apex, -t.bend);
+    double off = fabs(limit(&t, t.apex, t.bend) - chord);
+    *(t.bend > 0 ? &near : &far) = off;
+  }
+  for (int i = 0; i < 2; i++) {
+    out->low[i] = end[i].z - near + of->shift;
+    out->high[i] = end[i].z + far + of->shift;
+  }
+  return isfinite(near) && isfinite(far);
+}
+
+/* Whether the quartic changes its sign once. */
+static bool
+changes_once(const double c[5])
+{
+  int changes = 0;
+
+  for (int k = 1; k < 5; k++) {
+    changes += (c[k - 1] < 0) != (c[k] < 0);
+  }
+  return changes == 1;
+}
+
+/* Where the one place is. */
+static void
+note_root(reach *r, const double c[5], const arc_point end[2])
+{
+  const double turned[5] = {c[4], c[3], c[2], c[1], c[0]};
+  bool rising = c[0] < 0;
+  bool before = (c[0] + c[1] + c[2] + c[3] + c[4] > 0) == rising;
+  double u = before ? sg_root_between(c, 4, 0.0, 1.0, rising)
+                    : sg_root_between(turned, 4, 0.0, 1.0, !rising);
+
+  note(r, before ? (end[0].x + u * end[1].x) / (1.0 + u)
+                 : (u * end[0].x + end[1].x) / (1.0 + u));
+}
+
+/* As cross_arcs(); `end` is of the other one. */
+static void
+cross_ring(reach *r, const ring_pair *of, int32_t x1, int32_t x2,
+           const arc_point end[2])
+{
+  strip s;
+
+  if (r->found != r->x1) {
+    return;
+  }
+  if (find_strip(of, end, &s)) {
+    double c[5];
+    int met = meets(of->ring, end, s.low, c);
+
+    if (of->other->arc == 0) {
+      if (met != 0) {
+        return;
+      }
+      if (changes_once(c)) {
+        note_root(r, c, end);
+        return;
+      }
+    } else if (met != 0 && meets(of->ring, end, s.high, c) == met) {
+      double z = sg_ring_depth(of->ring, end[0].x);
+      if (z < s.low[0] || z > s.high[0]) {
+        return;
+      }
+    }
+  }
+  if (x2 - x1 == 1) {
+    note_change(r, &of->pair, x1, x2, beyond(&of->pair, x1),
+                beyond(&of->pair, x2));
+    return;
+  }
+  int32_t x = halfway(x1, x2);
+  arc_point m = point_of(of->other, x);
+  cross_ring(r, of, x1, x, (arc_point[]){end[0], m});
+  cross_ring(r, of, x, x2, (arc_point[]){m, end[1]});
+}
+
+static void
+cross_rings(reach *r, const sg_slice *p, const sg_slice *q, double t)
+{
+  bool first = sg_slice_is_ring(p);
+  const ring_pair of = {.ring = first ? p : q,
+                        .other = first ? q : p,
+                        .shift = first ? -t : t,
+                        .pair = {.p = p, .q = q, .t = t}};
+  const arc_point end[] = {point_of(of.other, r->x1),
+                           point_of(of.other, r->x2)};
+
+  cross_ring(r, &of, r->x1, r->x2, end);
+}
+
 /* ---- all ---- */
 
 /* Whether bends cannot bring them nearer than they are at the ends. */
@@ -290,11 +444,17 @@ sg_slices_cross(const sg_active *a, const sg_active *b, int32_t x1, int32_t x2,
   double right = b->right - a->right;
   reach r = {x1, x2, x1};
 
-  if ((p->surface == q->surface && p->arc == q->arc) ||
+  bool rings = sg_slice_is_ring(p) || sg_slice_is_ring(q);
+
+  if ((p->surface == q->surface && (p->arc == q->arc || rings)) ||
       (p->round && p->leaf == q->leaf)) {
     return x1;
   }
-  if (p->arc == 0 && q->arc == 0) {
+  if (rings && middle > t) {
+    cross_rings(&r, p, q, t);
+  } else if (rings) {
+    cross_together(&r, p, q, (double[2]){left, right}, t);
+  } else if (p->arc == 0 && q->arc == 0) {
     cross_straight(&r, left, middle, right, t);
   } else if (left > t && right > t && middle > t && bend_apart(p, q)) {
     return x1;

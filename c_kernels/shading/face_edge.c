@@ -33,7 +33,7 @@ goes_on(const sg_shading *s, const sg_span *p, const sg_span *q)
   const sg_shading_surface *a = &s->surface.item[p->surface];
   const sg_shading_surface *b = &s->surface.item[q->surface];
 
-  if (p->root != q->root || a->quadric || b->quadric) {
+  if (p->root != q->root || a->kind != SG_IS_PLANE || b->kind != SG_IS_PLANE) {
     return p->root == q->root && p->surface == q->surface &&
            p->sense == q->sense;
   }
@@ -56,7 +56,8 @@ differs(const lines *l, const sg_span *p, const sg_span *q, double x, double y)
   if (!goes_on(s, p, q)) {
     return true;
   }
-  if (p->surface == q->surface && !s->surface.item[p->surface].quadric) {
+  if (p->surface == q->surface &&
+      s->surface.item[p->surface].kind == SG_IS_PLANE) {
     return false;
   }
   sg_shading_point(s, p, x / DOT, y, &depth[0], normal[0]);

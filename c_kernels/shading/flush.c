@@ -45,8 +45,12 @@ key_of(const merging *m, const sg_shading_surface *s)
 {
   double q[10];
 
-  if (!s->quadric) {
+  if (s->kind == SG_IS_PLANE) {
     return s->q[3] + m->reach * (SPREAD_X * s->q[0] + SPREAD_Y * s->q[1]);
+  }
+  if (s->kind == SG_IS_RING) {
+    const double *at = m->scene->torus.item[s->of].at;
+    return at[0] + SPREAD_X * at[1] + SPREAD_Y * at[2];
   }
   move_quadric(&m->scene->quadric.item[s->of], m->scene->middle, q);
   return q[9];
@@ -80,6 +84,24 @@ same_quadric(const merging *m, const sg_shading_quadric *a,
          m->tolerance * radius;
 }
 
+/* A tube is thinner than the whole: what changes forms by so much moves the
+ * surface by more. */
+static bool
+same_torus(const merging *m, const sg_shading_torus *a,
+           const sg_shading_torus *b)
+{
+  double off = 0.0;
+
+  for (int i = 0; i < 3; i++) {
+    for (int k = 0; k < 10; k++) {
+      off += fabs(a->form[i][k] - b->form[i][k]);
+    }
+  }
+  double thin = 1.0 - a->form[0][9]; /* k^2 */
+  return off * a->size <= m->tolerance * thin &&
+         sg_distance(a->at, b->at) <= m->tolerance;
+}
+
 /* Facets of one plane that are seen bent are so each in its own way. */
 static bool
 may_merge(const sg_shading *s, const sg_shading_surface *a,
@@ -99,9 +121,17 @@ same_surface(const merging *m, uint32_t i, uint32_t j)
   const sg_shading_surface *b = &m->scene->surface.item[j];
 
   const sg_shading_quadric *quadric = m->scene->quadric.item;
+  const sg_shading_torus *torus = m->scene->torus.item;
 
-  return a->quadric ? same_quadric(m, &quadric[a->of], &quadric[b->of])
-                    : may_merge(m->scene, a, b) && same_plane(m, a->q, b->q);
+  switch (a->kind) {
+  case SG_IS_QUADRIC:
+    return same_quadric(m, &quadric[a->of], &quadric[b->of]);
+  case SG_IS_RING:
+    return same_torus(m, &torus[a->of], &torus[b->of]);
+  case SG_IS_PLANE:
+    break;
+  }
+  return may_merge(m->scene, a, b) && same_plane(m, a->q, b->q);
 }
 
 /* Unsigned integers in the order of numbers, which are rounded to floats. */
@@ -118,7 +148,7 @@ rounded_key(double value)
 
 /* The least key of what may be one surface with what has this key. */
 static uint32_t
-least_key(const merging *m, bool quadric, uint32_t key)
+least_key(const merging *m, sg_surface_kind kind, uint32_t key)
 {
   const uint32_t sign = UINT32_C(1) << 31;
   uint32_t bits = key & sign ? key & ~sign : ~key;
@@ -126,21 +156,21 @@ least_key(const merging *m, bool quadric, uint32_t key)
 
   memcpy(&rounded, &bits, sizeof rounded);
   double value = rounded, off = fabs(value) * 0x1p-23;
-  return rounded_key(
-      value - off -
-      (quadric ? 1e-9 * (1.0 + fabs(value)) : 2.0 * m->tolerance));
+  return rounded_key(value - off -
+                     (kind == SG_IS_QUADRIC ? 1e-9 * (1.0 + fabs(value))
+                                            : 2.0 * m->tolerance));
 }
 
 /* Those of a kind, in order of their keys: each goes to that of the nearest
  * before it to which it may: of many in one plane the first that is asked. */
 static sg_shading_end
-merge_kind(merging *m, bool quadric, const sg_cancel *cancel)
+merge_kind(merging *m, sg_surface_kind kind, const sg_cancel *cancel)
 {
   const sg_shading *s = m->scene;
 
   m->n = 0;
   for (uint32_t i = 0; i < s->surface.n; i++) {
-    if (s->surface.item[i].quadric == quadric) {
+    if (s->surface.item[i].kind == kind) {
       m->key[m->n++] =
           (uint64_t)rounded_key(key_of(m, &s->surface.item[i])) << 32 | i;
     }
@@ -150,7 +180,7 @@ merge_kind(merging *m, bool quadric, const sg_cancel *cancel)
   }
   for (size_t i = 0; i < m->n; i++) {
     uint32_t of = (uint32_t)m->key[i];
-    uint32_t least = least_key(m, quadric, (uint32_t)(m->key[i] >> 32));
+    uint32_t least = least_key(m, kind, (uint32_t)(m->key[i] >> 32));
 
     if (sg_cancel_every(cancel, i)) {
       return SG_SHADING_STOPPED;
@@ -196,8 +226,9 @@ sg_shading_merge(sg_shading *s, const sg_cancel *cancel)
   for (uint32_t i = 0; m.to && i < n; i++) {
     m.to[i] = i;
   }
-  for (int kind = 0; kind < 2 && end == SG_SHADING_GOOD; kind++) {
-    end = merge_kind(&m, kind == 1, cancel);
+  for (int kind = SG_IS_PLANE; kind <= SG_IS_RING && end == SG_SHADING_GOOD;
+       kind++) {
+    end = merge_kind(&m, (sg_surface_kind)kind, cancel);
   }
   if (end == SG_SHADING_GOOD) {
     use_merged(s, m.to);

@@ -8,19 +8,6 @@
 /* What a plane has less of along both axes of a scan line is level. */
 #define LEVEL 1e-9
 
-/* A linear form of the place in the picture, from `at`. */
-typedef struct form {
-  double c[4];
-} form;
-
-/* Of a piece: what (x, y, h, 1) of its frame is in the picture, from `at`, in
- * columns; and its inverse, in rows. */
-typedef struct seen_frame {
-  double at[3];
-  double column[4][4];
-  form row[4];
-} seen_frame;
-
 static void
 see_column(const sg_shading *s, const double p[3], double one, double out[4])
 {
@@ -63,15 +50,14 @@ sg_shading_invert(double a[4][8])
   return true;
 }
 
-/* False: the centre is not in front of the eye, or the frame is flat. */
-static bool
-see_frame(const sg_shading *s, const sg_shading_piece *piece, seen_frame *out)
+bool
+sg_shading_see_frame(const sg_shading *s, const double frame[4][3],
+                     sg_seen_frame *out)
 {
   double a[4][8] = {{0}};
 
   for (int i = 0; i < 4; i++) {
-    see_column(s, piece->frame[(i + 1) % 4], i == 3 ? 1.0 : 0.0,
-               out->column[i]);
+    see_column(s, frame[(i + 1) % 4], i == 3 ? 1.0 : 0.0, out->column[i]);
   }
   if (!(out->column[3][3] > 0)) {
     return false;
@@ -102,8 +88,8 @@ see_frame(const sg_shading *s, const sg_shading_piece *piece, seen_frame *out)
 
 /* ---- the quadric ---- */
 
-static void
-add_square(double q[10], const form *f, double part)
+void
+sg_add_square(double q[10], const sg_linear_form *f, double part)
 {
   const double *c = f->c;
 
@@ -117,10 +103,10 @@ add_square(double q[10], const form *f, double part)
   q[9] += part * c[3] * c[3];
 }
 
-static form
-combined(const form *a, double part, const form *b)
+static sg_linear_form
+combined(const sg_linear_form *a, double part, const sg_linear_form *b)
 {
-  form out;
+  sg_linear_form out;
 
   for (int k = 0; k < 4; k++) {
     out.c[k] = a->c[k] + part * b->c[k];
@@ -129,21 +115,23 @@ combined(const form *a, double part, const form *b)
 }
 
 static uint32_t
-add_quadric(sg_shading *s, const sg_shading_piece *piece, const seen_frame *f)
+add_quadric(sg_shading *s, const sg_shading_piece *piece,
+            const sg_seen_frame *f)
 {
-  sg_shading_surface surface = {.quadric = true, .of = (uint32_t)s->quadric.n};
+  sg_shading_surface surface = {.kind = SG_IS_QUADRIC,
+                                .of = (uint32_t)s->quadric.n};
   sg_shading_quadric out = {.at = {0}};
-  form radius = combined(&f->row[3], piece->k - 1.0, &f->row[2]);
+  sg_linear_form radius = combined(&f->row[3], piece->k - 1.0, &f->row[2]);
   double size = 0.0;
 
   memcpy(out.at, f->at, sizeof out.at);
-  add_square(out.q, &f->row[0], 1.0);
-  add_square(out.q, &f->row[1], 1.0);
+  sg_add_square(out.q, &f->row[0], 1.0);
+  sg_add_square(out.q, &f->row[1], 1.0);
   if (piece->sphere) {
-    add_square(out.q, &f->row[2], 1.0);
-    add_square(out.q, &f->row[3], -1.0);
+    sg_add_square(out.q, &f->row[2], 1.0);
+    sg_add_square(out.q, &f->row[3], -1.0);
   } else {
-    add_square(out.q, &radius, -1.0);
+    sg_add_square(out.q, &radius, -1.0);
   }
   for (int k = 0; k < 6; k++) {
     size += fabs(out.q[k]);
@@ -161,8 +149,8 @@ add_quadric(sg_shading *s, const sg_shading_piece *piece, const seen_frame *f)
 /* Adds the plane of a form, which is 0 or more inside; a level one bounds the
  * lines instead. False: no memory. */
 static bool
-add_bound(sg_shading *s, const seen_frame *f, const form *bound, int32_t face,
-          sg_shading_body *body)
+add_bound(sg_shading *s, const sg_seen_frame *f, const sg_linear_form *bound,
+          int32_t face, sg_shading_body *body)
 {
   double length = sg_any_length(bound->c), from[3], q[4];
   const double *c = bound->c;
@@ -219,7 +207,7 @@ touched(const round_shape *shape, int axis, double end[2])
 
 /* The circle of a piece at h. */
 static round_shape
-ring(const seen_frame *f, const sg_shading_piece *piece, double h)
+ring(const sg_seen_frame *f, const sg_shading_piece *piece, double h)
 {
   double r =
       piece->sphere ? sqrt(fmax(1.0 - h * h, 0.0)) : 1.0 - h + h * piece->k;
@@ -235,14 +223,14 @@ ring(const seen_frame *f, const sg_shading_piece *piece, double h)
 
 /* Where the plane that touches the sphere at `end` does so, along its axis. */
 static double
-height_of_touch(const seen_frame *f, int axis, double end)
+height_of_touch(const sg_seen_frame *f, int axis, double end)
 {
   return -(f->column[2][axis] - end * f->column[2][3]) /
          (f->column[3][axis] - end * f->column[3][3]);
 }
 
 static bool
-reach_of_sphere(const seen_frame *f, const sg_shading_piece *piece, int axis,
+reach_of_sphere(const sg_seen_frame *f, const sg_shading_piece *piece, int axis,
                 double end[2])
 {
   round_shape sphere = {.n = 3};
@@ -267,7 +255,7 @@ reach_of_sphere(const seen_frame *f, const sg_shading_piece *piece, int axis,
 
 /* From end[0] to end[1] in the picture. False: it reaches the eye's plane. */
 static bool
-reach_of(const seen_frame *f, const sg_shading_piece *piece, int axis,
+reach_of(const sg_seen_frame *f, const sg_shading_piece *piece, int axis,
          double end[2])
 {
   double other[2];
@@ -297,10 +285,10 @@ sg_shading_add_piece(sg_shading *s, const sg_shading_piece *piece)
 {
   sg_shading_body body = {.leaf = (uint32_t)(s->leaf.n - 1),
                           .face = piece->face};
-  seen_frame f = {0};
+  sg_seen_frame f = {0};
   double end[2];
 
-  if (!see_frame(s, piece, &f)) {
+  if (!sg_shading_see_frame(s, piece->frame, &f)) {
     return SG_SHADING_BEHIND_EYE;
   }
   for (int k = 0; k < 3; k++) {
@@ -314,8 +302,8 @@ sg_shading_add_piece(sg_shading *s, const sg_shading_piece *piece)
     body.y1 = k == 1 ? nearbyint(end[0] * SG_SNAP) / SG_SNAP : body.y1;
     body.y2 = k == 1 ? nearbyint(end[1] * SG_SNAP) / SG_SNAP : body.y2;
   }
-  form low = combined(&f.row[2], -piece->low, &f.row[3]);
-  form high = combined(&f.row[2], -piece->high, &f.row[3]);
+  sg_linear_form low = combined(&f.row[2], -piece->low, &f.row[3]);
+  sg_linear_form high = combined(&f.row[2], -piece->high, &f.row[3]);
   for (int k = 0; k < 4; k++) {
     high.c[k] = -high.c[k];
   }

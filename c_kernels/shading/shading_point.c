@@ -71,15 +71,82 @@ known_normal(const sg_shading *scene, const sg_shading_surface *s,
   }
 }
 
+/* A unit vector of the model that looks as a plane in the picture does. */
+static void
+normal_of(const sg_shading *scene, const double plane[4], double way,
+          double normal[3])
+{
+  for (int k = 0; k < 3; k++) {
+    normal[k] = 0.0;
+    for (int j = 0; j < 4; j++) {
+      normal[k] += way * plane[j] * scene->frame.matrix[j][k];
+    }
+  }
+  double length = sg_any_length(normal);
+  for (int k = 0; k < 3; k++) {
+    normal[k] = length > 0 ? normal[k] / length : 0.0;
+  }
+}
+
+/* Half of A dA - 2 (B dW + W dB) at a place from `at`, in parts of its size. */
+static void
+ring_gradient(const sg_shading_torus *torus, const double p[3], double out[3])
+{
+  double value[3], grad[3][3];
+
+  for (int i = 0; i < 3; i++) {
+    const double *q = torus->form[i];
+    double *g = grad[i];
+
+    g[0] = q[0] * p[0] + (q[3] * p[1] + q[4] * p[2] + q[6]) / 2;
+    g[1] = q[1] * p[1] + (q[3] * p[0] + q[5] * p[2] + q[7]) / 2;
+    g[2] = q[2] * p[2] + (q[4] * p[0] + q[5] * p[1] + q[8]) / 2;
+    value[i] =
+        sg_dot(g, p) + q[9] + (q[6] * p[0] + q[7] * p[1] + q[8] * p[2]) / 2;
+  }
+  for (int k = 0; k < 3; k++) {
+    out[k] = value[0] * grad[0][k] -
+             2 * (value[1] * grad[2][k] + value[2] * grad[1][k]);
+  }
+}
+
+/* A side of a torus, which looks to the eye where it is entered, but for what
+ * rounding leaves where it is edge-on. */
+static void
+ring_point(const sg_shading *scene, const sg_span *span, double x, double y,
+           double *depth, double normal[3])
+{
+  const sg_shading_torus *torus =
+      &scene->torus.item[scene->surface.item[span->surface].of];
+  sg_ring_line line = sg_ring_line_of(torus, y);
+  sg_quartic_root root = (sg_quartic_root)span->sense;
+  bool enters = root == SG_ROOT_FIRST || root == SG_ROOT_NEAR_IN ||
+                root == SG_ROOT_FAR_IN;
+  double t = (x - line.x) / line.size, c[5], plane[4];
+
+  sg_ring_quartic(&line, t, c);
+  double z = sg_quartic_place(c, root);
+  double p[3] = {t, (y - torus->at[1]) / torus->size, z};
+  ring_gradient(torus, p, plane);
+  *depth = line.z + z * line.size;
+  plane[3] = -(sg_dot(plane, p) * torus->size + sg_dot(plane, torus->at));
+  normal_of(scene, plane, enters ? 1.0 : -1.0, normal);
+}
+
 void
 sg_shading_point(const sg_shading *scene, const sg_span *span, double x,
                  double y, double *depth, double normal[3])
 {
   const sg_shading_surface *s = &scene->surface.item[span->surface];
-  const double *at = s->quadric ? scene->quadric.item[s->of].at : scene->middle;
+  const double *at =
+      s->kind == SG_IS_QUADRIC ? scene->quadric.item[s->of].at : scene->middle;
   double p[3] = {x - at[0], y - at[1], 0}, plane[4];
 
-  if (!s->quadric) {
+  if (s->kind == SG_IS_RING) {
+    ring_point(scene, span, x, y, depth, normal);
+    return;
+  }
+  if (s->kind == SG_IS_PLANE) {
     *depth =
         at[2] - (fabs(s->q[2]) < SG_EDGE_ON
                      ? 0.0
@@ -94,18 +161,7 @@ sg_shading_point(const sg_shading *scene, const sg_span *span, double x,
   p[2] = quadric_depth(quadric, span->sense, p[0], p[1]);
   *depth = at[2] + p[2];
   tangent_plane(quadric, p, plane);
-  double way = faces_eye(quadric, span->sense) ? 1.0 : -1.0;
-
-  for (int k = 0; k < 3; k++) {
-    normal[k] = 0.0;
-    for (int j = 0; j < 4; j++) {
-      normal[k] += way * plane[j] * scene->frame.matrix[j][k];
-    }
-  }
-  double length = sg_any_length(normal);
-  for (int k = 0; k < 3; k++) {
-    normal[k] = length > 0 ? normal[k] / length : 0.0;
-  }
+  normal_of(scene, plane, faces_eye(quadric, span->sense) ? 1.0 : -1.0, normal);
 }
 
 bool
@@ -113,7 +169,7 @@ sg_shading_is_faceted(const sg_shading *scene, const sg_span *span)
 {
   const sg_shading_surface *s = &scene->surface.item[span->surface];
 
-  return !s->quadric && s->of > 0;
+  return s->kind == SG_IS_PLANE && s->of > 0;
 }
 
 bool
@@ -121,5 +177,5 @@ sg_shading_is_flat(const sg_shading *scene, const sg_span *span)
 {
   const sg_shading_surface *s = &scene->surface.item[span->surface];
 
-  return !s->quadric && s->of == 0;
+  return s->kind == SG_IS_PLANE && s->of == 0;
 }

@@ -7,6 +7,7 @@
 
 #include "engine/list.h"
 #include "owner.h"
+#include "quartic.h"
 #include "shading_scene.h"
 
 /* Rows of dots of which there is one list of what lies in them: the fewest, a
@@ -30,12 +31,31 @@ typedef struct sg_shading_quadric {
   double at[3], q[10];
 } sg_shading_quadric;
 
-/* A quadric, or a plane q0 x + q1 y + q2 z + q3 = 0 round the middle of the
- * scene, (q0, q1, q2) a unit vector. */
+/* A torus: where A^2 = 4 B W, inside of it less, A, B and W as the quadrics
+ * above, of places from `at` in parts of `size`. W is 1 at its centre, `at`. */
+typedef struct sg_shading_torus {
+  double at[3], size; /* it ends nearer to `at` than `size` */
+  double form[3][10];
+} sg_shading_torus;
+
+/* A torus on a line: A, B and W, each f0 tt + f1 tz + f2 zz + f3 t + f4 z + f5,
+ * of t and z from x and z in parts of `size`. */
+typedef struct sg_ring_line {
+  double x, z, size, form[3][6];
+} sg_ring_line;
+
+typedef enum sg_surface_kind {
+  SG_IS_PLANE,
+  SG_IS_QUADRIC,
+  SG_IS_RING
+} sg_surface_kind;
+
+/* A plane q0 x + q1 y + q2 z + q3 = 0 round the middle of the scene, (q0, q1,
+ * q2) a unit vector; or another one. */
 typedef struct sg_shading_surface {
-  bool quadric;
-  uint32_t of; /* its place in scene->quadric; a plane stands for this one of
-                  scene->known, from 1; 0: for none */
+  sg_surface_kind kind;
+  uint32_t of; /* its place in scene->quadric or scene->torus; a plane stands
+                  for this one of scene->known, from 1; 0: for none */
   double q[4];
   double normal[3];   /* of a plane: in the model, to the eye */
 } sg_shading_surface; /* 64 bytes: as it is with polygons */
@@ -104,6 +124,7 @@ struct sg_shading {
   SG_LIST_OF(sg_shading_leaf) leaf;
   SG_LIST_OF(sg_shading_surface) surface;
   SG_LIST_OF(sg_shading_quadric) quadric;
+  SG_LIST_OF(sg_shading_torus) torus;
   SG_LIST_OF(sg_shading_polygon) polygon;
   SG_LIST_OF(sg_shading_corner) corner, exact;
   SG_LIST_OF(uint32_t) corner_of; /* polygons */
@@ -122,15 +143,21 @@ struct sg_shading {
 
 /* What a face of a leaf and the plane of a scan line have in common: with
  * t = x - x0 (dots) it is seen at depth z = a + b t, of an arc
- * a + b t + arc sqrt(e t^2 + f t + g), where what is below 0 counts as 0. */
+ * a + b t + arc sqrt(e t^2 + f t + g), where what is below 0 counts as 0; of a
+ * torus at a root of the quartic of `line`, which is there from e to f. */
 typedef struct sg_slice {
   int32_t x1, x2;
   uint32_t leaf, surface;
   int32_t face;
   int8_t sense; /* 1 enters, -1 leaves */
-  int8_t arc;   /* 0: straight; else the sign of the root */
+  int8_t arc;   /* 0: straight; 1, -1: the sign of the root; more: which
+                   root, sg_quartic_root */
   bool round;   /* of a round leaf: its slices do not cross */
-  double x0, a, b, e, f, g;
+  union {
+    double x0;
+    const sg_ring_line *line; /* borrowed of the work */
+  };
+  double a, b, e, f, g;
 } sg_slice;
 
 /* A slice where it is looked at between two places. */
@@ -164,15 +191,40 @@ struct sg_shading_work {
   SG_LIST_OF(sg_active) active;
   SG_LIST_OF(sg_slice_corner) crossing;
   SG_LIST_OF(sg_met_face) met; /* of a group */
+  sg_ring_line *line;          /* [tori]: where the last line cut them */
   double between[2];        /* dots: what is round and lies here is left out */
   sg_expression expression; /* a copy with counters of its own */
   bool failed;              /* no memory */
   sg_shading_work *light[SG_SHADOWS]; /* null: not yet */
 };
 
+/* ring_slice.c: a torus on the line y; its quartic in z at t, which are from
+ * its place in parts of its size; and from one place (x, z) of the picture
+ * straight to another one the numbers by powers of u, the place there being
+ * (from + u to) / (1 + u). */
+sg_ring_line sg_ring_line_of(const sg_shading_torus *torus, double y);
+void sg_ring_quartic(const sg_ring_line *line, double t, double c[5]);
+void sg_ring_along(const sg_ring_line *line, const double from[2],
+                   const double to[2], double c[5]);
+double sg_ring_depth(const sg_slice *s, double x);
+bool sg_ring_slices(sg_shading_work *work, const sg_shading_body *body,
+                    double y);
+/* The same at one place of it alone: straight slices there. */
+bool sg_ring_over(sg_shading_work *work, const sg_shading_body *body, double x,
+                  double y);
+
+static inline bool
+sg_slice_is_ring(const sg_slice *s)
+{
+  return s->arc > 1;
+}
+
 static inline double
 sg_slice_depth(const sg_slice *s, double x)
 {
+  if (sg_slice_is_ring(s)) {
+    return sg_ring_depth(s, x);
+  }
   double t = x - s->x0;
   double depth = s->a + s->b * t;
 
@@ -206,6 +258,9 @@ void sg_shading_reach(sg_shading *s, const double at[3], double off);
  * UINT32_MAX: no memory. */
 uint32_t sg_shading_add_plane(sg_shading *s, const double q[4]);
 
+/* slice.c: an end of a slice in 1/256 dot, of one in dots. */
+int32_t sg_slice_end(const sg_shading_work *work, double x);
+
 /* slice.c: the slices of the line y, unordered; those of one thing of a band
  * come behind what is there. */
 bool sg_slices_of_line(sg_shading_work *work, double y);
@@ -223,6 +278,27 @@ int32_t sg_slices_cross(const sg_active *p, const sg_active *q, int32_t x1,
  * n: all do. False: no memory. */
 bool sg_walk_slices(sg_shading_work *work, const sg_active *active, size_t n,
                     size_t *last);
+
+/* A linear form of the place in the picture, from `at`. */
+typedef struct sg_linear_form {
+  double c[4];
+} sg_linear_form;
+
+/* Of a frame: what (x, y, h, 1) in it is in the picture, from `at`, in columns;
+ * and its inverse, in rows. */
+typedef struct sg_seen_frame {
+  double at[3];
+  double column[4][4];
+  sg_linear_form row[4];
+} sg_seen_frame;
+
+/* shading_body.c: false: the centre is not in front of the eye, or the frame
+ * is flat. */
+bool sg_shading_see_frame(const sg_shading *s, const double frame[4][3],
+                          sg_seen_frame *out);
+
+/* shading_body.c: q += part (form)^2 */
+void sg_add_square(double q[10], const sg_linear_form *form, double part);
 
 /* shading_body.c: the right half becomes the inverse of the left one. False:
  * there is none. */

@@ -1,218 +1,123 @@
-/* shading_ring.c -- a torus as facets made for the picture: none is farther
- * from it than an eighth of a dot, and each is seen with its true normals.
- */
+/* shading_ring.c -- a torus, seen in the picture. */
 #include "number/vector.h"
 #include "shading_private.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
-/* Dots, of each of the two circles. */
-#define FARTHEST 0.0625
+/* The surface ends there, in its own size, at most. */
+#define MARGIN 1.0625
 
-/* Dots: where nothing is wanted but a box, each circle has as many facets as
- * one of this radius, in whatever unit, so a box is as exact at any scale. */
-#define BOX_RADIUS 100.0
+enum { STEPS = 64 };
 
-/* Facets round, at most. */
-#define MOST 4096
-
-/* What is near the eye is divided as if it were so many times as large as the
- * middle, at most. */
-#define MOST_LARGER 16.0
-
-#define TURN 6.283185307179586
-
-/* The first quarters of polygons of 8, 12 and 20 sides, from which those of
- * more sides follow. */
-enum { QUARTERS = 3, QUARTER_MOST = 5 };
-
-typedef struct quarter {
-  size_t n; /* corners */
-  double at[QUARTER_MOST][2];
-} quarter;
-
-static void
-fill_quarters(quarter q[QUARTERS])
-{
-  double h = sqrt(0.5), t = sqrt(0.75), f = sqrt(5.0);
-  double c18 = sqrt(10.0 + 2.0 * f) / 4.0, s18 = (f - 1.0) / 4.0;
-  double c36 = (f + 1.0) / 4.0, s36 = sqrt(10.0 - 2.0 * f) / 4.0;
-
-  q[0] = (quarter){2, {{1, 0}, {h, h}}};
-  q[1] = (quarter){3, {{1, 0}, {t, 0.5}, {0.5, t}}};
-  q[2] = (quarter){5, {{1, 0}, {c18, s18}, {c36, s36}, {s36, c36}, {s18, c18}}};
-}
-
-/* Corners of a polygon of n sides, those of a quarter doubled a few times, that
- * has the area of the unit circle: each new one is half-way between two, so
- * square roots are enough. */
-static void
-fill_turn(double (*at)[2], size_t n, const quarter *q)
-{
-  size_t step = n / 4 / q->n;
-
-  for (size_t i = 0; i < q->n; i++) {
-    const double *p = q->at[i];
-    const double turned[4][2] = {
-        {p[0], p[1]}, {-p[1], p[0]}, {-p[0], -p[1]}, {p[1], -p[0]}};
-    for (size_t k = 0; k < 4; k++) {
-      memcpy(at[k * (n / 4) + i * step], turned[k], sizeof *at);
-    }
-  }
-  for (; step > 1; step /= 2) {
-    for (size_t i = 0; i < n; i += step) {
-      const double *a = at[i], *b = at[(i + step) % n];
-      double x = a[0] + b[0], y = a[1] + b[1], length = sqrt(x * x + y * y);
-      at[i + step / 2][0] = x / length;
-      at[i + step / 2][1] = y / length;
-    }
-  }
-  double larger = sqrt(TURN / (double)n / at[1][1]);
-  for (size_t i = 0; i < n; i++) {
-    at[i][0] *= larger;
-    at[i][1] *= larger;
-  }
-}
-
-/* How far the corners of n sides, which are farther than the middles of the
- * sides, are from a circle of this radius, in dots. */
+/* How far the torus reaches along a vector of its frame. */
 static double
-away(double radius, size_t n)
+support(const double n[3], double k)
 {
-  double angle = TURN / (double)n;
-
-  return radius * angle * angle / 12.0;
+  return sqrt(n[0] * n[0] + n[1] * n[1]) + k * sg_length(n);
 }
 
-/* The fewest parts of a circle of this radius, in dots, that are near enough,
- * and the quarter from which they follow. */
-static size_t
-parts_for(double radius, const quarter q[QUARTERS], const quarter **from)
-{
-  size_t best = 2 * MOST;
-
-  for (size_t i = 0; i < QUARTERS; i++) {
-    size_t n = 4 * q[i].n;
-    while (n < MOST && away(radius, n) > FARTHEST) {
-      n *= 2;
-    }
-    if (n < best) {
-      best = n;
-      *from = &q[i];
-    }
-  }
-  return best;
-}
-
-/* Of a model vector at the torus, dots in the picture, at most. */
+/* How much the plane where coordinate `axis` is e, which looks along `way`, is
+ * below the farthest point; in *slope how that changes with e. */
 static double
-dots(const sg_shading *s, const double v[3], double nearest)
+beyond(const sg_seen_frame *f, double k, int axis, double way, double e,
+       double *slope)
 {
-  double out[3];
+  double n[3], round, length;
 
   for (int i = 0; i < 3; i++) {
-    out[i] = sg_dot(s->frame.matrix[i], v);
+    n[i] = way * (f->column[i][axis] - e * f->column[i][3]);
   }
-  return sg_length(out) / nearest;
+  round = sqrt(n[0] * n[0] + n[1] * n[1]);
+  length = sg_length(n);
+  *slope = -way * f->column[3][3];
+  for (int i = 0; i < 3; i++) {
+    double turned = k * n[i] / length;
+    turned += i < 2 && round > 0 ? n[i] / round : 0.0;
+    *slope -= way * f->column[i][3] * turned;
+  }
+  return way * (f->column[3][axis] - e * f->column[3][3]) + support(n, k);
 }
 
-typedef struct torus {
-  const sg_shading_ring *ring;
-  double (*round)[2], (*side)[2];
-  size_t n, m;
-} torus;
+/* Newton from the centre: what is looked for bends one way. */
+static double
+reach_of(const sg_seen_frame *f, double k, int axis, double way)
+{
+  double e = f->column[3][axis] / f->column[3][3];
 
+  for (int i = 0; i < STEPS; i++) {
+    double slope, next = e - beyond(f, k, axis, way, e, &slope) / slope;
+    if (!(way * (next - e) > 0)) {
+      break;
+    }
+    e = next;
+  }
+  return e;
+}
+
+/* False: some of it is not in front of the eye. */
+static bool
+fill_box(const sg_seen_frame *f, double k, sg_shading_body *body)
+{
+  double n[3];
+
+  for (int i = 0; i < 3; i++) {
+    n[i] = f->column[i][3];
+  }
+  if (!(f->column[3][3] > support(n, k))) {
+    return false;
+  }
+  for (int axis = 0; axis < 3; axis++) {
+    body->low[axis] = f->at[axis] + reach_of(f, k, axis, -1.0);
+    body->high[axis] = f->at[axis] + reach_of(f, k, axis, 1.0);
+  }
+  body->y1 = nearbyint(body->low[1] * SG_SNAP) / SG_SNAP;
+  body->y2 = nearbyint(body->high[1] * SG_SNAP) / SG_SNAP;
+  return true;
+}
+
+/* A = xx + yy + hh + (1 - kk) ww, B = xx + yy, W = ww, of places in `size`. */
 static void
-point(const torus *t, size_t i, size_t j, double out[3])
+fill_forms(const sg_seen_frame *f, double k, sg_shading_torus *torus)
 {
-  const double *a = t->round[i], *b = t->side[j];
-  double r = 1.0 + t->ring->k * b[0];
+  for (int i = 0; i < 4; i++) {
+    sg_linear_form row = f->row[i];
 
-  for (int c = 0; c < 3; c++) {
-    out[c] = t->ring->frame[0][c] + r * a[0] * t->ring->frame[1][c] +
-             r * a[1] * t->ring->frame[2][c] +
-             t->ring->k * b[1] * t->ring->frame[3][c];
+    for (int c = 0; c < 4; c++) {
+      row.c[c] *= f->column[3][3] * (c < 3 ? torus->size : 1.0);
+    }
+    sg_add_square(torus->form[0], &row, i < 3 ? 1.0 : 1.0 - k * k);
+    if (i != 2) {
+      sg_add_square(torus->form[i < 2 ? 1 : 2], &row, 1.0);
+    }
   }
-}
-
-static sg_shading_end
-add_corners(sg_shading *s, const torus *t, uint32_t *corner)
-{
-  sg_shading_end end = SG_SHADING_GOOD;
-  double p[3];
-
-  for (size_t k = 0; end == SG_SHADING_GOOD && k < t->n * t->m; k++) {
-    point(t, k / t->m, k % t->m, p);
-    end = sg_shading_add_corner(s, p, &corner[k]);
-  }
-  return end;
-}
-
-/* Counter-clockwise seen from outside, of a frame that is right-handed. */
-static sg_shading_end
-add_facets(sg_shading *s, const torus *t, bool turned, const uint32_t *corner)
-{
-  sg_shading_end end = SG_SHADING_GOOD;
-  const size_t four = 4;
-
-  for (size_t k = 0; end == SG_SHADING_GOOD && k < t->n * t->m; k++) {
-    size_t i = k / t->m, j = k % t->m;
-    size_t here = i * t->m, next = (i + 1) % t->n * t->m, up = (j + 1) % t->m;
-    uint32_t of[4] = {corner[here + j], corner[(turned ? here + up : next + j)],
-                      corner[next + up],
-                      corner[(turned ? next + j : here + up)]};
-
-    end = sg_shading_add_polygon(s, t->ring->face, of, &four, 1);
-  }
-  return end;
 }
 
 sg_shading_end
 sg_shading_add_ring(sg_shading *s, const sg_shading_ring *ring)
 {
-  const double(*f)[3] = ring->frame;
-  torus t = {.ring = ring};
-  double middle = sg_dot(s->frame.matrix[3], f[0]) + s->frame.matrix[3][3];
-  double nearest = middle; /* at most as near as this */
-  double across[3];
+  sg_shading_body body = {.leaf = (uint32_t)(s->leaf.n - 1),
+                          .face = ring->face,
+                          .surface = (uint32_t)s->surface.n};
+  sg_shading_surface surface = {.kind = SG_IS_RING, .of = (uint32_t)s->torus.n};
+  sg_seen_frame f = {0};
+  sg_shading_torus torus = {.size = 0.0};
 
-  for (int i = 1; i < 4; i++) {
-    nearest -= fabs(sg_dot(s->frame.matrix[3], f[i])) * (1.0 + ring->k);
-  }
-  if (!(middle > 0)) {
+  if (!sg_shading_see_frame(s, ring->frame, &f) ||
+      !fill_box(&f, ring->k, &body)) {
     return SG_SHADING_BEHIND_EYE;
   }
-  nearest = fmax(nearest, middle / MOST_LARGER);
-  double u = dots(s, f[1], nearest), v = dots(s, f[2], nearest);
-  quarter q[QUARTERS];
-  const quarter *round = NULL, *side = NULL;
-
-  fill_quarters(q);
-  double wide[2] = {(1.0 + ring->k) * fmax(u, v),
-                    ring->k * fmax(fmax(u, v), dots(s, f[3], nearest))};
-  t.n = parts_for(s->frame.box ? BOX_RADIUS : wide[0], q, &round);
-  t.m = parts_for(s->frame.box ? BOX_RADIUS : wide[1], q, &side);
-  t.round = malloc(t.n * sizeof *t.round);
-  t.side = malloc(t.m * sizeof *t.side);
-  uint32_t *corner = malloc(t.n * t.m * sizeof *corner);
-  sg_shading_end end = SG_SHADING_NO_MEMORY;
-  uint32_t known = sg_shading_add_known(s, SG_KNOWN_TORUS, f, ring->k, 0.0);
-
-  if (t.round && t.side && corner && known > 0) {
-    fill_turn(t.round, t.n, round);
-    fill_turn(t.side, t.m, side);
-    sg_cross(f[1], f[2], across);
-    end = add_corners(s, &t, corner);
-    sg_shading_stand_for(s, known);
-    end = end != SG_SHADING_GOOD || s->frame.box
-              ? end
-              : add_facets(s, &t, sg_dot(across, f[3]) < 0, corner);
-    sg_shading_stand_for(s, 0);
+  for (int k = 0; k < 3; k++) {
+    torus.at[k] = f.at[k];
+    torus.size = fmax(torus.size, MARGIN * fmax(body.high[k] - f.at[k],
+                                                f.at[k] - body.low[k]));
   }
-  free(corner);
-  free(t.round);
-  free(t.side);
-  return end;
+  sg_shading_reach(s, body.low, 0);
+  sg_shading_reach(s, body.high, 0);
+  fill_forms(&f, ring->k, &torus);
+  s->leaf.item[body.leaf].round = true;
+  return SG_PUSH(s->torus, torus) && SG_PUSH(s->surface, surface) &&
+                 SG_PUSH(s->body, body)
+             ? SG_SHADING_GOOD
+             : SG_SHADING_NO_MEMORY;
 }

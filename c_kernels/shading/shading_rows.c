@@ -448,7 +448,18 @@ slice_fact(const sg_slice *s)
                           .x1 = s->x1,
                           .x2 = s->x2};
 
-  if (s->arc == 0) {
+  if (sg_slice_is_ring(s)) {
+    out.depth.is = SG_SHADING_DEPTH_RING;
+    out.depth.ring.x0 = s->line->x;
+    out.depth.ring.z0 = s->line->z;
+    out.depth.ring.size = s->line->size;
+    out.depth.ring.low = s->e;
+    out.depth.ring.high = s->f;
+    out.depth.ring.roots = s->arc <= SG_ROOT_LAST ? 2 : 4;
+    out.depth.ring.root =
+        (size_t)s->arc -
+        (s->arc <= SG_ROOT_LAST ? SG_ROOT_FIRST : SG_ROOT_NEAR_IN) + 1;
+  } else if (s->arc == 0) {
     out.depth.is = SG_SHADING_DEPTH_LINE;
     out.depth.line.x0 = s->x0;
     out.depth.line.a = s->a;
@@ -476,8 +487,16 @@ sg_door_shading_slices(sg_call *call, sg_shading *scene, double y,
     return false;
   }
   for (size_t i = 0; i < work->slice.n; i++) {
-    if (!sg_shading_slice_list_add(call, out,
-                                   slice_fact(&work->slice.item[i]))) {
+    const sg_slice *s = &work->slice.item[i];
+    sg_shading_slice fact = slice_fact(s);
+
+    for (int k = 0; sg_slice_is_ring(s) && k < 18; k++) {
+      if (!sg_number_list_add(call, &fact.depth.ring.forms,
+                              s->line->form[k / 6][k % 6])) {
+        return false;
+      }
+    }
+    if (!sg_shading_slice_list_add(call, out, fact)) {
       return false;
     }
   }

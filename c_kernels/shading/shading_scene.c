@@ -87,6 +87,7 @@ sg_shading_close(sg_shading *s)
     free(s->leaf.item);
     free(s->surface.item);
     free(s->quadric.item);
+    free(s->torus.item);
     free(s->polygon.item);
     free(s->corner.item);
     free(s->exact.item);

@@ -112,6 +112,18 @@ typedef struct asking {
   float at[3]; /* in the frame of the tree */
 } asking;
 
+static bool
+find_slices(asking *a, const sg_shading_item *item)
+{
+  const sg_shading *s = a->shadow->scene;
+  const sg_shading_body *body = item->round ? &s->body.item[item->at] : NULL;
+
+  a->work->slice.n = 0;
+  return body && s->surface.item[body->surface].kind == SG_IS_RING
+             ? sg_ring_over(a->work, body, a->p[0], a->p[1])
+             : sg_slices_of_item(a->work, item, a->p[1]);
+}
+
 /* Adds what a thing has over the point. */
 static bool
 add_slices(asking *a, const sg_shading_item *item)
@@ -119,8 +131,7 @@ add_slices(asking *a, const sg_shading_item *item)
   sg_shading_work *w = a->work;
   double x = a->p[0] * 256.0;
 
-  w->slice.n = 0;
-  if (!sg_slices_of_item(w, item, a->p[1])) {
+  if (!find_slices(a, item)) {
     return false;
   }
   for (size_t i = 0; i < w->slice.n; i++) {

@@ -15,8 +15,8 @@
 
 /* Ends of slices in 1/256 dot. Halves that are rounded otherwise in two faces
  * are no halves: what is a little less counts as one. */
-static int32_t
-end_of(const sg_shading_work *w, double x)
+int32_t
+sg_slice_end(const sg_shading_work *w, double x)
 {
   int32_t width = w->scene->frame.width;
 
@@ -126,7 +126,7 @@ static sg_slice *
 next_slice(sg_shading_work *w, const sg_shading_polygon *p, double x1,
            double x2)
 {
-  int32_t from = end_of(w, x1), to = end_of(w, x2);
+  int32_t from = sg_slice_end(w, x1), to = sg_slice_end(w, x2);
 
   if (from >= to) {
     return NULL;
@@ -487,8 +487,8 @@ slice_body(sg_shading_work *w, const sg_shading_body *body, double y)
   add_break(&all, w->scene->frame.width);
   sort_breaks(&all);
   for (int i = 0; i < all.n; i++) {
-    int32_t x1 = end_of(w, all.x[i]);
-    int32_t x2 = i + 1 < all.n ? end_of(w, all.x[i + 1]) : x1;
+    int32_t x1 = sg_slice_end(w, all.x[i]);
+    int32_t x2 = i + 1 < all.n ? sg_slice_end(w, all.x[i + 1]) : x1;
     if ((x2 > x1 || i + 1 == all.n) && !go_on(w, cuts, n, x1, x2)) {
       return false;
     }
@@ -505,7 +505,12 @@ sg_slices_of_item(sg_shading_work *w, const sg_shading_item *item, double y)
 
   if (item->round) {
     const sg_shading_body *body = &s->body.item[item->at];
-    return is_left_out(w, body) || slice_body(w, body, y);
+    bool ring = s->surface.item[body->surface].kind == SG_IS_RING;
+
+    return is_left_out(w, body) ||
+           (!ring                           ? slice_body(w, body, y)
+            : body->y1 <= y && y < body->y2 ? sg_ring_slices(w, body, y)
+                                            : true);
   }
   const sg_shading_polygon *p = &s->polygon.item[item->at];
   return !(p->y1 <= y && y < p->y2) || slice_polygon(w, p, y);

@@ -18,7 +18,8 @@ typedef struct sg_span {
   int32_t leaf;     /* number of the leaf whose face it is, 1.. */
   int32_t face;     /* of that leaf */
   uint32_t surface; /* of the scene: private */
-  int32_t sense;    /* 1: the line of sight enters the leaf; -1: it leaves */
+  int32_t sense;    /* 1: the line of sight enters the leaf; -1: it leaves;
+                       more: which root of a torus, sg_quartic_root */
   uint32_t part;    /* of the light there, 1 .. SG_OPAQUE: its own */
 } sg_span;
 

@@ -25,7 +25,8 @@ sg_shading_work_open(const sg_shading *scene, const sg_opacities *opacities)
     w->expression.node = malloc(e->n * sizeof *e->node);
     w->held = calloc(scene->root.n + 1, sizeof *w->held);
     w->noted = calloc(e->n, sizeof *w->noted);
-    if (w->expression.node && w->held && w->noted) {
+    w->line = calloc(scene->torus.n + 1, sizeof *w->line);
+    if (w->expression.node && w->held && w->noted && w->line) {
       memcpy(w->expression.node, e->node, e->n * sizeof *e->node);
       return w;
     }
@@ -68,6 +69,7 @@ sg_shading_work_close(sg_shading_work *w)
     free(w->open.item);
     free(w->held);
     free(w->noted);
+    free(w->line);
     sg_expression_clear(&w->expression);
     free(w);
   }
@@ -75,14 +77,23 @@ sg_shading_work_close(sg_shading_work *w)
 
 /* ---- spans ---- */
 
+/* The first root of two goes on as that of four, where more are behind it. */
+static int32_t
+side_of(int32_t sense)
+{
+  return sense == SG_ROOT_NEAR_IN   ? (int32_t)SG_ROOT_FIRST
+         : sense == SG_ROOT_FAR_OUT ? (int32_t)SG_ROOT_LAST
+                                    : sense;
+}
+
 static bool
 continues(const sg_shading *s, const sg_span *last, const sg_span *next)
 {
   return last->x2 == next->x1 && last->root == next->root &&
          last->leaf == next->leaf && last->face == next->face &&
          last->surface == next->surface && last->part == next->part &&
-         (!s->surface.item[last->surface].quadric ||
-          last->sense == next->sense);
+         (s->surface.item[last->surface].kind == SG_IS_PLANE ||
+          side_of(last->sense) == side_of(next->sense));
 }
 
 /* Of the layer `depth`, 0 the nearest. */
@@ -100,13 +111,17 @@ add_span(sg_shading_work *w, size_t depth, int32_t x1, int32_t x2,
                   .leaf = leaf->number,
                   .face = slice->face,
                   .surface = slice->surface,
-                  .sense = slice->arc == 0 ? slice->sense : -slice->arc,
+                  .sense = slice->arc == 0           ? slice->sense
+                           : sg_slice_is_ring(slice) ? slice->arc
+                                                     : -slice->arc,
                   .part = layer->part};
 
   if (depth < w->open.n) {
     sg_span *last = &out->span[w->open.item[depth]];
     if (continues(s, last, &span)) {
       last->x2 = x2;
+      last->sense =
+          last->sense == span.sense ? last->sense : side_of(last->sense);
       return true;
     }
     w->open.item[depth] = out->n;

@@ -104,7 +104,11 @@ Leaves are, each with its Number, which several may have:
 %   Place have in common with the plane of the line Y, in no order. Sense is 1
 %   where the line of sight enters, -1 where it leaves the leaf, 0 unknown.
 %   X1, X2 in 1/256 dot. Depth is line(X0, A, B): A + B*T with T = X - X0; or
-%   arc(Sign, X0, A, B, E, F, G): A + B*T + Sign*sqrt(max(0, E*T*T + F*T + G)).
+%   arc(Sign, X0, A, B, E, F, G): A + B*T + Sign*sqrt(max(0, E*T*T + F*T + G));
+%   or ring(Root, Roots, X0, Z0, Size, Low, High, Forms): Z0 + Size*Z, where Z
+%   is that Root, from 1, of the real Roots of A*A - 4*B*W, and Forms are six
+%   numbers each of A, B and W: of T*T, T*Z, Z*Z, T, Z and 1. T is
+%   (X - X0)/Size, and between Low and High.
 %
 %   @error domain_error(scan_line, Y)
 

@@ -15,8 +15,9 @@
 :- use_module(group_owner, [group_owner/5, owners_asked/2]).
 :- use_module(shading_scene,
               [scene_handle/2, scene_place/2, scene_root/2, scene_tolerance/2]).
+:- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [foldl/4]).
-:- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(lists), [append/2, append/3, member/2, nth1/3]).
 :- use_module(library(ordsets), [ord_symdiff/3]).
 /** <module> What is seen at a point of a shaded picture: the definition.
 
@@ -39,7 +40,8 @@ as the paper does: on and on would need to know on which side.
 %   Slice is slice(R, S, F, Sense, X1, X2, Depth): on the line Y, in dots,
 %   face F of leaf S of root R is between X1 and X2, in dots. Sense is 1 where
 %   the line of sight enters the leaf, -1 where it leaves. Depth is
-%   line(X0, A, B) or arc(Sign, X0, A, B, E, F, G), as of shading_slices/3.
+%   line(X0, A, B), arc(Sign, X0, A, B, E, F, G) or, of a torus, ring(Root,
+%   Roots, X0, Z0, Size, Low, High, Forms), as of shading_slices/3.
 %
 %   @error domain_error(scan_line, Y)
 
@@ -102,6 +104,83 @@ depth_at(line(X0,A,B), X, Z) :-
 depth_at(arc(Sign,X0,A,B,E,F,G), X, Z) :-
     T is X-X0,
     Z is A + B*T + Sign*sqrt(max(0.0, (E*T+F)*T+G)).
+depth_at(ring(Root,Count,X0,Z0,Size,Low,High,Forms), X, Z) :-
+    T is min(High, max(Low, float(X-X0)/Size)),
+    ring_quartic(Forms, T, Quartic),
+    real_roots(Quartic, Roots0),
+    all_roots(Roots0, Count, Quartic, Roots),
+    nth1(Root, Roots, Z1),
+    Z is Z0 + Size*Z1.
+
+%   ring_quartic(Forms, T, Quartic): A*A - 4*B*W by powers of Z, from 0 on.
+
+ring_quartic(Forms, T, [C0,C1,C2,C3,C4]) :-
+    Forms = [A1,A2,A3,A4,A5,A6,B1,B2,B3,B4,B5,B6,W1,W2,W3,W4,W5,W6],
+    along([A1,A2,A3,A4,A5,A6], T, A0-A-AA),
+    along([B1,B2,B3,B4,B5,B6], T, B0-B-BB),
+    along([W1,W2,W3,W4,W5,W6], T, W0-W-WW),
+    C0 is A0*A0 - 4*B0*W0,
+    C1 is 2*A0*A - 4*(B0*W+B*W0),
+    C2 is 2*A0*AA + A*A - 4*(B0*WW+B*W+BB*W0),
+    C3 is 2*A*AA - 4*(B*WW+BB*W),
+    C4 is AA*AA - 4*BB*WW.
+
+along([TT,TZ,ZZ,T1,Z1,One], T, F0-F1-ZZ) :-
+    F0 is (TT*T+T1)*T+One,
+    F1 is TZ*T+Z1.
+
+%   real_roots(Polynomial, Roots): where it changes its sign, ascending: between
+%   the roots of its derivative, and ends beyond which there are none.
+
+real_roots([C0,C1], [Root]) :-
+    !,
+    Root is -C0/C1.
+real_roots(Polynomial, Roots) :-
+    derivative(Polynomial, Slope),
+    real_roots(Slope, Turns),
+    append([[-8.0],Turns,[8.0]], Stops),
+    findall(Root,
+            ( append(_, [Low,High|_], Stops),
+              value_at(Polynomial, Low, F), value_at(Polynomial, High, G),
+              F*G < 0,
+              halved(Polynomial, Low, High, F, Root) ),
+            Roots).
+
+derivative([_|Cs], Slope) :-
+    findall(D, ( nth1(K, Cs, C), D is K*C ), Slope).
+
+value_at([], _, 0.0).
+value_at([C|Cs], Z, F) :-
+    value_at(Cs, Z, F0),
+    F is F0*Z + C.
+
+halved(Polynomial, Low, High, F, Root) :-
+    Middle is (Low+High)/2,
+    (   ( Middle =< Low ; Middle >= High )
+    ->  Root = Middle
+    ;   value_at(Polynomial, Middle, G),
+        (   F*G > 0
+        ->  halved(Polynomial, Middle, High, G, Root)
+        ;   halved(Polynomial, Low, Middle, F, Root)
+        )
+    ).
+
+%   all_roots(Roots0, Count, Quartic, Roots): Roots are Count. Where two are one
+%   and rounding left none, that is where the quartic turns, nearest to 0.
+
+all_roots(Roots0, Count, Quartic, Roots) :-
+    length(Roots0, Found),
+    (   Found >= Count
+    ->  Roots = Roots0
+    ;   derivative(Quartic, Slope),
+        real_roots(Slope, Turns),
+        aggregate_all(min(Off,Z),
+                      ( member(Z, Turns), value_at(Quartic, Z, F),
+                        Off is abs(F) ),
+                      min(_,Turn)),
+        msort([Turn,Turn|Roots0], Roots1),
+        all_roots(Roots1, Count, Quartic, Roots)
+    ).
 
 grouped([], _, []).
 grouped([Z-Met|All], Tolerance, [group(Z,[Met|Mets])|Groups]) :-

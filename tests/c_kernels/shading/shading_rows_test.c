@@ -83,7 +83,7 @@ located(sg_shading *scene)
 static void
 seen(void)
 {
-  sg_shading_leaf_fact leaf[2] = {rows_leaf(1, 12), ring_leaf(2, 0.5)};
+  sg_shading_leaf_fact leaf[2] = {rows_leaf(1, 12), ring_leaf(2, 0.25)};
   sg_shading *scene = open_scene(leaf, 2, 2);
   sg_shading_span_list spans = {0};
   sg_shading_slice_list slices = {0};
@@ -95,9 +95,12 @@ seen(void)
   CHECK("a scene", scene);
   CHECK("spans", sg_door_shading_spans(&call, scene, 45, &spans));
   CHECK("of the cube, and twice of the ring",
-        spans.n >= 3 && spans.at[0].x1 == 50 * 256 &&
+        spans.n == 3 && spans.at[0].x1 == 50 * 256 &&
             spans.at[0].x2 == 60 * 256 && spans.at[0].root == 7 &&
             spans.at[0].face == 2 && spans.at[1].leaf == 2);
+  CHECK("as far as circles go",
+        spans.n == 3 && spans.at[1].x1 == 17547 && spans.at[1].x2 == 19049 &&
+            spans.at[2].x1 == 21911 && spans.at[2].x2 == 23413);
   CHECK("slices",
         sg_door_shading_slices(&call, scene, 45, &slices) && slices.n >= 6);
   CHECK("a point",

@@ -1,6 +1,6 @@
 /* shading_scene_test.c -- what is seen, against rays: random trees of boxes,
- * balls, cylinders and cones, turned anyhow, in both projections. The rays know
- * solids by inequalities in the model, and share nothing with slices.
+ * balls, cylinders, cones and tori, turned anyhow, in both projections. The
+ * rays know solids by inequalities in the model, and share nothing with slices.
  *
  * covers: span
  */
@@ -15,7 +15,7 @@
 
 enum { LEAVES = 6, SIDE = 64 };
 
-typedef enum shape { BOX, BALL, TAPERED } shape;
+typedef enum shape { BOX, BALL, TAPERED, RING, SHAPES } shape;
 
 /* Between h = 0 and 1, or -1 and 1 along the frame. */
 typedef struct body {
@@ -51,13 +51,14 @@ turn(double axis[3][3])
 static body
 some_body(void)
 {
-  body b = {.is = (shape)check_below(&seed, 3), .k = uniform(0, 2)};
+  body b = {.is = (shape)check_below(&seed, SHAPES), .k = uniform(0, 2)};
   double axis[3][3];
 
   turn(axis);
   for (int k = 0; k < 3; k++) {
     b.frame[0][k] = uniform(-1, 1);
   }
+  b.k = b.is == RING ? 0.05 + 0.45 * b.k : b.k;
   for (int i = 0; i < 3; i++) {
     double size = uniform(0.5, 2);
     for (int k = 0; k < 3; k++) {
@@ -77,8 +78,11 @@ is_inside(const body *b, const double p[3])
   for (int i = 0; i < 3; i++) {
     x[i] = sg_dot(b->row[i], d);
   }
-  double r = 1 - x[2] + x[2] * b->k;
+  double r = 1 - x[2] + x[2] * b->k, off = sqrt(x[0] * x[0] + x[1] * x[1]) - 1;
 
+  if (b->is == RING) {
+    return off * off + x[2] * x[2] < b->k * b->k;
+  }
   return b->is == BOX ? fabs(x[0]) < 1 && fabs(x[1]) < 1 && fabs(x[2]) < 1
          : b->is == BALL
              ? sg_dot(x, x) < 1
@@ -100,6 +104,11 @@ add_body(sg_shading *s, const body *b)
   bool good = true;
 
   memcpy(piece.frame, b->frame, sizeof piece.frame);
+  if (b->is == RING) {
+    sg_shading_ring ring = {.k = b->k, .face = 3};
+    memcpy(ring.frame, b->frame, sizeof ring.frame);
+    return sg_shading_add_ring(s, &ring) == SG_SHADING_GOOD;
+  }
   if (b->is != BOX) {
     return sg_shading_add_piece(s, &piece) == SG_SHADING_GOOD;
   }

@@ -29,6 +29,8 @@ tree(0, Term) :-
                           cone(radius(2),height(2),facets(24)),
                           cone(radius(1),top(2),height(1),facets(24)),
                           egg(radius(1),up(2),down(1),facets(24)),
+                          torus(radius(2),tube(1),facets(24)),
+                          torus(radius(1.5),tube(0.25),facets(24)),
                           hollow_cylinder(radius(2),inner(1),height(1),
                                           facets(24)),
                           pyramid(base(2,2),height(2)) ]),
@@ -127,6 +129,52 @@ test(kernel_is_rule, Wrong == []) :-
                                     What) )),
               What \== [] ),
             Wrong).
+% Tori that are cut, touched along circles and in points, equal in frames of
+% their own, thin and fat, turned, mirrored and squashed.
+test(kernel_is_rule_of_tori, Wrong == []) :-
+    set_random(seed(41)),
+    cases(Cases),
+    findall(Term-View-What,
+            ( between(1, Cases, I),
+              ring_tree(Term),
+              findall(View, view(View), Views),
+              nth0(Which, Views, View),
+              Which =:= I mod 4,
+              in_world_of([Term],
+                          ( scene(View, Scene),
+                            findall(Bad,
+                                    ( between(0, 15, K),
+                                      Y is 6.25*K+1/8,
+                                      wrong(Scene, Y, Bad) ),
+                                    What) )),
+              What \== [] ),
+            Wrong).
+
+ring_tree(Term) :-
+    random_member(Tube, [0.5,0.5,1,0.02,0.3,1.9]),
+    Ring = torus(radius(2),tube(Tube),facets(24)),
+    random_member(Frame, [ [], [rotate(z,33)], [mirror(z)], [rotate(x,180)],
+                           [rotate(y,90)], [translate(0.5,0,0)],
+                           [rotate(axis(1,2,3),40)], [scale(1,2,1)] ]),
+    Inner is 2-Tube,
+    Outer is 2+Tube,
+    random_member(Other, [ at(Frame, Ring),
+                           at([translate(-4,-4,Tube)], box(size(8,8,1))),
+                           at([translate(0,-4,-2)], box(size(8,8,4))),
+                           at([translate(-4,-4,0)], box(size(8,4,4))),
+                           sphere(radius(Outer),facets(24)),
+                           cylinder(radius(Inner),height(2),facets(24)),
+                           at([translate(2,0,0),rotate(x,90)],
+                              cylinder(radius(Tube),height(2),facets(24))),
+                           at([translate(1,1,0)],
+                              sphere(radius(1.5),facets(24))),
+                           at([rotate(x,90)], Ring),
+                           at([translate(2,0,0),rotate(x,90)], Ring) ]),
+    random_member(Operation, [union,intersection,difference]),
+    random_permutation([Ring,Other], Operands),
+    Term0 =.. [Operation,Operands],
+    random_member(Turn, [[], [rotate(axis(1,2,3),40)], [mirror(x)]]),
+    Term = at(Turn, Term0).
 % A rule says which one of flush faces is seen: the last. The kernel, which asks
 % it of groups, shows what the definition says, which asks it of places.
 test(kernel_is_rule_of_owners, Wrong-Other == []-true) :-

@@ -1,0 +1,64 @@
+/* quartic.h -- real roots of the quartic of a torus along a line of sight.
+ *
+ * Layer: kernel. A torus lies where c[0] + c[1] z + .. + c[4] z^4 < 0, with
+ * c[4] > 0: in one well or in two, and between SG_QUARTIC_REACH and less than
+ * it. Roots are found by Newton's steps between places where the sign is known
+ * to change: where derivatives are 0. Inexact, by + - * / and square roots
+ * alone: the same on every machine.
+ */
+#ifndef SG_QUARTIC_H
+#define SG_QUARTIC_H
+
+#include <stdbool.h>
+
+/* Roots lie between -it and it. */
+#define SG_QUARTIC_REACH 1.125
+
+/* Which root. What has no place counts as where it went: the bottom of its
+ * well, or the ridge between the two. */
+typedef enum sg_quartic_root {
+  SG_ROOT_FIRST = 2, /* of all; more than what else sg_slice.arc can be */
+  SG_ROOT_LAST,
+  SG_ROOT_NEAR_IN, /* of two wells the nearer one, its near side */
+  SG_ROOT_NEAR_OUT,
+  SG_ROOT_FAR_IN,
+  SG_ROOT_FAR_OUT
+} sg_quartic_root;
+
+/* How many there are: 0, 2 or 4. */
+int sg_quartic_count(const double c[5]);
+
+double sg_quartic_place(const double c[5], sg_quartic_root root);
+
+/* A place between low and high where c[0] + .. + c[n] z^n changes its sign, as
+ * `rising` says; if it does not, the end that is nearer to one. */
+double sg_root_between(const double *c, int n, double low, double high,
+                       bool rising);
+
+/* The number of real roots of the quartic is less than 4 and more than 0 where
+ * it is below 0; a part of its discriminant. */
+double sg_quartic_discriminant(const double c[5]);
+
+/* A polynomial in u, of a place (1 u + 0) / (1 + u) between 0 and 1: all its
+ * numbers are above 0 if it is so everywhere there (Bernstein). */
+enum { SG_POLYNOMIAL_MOST = 12 };
+
+typedef struct sg_polynomial {
+  int n; /* its degree */
+  double c[SG_POLYNOMIAL_MOST + 1];
+} sg_polynomial;
+
+/* The discriminant, of degree 12, of a quartic whose c[k] has the degree 4 - k
+ * in u. In *noise what rounding may leave of 0 in each of its numbers, which
+ * are those of Bernstein. */
+void sg_discriminant_along(const sg_polynomial c[5], sg_polynomial *out,
+                           double *noise);
+
+/* out = a b */
+void sg_polynomial_times(const sg_polynomial *a, const sg_polynomial *b,
+                         sg_polynomial *out);
+
+/* out += part a, of one degree */
+void sg_polynomial_add(sg_polynomial *out, double part, const sg_polynomial *a);
+
+#endif
