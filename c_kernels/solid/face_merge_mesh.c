@@ -381,9 +381,9 @@ note_faces(void *data, size_t block)
   }
 }
 
-/* The tolerance of all that is in a box. */
-static double
-tolerance_in(const sg_merge *m, const sg_box *box, double *rounding)
+/* The tolerance of all that is in a box, and rounding. */
+static void
+find_tolerance(sg_merge *m, const sg_box *box)
 {
   double largest = 0, size = 0, tolerance = m->options->tolerance;
 
@@ -391,11 +391,11 @@ tolerance_in(const sg_merge *m, const sg_box *box, double *rounding)
     largest = fmax(largest, fmax(fabs(box->lo[k]), fabs(box->hi[k])));
     size = fmax(size, box->hi[k] - box->lo[k]);
   }
-  *rounding = 4 * DBL_EPSILON * largest;
+  m->rounding = 4 * DBL_EPSILON * largest;
   if (m->options->by_size) {
     tolerance = fmin(tolerance, ldexp(size, -SIZE));
   }
-  return fmax(tolerance, *rounding);
+  m->tolerance = fmax(tolerance, m->rounding);
 }
 
 /* Where the lists of vertices begin; and the tolerance: only vertices that have
@@ -403,9 +403,7 @@ tolerance_in(const sg_merge *m, const sg_box *box, double *rounding)
 static void
 begin_lists(sg_merge *m)
 {
-  const sg_merge_region *region = m->options->region;
-  sg_box box = region ? region->box : sg_box_none();
-  double rounding;
+  sg_box box = sg_box_none();
 
   for (uint32_t v = 0; v < m->solid->vertices; v++) {
     if (m->first[v + 2] > 0) {
@@ -413,8 +411,7 @@ begin_lists(sg_merge *m)
     }
     m->first[v + 2] += m->first[v + 1];
   }
-  m->tolerance = tolerance_in(m, &box, &m->rounding);
-  m->others = region ? tolerance_in(m, &region->was, &rounding) : m->tolerance;
+  find_tolerance(m, &box);
 }
 
 static bool

@@ -356,8 +356,7 @@ match_face(matching *m, uint32_t f)
   return true;
 }
 
-/* What is said of a vertex goes and stays with it; other origins stay. So do
- * vertices that other faces have. */
+/* What is said of a vertex goes and stays with it; other origins stay. */
 static void
 keep_names(matching *m)
 {
@@ -366,9 +365,6 @@ keep_names(matching *m)
 
   memset(gone[SG_OLD_ORIGIN], 0, sg_old_count(old, SG_OLD_ORIGIN));
   for (uint32_t i = 0; i < sg_old_count(old, SG_OLD_V); i++) {
-    if (sg_old_is_held(&old->vertex, sg_old_int(old, SG_OLD_V, 1, i))) {
-      gone[SG_OLD_V][i] = 0;
-    }
     if (old->from[i] != SG_NO_PLACE) {
       gone[SG_OLD_FROM_V][old->from[i]] = gone[SG_OLD_V][i];
     }
