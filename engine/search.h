@@ -1,4 +1,4 @@
-/* search.h -- THE binary search, and numbers in order.
+/* search.h -- THE binary search, and items in order.
  *
  * Layer: shared by the store and the kernels.
  */
@@ -62,6 +62,29 @@ sg_first_id(const void *record, size_t n, size_t size, int32_t id)
   SG_SEARCH(at, 0, n, *(const int32_t *)(const void *)(first + at * size) < id);
   return at;
 }
+
+/* Defines an order for qsort() and bsearch(): int name(const void *, const void
+ * *). Two items, *x and *y of a type, are ordered by the first of `by` in which
+ * they differ: SG_BY() one after another.
+ *
+ *   SG_ORDER(compare_shells, shell, SG_BY(region) SG_BY(first));
+ */
+#define SG_ORDER(name, type, by)                                               \
+  static int name(const void *sg_one_, const void *sg_other_)                  \
+  {                                                                            \
+    const type *x = sg_one_, *y = sg_other_;                                   \
+    by return 0;                                                               \
+  }                                                                            \
+  _Static_assert(sizeof(type) > 0, "a type of items")
+
+/* By a member, by the largest first, by an item of arrays, or by values. */
+#define SG_BY(member)      SG_BY_FIRST(x->member, y->member)
+#define SG_BY_MOST(member) SG_BY_FIRST(y->member, x->member)
+#define SG_BY_AT(i)        SG_BY_FIRST(x[i], y[i])
+#define SG_BY_FIRST(one, other)                                                \
+  if ((one) != (other)) {                                                      \
+    return (one) < (other) ? -1 : 1;                                           \
+  }
 
 /* Ascending, for qsort() and bsearch(): of int32_t, uint32_t, uint64_t. */
 int sg_compare_ids(const void *a, const void *b);

@@ -1,5 +1,7 @@
 /* suspect.c -- sorted lists of what may be missing. */
 #include "suspect.h"
+
+#include "engine/search.h"
 #include "list.h"
 #include "search.h"
 
@@ -16,16 +18,7 @@ sg_suspect_gone(sg_suspects *x, int32_t s, int32_t id)
   return true;
 }
 
-static int
-compare_pairs(const void *a, const void *b)
-{
-  const sg_id_pair *x = a, *y = b;
-
-  if (x->s != y->s) {
-    return x->s < y->s ? -1 : 1;
-  }
-  return (x->id > y->id) - (x->id < y->id);
-}
+SG_ORDER(compare_pairs, sg_id_pair, SG_BY(s) SG_BY(id));
 
 static int32_t
 least(int32_t a, int32_t b)

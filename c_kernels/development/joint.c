@@ -1,6 +1,7 @@
 /* joint.c -- see joint.h. */
 #include "joint.h"
 
+#include "engine/search.h"
 #include "number/vector.h"
 #include "rows/edge_pairs.h"
 
@@ -108,19 +109,8 @@ measure_angles(pairing *p, size_t n)
 }
 
 /* Falling angles: the way from a forward face to its inside. */
-static int
-compare_spokes(const void *a, const void *b)
-{
-  const spoke *x = a, *y = b;
-
-  if (x->angle != y->angle) {
-    return x->angle > y->angle ? -1 : 1;
-  }
-  if (x->forward != y->forward) {
-    return x->forward ? -1 : 1;
-  }
-  return (x->side > y->side) - (x->side < y->side);
-}
+SG_ORDER(compare_spokes, spoke,
+         SG_BY_MOST(angle) SG_BY_MOST(forward) SG_BY(side));
 
 /* Sides in one face first, which are a penetration line. */
 static void

@@ -1,6 +1,7 @@
 /* joint_order.c -- orders of joints, and ways along folds: see flattening.h. */
 #include "flattening.h"
 
+#include "engine/search.h"
 #include "rows/sort.h"
 
 #include <math.h>
@@ -72,18 +73,9 @@ typedef struct tied {
   uint32_t joint;
 } tied;
 
-static int
-compare_tied(const void *a, const void *b)
-{
-  const tied *x = a, *y = b;
-
-  for (int k = 2; k >= 0; k--) {
-    if (x->middle[k] != y->middle[k]) {
-      return x->middle[k] > y->middle[k] ? -1 : 1;
-    }
-  }
-  return (x->joint > y->joint) - (x->joint < y->joint);
-}
+SG_ORDER(compare_tied, tied,
+         SG_BY_MOST(middle[2]) SG_BY_MOST(middle[1]) SG_BY_MOST(middle[0])
+             SG_BY(joint));
 
 /* An order under way. */
 typedef struct sorter {

@@ -1,6 +1,7 @@
 /* lay.c -- see lay.h. */
 #include "lay.h"
 
+#include "engine/search.h"
 #include "number/double_double.h"
 #include "polygon/flat_fit.h"
 #include "rows/disjoint.h"
@@ -201,16 +202,7 @@ typedef struct ranked {
 } ranked;
 
 /* Areas are rounded to steps, so that equal ones are equal. */
-static int
-compare_ranked(const void *a, const void *b)
-{
-  const ranked *x = a, *y = b;
-
-  if (x->area != y->area) {
-    return x->area > y->area ? -1 : 1;
-  }
-  return (x->root > y->root) - (x->root < y->root);
-}
+SG_ORDER(compare_ranked, ranked, SG_BY_MOST(area) SG_BY(root));
 
 /* A face of another island than those before it is a piece of its own. */
 static ranked *

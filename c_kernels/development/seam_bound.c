@@ -1,6 +1,7 @@
 /* seam_bound.c -- see seam_bound.h. */
 #include "seam_bound.h"
 
+#include "engine/search.h"
 #include "rows/disjoint.h"
 #include "rows/sort.h"
 #include "seam_moats.h"
@@ -228,13 +229,7 @@ find_tree(finder *x, double *length, bool *stopped)
 
 /* ---- forest ------------------------------------------------------------- */
 
-static int
-by_size(const void *a, const void *b)
-{
-  double x = *(const double *)a, y = *(const double *)b;
-
-  return (x > y) - (x < y);
-}
+SG_ORDER(by_size, double, SG_BY_AT(0));
 
 /* Bends of the vertices inside, sorted: x->inside of them. Null: no memory. */
 static double *

@@ -2,6 +2,7 @@
 #include "stroke_crossing.h"
 
 #include "engine/list.h"
+#include "engine/search.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -24,22 +25,9 @@ typedef struct pieces {
   size_t n;
 } pieces;
 
-static int
-compare_pieces(const void *a, const void *b)
-{
-  const piece *x = a, *y = b;
+SG_ORDER(compare_pieces, piece, SG_BY(low[0]));
 
-  return (x->low[0] > y->low[0]) - (x->low[0] < y->low[0]);
-}
-
-static int
-compare_marks(const void *a, const void *b)
-{
-  const sg_stroke_mark *x = a, *y = b;
-
-  return x->stroke != y->stroke ? (x->stroke > y->stroke ? 1 : -1)
-                                : (x->way > y->way) - (x->way < y->way);
-}
+SG_ORDER(compare_marks, sg_stroke_mark, SG_BY(stroke) SG_BY(way));
 
 /* Pieces of no length are left out. */
 static bool

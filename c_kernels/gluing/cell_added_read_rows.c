@@ -1,5 +1,7 @@
 /* cell_added_read_rows.c -- a glue near a solid: see cell_added_rows.h. */
 #include "cell_added_rows.h"
+
+#include "engine/search.h"
 #include "rows/sort.h"
 
 #include <math.h>
@@ -164,14 +166,7 @@ typedef struct taken {
   uint32_t row;
 } taken;
 
-static int
-compare_taken(const void *x, const void *y)
-{
-  const taken *a = x, *b = y;
-
-  return a->p != b->p ? (a->p > b->p) - (a->p < b->p)
-                      : (a->row > b->row) - (a->row < b->row);
-}
+SG_ORDER(compare_taken, taken, SG_BY(p) SG_BY(row));
 
 /* All triangles of polygons one of which comes near. */
 static bool

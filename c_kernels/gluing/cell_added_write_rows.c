@@ -264,15 +264,7 @@ write_faces(sg_cell_joiner *j, sg_world *world)
 
 typedef struct sg_solid_part part;
 
-static int
-compare_parts(const void *x, const void *y)
-{
-  const part *a = x, *b = y;
-
-  return a->face != b->face ? (a->face > b->face) - (a->face < b->face)
-         : a->s != b->s     ? (a->s > b->s) - (a->s < b->s)
-                            : (a->p > b->p) - (a->p < b->p);
-}
+SG_ORDER(compare_parts, part, SG_BY(face) SG_BY(s) SG_BY(p));
 
 /* What face f of the solid became: a polygon, and turned or not. False: it was
  * there already. */

@@ -16,15 +16,7 @@ typedef struct triple {
 
 typedef SG_LIST_OF(triple) triples;
 
-static int
-compare_triples(const void *x, const void *y)
-{
-  const triple *s = x, *t = y;
-
-  return s->p != t->p   ? (s->p > t->p) - (s->p < t->p)
-         : s->a != t->a ? (s->a > t->a) - (s->a < t->a)
-                        : (s->b > t->b) - (s->b < t->b);
-}
+SG_ORDER(compare_triples, triple, SG_BY(p) SG_BY(a) SG_BY(b));
 
 static int32_t
 int_at(const sg_view *view, int column, uint32_t row)

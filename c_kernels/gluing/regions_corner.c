@@ -33,15 +33,7 @@ typedef struct bench {
   size_t set_room;
 } bench;
 
-static int
-compare_ends(const void *x, const void *y)
-{
-  const ends *a = x, *b = y;
-
-  return a->from != b->from ? (a->from > b->from) - (a->from < b->from)
-         : a->to != b->to   ? (a->to > b->to) - (a->to < b->to)
-                            : (a->what > b->what) - (a->what < b->what);
-}
+SG_ORDER(compare_ends, ends, SG_BY(from) SG_BY(to) SG_BY(what));
 
 static void
 sort_ends(ends *item, size_t n)

@@ -1,6 +1,7 @@
 /* regions_count.c -- regions, shells and what they have (regions_private.h). */
 #include "regions_private.h"
 
+#include "engine/search.h"
 #include "number/vector.h"
 #include "rows/disjoint.h"
 
@@ -160,15 +161,7 @@ name_shell(const sg_regions_maker *m, uint32_t element, sg_region_shell *shell)
                     : -1;
 }
 
-static int
-compare_shells(const void *x, const void *y)
-{
-  const sg_region_shell *a = x, *b = y;
-
-  return a->region != b->region
-             ? (a->region > b->region) - (a->region < b->region)
-             : (a->first > b->first) - (a->first < b->first);
-}
+SG_ORDER(compare_shells, sg_region_shell, SG_BY(region) SG_BY(first));
 
 static void
 add_genus(sg_regions *out)

@@ -101,14 +101,7 @@ find_side(sg_call *call, const sg_dense *d, int32_t e, bool above,
   return at != SIZE_MAX || sg_call_missing(call, e < 0 ? "polygon" : "edge", 3);
 }
 
-static int
-compare_meetings(const void *x, const void *y)
-{
-  uint32_t a = ((const sg_zone_meeting *)x)->v;
-  uint32_t b = ((const sg_zone_meeting *)y)->v;
-
-  return (a > b) - (a < b);
-}
+SG_ORDER(compare_meetings, sg_zone_meeting, SG_BY(v));
 
 static bool
 find_told(sg_call *call, const sg_dense *d, const sg_zone_meeting_fact_list *in,
@@ -237,14 +230,7 @@ typedef struct between {
   double area;
 } between;
 
-static int
-compare_between(const void *x, const void *y)
-{
-  uint64_t a = ((const between *)x)->regions;
-  uint64_t b = ((const between *)y)->regions;
-
-  return (a > b) - (a < b);
-}
+SG_ORDER(compare_between, between, SG_BY(regions));
 
 static void
 add_areas(const sg_dense *d, double *area)

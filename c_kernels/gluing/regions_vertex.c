@@ -220,21 +220,13 @@ add_name(disks *x, names *list, uint32_t of)
   return true;
 }
 
-static int
-compare_names(const void *x, const void *y)
-{
-  uint32_t a = *(const uint32_t *)x, b = *(const uint32_t *)y;
-
-  return (a > b) - (a < b);
-}
-
 static void
 settle(names *list)
 {
   size_t n = 0;
 
   if (list->n > 0) {
-    qsort(list->of, list->n, sizeof *list->of, compare_names);
+    qsort(list->of, list->n, sizeof *list->of, sg_compare_numbers);
   }
   for (size_t i = 0; i < list->n; i++) {
     if (i == 0 || list->of[i] != list->of[i - 1]) {

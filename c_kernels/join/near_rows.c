@@ -3,7 +3,9 @@
  * Layer: rows.
  */
 #include "bvh_join.h"
+
 #include "doors/world.h"
+#include "engine/search.h"
 #include "rows/sort.h"
 #include "tree_rows.h"
 
@@ -30,14 +32,7 @@ typedef struct boxed {
   bool *curve;   /* [n] those of which two are no pair; null: each two may be */
 } boxed;
 
-static int
-compare_pairs(const void *x, const void *y)
-{
-  const sg_near_segments_row *a = x, *b = y;
-
-  return a->s1 != b->s1 ? sg_compare_ids(&a->s1, &b->s1)
-                        : sg_compare_ids(&a->s2, &b->s2);
-}
+SG_ORDER(compare_pairs, sg_near_segments_row, SG_BY(s1) SG_BY(s2));
 
 static void
 sort_pairs(sg_near_segments_rows *pairs)

@@ -72,13 +72,7 @@ sort_corners(fans *f, const sg_cancel *cancel)
   return good;
 }
 
-static int
-by_next(const void *x, const void *y)
-{
-  uint32_t a = ((const corner *)x)->next, b = ((const corner *)y)->next;
-
-  return (a > b) - (a < b);
-}
+SG_ORDER(by_next, corner, SG_BY(next));
 
 /* ---- one vertex ---- */
 

@@ -1,6 +1,7 @@
 #include "outline.h"
 
 #include "bvh_join.h"
+#include "engine/search.h"
 #include "number/exact.h"
 
 #include <math.h>
@@ -114,14 +115,7 @@ crosses(void *data, const sg_bvh_hit *hit)
 }
 
 /* The loop of the edge in place of its hit. */
-static int
-compare_hits(const void *x, const void *y)
-{
-  const sg_bvh_hit *a = x, *b = y;
-
-  return a->a != b->a ? (a->a > b->a) - (a->a < b->a)
-                      : (a->b > b->b) - (a->b < b->b);
-}
+SG_ORDER(compare_hits, sg_bvh_hit, SG_BY(a) SG_BY(b));
 
 /* Every loop but the first is in the first alone: what its ray crosses oddly
  * often is round it. */

@@ -2,6 +2,7 @@
 #include "self_cut.h"
 
 #include "engine/list.h"
+#include "engine/search.h"
 #include "polygon/flatness.h"
 #include "rows/places.h"
 #include "self_join.h"
@@ -130,26 +131,9 @@ test_candidates(joiner *j, sg_pool *pool, const sg_cancel *cancel)
 
 /* ---- together ----------------------------------------------------------- */
 
-static int
-by_edge(const void *x, const void *y)
-{
-  const sg_self_edge *a = &((const found *)x)->edge;
-  const sg_self_edge *b = &((const found *)y)->edge;
+SG_ORDER(by_edge, found, SG_BY(edge.face) SG_BY(edge.u) SG_BY(edge.w));
 
-  return a->face != b->face ? (a->face > b->face) - (a->face < b->face)
-         : a->u != b->u     ? (a->u > b->u) - (a->u < b->u)
-                            : (a->w > b->w) - (a->w < b->w);
-}
-
-static int
-by_triangles(const void *x, const void *y)
-{
-  const int32_t *a = ((const found *)x)->meeting.t;
-  const int32_t *b = ((const found *)y)->meeting.t;
-
-  return a[0] != b[0] ? (a[0] > b[0]) - (a[0] < b[0])
-                      : (a[1] > b[1]) - (a[1] < b[1]);
-}
+SG_ORDER(by_triangles, found, SG_BY(meeting.t[0]) SG_BY(meeting.t[1]));
 
 /* An edge that lies in a face, its triangles on both sides, goes through. The
  * items are in the order of by_edge(). */
@@ -327,17 +311,8 @@ sg_self_cut_some(const sg_dense *dense, size_t s, const unsigned char *left_out,
 
 /* ---- of polygons -------------------------------------------------------- */
 
-static int
-by_polygons(const void *x, const void *y)
-{
-  const sg_self_meeting *a = x, *b = y;
-
-  return a->p[0] != b->p[0]   ? (a->p[0] > b->p[0]) - (a->p[0] < b->p[0])
-         : a->p[1] != b->p[1] ? (a->p[1] > b->p[1]) - (a->p[1] < b->p[1])
-         : a->kind != b->kind ? (a->kind > b->kind) - (a->kind < b->kind)
-         : a->t[0] != b->t[0] ? (a->t[0] > b->t[0]) - (a->t[0] < b->t[0])
-                              : (a->t[1] > b->t[1]) - (a->t[1] < b->t[1]);
-}
+SG_ORDER(by_polygons, sg_self_meeting,
+         SG_BY(p[0]) SG_BY(p[1]) SG_BY(kind) SG_BY(t[0]) SG_BY(t[1]));
 
 void
 sg_self_by_polygon(sg_self_meetings *meetings)

@@ -2,6 +2,7 @@
 #include "self_join_private.h"
 
 #include "cut.h"
+#include "engine/search.h"
 #include "number/exact.h"
 
 #include <stdlib.h>
@@ -14,14 +15,7 @@ typedef struct of_polygon {
   uint32_t i;
 } of_polygon;
 
-static int
-by_polygon(const void *x, const void *y)
-{
-  const of_polygon *a = x, *b = y;
-
-  return a->p != b->p ? (a->p > b->p) - (a->p < b->p)
-                      : (a->i > b->i) - (a->i < b->i);
-}
+SG_ORDER(by_polygon, of_polygon, SG_BY(p) SG_BY(i));
 
 /* Those that are of polygons of many triangles, by polygon. Most meshes have
  * none. False: no memory. */

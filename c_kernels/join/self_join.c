@@ -2,6 +2,7 @@
 #include "self_join_private.h"
 
 #include "engine/list.h"
+#include "engine/search.h"
 #include "spine.h"
 
 #include <stdlib.h>
@@ -298,14 +299,7 @@ join_singles(sg_self_joiner *j, sg_pool *pool, const sg_cancel *cancel)
   return good;
 }
 
-static int
-by_pair(const void *x, const void *y)
-{
-  const sg_bvh_hit *a = x, *b = y;
-
-  return a->a != b->a ? (a->a > b->a) - (a->a < b->a)
-                      : (a->b > b->b) - (a->b < b->b);
-}
+SG_ORDER(by_pair, sg_bvh_hit, SG_BY(a) SG_BY(b));
 
 /* The faces (a) and the triangles (b) that may meet them, in order. */
 static bool

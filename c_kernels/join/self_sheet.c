@@ -7,6 +7,7 @@
 #include "self_sheet.h"
 
 #include "engine/list.h"
+#include "engine/search.h"
 #include "rows/sort.h"
 
 #include <stdlib.h>
@@ -73,15 +74,7 @@ by_edge(const void *x, const void *y)
   return order != 0 ? order : compare(a->triangle, b->triangle);
 }
 
-static int
-by_vertex(const void *x, const void *y)
-{
-  const corner *a = x, *b = y;
-  int order = compare(a->place, b->place);
-
-  order = order != 0 ? order : compare(a->name, b->name);
-  return order != 0 ? order : compare(a->triangle, b->triangle);
-}
+SG_ORDER(by_vertex, corner, SG_BY(place) SG_BY(name) SG_BY(triangle));
 
 static bool
 file_all(sheets *s, const sg_cancel *cancel)
@@ -266,14 +259,7 @@ sg_self_sheets_are_many(const sg_fan_triangle *triangle, size_t n,
   return good;
 }
 
-static int
-by_pair(const void *x, const void *y)
-{
-  const sg_bvh_hit *a = x, *b = y;
-  int order = compare(a->a, b->a);
-
-  return order != 0 ? order : compare(a->b, b->b);
-}
+SG_ORDER(by_pair, sg_bvh_hit, SG_BY(a) SG_BY(b));
 
 bool
 sg_self_sheets_add(const sg_fan_triangle *triangle, size_t n,

@@ -1,6 +1,7 @@
 /* shell_copy.c -- see shell_copy.h. */
 #include "shell_copy.h"
 
+#include "engine/search.h"
 #include "rows/disjoint.h"
 #include "rows/edge_print.h"
 #include "rows/key_table.h"
@@ -193,16 +194,7 @@ triangle_part(const copier *c, size_t t)
   return (part){v[k], v[(k + 1) % 3], v[(k + 2) % 3]};
 }
 
-static int
-compare_parts(const void *x, const void *y)
-{
-  const part *a = x, *b = y;
-
-  return a->first != b->first ? (a->first > b->first) - (a->first < b->first)
-         : a->second != b->second
-             ? (a->second > b->second) - (a->second < b->second)
-             : (a->last > b->last) - (a->last < b->last);
-}
+SG_ORDER(compare_parts, part, SG_BY(first) SG_BY(second) SG_BY(last));
 
 /* Counts, then files: by polygon. False: no memory. */
 static bool
@@ -268,25 +260,9 @@ same_polygons(const copier *c, uint32_t p, uint32_t q)
 
 /* ---- shells ---- */
 
-static int
-by_shell(const void *x, const void *y)
-{
-  const member *a = x, *b = y;
+SG_ORDER(by_shell, member, SG_BY(shell) SG_BY(print) SG_BY(polygon));
 
-  return a->shell != b->shell ? (a->shell > b->shell) - (a->shell < b->shell)
-         : a->print != b->print
-             ? (a->print > b->print) - (a->print < b->print)
-             : (a->polygon > b->polygon) - (a->polygon < b->polygon);
-}
-
-static int
-by_print(const void *x, const void *y)
-{
-  const shell *a = x, *b = y;
-
-  return a->print != b->print ? (a->print > b->print) - (a->print < b->print)
-                              : (a->first > b->first) - (a->first < b->first);
-}
+SG_ORDER(by_print, shell, SG_BY(print) SG_BY(first));
 
 /* The shell of a polygon; each is one of its own if none were looked for. */
 static uint32_t

@@ -1,6 +1,7 @@
 #include "spine.h"
 
 #include "engine/list.h"
+#include "engine/search.h"
 #include "number/vector.h"
 #include "rows/key_table.h"
 
@@ -155,17 +156,8 @@ count_edges(const sg_spines *s, edges *e)
   return true;
 }
 
-static int
-by_triangles(const void *x, const void *y)
-{
-  const edge *a = x, *b = y;
-
-  return a->triangles != b->triangles
-             ? (a->triangles < b->triangles) - (a->triangles > b->triangles)
-         : a->name[0] != b->name[0]
-             ? (a->name[0] > b->name[0]) - (a->name[0] < b->name[0])
-             : (a->name[1] > b->name[1]) - (a->name[1] < b->name[1]);
-}
+SG_ORDER(by_triangles, edge,
+         SG_BY_MOST(triangles) SG_BY(name[0]) SG_BY(name[1]));
 
 /* False: it has no direction that could be told. */
 static bool

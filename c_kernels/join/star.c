@@ -169,15 +169,7 @@ pass(sweep *s, const node *at)
 
 /* ---- in order ---- */
 
-static int
-by_end(const void *x, const void *y)
-{
-  const start *a = x, *b = y;
-
-  return a->end != b->end       ? (a->end > b->end) - (a->end < b->end)
-         : a->other != b->other ? (a->other > b->other) - (a->other < b->other)
-                                : (a->a > b->a) - (a->a < b->a);
-}
+SG_ORDER(by_end, start, SG_BY(end) SG_BY(other) SG_BY(a));
 
 static int
 by_turn(const void *x, const void *y, void *data)

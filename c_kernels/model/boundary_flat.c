@@ -12,6 +12,7 @@
  */
 #include "boundary.h"
 #include "engine/list.h"
+#include "engine/search.h"
 #include "number/exact.h"
 #include "rows/key_table.h"
 
@@ -252,14 +253,7 @@ typedef struct along {
   int32_t v;
 } along;
 
-static int
-compare_along(const void *x, const void *y)
-{
-  const along *a = x, *b = y;
-
-  return a->at != b->at ? (a->at > b->at) - (a->at < b->at)
-                        : (a->v > b->v) - (a->v < b->v);
-}
+SG_ORDER(compare_along, along, SG_BY(at) SG_BY(v));
 
 /* The vertices farthest apart, about: the farthest one from the first, and the
  * farthest one from that. */

@@ -3,6 +3,7 @@
 #include "boundary_private.h"
 
 #include "engine/list.h"
+#include "engine/search.h"
 #include "rows/key_table.h"
 
 #include <stdlib.h>
@@ -22,16 +23,8 @@ sg_boundary_note_split(sg_edge_splits *splits, int32_t from, int32_t to,
 }
 
 /* By the edge, and along it from its lower vertex. */
-static int
-compare_splits(const void *x, const void *y)
-{
-  const sg_edge_split *a = x, *b = y;
-
-  return a->low != b->low     ? (a->low > b->low) - (a->low < b->low)
-         : a->high != b->high ? (a->high > b->high) - (a->high < b->high)
-         : a->at != b->at     ? (a->at > b->at) - (a->at < b->at)
-                              : (a->v > b->v) - (a->v < b->v);
-}
+SG_ORDER(compare_splits, sg_edge_split,
+         SG_BY(low) SG_BY(high) SG_BY(at) SG_BY(v));
 
 /* Sorts them, each once. */
 static void

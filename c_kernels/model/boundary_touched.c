@@ -2,6 +2,7 @@
 #include "boundary_touched.h"
 
 #include "engine/list.h"
+#include "engine/search.h"
 #include "rows/key_table.h"
 
 #include <stdlib.h>
@@ -136,14 +137,6 @@ put_chord(finder *f, size_t p, uint64_t ends)
   return true;
 }
 
-static int
-compare_sides(const void *x, const void *y)
-{
-  const uint64_t *a = x, *b = y;
-
-  return (*a > *b) - (*a < *b);
-}
-
 static bool
 side_room(finder *f, size_t n)
 {
@@ -172,7 +165,7 @@ put_chords(finder *f, size_t p)
       n += u != w;
     }
   }
-  qsort(f->side, n, sizeof *f->side, compare_sides);
+  qsort(f->side, n, sizeof *f->side, sg_compare_keys);
   for (size_t i = 1; i < n; i++) {
     if (f->side[i] == f->side[i - 1] && !put_chord(f, p, f->side[i])) {
       return false;

@@ -1,5 +1,7 @@
 /* census_faces.c -- areas, volumes, flatness, doubles (census.h). */
 #include "census_private.h"
+
+#include "engine/search.h"
 #include "number/vector.h"
 #include "polygon/flatness.h"
 #include "polygon/plane.h"
@@ -188,14 +190,7 @@ typedef struct hashed {
   int32_t place;
 } hashed;
 
-static int
-compare_hashed(const void *a, const void *b)
-{
-  const hashed *x = a, *y = b;
-
-  return x->hash != y->hash ? (x->hash > y->hash) - (x->hash < y->hash)
-                            : (x->place > y->place) - (x->place < y->place);
-}
+SG_ORDER(compare_hashed, hashed, SG_BY(hash) SG_BY(place));
 
 /* Is each of the vertices of polygon p one of q, and as many? */
 static bool

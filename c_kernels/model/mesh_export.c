@@ -1,6 +1,7 @@
 /* mesh_export.c -- see mesh_export.h. */
 #include "mesh_export.h"
 #include "engine/list.h"
+#include "engine/search.h"
 #include "polygon/loops.h"
 
 #include <math.h>
@@ -62,14 +63,7 @@ typedef struct ends {
   int32_t edge;
 } ends;
 
-static int
-compare_ends(const void *a, const void *b)
-{
-  const ends *x = a, *y = b;
-
-  return x->pair != y->pair ? (x->pair > y->pair) - (x->pair < y->pair)
-                            : (x->edge > y->edge) - (x->edge < y->edge);
-}
+SG_ORDER(compare_ends, ends, SG_BY(pair) SG_BY(edge));
 
 /* Marks (from = -1) pairs of opposite edges. */
 static void

@@ -5,6 +5,7 @@
  */
 #include "plain_facts_rows.h"
 
+#include "engine/search.h"
 #include "rows/by_segment.h"
 #include "rows/sort.h"
 
@@ -36,22 +37,7 @@ typedef struct polygons {
 
 /* ---- one polygon -------------------------------------------------------- */
 
-static int
-compare_edges(const void *x, const void *y)
-{
-  const edge *a = x, *b = y;
-
-  return a->from != b->from ? (a->from > b->from) - (a->from < b->from)
-                            : (a->to > b->to) - (a->to < b->to);
-}
-
-static int
-compare_ends(const void *x, const void *y)
-{
-  const int32_t *a = x, *b = y;
-
-  return (*a > *b) - (*a < *b);
-}
+SG_ORDER(compare_edges, edge, SG_BY(from) SG_BY(to));
 
 /* Three edges or more, none twice, none of one vertex; as many end at a vertex
  * as start there. Sorts them. */
@@ -66,7 +52,7 @@ is_sound(edge *e, size_t n, int32_t *half)
             (i == 0 || compare_edges(&e[i - 1], &e[i]) != 0);
     half[i] = e[i].to;
   }
-  qsort(half, n, sizeof *half, compare_ends);
+  qsort(half, n, sizeof *half, sg_compare_ids);
   for (size_t i = 0; i < n; i++) {
     sound = sound && half[i] == e[i].from;
   }

@@ -1,5 +1,7 @@
 /* simplify_open.c -- see simplify_private.h */
 #include "number/vector.h"
+
+#include "engine/search.h"
 #include "rows/sort.h"
 #include "simplify_private.h"
 
@@ -147,14 +149,7 @@ take_edge(sg_simplify_work *w, const edge_side *side, size_t n)
   }
 }
 
-static int
-compare_sides(const void *a, const void *b)
-{
-  const edge_side *x = a, *y = b;
-
-  return x->pair != y->pair ? (x->pair > y->pair) - (x->pair < y->pair)
-                            : (x->corner > y->corner) - (x->corner < y->corner);
-}
+SG_ORDER(compare_sides, edge_side, SG_BY(pair) SG_BY(corner));
 
 static bool
 take_edges(sg_simplify_work *w)

@@ -1,6 +1,7 @@
 /* nest_mask.c -- a piece at an angle: see nest_mask.h. */
 #include "nest_mask.h"
 #include "engine/list.h"
+#include "engine/search.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -92,13 +93,7 @@ cover_side(raster *m, const double p[2], const double q[2])
   }
 }
 
-static int
-by_size(const void *a, const void *b)
-{
-  double x = *(const double *)a, y = *(const double *)b;
-
-  return (x > y) - (x < y);
-}
+SG_ORDER(by_size, double, SG_BY_AT(0));
 
 /* Where the outline crosses the middle lines of rows. */
 typedef struct crossings {

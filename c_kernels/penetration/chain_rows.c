@@ -6,6 +6,7 @@
 
 #include "chain.h"
 #include "doors/penetration.h"
+#include "engine/search.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -26,18 +27,7 @@ typedef struct line_row {
   sg_chain_vertex a, b;
 } line_row;
 
-static int
-compare_rows(const void *x, const void *y)
-{
-  const line_row *p = x, *q = y;
-
-  for (int k = 0; k < 2; k++) {
-    if (p->s[k] != q->s[k]) {
-      return p->s[k] < q->s[k] ? -1 : 1;
-    }
-  }
-  return (p->l > q->l) - (p->l < q->l);
-}
+SG_ORDER(compare_rows, line_row, SG_BY(s[0]) SG_BY(s[1]) SG_BY(l));
 
 /* All rows, by segments and number; null: an exception. free() it. */
 static line_row *

@@ -2,6 +2,8 @@
  */
 #include "cut_private.h"
 
+#include "engine/search.h"
+
 #include <stdlib.h>
 
 int
@@ -53,23 +55,8 @@ mark_ends(const sg_cut_set *set, sg_key_table *of_point)
   return true;
 }
 
-static int
-compare_contacts(const void *x, const void *y)
-{
-  const sg_cut_contact *a = x, *b = y;
-
-  for (int k = 0; k < 2; k++) {
-    if (a->s[k] != b->s[k]) {
-      return a->s[k] < b->s[k] ? -1 : 1;
-    }
-  }
-  for (int k = 0; k < 2; k++) {
-    if (a->p[k] != b->p[k]) {
-      return a->p[k] < b->p[k] ? -1 : 1;
-    }
-  }
-  return (a->point > b->point) - (a->point < b->point);
-}
+SG_ORDER(compare_contacts, sg_cut_contact,
+         SG_BY(s[0]) SG_BY(s[1]) SG_BY(p[0]) SG_BY(p[1]) SG_BY(point));
 
 /* Keeps the contacts that are alone, each once, with the smallest polygons. */
 static bool

@@ -11,6 +11,7 @@
 #include "doors/penetration.h"
 
 #include "engine/list.h"
+#include "engine/search.h"
 #include "polygon/flatness.h"
 #include "polygon/plane.h"
 #include "rows/grain_rows.h"
@@ -165,14 +166,7 @@ typedef struct sides {
   size_t n, room;
 } sides;
 
-static int
-compare_sides(const void *a, const void *b)
-{
-  const int32_t *x = a, *y = b;
-  int first = (x[0] > y[0]) - (x[0] < y[0]);
-
-  return first != 0 ? first : (x[1] > y[1]) - (x[1] < y[1]);
-}
+SG_ORDER(compare_sides, int32_t, SG_BY_AT(0) SG_BY_AT(1));
 
 static bool
 has_side(const sides *all, int32_t v1, int32_t v2)

@@ -3,6 +3,8 @@
  */
 #include "cut_private.h"
 
+#include "engine/search.h"
+
 #include <stdlib.h>
 
 /* ---- polygons ---- */
@@ -18,14 +20,7 @@ sg_cut_set_add_polygon(sg_cut_set *set, int32_t s, int32_t p)
   return true;
 }
 
-static int
-compare_polygons(const void *x, const void *y)
-{
-  const sg_cut_polygon *a = x, *b = y;
-  int by_s = (a->s > b->s) - (a->s < b->s);
-
-  return by_s ? by_s : (a->p > b->p) - (a->p < b->p);
-}
+SG_ORDER(compare_polygons, sg_cut_polygon, SG_BY(s) SG_BY(p));
 
 sg_cut_polygon *
 sg_cut_set_polygon(const sg_cut_set *set, int32_t s, int32_t p)

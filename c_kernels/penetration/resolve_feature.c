@@ -3,6 +3,7 @@
  * are near, and in each with its triangles. */
 #include "resolve_feature.h"
 
+#include "engine/search.h"
 #include "join/bvh_join.h"
 #include "number/vector.h"
 #include "rows/disjoint.h"
@@ -227,13 +228,7 @@ typedef struct measuring {
   sg_resolve_moves *out;
 } measuring;
 
-static int
-by_point(const void *a, const void *b)
-{
-  const sg_bvh_hit *x = a, *y = b;
-
-  return x->a != y->a ? (x->a < y->a ? -1 : 1) : (x->b > y->b) - (x->b < y->b);
-}
+SG_ORDER(by_point, sg_bvh_hit, SG_BY(a) SG_BY(b));
 
 static void
 note_feature(const measuring *m, uint32_t point, int32_t s, double move,

@@ -7,6 +7,7 @@
  */
 #include "resolve_polygon.h"
 
+#include "engine/search.h"
 #include "rows/disjoint.h"
 #include "rows/sort.h"
 
@@ -149,16 +150,7 @@ join_triangles(joiner *j)
   return true;
 }
 
-static int
-by_side(const void *a, const void *b)
-{
-  const side *x = a, *y = b;
-
-  if (x->a != y->a) {
-    return x->a < y->a ? -1 : 1;
-  }
-  return (x->b > y->b) - (x->b < y->b);
-}
+SG_ORDER(by_side, side, SG_BY(a) SG_BY(b));
 
 /* Sorts the border of a new cell, in the direction that is first of the two. */
 static bool

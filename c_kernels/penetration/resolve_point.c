@@ -12,14 +12,6 @@
 
 #define COMPARE(x, y) ((x) < (y) ? -1 : (x) > (y) ? 1 : 0)
 
-/* Returns from the function unless x and y are equal. */
-#define BY(x, y)                                                               \
-  do {                                                                         \
-    if ((x) != (y)) {                                                          \
-      return COMPARE(x, y);                                                    \
-    }                                                                          \
-  } while (0)
-
 /* ---- signals ---- */
 
 enum { ASKED = 1 << 13 }; /* steps between questions */
@@ -97,30 +89,11 @@ unite(sg_resolve *r, uint32_t a, uint32_t b)
   node[a < b ? b : a].root = a < b ? a : b;
 }
 
-static int
-by_apart(const void *a, const void *b)
-{
-  const struct sg_resolve_join *x = a, *y = b;
+SG_ORDER(by_apart, struct sg_resolve_join, SG_BY(apart) SG_BY(a) SG_BY(b));
 
-  BY(x->apart, y->apart);
-  BY(x->a, y->a);
-  BY(x->b, y->b);
-  return 0;
-}
-
-static int
-by_place_on_edge(const void *a, const void *b)
-{
-  const sg_resolve_touch *x = a, *y = b;
-
-  BY(x->p, y->p); /* edges first: p 0 */
-  BY(x->s, y->s);
-  BY(x->v[0], y->v[0]);
-  BY(x->v[1], y->v[1]);
-  BY(x->along, y->along);
-  BY(x->node, y->node);
-  return 0;
-}
+/* Edges first, which have no polygon: p 0. */
+SG_ORDER(by_place_on_edge, sg_resolve_touch,
+         SG_BY(p) SG_BY(s) SG_BY(v[0]) SG_BY(v[1]) SG_BY(along) SG_BY(node));
 
 static bool
 same_edge(const sg_resolve_touch *x, const sg_resolve_touch *y)
@@ -226,38 +199,16 @@ add_place(sg_resolve *r, const sg_resolve_place *place)
   return SG_PUSH(r->place, *place);
 }
 
-static int
-by_nearness(const void *a, const void *b)
-{
-  const sg_resolve_touch *x = a, *y = b;
+/* Edges before faces. */
+SG_ORDER(by_nearness, sg_resolve_touch,
+         SG_BY_FIRST(x->p != 0, y->p != 0) SG_BY(apart) SG_BY(s) SG_BY(v[0])
+             SG_BY(v[1]) SG_BY(p) SG_BY(along) SG_BY(node));
 
-  BY(x->p != 0, y->p != 0); /* edges before faces */
-  BY(x->apart, y->apart);
-  BY(x->s, y->s);
-  BY(x->v[0], y->v[0]);
-  BY(x->v[1], y->v[1]);
-  BY(x->p, y->p);
-  BY(x->along, y->along);
-  BY(x->node, y->node);
-  return 0;
-}
-
-static int
-by_segment(const void *a, const void *b)
-{
-  const sg_resolve_place *x = a, *y = b;
-
-  BY(x->v == 0, y->v == 0); /* vertices, then edges, then faces */
-  BY(x->p != 0, y->p != 0);
-  BY(x->s, y->s);
-  BY(x->v, y->v);
-  BY(x->edge[0], y->edge[0]);
-  BY(x->edge[1], y->edge[1]);
-  BY(x->p, y->p);
-  BY(x->along, y->along);
-  BY(x->point, y->point);
-  return 0;
-}
+/* Vertices, then edges, then faces. */
+SG_ORDER(by_segment, sg_resolve_place,
+         SG_BY_FIRST(x->v == 0, y->v == 0) SG_BY_FIRST(x->p != 0, y->p != 0)
+             SG_BY(s) SG_BY(v) SG_BY(edge[0]) SG_BY(edge[1]) SG_BY(p)
+                 SG_BY(along) SG_BY(point));
 
 /* How far along its edge a node is, where its point is now. */
 static double
@@ -322,16 +273,7 @@ sg_resolve_point_of(const sg_resolve *r, int32_t s, int32_t v)
 
 /* ---- divided edges ---- */
 
-static int
-by_edge(const void *a, const void *b)
-{
-  const sg_resolve_split *x = a, *y = b;
-
-  BY(x->s, y->s);
-  BY(x->v[0], y->v[0]);
-  BY(x->v[1], y->v[1]);
-  return 0;
-}
+SG_ORDER(by_edge, sg_resolve_split, SG_BY(s) SG_BY(v[0]) SG_BY(v[1]));
 
 const sg_resolve_split *
 sg_resolve_split_of(const sg_resolve *r, int32_t s, int32_t v1, int32_t v2)
@@ -437,28 +379,9 @@ find_spans(sg_resolve *r, spans *out)
   return !r->stopped;
 }
 
-static int
-by_near(const void *a, const void *b)
-{
-  const sg_resolve_near *x = a, *y = b;
+SG_ORDER(by_near, sg_resolve_near, SG_BY(n) SG_BY(s) SG_BY(p));
 
-  BY(x->n, y->n);
-  BY(x->s, y->s);
-  BY(x->p, y->p);
-  return 0;
-}
-
-static int
-by_seam(const void *a, const void *b)
-{
-  const sg_resolve_seam *x = a, *y = b;
-
-  BY(x->s, y->s);
-  BY(x->p, y->p);
-  BY(x->a, y->a);
-  BY(x->b, y->b);
-  return 0;
-}
+SG_ORDER(by_seam, sg_resolve_seam, SG_BY(s) SG_BY(p) SG_BY(a) SG_BY(b));
 
 /* From nodes to points; each once. */
 static bool

@@ -5,6 +5,7 @@
  */
 #include "resolve_rows.h"
 
+#include "engine/search.h"
 #include "rows/sort.h"
 
 /* Notes that polygon p of segment s is to be made anew. */
@@ -82,15 +83,7 @@ sort(sg_call *call, void *item, size_t n, size_t size, sg_sort_compare *compare)
          (end == SG_SORT_NO_MEMORY && sg_call_no_memory(call));
 }
 
-static int
-by_polygon(const void *a, const void *b)
-{
-  const sg_resolve_near *x = a, *y = b;
-
-  return x->s != y->s   ? (x->s < y->s ? -1 : 1)
-         : x->p != y->p ? (x->p < y->p ? -1 : 1)
-                        : (x->n > y->n) - (x->n < y->n);
-}
+SG_ORDER(by_polygon, sg_resolve_near, SG_BY(s) SG_BY(p) SG_BY(n));
 
 /* Polygons with three points or more may lie on others. */
 static bool
@@ -111,13 +104,7 @@ want_covered(sg_call *call, sg_resolving *job)
   return good;
 }
 
-static int
-compare_results(const void *a, const void *b)
-{
-  const sg_resolved_polygon *x = a, *y = b;
-
-  return x->s != y->s ? (x->s < y->s ? -1 : 1) : (x->p > y->p) - (x->p < y->p);
-}
+SG_ORDER(compare_results, sg_resolved_polygon, SG_BY(s) SG_BY(p));
 
 bool
 sg_resolving_want(sg_call *call, sg_resolving *job)

@@ -2,6 +2,7 @@
 #include "parts.h"
 #include "scene_rows.h"
 
+#include "engine/search.h"
 #include "engine/symbol.h"
 
 #include <stdlib.h>
@@ -55,14 +56,7 @@ append_drawn(sg_call *call, const sg_scene *scene, const sg_drawn_part *part,
   return good;
 }
 
-static int
-compare_pairs(const void *a, const void *b)
-{
-  const sg_hide_through *x = a, *y = b;
-
-  return x->s != y->s ? (x->s < y->s ? -1 : 1)
-                      : (x->s2 > y->s2) - (x->s2 < y->s2);
-}
+SG_ORDER(compare_pairs, sg_hide_through, SG_BY(s) SG_BY(s2));
 
 /* The pairs in order. */
 static bool

@@ -126,19 +126,7 @@ add_hidden(sg_hiddens *out, const sg_hidden *part)
   return ok;
 }
 
-static int
-hidden_compare(const void *a, const void *b)
-{
-  const sg_hidden *x = a, *y = b;
-
-  if (x->from != y->from) {
-    return x->from < y->from ? -1 : 1;
-  }
-  if (x->to != y->to) {
-    return x->to < y->to ? -1 : 1;
-  }
-  return (x->mask > y->mask) - (x->mask < y->mask);
-}
+SG_ORDER(hidden_compare, sg_hidden, SG_BY(from) SG_BY(to) SG_BY(mask));
 
 static void
 sort_hidden(sg_hidden *part, size_t n)

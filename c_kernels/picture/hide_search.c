@@ -2,6 +2,7 @@
 #include "hide_search_private.h"
 
 #include "engine/list.h"
+#include "engine/search.h"
 #include "number/bounds.h"
 
 #include <math.h>
@@ -204,13 +205,7 @@ may_lie_on(const sg_stretch *a, const sg_stretch *b, double close)
          high > low && fabs(turn) * (high - low) <= 2 * far * fabs(advance);
 }
 
-static int
-overlap_compare(const void *a, const void *b)
-{
-  const sg_overlap *x = a, *y = b;
-
-  return (x->line > y->line) - (x->line < y->line);
-}
+SG_ORDER(overlap_compare, sg_overlap, SG_BY(line));
 
 /* A question: a stretch, and what was found. */
 typedef struct crossing {

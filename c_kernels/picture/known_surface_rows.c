@@ -1,8 +1,7 @@
 /* known_surface_rows.c -- see known_surface_rows.h */
 #include "known_surface_rows.h"
-#include "engine/search.h"
-
 #include "engine/list.h"
+#include "engine/search.h"
 #include "rows/key_table.h"
 #include "rows/live_rows.h"
 
@@ -24,17 +23,7 @@ typedef struct parts {
   size_t n;
 } parts;
 
-static int
-compare_parts(const void *a, const void *b)
-{
-  const part *x = a, *y = b;
-
-  if (x->s != y->s || x->p != y->p) {
-    return x->s != y->s ? (x->s > y->s) - (x->s < y->s)
-                        : (x->p > y->p) - (x->p < y->p);
-  }
-  return (x->row > y->row) - (x->row < y->row);
-}
+SG_ORDER(compare_parts, part, SG_BY(s) SG_BY(p) SG_BY(row));
 
 static void
 sort_parts(parts *all)

@@ -7,6 +7,7 @@
 #include "parts.h"
 
 #include "engine/list.h"
+#include "engine/search.h"
 #include "number/bounds.h"
 #include "smooth.h"
 
@@ -435,13 +436,7 @@ push_parts(const work *w, worker *of, block *b, size_t k, bool hidden)
   return true;
 }
 
-static int
-part_compare(const void *a, const void *b)
-{
-  const sg_drawn_part *x = a, *y = b;
-
-  return (x->from > y->from) - (x->from < y->from);
-}
+SG_ORDER(part_compare, sg_drawn_part, SG_BY(from));
 
 static bool
 draw_line(work *w, worker *of, block *b, size_t k)

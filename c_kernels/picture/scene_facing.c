@@ -12,14 +12,7 @@ key_of(const uint32_t *same, uint32_t a, uint32_t b)
   return v < w ? (uint64_t)v << 32 | w : (uint64_t)w << 32 | v;
 }
 
-static int
-compare(const void *a, const void *b)
-{
-  const sg_keyed_facing *x = a, *y = b;
-
-  return x->key != y->key ? (x->key > y->key) - (x->key < y->key)
-                          : (x->facing > y->facing) - (x->facing < y->facing);
-}
+SG_ORDER(compare, sg_keyed_facing, SG_BY(key) SG_BY(facing));
 
 bool
 sg_facing_index_init(sg_facing_index *index, const sg_scene_input *in)

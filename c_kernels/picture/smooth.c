@@ -64,14 +64,7 @@ typedef struct entries {
   entry *item;
 } entries;
 
-static int
-entry_compare(const void *a, const void *b)
-{
-  const entry *x = a, *y = b;
-
-  return x->high != y->high ? (x->high > y->high) - (x->high < y->high)
-                            : (x->side > y->side) - (x->side < y->side);
-}
+SG_ORDER(entry_compare, entry, SG_BY(high) SG_BY(side));
 
 static void
 sort_entries(entry *item, size_t n)

@@ -1,6 +1,8 @@
 /* convex.c -- see convex.h. */
 #include "convex.h"
 
+#include "engine/search.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,18 +11,7 @@ enum { FEW = 48 }; /* points that are sorted by insertion */
 
 /* ---- hulls -------------------------------------------------------------- */
 
-static int
-compare_points(const void *a, const void *b)
-{
-  const double *p = a, *q = b;
-
-  for (int k = 0; k < 2; k++) {
-    if (p[k] != q[k]) {
-      return p[k] < q[k] ? -1 : 1;
-    }
-  }
-  return 0;
-}
+SG_ORDER(compare_points, double, SG_BY_AT(0) SG_BY_AT(1));
 
 static void
 sort_points(double (*point)[2], size_t n)

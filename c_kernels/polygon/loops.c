@@ -42,14 +42,7 @@ typedef struct start {
   int32_t from, edge;
 } start;
 
-static int
-compare(const void *a, const void *b)
-{
-  const start *x = a, *y = b;
-
-  return x->from != y->from ? (x->from > y->from) - (x->from < y->from)
-                            : (x->edge > y->edge) - (x->edge < y->edge);
-}
+SG_ORDER(compare, start, SG_BY(from) SG_BY(edge));
 
 /* An edge that starts at `vertex` and follows none yet; edge after + 1 if it is
  * one of them. -1: none. Taken edges are marked by a negative number. */

@@ -4,6 +4,7 @@
  * Layer: kernel. Exact throughout.
  */
 #include "engine/list.h"
+#include "engine/search.h"
 #include "work_private.h"
 
 #include <math.h>
@@ -155,13 +156,7 @@ sg_meetings_push(sg_meetings *out, const sg_meeting *met)
   return true;
 }
 
-static int
-by_edge(const void *a, const void *b)
-{
-  const sg_meeting *x = a, *y = b;
-
-  return (x->edge > y->edge) - (x->edge < y->edge);
-}
+SG_ORDER(by_edge, sg_meeting, SG_BY(edge));
 
 void
 sg_meetings_sort(sg_meetings *met)
@@ -388,16 +383,7 @@ fits(sg_candidates *walk, int32_t v3)
   return true;
 }
 
-static int
-by_distance(const void *a, const void *b)
-{
-  const near *x = a, *y = b;
-
-  if (x->distance != y->distance) {
-    return x->distance < y->distance ? -1 : 1;
-  }
-  return (x->vertex > y->vertex) - (x->vertex < y->vertex);
-}
+SG_ORDER(by_distance, near, SG_BY(distance) SG_BY(vertex));
 
 static void
 middle(const sg_candidates *walk, double out[2])

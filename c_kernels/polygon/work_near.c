@@ -23,16 +23,7 @@ typedef struct rows {
   size_t n;
 } rows;
 
-static int
-by_along(const void *a, const void *b)
-{
-  const row *x = a, *y = b;
-
-  if (x->along != y->along) {
-    return x->along < y->along ? -1 : 1;
-  }
-  return (x->vertex > y->vertex) - (x->vertex < y->vertex);
-}
+SG_ORDER(by_along, row, SG_BY(along) SG_BY(vertex));
 
 static bool
 rows_open(rows *out, const sg_work *work)

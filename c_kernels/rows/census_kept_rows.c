@@ -64,16 +64,8 @@ typedef struct placed {
   uint32_t place;
 } placed;
 
-static int
-by_key(const void *x, const void *y)
-{
-  const placed *a = x, *b = y;
-  int order = compare(a->defect.kind, b->defect.kind);
-
-  order = order != 0 ? order : compare(a->defect.s, b->defect.s);
-  order = order != 0 ? order : compare(a->defect.a, b->defect.a);
-  return order != 0 ? order : compare(a->place, b->place);
-}
+SG_ORDER(by_key, placed,
+         SG_BY(defect.kind) SG_BY(defect.s) SG_BY(defect.a) SG_BY(place));
 
 /* found[] and order[]. */
 static bool
@@ -199,13 +191,7 @@ compare_key(const sg_found_defect *d, const key *k)
   return order;
 }
 
-static int
-by_place(const void *x, const void *y)
-{
-  const size_t *a = x, *b = y;
-
-  return (*a > *b) - (*a < *b);
-}
+SG_ORDER(by_place, size_t, SG_BY_AT(0));
 
 static bool
 is_asked(const sg_found_defect *d, const int32_t *s, const int32_t *a)

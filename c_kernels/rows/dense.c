@@ -1,9 +1,8 @@
 /* dense.c -- see dense.h. Rows are gathered as keys (segment place, id), sorted
  * if they are not so already, then copied in that order. */
 #include "dense.h"
-#include "engine/search.h"
-
 #include "engine/list.h"
+#include "engine/search.h"
 #include "sort.h"
 
 #include <stdlib.h>
@@ -23,13 +22,7 @@ typedef struct rows {
   uint32_t *begin; /* [segments + 1] */
 } rows;
 
-static int
-compare_keys(const void *a, const void *b)
-{
-  uint64_t x = ((const row_key *)a)->key, y = ((const row_key *)b)->key;
-
-  return (x > y) - (x < y);
-}
+SG_ORDER(compare_keys, row_key, SG_BY(key));
 
 /* The place of segment s, or -1. Rows of a segment come together, so the last
  * place is tried first. */

@@ -1,26 +1,14 @@
 /* dot_part.c -- see dot_part.h. */
 #include "dot_part.h"
 
+#include "engine/search.h"
+
 #include <stdlib.h>
 
 enum { DOT = 256 };
 
-static int
-by_dot(const void *a, const void *b)
-{
-  const sg_dot_part *p = a, *q = b;
-
-  if (p->x != q->x) {
-    return p->x < q->x ? -1 : 1;
-  }
-  if (p->leaf != q->leaf) {
-    return p->leaf < q->leaf ? -1 : 1;
-  }
-  if (p->face != q->face) {
-    return p->face < q->face ? -1 : 1;
-  }
-  return p->share != q->share ? (p->share > q->share ? -1 : 1) : 0;
-}
+SG_ORDER(by_dot, sg_dot_part,
+         SG_BY(x) SG_BY(leaf) SG_BY(face) SG_BY_MOST(share));
 
 static bool
 add_pieces(const sg_shaded *in, sg_shading_work *work, const sg_span *span,

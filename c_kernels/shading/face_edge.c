@@ -124,13 +124,7 @@ strips_between(lines *l, const sg_spans *a, const sg_spans *b, double y)
   }
 }
 
-static int
-compare_strips(const void *a, const void *b)
-{
-  const int64_t *x = a, *y = b;
-
-  return (*x > *y) - (*x < *y);
-}
+SG_ORDER(compare_strips, int64_t, SG_BY_AT(0));
 
 /* Each place once. */
 static void

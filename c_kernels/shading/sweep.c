@@ -226,14 +226,6 @@ sweep_between(sg_shading_work *w, int32_t x1, int32_t x2, sg_spans *out)
 /* So many are sorted by comparing. */
 #define FEW_STARTS 512
 
-static int
-compare_starts(const void *a, const void *b)
-{
-  const uint64_t *x = a, *y = b;
-
-  return (*x > *y) - (*x < *y);
-}
-
 /* Where slices begin, from left to right; of one place in their order. */
 static bool
 list_starts(sg_shading_work *w)
@@ -249,7 +241,7 @@ list_starts(sg_shading_work *w)
     w->failed = !sg_sort_upper(w->start.item, w->start.n);
     w->start.room = w->start.n;
   } else if (w->start.n > 0) {
-    qsort(w->start.item, w->start.n, sizeof *w->start.item, compare_starts);
+    qsort(w->start.item, w->start.n, sizeof *w->start.item, sg_compare_keys);
   }
   return !w->failed;
 }

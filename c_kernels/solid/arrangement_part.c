@@ -6,6 +6,7 @@
  */
 #include "arrangement_private.h"
 #include "engine/list.h"
+#include "engine/search.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -17,15 +18,7 @@ enum {
 
 /* ---- which rows are there ---- */
 
-static int
-compare_cells(const void *x, const void *y)
-{
-  const sg_cell *a = x, *b = y;
-
-  return a->leaf != b->leaf ? (a->leaf > b->leaf) - (a->leaf < b->leaf)
-         : a->p != b->p     ? (a->p > b->p) - (a->p < b->p)
-                            : (a->first > b->first) - (a->first < b->first);
-}
+SG_ORDER(compare_cells, sg_cell, SG_BY(leaf) SG_BY(p) SG_BY(first));
 
 /* The polygons that are cut, for each leaf. */
 static bool
@@ -381,15 +374,7 @@ hang_cell(sg_arrangement *a, sg_key_table *over, const sg_cell *cell)
   return true;
 }
 
-static int
-compare_cut_rows(const void *x, const void *y)
-{
-  const sg_cut_row_of *a = x, *b = y;
-
-  return a->leaf != b->leaf ? (a->leaf > b->leaf) - (a->leaf < b->leaf)
-         : a->p != b->p     ? (a->p > b->p) - (a->p < b->p)
-                            : (a->row > b->row) - (a->row < b->row);
-}
+SG_ORDER(compare_cut_rows, sg_cut_row_of, SG_BY(leaf) SG_BY(p) SG_BY(row));
 
 bool
 sg_arrangement_flood(sg_arrangement *a, sg_pool *pool, const sg_cancel *cancel)

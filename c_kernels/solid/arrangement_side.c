@@ -9,6 +9,7 @@
 #include "arrangement_private.h"
 
 #include "engine/list.h"
+#include "engine/search.h"
 #include "join/tour.h"
 
 #include <math.h>
@@ -29,14 +30,7 @@ typedef struct asked {
 
 /* ---- which points ---- */
 
-static int
-compare_pairs(const void *x, const void *y)
-{
-  const uint32_t *a = x, *b = y;
-
-  return a[0] != b[0] ? (a[0] > b[0]) - (a[0] < b[0])
-                      : (a[1] > b[1]) - (a[1] < b[1]);
-}
+SG_ORDER(compare_pairs, uint32_t, SG_BY_AT(0) SG_BY_AT(1));
 
 /* (leaf, leaf whose components may be near it), sorted; each with itself. */
 static uint32_t (*near_leaves(const sg_arrangement *a, size_t *n))[2]
@@ -134,14 +128,7 @@ is_before(const asked *r, const sg_part *part)
          (!leaf[r->leaf].surface || leaf[part->leaf].surface);
 }
 
-static int
-compare_weights(const void *x, const void *y)
-{
-  const sg_weight *a = x, *b = y;
-
-  return a->s != b->s ? (a->s > b->s) - (a->s < b->s)
-                      : (a->p > b->p) - (a->p < b->p);
-}
+SG_ORDER(compare_weights, sg_weight, SG_BY(s) SG_BY(p));
 
 /* How often the triangle of a row counts. */
 static int
@@ -357,14 +344,7 @@ ask_all(sg_arrangement *a, founds *f, const sg_cancel *cancel)
   return good;
 }
 
-static int
-compare_found(const void *x, const void *y)
-{
-  const found *a = x, *b = y;
-
-  return a->part != b->part ? (a->part > b->part) - (a->part < b->part)
-                            : (a->side.s > b->side.s) - (a->side.s < b->side.s);
-}
+SG_ORDER(compare_found, found, SG_BY(part) SG_BY(side.s));
 
 /* The sides of components whose points are good. */
 static bool

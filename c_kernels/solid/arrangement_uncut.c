@@ -7,6 +7,7 @@
  */
 #include "arrangement_choice.h"
 #include "engine/list.h"
+#include "engine/search.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -26,14 +27,7 @@ auxiliary_of(const sg_arrangement *a, uint32_t leaf, const int32_t v[3])
   return bits;
 }
 
-static int
-compare_chosen(const void *x, const void *y)
-{
-  const sg_chosen_row *a = x, *b = y;
-
-  return a->p != b->p ? (a->p > b->p) - (a->p < b->p)
-                      : (a->row > b->row) - (a->row < b->row);
-}
+SG_ORDER(compare_chosen, sg_chosen_row, SG_BY(p) SG_BY(row));
 
 /* The chosen triangles, polygon by polygon. */
 static bool

@@ -1,6 +1,7 @@
 /* coincident_faces.c -- see coincident_faces.h. */
 #include "coincident_faces.h"
 
+#include "engine/search.h"
 #include "polygon/plane.h"
 #include "rows/edge_print.h"
 #include "rows/key_table.h"
@@ -93,14 +94,7 @@ print_of(const finder *f, size_t number)
   return sum;
 }
 
-static int
-by_print(const void *a, const void *b)
-{
-  const print *x = a, *y = b;
-
-  return x->value != y->value ? (x->value > y->value) - (x->value < y->value)
-                              : (x->face > y->face) - (x->face < y->face);
-}
+SG_ORDER(by_print, print, SG_BY(value) SG_BY(face));
 
 static bool
 make_prints(finder *f, const sg_cancel *cancel)
@@ -125,15 +119,7 @@ make_prints(finder *f, const sg_cancel *cancel)
 
 /* ---- whether two are the same ------------------------------------------- */
 
-static int
-by_ends(const void *a, const void *b)
-{
-  const border_edge *x = a, *y = b;
-
-  return x->low != y->low     ? (x->low > y->low) - (x->low < y->low)
-         : x->high != y->high ? (x->high > y->high) - (x->high < y->high)
-                              : x->back - y->back;
-}
+SG_ORDER(by_ends, border_edge, SG_BY(low) SG_BY(high) SG_BY(back));
 
 /* Its edges, sorted; `inner`: of all its triangles. Returns how many. */
 static size_t
@@ -276,16 +262,7 @@ find(finder *f, const sg_cancel *cancel)
 
 /* ---- leaving them out --------------------------------------------------- */
 
-static int
-by_face(const void *a, const void *b)
-{
-  const part *x = a, *y = b;
-
-  return x->face != y->face ? (x->face > y->face) - (x->face < y->face)
-         : x->s != y->s     ? (x->s > y->s) - (x->s < y->s)
-         : x->p != y->p     ? (x->p > y->p) - (x->p < y->p)
-                            : x->reversed - y->reversed;
-}
+SG_ORDER(by_face, part, SG_BY(face) SG_BY(s) SG_BY(p) SG_BY(reversed));
 
 /* Parts of all that go, then those that were there; as faces were numbered. */
 static size_t

@@ -75,14 +75,7 @@ sg_expression_set(sg_expression *e, uint32_t at, bool holds)
 
 /* ---- leaves ---- */
 
-static int
-compare_leaves(const void *x, const void *y)
-{
-  const sg_expression_leaf *a = x, *b = y;
-
-  return a->s != b->s ? (a->s > b->s) - (a->s < b->s)
-                      : (a->node > b->node) - (a->node < b->node);
-}
+SG_ORDER(compare_leaves, sg_expression_leaf, SG_BY(s) SG_BY(node));
 
 bool
 sg_expression_seal(sg_expression *e)

@@ -99,14 +99,7 @@ add_side(filler *f, uint32_t half)
   return from != to;
 }
 
-static int
-compare_sides(const void *a, const void *b)
-{
-  const side *x = a, *y = b;
-
-  return x->from != y->from ? (x->from > y->from) - (x->from < y->from)
-                            : (x->to > y->to) - (x->to < y->to);
-}
+SG_ORDER(compare_sides, side, SG_BY(from) SG_BY(to));
 
 static side *
 find_side(const filler *f, uint32_t from, uint32_t to)

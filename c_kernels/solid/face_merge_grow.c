@@ -6,6 +6,7 @@
 #include "face_merge_private.h"
 
 #include "engine/list.h"
+#include "engine/search.h"
 #include "rows/sort.h"
 
 #include <math.h>
@@ -268,21 +269,9 @@ grow_from(growth *g, uint32_t face)
 }
 
 /* The largest first; equal ones by where they are. */
-static int
-compare_seeds(const void *a, const void *b)
-{
-  const seed *x = a, *y = b;
-
-  if (x->area != y->area) {
-    return x->area > y->area ? -1 : 1;
-  }
-  for (int k = 0; k < 3; k++) {
-    if (x->centre[k] != y->centre[k]) {
-      return x->centre[k] < y->centre[k] ? -1 : 1;
-    }
-  }
-  return (x->face > y->face) - (x->face < y->face);
-}
+SG_ORDER(compare_seeds, seed,
+         SG_BY_MOST(area) SG_BY(centre[0]) SG_BY(centre[1]) SG_BY(centre[2])
+             SG_BY(face));
 
 static sg_merge_end
 grow_all(growth *g, seed *seeds, size_t n)

@@ -43,14 +43,7 @@ add(sg_holds *holds, uint32_t from, uint32_t to)
   return true;
 }
 
-static int
-compare(const void *a, const void *b)
-{
-  const uint32_t *x = a, *y = b;
-
-  return x[0] != y[0] ? (x[0] > y[0]) - (x[0] < y[0])
-                      : (x[1] > y[1]) - (x[1] < y[1]);
-}
+SG_ORDER(compare, uint32_t, SG_BY_AT(0) SG_BY_AT(1));
 
 bool
 sg_holds_find(const sg_merge *m, const sg_group *group, sg_holds *out)

@@ -81,14 +81,7 @@ list_leaving(void *data, size_t range)
 }
 
 /* By end, then by number. */
-static int
-compare_leaving(const void *a, const void *b)
-{
-  const sg_leaving *x = a, *y = b;
-
-  return x->to != y->to ? (x->to > y->to) - (x->to < y->to)
-                        : (x->half > y->half) - (x->half < y->half);
-}
+SG_ORDER(compare_leaving, sg_leaving, SG_BY(to) SG_BY(half));
 
 static void
 sort_long(void *data, size_t block)

@@ -7,6 +7,7 @@
  * polygonal approximation of plane curves, 1972.
  */
 #include "engine/list.h"
+#include "engine/search.h"
 #include "face_merge_private.h"
 
 #include <math.h>
@@ -293,14 +294,7 @@ is_edge(const sg_merge *m, uint32_t a, uint32_t b)
   return false;
 }
 
-static int
-compare_shortcuts(const void *a, const void *b)
-{
-  const shortcut *x = a, *y = b;
-
-  return x->low != y->low ? (x->low > y->low) - (x->low < y->low)
-                          : (x->high > y->high) - (x->high < y->high);
-}
+SG_ORDER(compare_shortcuts, shortcut, SG_BY(low) SG_BY(high));
 
 /* Two edges that become one would be an edge of four faces: each of them keeps
  * a vertex. */

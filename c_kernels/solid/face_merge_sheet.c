@@ -6,6 +6,7 @@
 #include "face_merge_sheet.h"
 
 #include "engine/list.h"
+#include "engine/search.h"
 #include "join/self_cut.h"
 
 #include <math.h>
@@ -182,14 +183,7 @@ static double (*take_vertices(sg_sheet *sheet, size_t *n))[3]
   return at;
 }
 
-static int
-compare_pairs(const void *a, const void *b)
-{
-  const sg_key_pair *x = a, *y = b;
-
-  return x->low != y->low ? (x->low > y->low) - (x->low < y->low)
-                          : (x->high > y->high) - (x->high < y->high);
-}
+SG_ORDER(compare_pairs, sg_key_pair, SG_BY(low) SG_BY(high));
 
 static bool
 list_pairs(const sg_sheet *sheet, const sg_self_meetings *met,

@@ -41,17 +41,7 @@ last_member(const sg_merge *m, const sg_group *group)
 
 /* ---- parts -------------------------------------------------------------- */
 
-static int
-compare_parts(const void *a, const void *b)
-{
-  const part *x = a, *y = b;
-
-  if (x->s != y->s) {
-    return (x->s > y->s) - (x->s < y->s);
-  }
-  return x->p != y->p ? (x->p > y->p) - (x->p < y->p)
-                      : x->reversed - y->reversed;
-}
+SG_ORDER(compare_parts, part, SG_BY(s) SG_BY(p) SG_BY(reversed));
 
 /* The old parts of a face, by search. */
 static size_t

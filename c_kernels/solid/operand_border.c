@@ -2,6 +2,7 @@
 #include "operand_border.h"
 
 #include "engine/list.h"
+#include "engine/search.h"
 #include "rows/sort.h"
 
 #include <stdlib.h>
@@ -15,18 +16,8 @@ typedef struct half {
   bool backward;    /* from high to low */
 } half;
 
-static int
-compare_halves(const void *x, const void *y)
-{
-  const half *a = x, *b = y;
-
-  return a->s != b->s         ? (a->s > b->s) - (a->s < b->s)
-         : a->low != b->low   ? (a->low > b->low) - (a->low < b->low)
-         : a->high != b->high ? (a->high > b->high) - (a->high < b->high)
-         : a->backward != b->backward
-             ? a->backward - b->backward
-             : (a->polygon > b->polygon) - (a->polygon < b->polygon);
-}
+SG_ORDER(compare_halves, half,
+         SG_BY(s) SG_BY(low) SG_BY(high) SG_BY(backward) SG_BY(polygon));
 
 static bool
 have_common(const sg_operands_of *of, uint32_t p, uint32_t q)

@@ -1,6 +1,7 @@
 /* sewing.c -- see sewing.h. */
 #include "sewing.h"
 
+#include "engine/search.h"
 #include "join/cut.h"
 #include "number/exact.h"
 #include "rows/edge_print.h"
@@ -174,16 +175,7 @@ print_of(const sewer *s, uint32_t p)
   return (uint32_t)(sum >> 32);
 }
 
-static int
-compare_parts(const void *x, const void *y)
-{
-  const part *a = x, *b = y;
-
-  return a->first != b->first ? (a->first > b->first) - (a->first < b->first)
-         : a->second != b->second
-             ? (a->second > b->second) - (a->second < b->second)
-             : (a->last > b->last) - (a->last < b->last);
-}
+SG_ORDER(compare_parts, part, SG_BY(first) SG_BY(second) SG_BY(last));
 
 typedef part part_at(const sewer *s, uint32_t p, size_t i);
 

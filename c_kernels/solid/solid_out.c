@@ -1,6 +1,7 @@
 /* solid_out.c -- the rows that a solid becomes: see solid_out.h. */
 #include "solid_out.h"
 
+#include "engine/search.h"
 #include "polygon/plane.h"
 #include "solid_border.h"
 
@@ -344,14 +345,7 @@ write_block(void *data, size_t task)
 
 typedef struct sg_solid_part part;
 
-static int
-compare_parts(const void *x, const void *y)
-{
-  const part *a = x, *b = y;
-
-  return a->s != b->s ? (a->s > b->s) - (a->s < b->s)
-                      : (a->p > b->p) - (a->p < b->p);
-}
+SG_ORDER(compare_parts, part, SG_BY(s) SG_BY(p));
 
 /* What a face came from, n of them, each once; returns how many. */
 static size_t

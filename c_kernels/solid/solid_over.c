@@ -2,6 +2,7 @@
 #include "solid_over.h"
 
 #include "engine/list.h"
+#include "engine/search.h"
 #include "rows/key_table.h"
 
 #include <stdlib.h>
@@ -210,18 +211,7 @@ same_edges(const matching *m, const sg_solid_face *face, uint32_t p)
 
 /* ---- what faces come from ----------------------------------------------- */
 
-static int
-compare_sources(const void *a, const void *b)
-{
-  const int32_t *x = a, *y = b;
-
-  for (int k = 0; k < 3; k++) {
-    if (x[k] != y[k]) {
-      return x[k] < y[k] ? -1 : 1;
-    }
-  }
-  return 0;
-}
+SG_ORDER(compare_sources, int32_t, SG_BY_AT(0) SG_BY_AT(1) SG_BY_AT(2));
 
 /* Sorts them, each once. */
 static size_t

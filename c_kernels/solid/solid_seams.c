@@ -2,6 +2,7 @@
 #include "solid_seams.h"
 
 #include "engine/list.h"
+#include "engine/search.h"
 #include "rows/key_table.h"
 
 #include <stdlib.h>
@@ -114,13 +115,7 @@ mark_border(const pointer *p, uint32_t f)
   }
 }
 
-static int
-by_vertex(const void *a, const void *b)
-{
-  const sg_face_point *x = a, *y = b;
-
-  return (x->v > y->v) - (x->v < y->v);
-}
+SG_ORDER(by_vertex, sg_face_point, SG_BY(v));
 
 static bool
 add_points(pointer *p, uint32_t f)

@@ -1,6 +1,7 @@
 /* solid_take.c -- segments as a solid: see solid_take.h. */
 #include "solid_take.h"
 
+#include "engine/search.h"
 #include "rows/by_segment.h"
 #include "rows/key_table.h"
 #include "rows/sort.h"
@@ -146,13 +147,7 @@ typedef struct polygon_row {
   uint32_t row;
 } polygon_row;
 
-static int
-compare_polygons(const void *a, const void *b)
-{
-  int32_t x = ((const polygon_row *)a)->p, y = ((const polygon_row *)b)->p;
-
-  return (x > y) - (x < y);
-}
+SG_ORDER(compare_polygons, polygon_row, SG_BY(p));
 
 /* Its triangles by polygon, in each in the order of the rows. */
 static bool

@@ -336,14 +336,7 @@ typedef struct use {
   bool reversed; /* the segment has it the other way round */
 } use;
 
-static int
-by_segment(const void *a, const void *b)
-{
-  const use *x = a, *y = b;
-
-  return x->s != y->s ? (x->s > y->s) - (x->s < y->s)
-                      : (x->face > y->face) - (x->face < y->face);
-}
+SG_ORDER(by_segment, use, SG_BY(s) SG_BY(face));
 
 static size_t
 list_uses(const sg_solid *solid, use *out)

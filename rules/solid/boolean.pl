@@ -114,9 +114,10 @@ refuse_large(Tolerance, Smallest) :-
     ;   true
     ).
 
-%   made(+Expression, +Leaves, +Options, -Solid, -Contacts): it must be closed if its operands are. If sheets of one operand nearly lie on each
-%   other, touching may open the result, and so may merging of faces; then that
-%   step is left out.
+%   made(+Expression, +Leaves, +Options, -Solid, -Contacts): it must be closed
+%   if its operands are. If sheets of one operand nearly lie on each other,
+%   touching may open the result, and so may merging of faces; then that step
+%   is left out.
 
 made(Expression, Leaves, Options, Solid, Contacts) :-
     attempt(Options, Attempt, What),

@@ -351,7 +351,8 @@ is_current(S) :-
 %
 %   How often in this thread the boundary of a node was `evaluated`, how many of
 %   these times, of a glue, only `around` what had changed, and how often it was
-%   `reused` as it was, since csg_statistics_reset/0; and `pieces`: pieces_statistics/1.
+%   `reused` as it was, since csg_statistics_reset/0; and `pieces`:
+%   pieces_statistics/1.
 
 csg_statistics(_{evaluated:Evaluated, around:Around, reused:Reused,
                  pieces:Pieces}) :-
