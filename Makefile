@@ -184,11 +184,18 @@ $(PATTERN_CHECKER): $(wildcard tests/pattern_checker/*.[ch]) \
                     tests/checker/boxes.c tests/checker/boxes.h
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $(WARN) $(EXTRA_CFLAGS) $(filter %.c,$^) -o $@ -lm
-CHECKERS = $(CHECKER) $(PICTURE_CHECKER) $(OUTLINE_CHECKER) $(PATTERN_CHECKER)
+CHECKERS = $(CHECKER) $(PICTURE_CHECKER) $(OUTLINE_CHECKER) $(SURFACE_CHECKER) \
+           $(PATTERN_CHECKER)
 
 # The checker of silhouettes.
 OUTLINE_CHECKER := $(B)/tests/outline_checker
 $(OUTLINE_CHECKER): tests/outline_checker/outline_checker.c
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(WARN) $(EXTRA_CFLAGS) $< -o $@ -lm
+
+# The checker of drawings against true surfaces.
+SURFACE_CHECKER := $(B)/tests/surface_checker
+$(SURFACE_CHECKER): tests/surface_checker/surface_checker.c
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $(WARN) $(EXTRA_CFLAGS) $< -o $@ -lm
 

@@ -58,7 +58,10 @@ find_rise(const sg_contour_finder *f, uint32_t side, double rise[2])
     normal[k] = n[k] + zero * turn[k];
     on_side[k] = f->in->dense->at[v][k] + zero * along[k];
   }
-  height = height_of(along, turn, zero) / sg_length(normal);
+  height = (height_of(along, turn, zero) +
+            (1.0 - zero) * smooth->sunk[smooth->fan[a]] +
+            zero * smooth->sunk[smooth->fan[b]]) /
+           sg_length(normal);
   for (int k = 0; k < 3; k++) {
     risen[k] = on_side[k] + height * normal[k];
   }
@@ -99,8 +102,10 @@ parted_corner(const sg_contour *piece)
 }
 
 /* Whether a piece on the surface leaves the corner that it parts from the
- * others outside in the picture: on the side that the surface looks to, and
- * with the ends more than a right angle apart. */
+ * others outside in the picture: on its right, and with the ends more than a
+ * right angle apart. The surface is seen on the left of a piece, whichever half
+ * is the nearer one: where the surface bends towards the line of sight it looks
+ * to the left, too. */
 static bool
 leaves_outside(const sg_contour_finder *f, const sg_contour *piece)
 {
@@ -116,8 +121,7 @@ leaves_outside(const sg_contour_finder *f, const sg_contour *piece)
     u[k] = a[k] - p[k];
     w[k] = b[k] - p[k];
   }
-  return piece->sense * (u[0] * w[1] - u[1] * w[0]) <
-             OUTSIDE * (u[0] * w[0] + u[1] * w[1]) &&
+  return u[0] * w[1] - u[1] * w[0] < OUTSIDE * (u[0] * w[0] + u[1] * w[1]) &&
          u[0] * w[0] + u[1] * w[1] < 0.0;
 }
 

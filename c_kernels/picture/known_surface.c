@@ -225,6 +225,49 @@ sg_known_surface_normal(const sg_known_surface *s, const double p[3],
   return fabs(lean) > FARTHEST * size * sg_length(facet);
 }
 
+/* ---------------------------------------------------------------- heights */
+
+/* What is zero on the surface, at a point in its own coordinates: half of a
+ * difference of squares, whose gradient is gradient(). */
+static double
+value(const sg_known_surface *s, const double p[3])
+{
+  double a = 1.0 - p[2] + p[2] * s->a, b = 1.0 - p[2] + p[2] * s->b;
+  double off = hypot(p[0], p[1]) - 1.0;
+
+  switch (s->kind) {
+  case SG_KNOWN_TAPERED:
+  case SG_KNOWN_TURNED:
+    return (p[0] / a * p[0] / a + p[1] / b * p[1] / b - 1.0) / 2.0;
+  case SG_KNOWN_SPHERE:
+    return (sg_dot(p, p) - 1.0) / 2.0;
+  case SG_KNOWN_TORUS:
+    return (off * off + p[2] * p[2] - s->a * s->a) / 2.0;
+  case SG_KNOWN_BEZIER:
+  case SG_KNOWN_BENT:
+  case SG_KNOWN_FREE:
+    break;
+  }
+  return 0.0;
+}
+
+bool
+sg_known_surface_height(const sg_known_surface *s, const double p[3],
+                        const double facet[3], double *height)
+{
+  double at[3], grad[3], normal[3], lean;
+
+  if (!sg_known_surface_is_measured(s) ||
+      !sg_known_surface_normal(s, p, facet, normal) ||
+      !placed_gradient(s, p, grad)) {
+    return false;
+  }
+  sg_known_surface_place(s, p, at);
+  lean = sg_dot(grad, normal) * s->unit;
+  *height = -value(s, at) / lean;
+  return isfinite(*height);
+}
+
 /* ----------------------------------------------------------------- bends */
 
 /* One of two polygons that meet. */

@@ -96,6 +96,12 @@ void sg_known_surface_move(const sg_known_surface *surface,
 bool sg_known_surface_normal(const sg_known_surface *surface, const double p[3],
                              const double facet[3], double out[3]);
 
+/* How far the surface is above a point near it, along the normal there. False:
+ * it has none there, as above, or is a patch, a bent or a free one. Inexact, to
+ * the square of how far that is. */
+bool sg_known_surface_height(const sg_known_surface *surface, const double p[3],
+                             const double facet[3], double *height);
+
 /* The coordinates x, y, h of a point of the model, of one that is neither a
  * patch nor free. Inexact. */
 void sg_known_surface_place(const sg_known_surface *surface, const double p[3],
@@ -106,6 +112,15 @@ static inline bool
 sg_known_surface_is_tapered(const sg_known_surface *surface)
 {
   return surface->kind == SG_KNOWN_TAPERED || surface->kind == SG_KNOWN_TURNED;
+}
+
+/* Whether it is known how far it is from a point (sg_known_surface_height()).
+ */
+static inline bool
+sg_known_surface_is_measured(const sg_known_surface *surface)
+{
+  return sg_known_surface_is_tapered(surface) ||
+         surface->kind == SG_KNOWN_SPHERE || surface->kind == SG_KNOWN_TORUS;
 }
 
 /* Two polygons that meet from `ends[0]` to `ends[1]`. */

@@ -373,14 +373,31 @@ find_normals(sg_smooth_builder *b)
 
 /* --------------------------------------------------------- known surfaces */
 
-/* Whether a triangle stands on a known surface with all corners. */
+/* How far the surface of a corner is above it. */
+static void
+sink(const sg_smooth_builder *b, uint32_t i)
+{
+  int32_t of = sg_smooth_surface(b, i);
+  double *sunk = &b->out->sunk[b->out->fan[i]], height;
+
+  if (of >= 0 &&
+      sg_known_surface_height(&b->known.surface[of], sg_smooth_at(b, i),
+                              area_of(b, i), &height) &&
+      fabs(height) > fabs(*sunk)) {
+    *sunk = height;
+  }
+}
+
+/* Whether a triangle stands on a known surface, with all corners or by as much
+ * as they are sunk. */
 static bool
-is_whole_facet(const sg_smooth_builder *b, const bool *cut, uint32_t t)
+stands(const sg_smooth_builder *b, const bool *cut, uint32_t t)
 {
   const int32_t *v = b->in->corner[t];
+  int32_t of = sg_smooth_surface(b, 3 * t);
 
-  return sg_smooth_surface(b, 3 * t) >= 0 && !cut[v[0]] && !cut[v[1]] &&
-         !cut[v[2]];
+  return of >= 0 && (sg_known_surface_is_measured(&b->known.surface[of]) ||
+                     (!cut[v[0]] && !cut[v[1]] && !cut[v[2]]));
 }
 
 /* cut: the vertices at which penetration lines end. */
@@ -390,9 +407,12 @@ mark_known(sg_smooth_builder *b, const bool *cut)
   sg_smooth *out = b->out;
 
   for (uint32_t i = 0; i < 3 * b->in->triangles; i++) {
+    if (out->curved[i / 3] && cut[sg_smooth_vertex(b, i)]) {
+      sink(b, i);
+    }
     if (out->curved[i / 3] && (out->side[i] & SG_SIDE_SMOOTH) &&
-        is_whole_facet(b, cut, i / 3) &&
-        is_whole_facet(b, cut, out->across[i] / 3)) {
+        !(out->side[i] & SG_SIDE_CUT) && stands(b, cut, i / 3) &&
+        stands(b, cut, out->across[i] / 3)) {
       out->side[i] |= SG_SIDE_KNOWN;
     }
   }
@@ -450,7 +470,8 @@ make_fans(sg_smooth_builder *b, bool *memory)
   number_fans(b);
   out->normal = calloc(out->fans + 1, sizeof *out->normal);
   out->apex = calloc(out->fans + 1, sizeof *out->apex);
-  *memory = out->normal && out->apex;
+  out->sunk = calloc(out->fans + 1, sizeof *out->sunk);
+  *memory = out->normal && out->apex && out->sunk;
   return *memory && !sg_cancelled(b->cancel) && find_normals(b) &&
          (*memory = sg_smooth_find_curved(b) && find_known(b));
 }
@@ -497,5 +518,6 @@ sg_smooth_clear(sg_smooth *smooth)
   free(smooth->coarse);
   free(smooth->normal);
   free(smooth->apex);
+  free(smooth->sunk);
   *smooth = (sg_smooth){0};
 }

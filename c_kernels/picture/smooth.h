@@ -53,10 +53,10 @@ enum {
   SG_SIDE_BULGES = 8, /* it is in a curved sheet of no known surface, and a
                          smooth one would bulge there by more than a
                          ten-thousandth of its segment's longest side */
-  SG_SIDE_KNOWN = 32  /* it is smooth and in a curved sheet, and both triangles
-                         there stand on known surfaces with all corners: no
-                         penetration line ends at these, which would lie in a
-                         facet */
+  SG_SIDE_KNOWN = 32  /* it is smooth and in a curved sheet, no penetration line
+                         runs there, and both triangles there stand on known
+                         surfaces: with all corners, or by as much as these
+                         are sunk */
 };
 
 typedef struct sg_smooth {
@@ -68,6 +68,9 @@ typedef struct sg_smooth {
   bool *coarse;     /* [triangles]: its sheet is curved, and coarse */
   double (*normal)[3]; /* [fans]: unit, or 0 */
   bool *apex;          /* [fans] */
+  double *sunk;        /* [fans]: how far the known surface is above the corner,
+                          along the normal, where a penetration line ends in a
+                          facet; else 0 */
   size_t fans;
 } sg_smooth;
 

@@ -33,7 +33,8 @@ A side is a chord: at its zero the surface is above it, by a part of the square
 of its length that no two sides share, and where the outline runs towards the
 eye that would be all one sees of it: hooks. So in the picture a piece begins
 and ends on the surface (side_rise/3), but not where a line runs on it, for
-outline and line meet on the side, nor beside triangles that a line has cut.
+outline and line meet on the side. Where a line ends in a facet the surface is
+above its end, too.
 
 A piece is straight, the surface is not: it may leave a corner of its triangle
 outside in the picture that lies on the surface. Then the outline goes by way of
@@ -86,7 +87,7 @@ contour_pieces(S, Crease, Pieces) :-
     contour_context(S, Crease, Context, Acrosses),
     findall(Piece-Rises,
             ( (   member(_-across(Across,Sense), Acrosses),
-                  outermost(Context, Across, Sense, Piece),
+                  outermost(Context, Across, Piece),
                   \+ is_point(Context, Piece), besides(Context, Piece, Sense)
               ;   piece_along(Context, Piece),
                   \+ is_point(Context, Piece)
@@ -100,13 +101,13 @@ piece_rises(Context, piece(T,I1,F1,I2,F2,_,_), [X1,Y1,X2,Y2]) :-
     end_rise(Context, T-I1, F1, X1-Y1),
     end_rise(Context, T-I2, F2, X2-Y2).
 
-%   outermost(Context, Across, Sense, Piece): Piece is Across as it is or, if
+%   outermost(Context, Across, Piece): Piece is Across as it is or, if
 %   that leaves a corner outside, each of the two that go by way of it.
 
-outermost(Context, Across, Sense, Piece) :-
+outermost(Context, Across, Piece) :-
     Across = piece(T, I1, F1, I2, F2, Seen, _),
     arg(2, Context, Sheets),
-    (   leaves_outside(Context, Across, Sense, Corner)
+    (   leaves_outside(Context, Across, Corner)
     ->  (   corner_on_side(Sheets, T-I2, Corner, F),
             Piece = piece(T, I1, F1, I2, F, Seen, _)
         ;   corner_on_side(Sheets, T-I1, Corner, F),
@@ -116,10 +117,11 @@ outermost(Context, Across, Sense, Piece) :-
     ).
 
 %   In the picture a piece on the surface leaves the corner that it parts from
-%   the others outside: on the side that the surface looks to, and with the ends
-%   more than a right angle apart.
+%   the others outside: on its right, for the surface is seen on its left,
+%   whichever half is the nearer one; and with the ends more than a right angle
+%   apart.
 
-leaves_outside(Context, Piece, Sense, Corner) :-
+leaves_outside(Context, Piece, Corner) :-
     Piece = piece(T, I1, F1, I2, F2, _, _),
     piece_rises(Context, Piece, Rises),
     once(( member(Rise, Rises), Rise =\= 0.0 )),
@@ -131,7 +133,7 @@ leaves_outside(Context, Piece, Sense, Corner) :-
     piece_place(Context, T, I2, F2, X2-Y2),
     Apart is (X1-X)*(X2-X) + (Y1-Y)*(Y2-Y),
     Apart < 0.0,
-    Sense*((X1-X)*(Y2-Y) - (Y1-Y)*(X2-X)) < 1.0e-9*Apart.
+    (X1-X)*(Y2-Y) - (Y1-Y)*(X2-X) < 1.0e-9*Apart.
 
 parted_corner(T, I1, I2, Corner) :-
     (   next_corner(T-I2, T-I1)

@@ -7,8 +7,9 @@
             side_rise/3                 % +Context, +Side, -Rise
           ]).
 :- use_module(smooth_sheet,
-              [ corner_fan/3, fan_normal/3, fan_unit/3, corner_vertex/3,
-                corner_place/3, corner_surface/3, next_corner/2, smooth_side/3,
+              [ corner_fan/3, fan_corners/3, fan_normal/3, fan_unit/3,
+                corner_vertex/3, corner_height/3, corner_place/3,
+                corner_surface/3, cut_side/3, next_corner/2, smooth_side/3,
                 curved_triangle/2
               ]).
 :- use_module('../../rules/store', [line/9, screen/5]).
@@ -16,7 +17,7 @@
 :- use_module('../../rules/picture/view', [current_view/4, view_matrix/3]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(assoc), [get_assoc/3]).
-:- use_module(library(lists), [max_member/2, member/2]).
+:- use_module(library(lists), [max_member/2, member/2, memberchk/2]).
 /** <module> How smooth surfaces lie to the eye along the sides of triangles.
 
 The side of a vertex that a surface turns to the eye is told by g = normal .
@@ -131,9 +132,10 @@ model_zero(context(_,Sheets,_,Gs,_), Side, Low, High, Zero) :-
 %
 %       Zero*(1-Zero)/2 * (N2-N1).(P2-P1)
 %
-%   up to the fourth power of its angle. Where a line runs on the surface the
-%   outline meets it on the side; and the normals of other than known surfaces
-%   are not known so well: there Rise is 0.
+%   up to the fourth power of its angle, and by what a line's ends in a facet
+%   are sunk. Where a line runs on the surface the outline meets it on the side;
+%   and the normals of other than known surfaces are not known so well: there
+%   Rise is 0.
 
 side_rise(Context, Side, Rise) :-
     Context = context(S, Sheets, _, _, _),
@@ -142,20 +144,40 @@ side_rise(Context, Side, Rise) :-
     ;   Rise = 0.0-0.0
     ).
 
-%   known_side(S, Sheets, Side): both triangles of a curved sheet at Side stand
-%   on known surfaces with all corners; those that penetration lines made lie in
-%   a facet.
+%   known_side(S, Sheets, Side): both triangles of a curved sheet at Side, along
+%   which no line runs, stand on known surfaces: with all corners, or by as much
+%   as these are sunk.
 
 known_side(S, Sheets, T-I) :-
     curved_triangle(Sheets, T),
     smooth_side(Sheets, T-I, T2-_),
-    whole_facet(S, Sheets, T),
-    whole_facet(S, Sheets, T2).
+    \+ cut_side(S, Sheets, T-I),
+    stands(S, Sheets, T),
+    stands(S, Sheets, T2).
 
-whole_facet(S, Sheets, T) :-
-    corner_surface(Sheets, T-1, _),
-    \+ ( member(I, [1,2,3]), corner_vertex(Sheets, T-I, V),
-         line_ends_at(S, V) ).
+stands(S, Sheets, T) :-
+    corner_surface(Sheets, T-1, _-surface(Kind,_,_,_)),
+    (   memberchk(Kind, [tapered,turned,sphere,torus])
+    ->  true
+    ;   \+ ( member(I, [1,2,3]), corner_vertex(Sheets, T-I, V),
+             line_ends_at(S, V) )
+    ).
+
+%   sunk(S, Sheets, Corner, Height): the surface is Height above Corner, where a
+%   line ends in a facet; of the surfaces of its fan that which is farthest off.
+
+sunk(S, Sheets, Corner, Height) :-
+    corner_vertex(Sheets, Corner, V),
+    (   line_ends_at(S, V),
+        corner_fan(Sheets, Corner, Fan),
+        fan_corners(Sheets, Fan, Corners),
+        findall(Far-H, ( member(C, Corners), corner_height(Sheets, C, H),
+                         Far is abs(H) ),
+                Heights),
+        max_member(_-Height0, Heights)
+    ->  Height = Height0
+    ;   Height = 0.0
+    ).
 
 line_ends_at(S, V) :-
     (   line(_, S, _, V, _, _, _, _, _)
@@ -176,7 +198,9 @@ surface_rise(Context, Side, X-Y) :-
     part_way(P1, Along, Zero, OnSide),
     dot_product(Turn, Along, Bend),
     dot_product(Normal, Normal, Square),
-    Height is Zero*(1.0-Zero)/2.0*Bend/sqrt(Square),
+    maplist(sunk(S, Sheets), [Low,High], [Sunk1,Sunk2]),
+    Height is ( Zero*(1.0-Zero)/2.0*Bend + (1.0-Zero)*Sunk1 + Zero*Sunk2
+              )/sqrt(Square),
     part_way(OnSide, Normal, Height, Risen),
     maplist(eye_place(Eye), [OnSide,Risen], [X1-Y1,X2-Y2]),
     picture_scale(S, Sheets, Eye, [Low,High], Scale),

@@ -3,6 +3,7 @@
             polygon_face/3,             % +S, +P, -Id
             segment_facets/3,           % +S, -Surfaces, -Runs
             surface_normal/4,           % +Surface, +Point, +Facet, -Normal
+            surface_height/4,           % +Surface, +Point, +Facet, -Height
             surface_straight/3          % +Surface, +Point1, +Point2
           ]).
 :- use_module(bezier_normal, [patch_normal/3]).
@@ -177,6 +178,35 @@ placed_gradient(Kind, Frame, A, B, Point, p(X,Y,Z)) :-
     X is X1+X2+X3,
     Y is Y1+Y2+Y3,
     Z is Z1+Z2+Z3.
+
+%!  surface_height(+Surface, +Point, +Facet, -Height) is semidet.
+%
+%   Surface is Height above Point, which is near it, along its normal there, by
+%   the first step of Newton's method. Fails where there is no normal, as
+%   above, and for other kinds than are measured here.
+
+surface_height(surface(Kind,Frame,A,B), Point, Facet, Height) :-
+    surface_inverse(Frame, Volume, Rows),
+    surface_coordinates(Frame, Volume, Rows, Point, Local),
+    value(Kind, A, B, Local, Value),
+    placed_gradient(Kind, Frame, A, B, Point, p(X,Y,Z)),
+    on_side(p(X,Y,Z), Facet, Normal),
+    dot_product(p(X,Y,Z), Normal, Lean),
+    Height is -Value/(Lean/Volume).
+
+%   Half of what is zero on the surface.
+
+value(tapered, A, B, [X,Y,H], Value) :-
+    U is X/(1.0-H+H*A),
+    V is Y/(1.0-H+H*B),
+    Value is (U*U + V*V - 1.0)/2.
+value(turned, A, B, Local, Value) :-
+    value(tapered, A, B, Local, Value).
+value(sphere, _, _, [X,Y,H], Value) :-
+    Value is (X*X + Y*Y + H*H - 1.0)/2.
+value(torus, A, _, [X,Y,H], Value) :-
+    Off is sqrt(X*X + Y*Y) - 1.0,
+    Value is (Off*Off + H*H - A*A)/2.
 
 %   surface_inverse(Frame, Volume, Rows): Rows are those of the inverse of the
 %   matrix of U, V and W, times Volume.

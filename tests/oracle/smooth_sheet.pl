@@ -8,6 +8,7 @@
             coarse_triangle/2,          % +Sheets, ?T
             side_bulges/2,              % +Sheets, +Side
             corner_surface/3,           % +Sheets, +Corner, -Surface
+            corner_height/3,            % +Sheets, +Corner, -Height
             fold_side/2,                % +Sheets, +Side
             corner_fan/3,               % +Sheets, +Corner, -Fan
             fan_corners/3,              % +Sheets, +Fan, -Corners
@@ -18,7 +19,8 @@
             next_corner/2               % +Corner, -Next
           ]).
 :- use_module(known_surface,
-              [ polygon_face/3, polygon_surface/4, surface_normal/4,
+              [ polygon_face/3, polygon_surface/4, surface_height/4,
+                surface_normal/4,
                 surface_straight/3
               ]).
 :- use_module('../../rules/csg/known_surface', [flat_bend/1]).
@@ -559,6 +561,17 @@ round_corner(Sheets, Corner) :-
 corner_surface(sheets(Corners,_,_,_,_,_,_,_,Known,_,_), T-_, Surface) :-
     get_assoc(T, Corners, corners(P,_,_,_)),
     get_assoc(P, Known, Surface).
+
+%!  corner_height(+Sheets, +Corner, -Height) is semidet.
+%
+%   The known surface of Corner is Height above it. Fails where that is not
+%   known (surface_height/4).
+
+corner_height(Sheets, T-I, Height) :-
+    corner_surface(Sheets, T-I, _-Surface),
+    corner_place(Sheets, T-I, Place),
+    triangle_normal(Sheets, T, Area),
+    surface_height(Surface, Place, Area, Height).
 
 %   Inside its sheet, with a normal, and bent along more than one line, and not
 %   on one cylinder or cone.
