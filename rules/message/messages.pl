@@ -461,6 +461,11 @@ notice_en(cityjson_floors(File, N)) -->
     ).
 notice_en(cityjson_left_out(File, N)) -->
     [ '~w: templates are not read: left out ~D'-[File, N] ].
+notice_en(cityjson_no_area(File, N)) -->
+    (   { N =:= 1 }
+    ->  [ '~w: a surface has no area: left out'-[File] ]
+    ;   [ '~w: ~D surfaces have no area: left out'-[File, N] ]
+    ).
 notice_en(cells_parted(S, N)) -->
     [ 'segment ~d has no operands: each of its ~d cells is a solid now'-
       [S, N] ].

@@ -466,6 +466,8 @@ notice_ko(cityjson_floors(File, N)) -->
     [ '~w: 열린 입체 ~D개를 평평한 면으로 닫았습니다'-[File, N] ].
 notice_ko(cityjson_left_out(File, N)) -->
     [ '~w: 템플릿은 읽지 않습니다. ~D개를 뺐습니다'-[File, N] ].
+notice_ko(cityjson_no_area(File, N)) -->
+    [ '~w: 넓이가 없는 면 ~D개를 뺐습니다'-[File, N] ].
 notice_ko(cells_parted(S, N)) -->
     [ '세그먼트 ~d에는 피연산자가 없습니다. 세포 ~d개가 저마다 입체가 되었습니다'-
       [S, N] ].

@@ -5,7 +5,9 @@
 :- use_module(cityjson_floor, [floors_added/3]).
 :- use_module('../limits', [limit_value/2]).
 :- use_module('../store', [assert_fact/1, fresh_id/3]).
-:- use_module(library(apply), [foldl/4, foldl/5, maplist/2, maplist/3]).
+:- use_module(library(apply),
+              [ exclude/3, foldl/4, foldl/5, maplist/2, maplist/3,
+                partition/4 ]).
 :- use_module(library(assoc),
               [get_assoc/3, ord_list_to_assoc/2]).
 :- use_module(library(lists),
@@ -32,8 +34,8 @@ library(http/json) is loaded with the first such file.
 %
 %   Add the geometries in File to the current world. Options: lod(Text), the
 %   level of detail; close(true): open solids get flat floors. A warning says
-%   how many solids were open, and one how many geometries were left out. Call
-%   it in a transaction.
+%   how many solids were open, one how many geometries were left out, and one
+%   how many surfaces have no area. Call it in a transaction.
 %
 %   @error error(model_error(cityjson(Path, Why)), location(File, Line, 0)),
 %   error(model_error(limit(file, Most)), location(File, 0, 0))
@@ -44,7 +46,7 @@ read_cityjson(File, Options) :-
     catch(city_read(Json, Options, Counts), cityjson(Path, Why),
           throw(error(model_error(cityjson(Path, Why)),
                       location(File, 0, 0)))),
-    Counts = counts(_, Open, Left, Floors),
+    Counts = counts(_, Open, Left, Floors, Flat),
     (   integer(Floors),
         Floors > 0
     ->  print_message(informational, sanggwan(cityjson_floors(File, Floors)))
@@ -56,6 +58,10 @@ read_cityjson(File, Options) :-
     ),
     (   Left > 0
     ->  print_message(warning, sanggwan(cityjson_left_out(File, Left)))
+    ;   true
+    ),
+    (   Flat > 0
+    ->  print_message(warning, sanggwan(cityjson_no_area(File, Flat)))
     ;   true
     ).
 
@@ -92,8 +98,8 @@ fault(Path, Why) :-
     path_text(Path, Text),
     throw(cityjson(Text, Why)).
 
-%   city_read(Json, Options, Counts): counts(Segments, Open, LeftOut, Floors):
-%   Floors of solids that got some, or `none` if that is not asked for.
+%   city_read(Json, Options, Counts): counts(Segments, Open, LeftOut, Floors,
+%   Flat): Floors of solids that got some, or `none` if that is not asked for.
 
 city_read(Json, Options, Counts) :-
     (   is_dict(Json),
@@ -120,8 +126,9 @@ city_read(Json, Options, Counts) :-
     ->  Floors = 0
     ;   Floors = none
     ),
-    foldl(object_read(Vertices, Options), Pairs, counts(0,0,0,Floors), Counts),
-    (   Counts = counts(0, _, _, _),
+    foldl(object_read(Vertices, Options), Pairs, counts(0,0,0,Floors,0),
+          Counts),
+    (   Counts = counts(0, _, _, _, _),
         option(lod(Lod), Options)
     ->  fault('/CityObjects', no_lod(Lod))
     ;   true
@@ -236,9 +243,9 @@ geometry_read(Vertices, Id, Path0, I-Geometry, Counts0, Counts) :-
     format(atom(Path), '~w/geometry/~d', [Path0, I]),
     needed(type, Geometry, Path, Type),
     (   Type == "GeometryInstance"
-    ->  Counts0 = counts(N, Open, Left0, Floors),
+    ->  Counts0 = counts(N, Open, Left0, Floors, Flat),
         Left is Left0+1,
-        Counts = counts(N, Open, Left, Floors)
+        Counts = counts(N, Open, Left, Floors, Flat)
     ;   needed(boundaries, Geometry, Path, Boundaries),
         atom_concat(Path, '/boundaries', At),
         (   geometry_type(Type, Depth)
@@ -304,24 +311,26 @@ type_read("CompositeSolid", Solids, Path, Vertices, Id, Counts0, Counts) :-
         assert_fact(segment(S, cells, named(Id, glue(Ss))))
     ).
 type_read("MultiSurface", Surfaces, Path, Vertices, Id, Counts0, Counts) :-
-    surface_read(surface, Id, Vertices, Path, Surfaces, _),
-    counted(Counts0, 0, Counts).
+    surface_read(Id, Vertices, Path, Surfaces, Counts0, Counts).
 type_read("CompositeSurface", Surfaces, Path, Vertices, Id, Counts0,
           Counts) :-
-    surface_read(surface, Id, Vertices, Path, Surfaces, _),
-    counted(Counts0, 0, Counts).
+    surface_read(Id, Vertices, Path, Surfaces, Counts0, Counts).
 type_read("MultiLineString", Lines, Path, Vertices, Id, Counts0, Counts) :-
     curve_read(Id, Vertices, Path, Lines),
-    counted(Counts0, 0, Counts).
+    counted(Counts0, 0, 0, Counts).
 type_read("MultiPoint", Points, Path, Vertices, Id, Counts0, Counts) :-
     findall([Point], member(Point, Points), Lines),
     curve_read(Id, Vertices, Path, Lines),
-    counted(Counts0, 0, Counts).
+    counted(Counts0, 0, 0, Counts).
 
-counted(counts(N0, Open0, Left, Floors), More,
-        counts(N, Open, Left, Floors)) :-
+%   counted(Counts0, More, Flat, Counts): one segment more, More of which are
+%   open; Flat of its surfaces have no area.
+
+counted(counts(N0, Open0, Left, Floors, Flat0), More, Flat1,
+        counts(N, Open, Left, Floors, Flat)) :-
     N is N0+1,
-    Open is Open0+More.
+    Open is Open0+More,
+    Flat is Flat0+Flat1.
 
 solids_read(Id, Solids, Path, Vertices, Ss, Counts0, Counts) :-
     findall(I-Shells, nth0(I, Solids, Shells), Numbered),
@@ -342,16 +351,17 @@ solid_read(Name, Vertices, Path, Shells, S, Counts0, Counts) :-
               nth0(J, Surfaces, Surface),
               At = Path/I/J ),
             Numbered),
-    surfaces_rings(Numbered, Vertices, Faces0),
+    surfaces_rings(Numbered, Vertices, Faces0, Flat),
     solid_faces(Faces0, Vertices, Faces, Kind, More, Counts0, Counts1),
     faces_written(Kind, Name, Vertices, Faces, S),
-    counted(Counts1, More, Counts).
+    counted(Counts1, More, Flat, Counts).
 
 solid_faces(Faces, _, Faces, solid, 0, Counts, Counts) :-
     closed(Faces),
     !.
 solid_faces(Faces0, Vertices, Faces, solid, 0,
-            counts(N,Open,Left,Floors0), counts(N,Open,Left,Floors)) :-
+            counts(N,Open,Left,Floors0,Flat),
+            counts(N,Open,Left,Floors,Flat)) :-
     integer(Floors0),
     floors_added(Vertices, Faces0, Faces),
     closed(Faces),
@@ -359,17 +369,19 @@ solid_faces(Faces0, Vertices, Faces, solid, 0,
     Floors is Floors0+1.
 solid_faces(Faces, _, Faces, surface, 1, Counts, Counts).
 
-surface_read(Kind, Name, Vertices, Path, Surfaces, S) :-
+surface_read(Name, Vertices, Path, Surfaces, Counts0, Counts) :-
     findall(At-Surface,
             ( nth0(I, Surfaces, Surface), item_path(Path, I, At) ),
             Numbered),
-    surfaces_rings(Numbered, Vertices, Faces),
-    faces_written(Kind, Name, Vertices, Faces, S).
+    surfaces_rings(Numbered, Vertices, Faces, Flat),
+    faces_written(surface, Name, Vertices, Faces, _),
+    counted(Counts0, 0, Flat, Counts).
 
-%   surfaces_rings(Numbered, Vertices, Faces): rings of indices, checked; one
-%   that ends where it begins loses its end.
+%   surfaces_rings(Numbered, Vertices, Faces, Flat): rings of indices, checked.
+%   Surfaces whose outer ring has no area are left out, Flat of them, and such
+%   holes.
 
-surfaces_rings(Numbered, Vertices, Faces) :-
+surfaces_rings(Numbered, Vertices, Faces, Flat) :-
     functor(Vertices, _, Count),
     findall(Rings,
             ( member(Path-Surface, Numbered),
@@ -382,19 +394,41 @@ surfaces_rings(Numbered, Vertices, Faces) :-
                         item_path(Path, I, At),
                         ring(Ring0, At, Count, Ring) ),
                       Rings) ),
-            Faces).
+            All),
+    partition(has_area, All, Faces0, None),
+    maplist(exclude(==([])), Faces0, Faces),
+    length(None, Flat).
+
+has_area([[_|_]|_]).
+
+%   ring(Ring0, Path, Count, Ring): a vertex that is there again at once is
+%   there once, also if the ring ends where it begins. Of fewer than three
+%   nothing is left then.
 
 ring(Ring0, Path, Count, Ring) :-
     indices_there(Ring0, Path, Count),
-    (   Ring0 = [First,_|_],
-        append(Open, [First], Ring0)
-    ->  Ring = Open
-    ;   Ring = Ring0
-    ),
-    (   sort(Ring, [_,_,_|_])
+    (   Ring0 = [_,_,_|_]
     ->  true
     ;   fault(Path, ring)
+    ),
+    once_each(Ring0, Each),
+    (   Each = [First,_|_],
+        append(Open, [First], Each)
+    ->  true
+    ;   Open = Each
+    ),
+    (   sort(Open, [_,_,_|_])
+    ->  Ring = Open
+    ;   Ring = []
     ).
+
+once_each([], []).
+once_each([A,B|As], Bs) :-
+    A == B,
+    !,
+    once_each([B|As], Bs).
+once_each([A|As], [A|Bs]) :-
+    once_each(As, Bs).
 
 indices_there(Indices, Path, Count) :-
     (   nth0(I, Indices, Index),

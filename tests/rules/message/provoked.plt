@@ -43,6 +43,8 @@ file('open.json',
        \"CityObjects\":{\"o\":{\"geometry\":[\c
          {\"type\":\"Solid\",\"lod\":\"1\",\c
           \"boundaries\":[[[[0,1,2]]]]},\c
+         {\"type\":\"MultiSurface\",\"lod\":\"1\",\c
+          \"boundaries\":[[[0,1,0]]]},\c
          {\"type\":\"GeometryInstance\",\"lod\":\"1\",\c
           \"boundaries\":[0]}]}}}").
 file('latin1.txt', "no model\n").
@@ -150,6 +152,7 @@ command(glue_overlap(_,_,_,_,_), [glue, @('cross.pl')]).
 command(glue_apart(_), [glue, @('far.pl')]).
 command(cityjson_open(_,_), [check, @('open.json')]).
 command(cityjson_left_out(_,_), [check, @('open.json')]).
+command(cityjson_no_area(_,_), [check, @('open.json')]).
 command(cityjson_floors(_,_), [check, '--close', @('open.json')]).
 command(glue_gap(_,_,_,_,_), [glue, @('near.pl')]).
 command(glue_gaps(_,_), [glue, @('near.pl')]).

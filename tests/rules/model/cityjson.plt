@@ -19,7 +19,7 @@
 
 user:message_hook(sanggwan(What), warning, _) :-
     functor(What, Name, _),
-    memberchk(Name, [cityjson_open,cityjson_left_out]),
+    memberchk(Name, [cityjson_open,cityjson_left_out,cityjson_no_area]),
     arg(2, What, N),
     assertz(test_cityjson:heard(Name-N)).
 
@@ -100,6 +100,26 @@ test(flat, [ forall(member(Type-Boundaries-Wanted,
              Kinds == [Wanted] ]) :-
     one(Type, Boundaries, Text),
     kinds(Text, Kinds).
+
+%   A ring that goes there and back has no area; a vertex that is there twice is
+%   there once.
+
+test(no_area, [ forall(no_area(Type, Boundaries, Wanted, Left)),
+                Kinds-Edges-Heard == Wanted-[cityjson_no_area-Left] ]) :-
+    one(Type, Boundaries, Text),
+    with_text(Text, kinds_edges(Kinds, Edges)),
+    findall(What, heard(What), Heard).
+
+no_area('MultiSurface', "[[[0,0,1,1]],[[0,1,1,2,3]],[[4,5,6,7],[4,4,6,6]]]",
+        [surface]-[4,4], 1).
+no_area('MultiSurface', "[[[0,1,2]],[[0,1,0]],[[2,2,2]]]", [surface]-[3], 2).
+no_area('Solid', Boundaries, [solid]-[4,4,4,4,4,4], 1) :-
+    low(Low),
+    format(string(Boundaries), "[[~w,[[0,0,1,1]]]]", [Low]).
+
+kinds_edges(Kinds, Edges, File) :-
+    kinds_of(Kinds, File),
+    findall(N, ( p(_, _, Es), length(Es, N) ), Edges).
 
 two(Type, Text) :-
     low(Low),
@@ -194,7 +214,7 @@ faulty(Text, '/CityObjects/one/geometry/0/boundaries/0/0/2', index(2.5)) :-
 faulty(Text, '/CityObjects/one/geometry/0/boundaries/0/0', nesting) :-
     one('MultiSurface', "[[0,1,2]]", Text).
 faulty(Text, '/CityObjects/one/geometry/0/boundaries/0/0', ring) :-
-    one('MultiSurface', "[[[0,1,0]]]", Text).
+    one('MultiSurface', "[[[0,1]]]", Text).
 faulty(Text, '/CityObjects/one/geometry/0', geometry("Cone")) :-
     one('Cone', "[[[0,1,2]]]", Text).
 faulty(Text, '/CityObjects/one/geometry/0', missing(boundaries)) :-
