@@ -85,7 +85,7 @@ export class Folding {
     this.space = file.file_frames[0]?.vertices_coords ?? this.flat;
     this.folds = file.edges_foldAngle.some(Boolean);
     this.faces = file.faces_vertices;
-    this.segments = file["sanggwan:faces_segment"].map((segment) => patterns.get(segment) ?? segment);
+    this.segments = file["sanggwan:faces_segment"].map((segment) => patterns.get(segment) ?? { segment, edges: true });
     this.edges = new Map();
     file.edges_vertices.forEach(([a, b], i) => {
       this.edges.set(a < b ? a + " " + b : b + " " + a,
@@ -188,7 +188,8 @@ export class Folding {
         const found = this.edgeOf(a, corners[(i + 1) % corners.length]);
         if (found && found.kind !== "J") {
           sides += `M${at(points[i])}L${at(points[(i + 1) % points.length])}`;
-          this.lines.push({ name: nameOf(this.segments[f], found.edge), edge: found.edge, segment: this.segments[f],
+          const { segment, edges } = this.segments[f];
+          this.lines.push({ name: nameOf(segment, edges ? found.edge : undefined), edge: found.edge, segment,
             folds: "MVF".includes(found.kind), from: points[i], to: points[(i + 1) % points.length] });
         }
       });

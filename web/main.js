@@ -304,6 +304,7 @@ class Studio {
   // Every pane shows the new revision.
   async revised(head) {
     this.rev = head.rev;
+    if (this.fault) $("banner").hidden = true;
     this.warned(head.messages);
     $("ports").dataset.rev = head.rev;
     this.ports.refresh();
@@ -515,7 +516,10 @@ class Studio {
 
   failed(error, ways = []) {
     if (error instanceof Lost) return;
-    this.tell(this.wrong(error), ways.map(([word, act]) => h("button", { onclick: act }, w(word))));
+    const passing = error.message === "request_error.nothing_to";
+    this.tell(this.wrong(error), passing ? null : ways.map(([word, act]) => h("button", { onclick: act }, w(word))),
+      passing ? 4000 : 0);
+    this.fault = true;
   }
 
   // What is not as it should be, though there is a model: once.
@@ -528,15 +532,16 @@ class Studio {
   }
 
   banner(word, more = null, milliseconds = 0, ...given) {
-    this.tell(w(word, ...given), more);
-    if (milliseconds) calm(milliseconds, () => { $("banner").hidden = true; })();
+    this.tell(w(word, ...given), more, milliseconds);
   }
 
   // With `ways`, elements, it stays until it is closed.
-  tell(text, ways) {
+  tell(text, ways, milliseconds = 0) {
     const close = () => { $("banner").hidden = true; };
+    this.fault = false;
     $("banner").replaceChildren(h("span", {}, text), ...(ways ? [...ways, h("button", { onclick: close }, w("close"))] : []));
     $("banner").hidden = false;
+    if (milliseconds) calm(milliseconds, close)();
   }
 
   // --- keys ---

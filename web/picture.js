@@ -2,15 +2,11 @@
 
 import { s } from "./dom.js";
 
-// Which segment is meant by another one: a pattern of segment 1 has its edges,
-// and so have the parts of what is taken apart.
+// Which segment is meant by another one, and whether it has its edges: parts of
+// what is taken apart have, and patterns of facets.
 export function laidOf(head) {
-  const laid = new Map(head.parts || []);
-  for (const { pattern, of } of head.patterns || []) {
-    const found = /^development\((\d+)/.exec(of);
-    if (found) laid.set(pattern, Number(found[1]));
-  }
-  return laid;
+  return new Map([...(head.parts || []).map(([part, segment]) => [part, { segment, edges: true }]),
+    ...(head.patterns || []).map(({ pattern, segment, edges }) => [pattern, { segment, edges }])]);
 }
 
 // The strokes of a reply (docs/protocol.md).
@@ -22,7 +18,9 @@ export function strokesOf({ head, body }) {
     const [look, segment, ends, e, p] = n.subarray(i, i + 5);
     const edges = n.subarray(i + 5, i + 5 + e);
     const points = n.subarray(i + 5 + e, i + 5 + e + 2 * p);
-    strokes.push({ look, segment: laid.get(segment) ?? segment, closed: ends >> 2 === 2, edges, points });
+    const of = laid.get(segment) || { segment, edges: true };
+    strokes.push({ look, segment: of.segment, closed: ends >> 2 === 2, edges: of.edges ? edges : [], points,
+      whole: !of.edges && e > 0 });
     i += 5 + e + 2 * p;
   }
   return { strokes, looks: head.looks, sheet: head.sheet, place: head.place, texts: head.texts || [] };
@@ -53,7 +51,10 @@ function partPath(stroke, of) {
 
 const FILLING = new Set(["hatching", "fold_up", "fold_down", "number"]);
 
-export const nameOf = (segment, edge) => `s${segment}e${edge}`;
+export const nameOf = (segment, edge) => (edge === undefined ? `s${segment}` : `s${segment}e${edge}`);
+
+// The strokes that have a name.
+export const named = ({ strokes }) => strokes.filter(({ edges, whole }) => edges.length || whole);
 
 export class Picture {
   constructor(layers = ["gone", "came", "lit", "chosen", "hover"]) {
@@ -149,7 +150,7 @@ export class Picture {
   hover(found) {
     if (!this.shown) return;
     this.layers.hover.setAttribute("d", found
-      ? partPath(found.stroke, (edge) => edge === found.edge) : "");
+      ? found.stroke.whole ? wholePath(found.stroke) : partPath(found.stroke, (edge) => edge === found.edge) : "");
   }
 
   // The line nearest to a point of the screen, if one is within some pixels; a
@@ -160,11 +161,10 @@ export class Picture {
     const { x, y } = new DOMPoint(clientX, clientY).matrixTransform(matrix.inverse());
     let best = null;
     let least = (within / matrix.a) ** 2;
-    for (const stroke of this.shown.strokes) {
+    for (const stroke of named(this.shown)) {
       const { points, edges } = stroke;
       const n = points.length / 2;
       const behind = this.shown.looks[stroke.look][0] === "hidden" ? 4 : 1;
-      if (!edges.length) continue;
       for (let i = 0; i + 1 < n + (stroke.closed ? 1 : 0); i++) {
         const j = (i + 1) % n;
         const ax = points[2 * i], ay = points[2 * i + 1];

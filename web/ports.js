@@ -2,7 +2,7 @@
 
 import { h, calm, say } from "./dom.js";
 import { w, said, reworded } from "./words.js";
-import { Picture, strokesOf, laidOf } from "./picture.js";
+import { Picture, strokesOf, laidOf, named, nameOf } from "./picture.js";
 import { KINDS, kindOf } from "./kinds.js";
 import { Lost, textOf } from "./wire.js";
 
@@ -410,15 +410,15 @@ class Port {
 
   walk(step) {
     if (!this.picture.shown) return;
-    const { strokes, looks } = this.picture.shown;
+    const strokes = named(this.picture.shown);
     if (!strokes.length) return;
     this.at = step ? (this.at + step + strokes.length) % strokes.length : 0;
     this.walking = true;
     const stroke = strokes[this.at];
     const edge = stroke.edges[0];
-    const name = `s${stroke.segment}e${edge}`;
+    const name = nameOf(stroke.segment, edge);
     this.pointAt({ stroke, edge, segment: stroke.segment, name });
-    say(`${w("line", name)}, ${looks[stroke.look].join(", ")}`);
+    say(`${w("line", name)}, ${this.picture.shown.looks[stroke.look].join(", ")}`);
   }
 
   unwalk() {

@@ -211,6 +211,7 @@ export class Tree {
     const sent = (text) => {
       const number = whole ? Math.round(Number(text)) : Number(Number(text).toPrecision(12));
       if (text !== "" && Number.isFinite(number)) this.set(target, number);
+      else this.drawForm();
     };
     const begun = () => { this.drag = (this.drag || 0) + 1; };
     const field = h("input", { type: "number", value, step: "any",
@@ -247,6 +248,7 @@ export class Tree {
         this.studio.edited(head);
       } catch (error) {
         this.studio.failed(error);
+        if (!this.next) this.drawForm();
       }
     }
     this.editing = false;

@@ -5,7 +5,8 @@
             counted//3,                 % +N, +One, +Many
             dots_that_fit/5,            % +W, +H, -Wide, -High, -By
             size_that_fits/3,           % +Width, +Height, -Size
-            near_predicates/2,          % +PI, -Near
+            near_predicates/3,          % +What, -PI, -Near
+            number_fault/3,             % ?What, -English, -Korean
             meant_en//1,                % +Near
             meant_ko//1,                % +Near
             shown_count/2,              % +Count, -Shown
@@ -97,13 +98,25 @@ meant_ko(Near) -->
 near_text(Near, Text) :-
     format(atom(Text), '~w', [Near]).
 
-%!  near_predicates(+PI, -Near:list) is det.
+%!  near_predicates(+What, -PI, -Near:list) is det.
 %
-%   Near are what users may call, Name/Arity, with a name near to that of PI,
-%   near_words/3.
+%   PI is the predicate that What, a goal or an indicator, calls, without the
+%   module in which the program asked it. Near are what users may call,
+%   Name/Arity, with a name near to that of PI, near_words/3.
 
-near_predicates(PI, Near) :-
-    strip_module(PI, _, Word/_),
+near_predicates(What, PI, Near) :-
+    strip_module(What, Module, Plain),
+    (   Plain = Word/Arity
+    ->  true
+    ;   functor(Plain, Word, Arity)
+    ),
+    (   sub_atom(Module, 0, _, _, sg_)
+    ->  PI = Word/Arity
+    ;   PI = Module:Word/Arity
+    ),
+    near_names(Word, Near).
+
+near_names(Word, Near) :-
     findall(Name, offered(Name/_, _), Names0),
     sort(Names0, Names),
     near_words(Word, Names, Words),
@@ -112,7 +125,16 @@ near_predicates(PI, Near) :-
             Near0),
     sort(Near0, Near),
     !.
-near_predicates(_, []).
+near_names(_, []).
+
+%!  number_fault(?What, -English, -Korean) is semidet.
+%
+%   What, an evaluation error of Prolog, in words.
+
+number_fault(zero_divisor,    'division by zero',     '0으로 나눌 수 없습니다').
+number_fault(undefined,       'no value is defined',  '값이 정해져 있지 않습니다').
+number_fault(float_overflow,  'the number is too large', '수가 너무 큽니다').
+number_fault(float_underflow, 'the number is too small', '수가 너무 작습니다').
 
 %!  dots_that_fit(+W, +H, -Wide, -High, -By) is semidet.
 %

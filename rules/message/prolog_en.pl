@@ -1,7 +1,9 @@
 :- module(sg_prolog_en,
           [ prolog_en//2                % +Formal, +Context
           ]).
-:- use_module(message_parts, [endless_goal/2, near_predicates/2, meant_en//1]).
+:- use_module(message_parts,
+              [ endless_goal/2, near_predicates/3, number_fault/3,
+                meant_en//1 ]).
 /** <module> Errors of Prolog that people meet, in English.
 
 prolog_ko.pl has the same heads in Korean. Only what the program itself and a
@@ -30,8 +32,8 @@ prolog_en(io_error(Action, _), context(_, Why)) -->
     [ 'a file or a stream failed: ~w (~w)'-[Action, Why], nl,
       '  Check the disk, and who reads what is written.' ].
 prolog_en(existence_error(procedure, PI), _) -->
-    { near_predicates(PI, Near) },
-    [ 'there is no predicate ~q'-[PI] ],
+    { near_predicates(PI, Plain, Near) },
+    [ 'there is no predicate ~q'-[Plain] ],
     meant_en(Near),
     [ nl, '  The goal help. lists what there is.' ].
 prolog_en(existence_error(Kind, What), _) -->
@@ -48,6 +50,10 @@ prolog_en(domain_error(Domain, What), _) -->
     [ 'this is no ~w: ~p'-[Domain, What] ].
 prolog_en(representation_error(What), _) -->
     [ 'this cannot be held: ~w'-[What] ].
+prolog_en(evaluation_error(What), _) -->
+    { number_fault(What, Words, _) },
+    !,
+    [ 'this cannot be computed: ~w'-[Words] ].
 prolog_en(evaluation_error(What), _) -->
     [ 'this cannot be computed: ~w'-[What] ].
 prolog_en(permission_error(Action, Kind, What), _) -->

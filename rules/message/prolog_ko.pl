@@ -4,7 +4,7 @@
             korean_syntax//1                % +What
           ]).
 :- use_module(message_parts,
-              [ endless_goal/2, near_predicates/2, meant_ko//1,
+              [ endless_goal/2, near_predicates/3, number_fault/3, meant_ko//1,
                 syntax_words//1 ]).
 /** <module> Errors of Prolog that people meet, in Korean.
 
@@ -31,8 +31,8 @@ prolog_ko(io_error(Action, _), context(_, Why)) -->
     [ '파일이나 스트림에 잘못이 있습니다: ~w (~w)'-[Action, Why], nl,
       '  디스크와, 쓴 것을 읽는 쪽을 확인하십시오.' ].
 prolog_ko(existence_error(procedure, PI), _) -->
-    { near_predicates(PI, Near) },
-    [ '~q: 없는 술어입니다'-[PI] ],
+    { near_predicates(PI, Plain, Near) },
+    [ '~q: 없는 술어입니다'-[Plain] ],
     meant_ko(Near),
     [ nl, '  help. 라고 물으면 있는 것을 모두 볼 수 있습니다.' ].
 prolog_ko(existence_error(Kind, What), _) -->
@@ -49,6 +49,10 @@ prolog_ko(domain_error(Domain, What), _) -->
     [ '~p: 쓸 수 있는 값이 아닙니다 (~w)'-[What, Domain] ].
 prolog_ko(representation_error(What), _) -->
     [ '담을 수 없습니다: ~w'-[What] ].
+prolog_ko(evaluation_error(What), _) -->
+    { number_fault(What, _, Words) },
+    !,
+    [ '계산할 수 없습니다: ~w'-[Words] ].
 prolog_ko(evaluation_error(What), _) -->
     [ '계산할 수 없습니다: ~w'-[What] ].
 prolog_ko(permission_error(Action, Kind, What), _) -->

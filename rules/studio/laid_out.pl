@@ -8,12 +8,15 @@
 :- use_module('../output', [copied_to/3]).
 :- use_module('../pattern/fold_file', [write_fold/3]).
 :- use_module('../pattern/pattern_drawing', [pattern_drawing/3]).
+:- use_module('../solid/trimmed', [part_named/2]).
 :- use_module('../store', [segment/3]).
+:- use_module('../unfolding/unfold', [pattern_of/2]).
 :- use_module(document, [document_file/1, document_world/1]).
 :- use_module(job, [captured/2]).
 :- use_module(port, [drawing_body/3, strokes_body/4]).
 :- use_module(request, [request_error/1, request_options/2]).
 :- use_module(world_state, [in_state/3, made_once/4]).
+:- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [append/3, member/2, nth1/3]).
 /** <module> What a session lays out: sheets, patterns, pictures.
 
@@ -118,12 +121,19 @@ pattern_sheet(Sheet, Reply, Octets, Ds, Options) :-
     Reply = Reply0.put(_{sheets:Sheets, patterns:Patterns}).
 
 pattern_titles(Ds, Patterns) :-
-    findall(_{pattern:D, of:T}, ( member(D, Ds), pattern_title(D, T) ),
-            Patterns).
+    maplist(pattern_title, Ds, Patterns).
 
-pattern_title(D, Title) :-
+%   Only development(S) has the edges of a segment S of the model.
+
+pattern_title(D, _{pattern:D, of:Title, segment:S, edges:Edges}) :-
     segment(D, _, Term),
-    format(string(Title), "~W", [Term, [quoted(true), max_depth(12)]]).
+    format(string(Title), "~W", [Term, [quoted(true), max_depth(12)]]),
+    pattern_of(D, T),
+    part_named(T, S),
+    (   Term == development(S)
+    ->  Edges = true
+    ;   Edges = false
+    ).
 
 %!  folded(+Head:dict, +Makers, -Reply:dict, -Octets) is det.
 %

@@ -324,13 +324,20 @@ for names in ("s1", [1], ["x"], ["s0"], ["s1e"], ["s1q1"], ["s01"], [["s1"]],
             "select", names=names)
 refused("nothing called so", "request_error.no_name", "s9e1", "select",
         names=["s9e1"])
+for language, said in (("en", "there is no predicate segmnt/3"),
+                       ("ko", "segmnt/3: 없는 술어입니다")):
+    head, _ = s.ask("ask", goal="segmnt(S, K, N)")
+    check("no such predicate, " + language,
+          head["error"]["words"][language].startswith(said) and
+          "segment/3" in head["error"]["words"][language], head)
 
 # ---- patterns ----
 
 head, octets = s.ask("unfold", segment=1)
 got = strokes(head, octets)
 check("unfold", head["sheets"] == 1 and len(got) == head["strokes"] > 0 and
-      [p["of"] for p in head["patterns"]] == ["development(1)"], head)
+      [[p["of"], p["segment"], p["edges"]] for p in head["patterns"]] ==
+      [["development(1)", 1, True]], head)
 wanted = json.loads(alone("unfold", "facts/two_cubes.pl", "--only", "1", "-o",
                           "-", "--format", "json")[1])
 check("as the verb", [points for _, _, _, _, _, points in got] ==

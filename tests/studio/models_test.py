@@ -38,10 +38,17 @@ with open(os.path.join(models, "house.city.json"), "w") as out:
 env = dict(os.environ, XDG_STATE_HOME=os.path.join(folder, "state"))
 ROWS = "[...document.querySelectorAll('.tree .what')].map(e => e.textContent)"
 SIZES = "[...document.querySelectorAll('.number span')].map(e => e.textContent)"
+FIELD = "document.querySelector('.number input[type=number]')"
+PLACE = """
+  const { picture } = studio.ports.ports[0];
+  const { points } = picture.shown.strokes.find((s) => s.whole);
+  const { x, y } = new DOMPoint((points[0] + points[2]) / 2, (points[1] + points[3]) / 2)
+    .matrixTransform(picture.svg.getScreenCTM());
+  return [x, y];"""
 
 
 def opened(name):
-    browser.script("studio.opened(arguments[0])", name)
+    browser.script("return studio.opened(arguments[0]).then(() => 1)", name)
     return browser.wait(
         "studio.ready && studio.file === arguments[0] && studio.ports.ports"
         ".slice(0, 1).every(p => !p.busy && p.element.dataset.rev === "
@@ -113,7 +120,36 @@ for language in ("en", "ko"):
             "studio.ports.ports[0].remark.textContent.includes(arguments[0])",
             rolled), browser.script(
                 "return studio.ports.ports[0].remark.textContent"))
+        browser.script("studio.ports.ports[0].turnTo('unfold')")
+        told("its pattern", browser.wait(
+            "!studio.ports.ports[0].busy && studio.ports.ports[0].picture"
+            ".shown && studio.ports.ports[0].picture.shown.strokes.some(s => "
+            "s.whole)"))
+        place = browser.script(PLACE)
+        browser.pointer(tuple(place), "down", "up")
+        told("a line of it is of the segment", browser.wait(
+            "/^s[12]$/.test(document.querySelector('.chip strong')"
+            ".textContent) && !document.querySelector('.why .bad')"),
+            browser.script("return document.querySelector('.why')"
+                           ".textContent"))
         browser.script("studio.ports.ports[0].turnTo('iso')")
+
+        # A number that cannot be stays what it was; what was said of it goes.
+        browser.script("document.querySelectorAll('.tree .row')[0].click()")
+        for wrong in ("-5", ""):
+            browser.wait(FIELD + "?.value === '168.3'")
+            browser.script("const f = %s; f.value = arguments[0]; "
+                           "f.dispatchEvent(new Event('change'))" % FIELD,
+                           wrong)
+            told("no number: " + wrong, browser.wait(
+                FIELD + ".value === '168.3'"))
+        told("told", browser.wait(
+            "!document.getElementById('banner').hidden"))
+        browser.script("const f = %s; f.value = '170'; "
+                       "f.dispatchEvent(new Event('change'))" % FIELD)
+        told("and not for ever", browser.wait(
+            FIELD + ".value === '170' && document.getElementById('banner')"
+            ".hidden"))
 
         # A picture says what it leaves out.
         opened("two_rooms.pl")
