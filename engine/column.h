@@ -55,4 +55,32 @@ sg_live_next(const uint64_t *live, unsigned row)
   return SG_PAGE_ROWS;
 }
 
+/* What a row has in a column, by its type. */
+static inline int32_t
+sg_view_int(const sg_view *view, unsigned column, uint32_t row)
+{
+  return view->column[column].page[row / SG_PAGE_ROWS].i[row % SG_PAGE_ROWS];
+}
+
+static inline double
+sg_view_float(const sg_view *view, unsigned column, uint32_t row)
+{
+  return view->column[column].page[row / SG_PAGE_ROWS].f[row % SG_PAGE_ROWS];
+}
+
+static inline const int32_t *
+sg_view_list(const sg_view *view, unsigned column, uint32_t row)
+{
+  return view->column[column].page[row / SG_PAGE_ROWS].list[row % SG_PAGE_ROWS];
+}
+
+/* Where the vertex of a row of v/5 is. */
+static inline void
+sg_view_point(const sg_view *v, uint32_t row, double out[3])
+{
+  for (unsigned k = 0; k < 3; k++) {
+    out[k] = sg_view_float(v, 2 + k, row);
+  }
+}
+
 #endif

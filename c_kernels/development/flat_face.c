@@ -76,34 +76,6 @@ sg_flat_faces_clear(sg_flat_faces *f)
   *f = (sg_flat_faces){0};
 }
 
-/* Triangles by polygon, in each by id. False: stopped by the cancellation. */
-static bool
-group_triangles(maker *m, const sg_cancel *cancel)
-{
-  const sg_dense *d = m->dense;
-
-  for (size_t t = 0; t < d->triangles; t++) {
-    if (sg_cancel_every(cancel, t)) {
-      return false;
-    }
-    m->begin[d->polygon_of[t] + 1]++;
-  }
-  for (size_t p = 0; p < d->polygons; p++) {
-    m->begin[p + 1] += m->begin[p];
-  }
-  for (size_t t = 0; t < d->triangles; t++) {
-    if (sg_cancel_every(cancel, t)) {
-      return false;
-    }
-    m->triangle[m->begin[d->polygon_of[t]]++] = (uint32_t)t;
-  }
-  for (size_t p = d->polygons; p > 0; p--) {
-    m->begin[p] = m->begin[p - 1];
-  }
-  m->begin[0] = 0;
-  return true;
-}
-
 /* ---- the frame ---------------------------------------------------------- */
 
 /* Makes a unit vector; false: it is nothing. */
@@ -456,17 +428,15 @@ sg_flat_faces_make(const sg_dense *dense, const bool *removed, double tolerance,
 
   *out = (sg_flat_faces){0};
   *stopped = false;
-  m.begin = calloc(dense->polygons + 2, sizeof *m.begin);
-  m.triangle = malloc((dense->triangles + 1) * sizeof *m.triangle);
   m.corner = malloc((dense->vertices + 1) * sizeof *m.corner);
   m.is_side = calloc(dense->edges + 1, sizeof *m.is_side);
-  made = m.begin && m.triangle && m.corner && m.is_side &&
+  made = sg_dense_by_polygon(dense, &m.begin, &m.triangle) && m.corner &&
+         m.is_side &&
          take_room(out, dense, 2 * dense->list_begin[dense->polygons]);
   if (made) {
     memset(m.corner, 0xff, (dense->vertices + 1) * sizeof *m.corner);
-    *stopped = !group_triangles(&m, cancel);
     begin_face(&m);
-    made = !*stopped && make_all(&m, removed, cancel, stopped) &&
+    made = make_all(&m, removed, cancel, stopped) &&
            find_sides_of_edges(out, dense, cancel, stopped);
   }
   free(m.begin);

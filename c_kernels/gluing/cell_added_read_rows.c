@@ -36,12 +36,12 @@ read_part(sg_cell_joiner *j, sg_relation relation, sg_cells_part *out)
 }
 
 static int32_t
-last_id(const sg_cells_part *part, int column)
+last_id(const sg_cells_part *part, unsigned column)
 {
   int32_t last = 0;
 
   for (size_t i = 0; i < part->n; i++) {
-    int32_t id = sg_cells_int(part, column, part->rows.row[i]);
+    int32_t id = sg_view_int(&part->view, column, part->rows.row[i]);
 
     last = id > last ? id : last;
   }
@@ -55,23 +55,13 @@ last_edge(const sg_cell_joiner *j)
 
   for (size_t i = 0; i < j->p.n; i++) {
     uint32_t row = j->p.rows.row[i];
-    const int32_t *list =
-        j->p.view.column[2].page[row / SG_PAGE_ROWS].list[row % SG_PAGE_ROWS];
+    const int32_t *list = sg_view_list(&j->p.view, 2, row);
 
     for (int32_t k = 1; k <= list[0]; k++) {
       last = list[k] > last ? list[k] : last;
     }
   }
   return last;
-}
-
-static void
-row_place(const sg_cell_joiner *j, uint32_t row, double at[3])
-{
-  for (int k = 0; k < 3; k++) {
-    at[k] =
-        j->v.view.column[2 + k].page[row / SG_PAGE_ROWS].f[row % SG_PAGE_ROWS];
-  }
 }
 
 static void
@@ -120,9 +110,9 @@ find_boxes(sg_cell_joiner *j)
     uint32_t row = j->v.rows.row[i];
     double at[3];
 
-    row_place(j, row, at);
+    sg_view_point(&j->v.view, row, at);
     widen(j->least, j->most, at, 0);
-    j->out[sg_id_rows_place(&j->place, sg_cells_int(&j->v, 1, row))] =
+    j->out[sg_id_rows_place(&j->place, sg_view_int(&j->v.view, 1, row))] =
         sides_out(j, at);
   }
   return true;
@@ -154,8 +144,9 @@ comes_near(const sg_cell_joiner *j, uint32_t row)
 {
   unsigned out = 0xff;
 
-  for (int c = 0; c < 3; c++) {
-    out &= j->out[sg_id_rows_place(&j->place, sg_cells_int(&j->t, 3 + c, row))];
+  for (unsigned c = 0; c < 3; c++) {
+    out &= j->out[sg_id_rows_place(&j->place,
+                                   sg_view_int(&j->t.view, 3 + c, row))];
   }
   return out == 0;
 }
@@ -181,11 +172,11 @@ list_near(sg_cell_joiner *j, taken **out, size_t *n)
   memset(near, 0, (size_t)j->last_p + 1);
   for (size_t i = 0; i < j->t.n; i++) {
     if (comes_near(j, j->t.rows.row[i])) {
-      near[sg_cells_int(&j->t, 1, j->t.rows.row[i])] = 1;
+      near[sg_view_int(&j->t.view, 1, j->t.rows.row[i])] = 1;
     }
   }
   for (size_t i = 0; i < j->t.n; i++) {
-    *n += near[sg_cells_int(&j->t, 1, j->t.rows.row[i])];
+    *n += near[sg_view_int(&j->t.view, 1, j->t.rows.row[i])];
   }
   if (!(*out = sg_call_alloc(j->call, (*n + 1) * sizeof **out))) {
     return false;
@@ -194,8 +185,8 @@ list_near(sg_cell_joiner *j, taken **out, size_t *n)
   for (size_t i = 0; i < j->t.n; i++) {
     uint32_t row = j->t.rows.row[i];
 
-    if (near[sg_cells_int(&j->t, 1, row)]) {
-      (*out)[(*n)++] = (taken){sg_cells_int(&j->t, 1, row), row};
+    if (near[sg_view_int(&j->t.view, 1, row)]) {
+      (*out)[(*n)++] = (taken){sg_view_int(&j->t.view, 1, row), row};
     }
   }
   return sg_sort(*out, *n, sizeof **out, compare_taken, &j->call->cancel) ==
@@ -228,7 +219,7 @@ number_of(sg_cell_joiner *j, uint32_t *number, int32_t v)
     sg_solid_vertex *to = &j->both.vertex[j->both.vertices];
 
     *to = (sg_solid_vertex){.s = j->s, .v = v};
-    row_place(j, sg_id_rows_find(&j->place, v), to->at);
+    sg_view_point(&j->v.view, sg_id_rows_find(&j->place, v), to->at);
     *is = (uint32_t)j->both.vertices++;
   }
   return *is;
@@ -250,9 +241,9 @@ take_near(sg_cell_joiner *j, const taken *list, size_t n)
       both->face[both->faces++] = (sg_solid_face){
           .s = j->s, .p = list[i].p, .first = (uint32_t)both->triangles};
     }
-    for (int c = 0; c < 3; c++) {
+    for (unsigned c = 0; c < 3; c++) {
       both->triangle[both->triangles][c] =
-          number_of(j, number, sg_cells_int(&j->t, 3 + c, list[i].row));
+          number_of(j, number, sg_view_int(&j->t.view, 3 + c, list[i].row));
     }
     both->triangles++;
     both->face[both->faces - 1].n++;

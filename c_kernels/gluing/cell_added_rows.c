@@ -15,7 +15,7 @@ static size_t
 side_of_polygon(const sg_cell_joiner *j, int32_t p)
 {
   for (size_t i = 0; i < j->sides.n; i++) {
-    if (sg_cells_int(&j->sides, 1, j->sides.rows.row[i]) == p) {
+    if (sg_view_int(&j->sides.view, 1, j->sides.rows.row[i]) == p) {
       return i;
     }
   }
@@ -46,8 +46,8 @@ region_round(const sg_cell_joiner *j)
     size_t at = side_of_polygon(j, j->both.face[part->face].p);
     int32_t is = at == SIZE_MAX
                      ? 0
-                     : sg_cells_int(&j->sides, part->reversed ? 3 : 2,
-                                    j->sides.rows.row[at]);
+                     : sg_view_int(&j->sides.view, part->reversed ? 3 : 2,
+                                   j->sides.rows.row[at]);
 
     if (is == 0 || (region != 0 && region != is)) {
       return 0;
@@ -92,9 +92,9 @@ write_sides(sg_cell_joiner *j, sg_world *world)
   }
   for (size_t i = 0; i < j->sides.n; i++) {
     uint32_t row = j->sides.rows.row[i];
-    int32_t p = sg_cells_int(&j->sides, 1, row);
-    int32_t now[4] = {j->s, p, sg_cells_int(&j->sides, 2, row),
-                      sg_cells_int(&j->sides, 3, row)};
+    int32_t p = sg_view_int(&j->sides.view, 1, row);
+    int32_t now[4] = {j->s, p, sg_view_int(&j->sides.view, 2, row),
+                      sg_view_int(&j->sides.view, 3, row)};
     int side = side_inside(j, p);
 
     if (side != 0 || renamed(j, now[2]) != now[2] ||
@@ -117,7 +117,7 @@ static sg_row
 region_row(const sg_cell_joiner *j, int32_t region)
 {
   for (size_t i = 0; i < j->region.n; i++) {
-    if (sg_cells_int(&j->region, 1, j->region.rows.row[i]) == region) {
+    if (sg_view_int(&j->region.view, 1, j->region.rows.row[i]) == region) {
       return j->region.rows.row[i];
     }
   }

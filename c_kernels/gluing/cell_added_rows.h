@@ -48,14 +48,6 @@ bool sg_cells_part_read(sg_call *call, const sg_version *version,
                         sg_relation relation, int32_t s, sg_cells_part *out);
 void sg_cells_part_clear(sg_cells_part *part);
 
-static inline int32_t
-sg_cells_int(const sg_cells_part *part, int column, uint32_t row)
-{
-  return part->view.column[column]
-      .page[row / SG_PAGE_ROWS]
-      .i[row % SG_PAGE_ROWS];
-}
-
 /* All of these: false: refused, or stopped (call.h). */
 
 /* Reads the glue, and fills `both` with what of it is near, then the solid. */

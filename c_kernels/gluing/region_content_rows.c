@@ -18,17 +18,11 @@ typedef SG_LIST_OF(triple) triples;
 
 SG_ORDER(compare_triples, triple, SG_BY(p) SG_BY(a) SG_BY(b));
 
-static int32_t
-int_at(const sg_view *view, int column, uint32_t row)
-{
-  return view->column[column].page[row / SG_PAGE_ROWS].i[row % SG_PAGE_ROWS];
-}
-
 /* The polygons of s with the second and the `last` column, by polygon;
  * `wanted`: of these in the second alone, or all. */
 static bool
 list_rows(sg_call *call, const sg_version *version, sg_relation relation,
-          int last, int32_t s, const sg_int_list *wanted, triples *out)
+          unsigned last, int32_t s, const sg_int_list *wanted, triples *out)
 {
   sg_view view = {0};
   sg_segment_rows rows = {0};
@@ -39,8 +33,8 @@ list_rows(sg_call *call, const sg_version *version, sg_relation relation,
 
   for (size_t i = 0; good && i < rows.begin[1]; i++) {
     uint32_t row = rows.row[i];
-    triple one = {int_at(&view, 1, row), int_at(&view, 2, row),
-                  int_at(&view, last, row)};
+    triple one = {sg_view_int(&view, 1, row), sg_view_int(&view, 2, row),
+                  sg_view_int(&view, last, row)};
 
     if (!wanted || sg_find_id(wanted->at, wanted->n, one.a) != SIZE_MAX) {
       out->item[out->n++] = one;

@@ -61,28 +61,6 @@ find_ends(const ends *item, size_t n, int32_t from, int32_t to)
 
 /* ---- triangles ---- */
 
-static bool
-sort_triangles(sg_regions_maker *m)
-{
-  const sg_dense *d = m->d;
-
-  m->triangle_begin = calloc(d->polygons + 2, sizeof *m->triangle_begin);
-  m->triangle = malloc((d->triangles + 1) * sizeof *m->triangle);
-  if (!m->triangle_begin || !m->triangle) {
-    return sg_regions_no_memory(m);
-  }
-  for (size_t t = 0; t < d->triangles; t++) {
-    m->triangle_begin[d->polygon_of[t] + 2]++;
-  }
-  for (size_t p = 2; p < d->polygons + 2; p++) {
-    m->triangle_begin[p] += m->triangle_begin[p - 1];
-  }
-  for (uint32_t t = 0; t < d->triangles; t++) {
-    m->triangle[m->triangle_begin[d->polygon_of[t] + 1]++] = t;
-  }
-  return true;
-}
-
 int32_t
 sg_regions_third(const sg_regions_maker *m, size_t p, int32_t from, int32_t to)
 {
@@ -322,7 +300,9 @@ sg_regions_corners(sg_regions_maker *m)
 
   m->entries = m->d->list_begin[m->d->polygons];
   m->corners = m->entries + m->point_loops;
-  good = make_room(m) && sort_triangles(m);
+  good = make_room(m) &&
+         (sg_dense_by_polygon(m->d, &m->triangle_begin, &m->triangle) ||
+          sg_regions_no_memory(m));
   for (b.p = 0; good && b.p < m->d->polygons; b.p++) {
     good = see_polygon(&b) && (b.p % 4096 != 0 || sg_regions_asked(m));
   }

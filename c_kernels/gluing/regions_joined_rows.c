@@ -86,7 +86,7 @@ read_rows(leaver *l, const sg_version *version)
     return false;
   }
   for (size_t i = 0; i < l->region.n; i++) {
-    int32_t r = sg_cells_int(&l->region, 1, l->region.rows.row[i]);
+    int32_t r = sg_view_int(&l->region.view, 1, l->region.rows.row[i]);
 
     l->last = r > l->last ? r : l->last;
   }
@@ -98,11 +98,11 @@ read_content(leaver *l)
 {
   for (size_t i = 0; i < l->from_r.n; i++) {
     uint32_t row = l->from_r.rows.row[i];
-    int32_t operand = sg_cells_int(&l->from_r, 2, row);
+    int32_t operand = sg_view_int(&l->from_r.view, 2, row);
 
     if (operand != l->n) {
       l->content[l->contents++] =
-          (uint64_t)(uint32_t)sg_cells_int(&l->from_r, 1, row) << 32 |
+          (uint64_t)(uint32_t)sg_view_int(&l->from_r.view, 1, row) << 32 |
           (uint32_t)operand;
     }
   }
@@ -151,8 +151,8 @@ find_roles(leaver *l)
 {
   for (size_t i = 0; i < l->region.n; i++) {
     uint32_t row = l->region.rows.row[i];
-    int32_t r = sg_cells_int(&l->region, 1, row);
-    int32_t was = sg_cells_int(&l->region, 2, row);
+    int32_t r = sg_view_int(&l->region.view, 1, row);
+    int32_t was = sg_view_int(&l->region.view, 2, row);
     uint32_t root = root_of(l, r);
     size_t at = content_of(l, root);
     bool inside = at < l->contents && l->content[at] >> 32 == root;
@@ -175,17 +175,18 @@ join_regions(leaver *l)
   for (size_t i = 0; i < l->sides.n; i++) {
     uint32_t row = l->sides.rows.row[i];
 
-    if (is_gone(l, sg_cells_int(&l->sides, 1, row))) {
-      sg_disjoint_join(l->set, (uint32_t)sg_cells_int(&l->sides, 2, row),
-                       (uint32_t)sg_cells_int(&l->sides, 3, row));
+    if (is_gone(l, sg_view_int(&l->sides.view, 1, row))) {
+      sg_disjoint_join(l->set, (uint32_t)sg_view_int(&l->sides.view, 2, row),
+                       (uint32_t)sg_view_int(&l->sides.view, 3, row));
     }
   }
   for (size_t i = 0; i < l->sides.n; i++) {
     uint32_t row = l->sides.rows.row[i];
-    int32_t p = sg_cells_int(&l->sides, 1, row);
+    int32_t p = sg_view_int(&l->sides.view, 1, row);
 
-    for (int k = 0; k < 2 && !is_gone(l, p); k++) {
-      int32_t *by = &l->by[k][root_of(l, sg_cells_int(&l->sides, 2 + k, row))];
+    for (unsigned k = 0; k < 2 && !is_gone(l, p); k++) {
+      int32_t *by =
+          &l->by[k][root_of(l, sg_view_int(&l->sides.view, 2 + k, row))];
 
       *by = p > *by ? p : *by;
     }
@@ -287,9 +288,9 @@ write_sides(leaver *l, sg_world *world)
   }
   for (size_t i = 0; i < l->sides.n; i++) {
     uint32_t row = l->sides.rows.row[i];
-    int32_t p = sg_cells_int(&l->sides, 1, row);
-    int32_t was[2] = {sg_cells_int(&l->sides, 2, row),
-                      sg_cells_int(&l->sides, 3, row)};
+    int32_t p = sg_view_int(&l->sides.view, 1, row);
+    int32_t was[2] = {sg_view_int(&l->sides.view, 2, row),
+                      sg_view_int(&l->sides.view, 3, row)};
     int32_t now[2] = {l->number[was[0]], l->number[was[1]]};
     bool goes = is_gone(l, p);
 
@@ -319,10 +320,10 @@ write_region(leaver *l, sg_world *world)
   }
   for (size_t i = 0; i < l->region.n; i++) {
     uint32_t row = l->region.rows.row[i];
-    int32_t r = sg_cells_int(&l->region, 1, row);
+    int32_t r = sg_view_int(&l->region.view, 1, row);
     bool stays = (size_t)r <= l->regions;
 
-    if (!stays || sg_cells_int(&l->region, 2, row) != role[r]) {
+    if (!stays || sg_view_int(&l->region.view, 2, row) != role[r]) {
       all.gone[all.gones++] = row;
       if (stays) {
         exchange_add(&all, (int32_t[]){l->s, r, role[r], 0});
@@ -342,15 +343,15 @@ write_content(leaver *l, sg_world *world)
   }
   for (size_t i = 0; i < l->from_r.n; i++) {
     uint32_t row = l->from_r.rows.row[i];
-    int32_t r = sg_cells_int(&l->from_r, 1, row), now = l->number[r];
-    int32_t operand = sg_cells_int(&l->from_r, 2, row);
+    int32_t r = sg_view_int(&l->from_r.view, 1, row), now = l->number[r];
+    int32_t operand = sg_view_int(&l->from_r.view, 2, row);
     bool stays = operand != l->n && l->set[r] == (uint32_t)r;
 
     if (!stays || now != r) {
       all.gone[all.gones++] = row;
       if (stays) {
         exchange_add(&all, (int32_t[]){l->s, now, operand,
-                                       sg_cells_int(&l->from_r, 3, row)});
+                                       sg_view_int(&l->from_r.view, 3, row)});
       }
     }
   }

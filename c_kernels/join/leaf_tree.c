@@ -19,14 +19,6 @@ typedef struct forest {
   const sg_cancel *cancel;
 } forest;
 
-static void
-read_point(const sg_view *v, uint32_t row, double out[3])
-{
-  for (unsigned c = 0; c < 3; c++) {
-    out[c] = v->column[2 + c].page[row / SG_PAGE_ROWS].f[row % SG_PAGE_ROWS];
-  }
-}
-
 /* Points by place, each task a block of places. */
 typedef struct placing {
   const sg_leaf_tree *tree;
@@ -47,7 +39,7 @@ place_points(void *data, size_t block)
       p->out[i][0] = p->out[i][1] = p->out[i][2] = NAN;
       continue;
     }
-    read_point(p->v, table->row[i], p->out[i]);
+    sg_view_point(p->v, table->row[i], p->out[i]);
     for (int k = 0; k < 3; k++) {
       p->out[i][k] -= p->from[k];
     }
@@ -98,7 +90,7 @@ let_points_out(void *data, size_t block)
     double p[3];
 
     if (table->row[i] != SG_NO_ID_ROW) {
-      read_point(&l->forest->views->v, table->row[i], p);
+      sg_view_point(&l->forest->views->v, table->row[i], p);
       sg_box_add(&box, p);
     }
     l->point[i] = sg_box_let_out(&l->frame, &box);
@@ -165,7 +157,7 @@ box_round(const sg_view *v, const uint32_t *row, size_t n)
     if (k % ASKED == ASKED - 1 && sg_pool_stopping()) {
       break;
     }
-    read_point(v, row[k], p);
+    sg_view_point(v, row[k], p);
     sg_box_add(&box, p);
   }
   return box;
@@ -369,7 +361,7 @@ own_point(const void *data, size_t i, double out[3])
 {
   const own_rows *of = data;
 
-  read_point(of->vertices, of->row[i], out);
+  sg_view_point(of->vertices, of->row[i], out);
 }
 
 static void

@@ -66,12 +66,6 @@ typedef struct sg_leaf {
   int32_t v[3];  /* corners; of an edge start and end */
 } sg_leaf;
 
-static inline int32_t
-sg_view_int(const sg_view *view, unsigned column, uint32_t row)
-{
-  return view->column[column].page[row / SG_PAGE_ROWS].i[row % SG_PAGE_ROWS];
-}
-
 static inline sg_leaf
 sg_leaf_at(const sg_leaf_tree *tree, const sg_leaf_views *views, uint32_t row)
 {
@@ -102,10 +96,7 @@ sg_leaf_vertex_at(const sg_leaf_tree *tree, const sg_leaf_views *views,
   if (row == SG_NO_ID_ROW) {
     return false;
   }
-  for (unsigned c = 0; c < 3; c++) {
-    out[c] =
-        views->v.column[2 + c].page[row / SG_PAGE_ROWS].f[row % SG_PAGE_ROWS];
-  }
+  sg_view_point(&views->v, row, out);
   return true;
 }
 

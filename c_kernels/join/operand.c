@@ -315,12 +315,6 @@ typedef struct half_edges {
   size_t vertices;
 } half_edges;
 
-static int32_t
-int_at(const sg_view *view, unsigned column, uint32_t row)
-{
-  return view->column[column].page[row / SG_PAGE_ROWS].i[row % SG_PAGE_ROWS];
-}
-
 /* Reads the edges of one segment by the places of their vertices. */
 static bool
 read_edges(const sg_view *e, int32_t s, const sg_cancel *cancel, half_edges *h)
@@ -335,8 +329,8 @@ read_edges(const sg_view *e, int32_t s, const sg_cancel *cancel, half_edges *h)
   h->vertex = malloc((2 * n + 1) * sizeof *h->vertex);
   done = done && h->from && h->to && h->vertex;
   for (size_t i = 0; i < n && done; i++) {
-    h->vertex[2 * i] = h->from[i] = int_at(e, 2, rows.row[i]);
-    h->vertex[2 * i + 1] = h->to[i] = int_at(e, 3, rows.row[i]);
+    h->vertex[2 * i] = h->from[i] = sg_view_int(e, 2, rows.row[i]);
+    h->vertex[2 * i + 1] = h->to[i] = sg_view_int(e, 3, rows.row[i]);
   }
   h->vertices = done ? sg_sort_ids(h->vertex, 2 * n) : 0;
   for (size_t i = 0; i < n && done; i++) {

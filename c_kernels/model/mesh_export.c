@@ -12,7 +12,7 @@ typedef struct exporter {
   sg_mesh *mesh;
   bool triangles;
   uint32_t *begin; /* [polygons + 1] triangles by polygon */
-  int32_t *triangle;
+  uint32_t *triangle;
   unsigned char *used; /* [edges] in a polygon */
   uint32_t *seen;      /* [vertices] the stamp of who saw it last */
   uint32_t stamp;
@@ -26,21 +26,11 @@ order_triangles(exporter *x)
 {
   const sg_dense *d = x->d;
 
-  x->begin = calloc(d->polygons + 2, sizeof *x->begin);
-  x->triangle = malloc((d->triangles + 1) * sizeof *x->triangle);
   x->used = calloc(d->edges + 1, 1);
   x->seen = calloc(d->vertices + 1, sizeof *x->seen);
-  if (!x->begin || !x->triangle || !x->used || !x->seen) {
+  if (!sg_dense_by_polygon(d, &x->begin, &x->triangle) || !x->used ||
+      !x->seen) {
     return false;
-  }
-  for (size_t i = 0; i < d->triangles; i++) {
-    x->begin[d->polygon_of[i] + 2]++;
-  }
-  for (size_t p = 0; p < d->polygons; p++) {
-    x->begin[p + 2] += x->begin[p + 1];
-  }
-  for (size_t i = 0; i < d->triangles; i++) {
-    x->triangle[x->begin[d->polygon_of[i] + 1]++] = (int32_t)i;
   }
   for (size_t i = 0; i < d->list_begin[d->polygons]; i++) {
     x->used[d->list[i]] = 1;

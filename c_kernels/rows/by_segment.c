@@ -272,12 +272,6 @@ typedef struct id_row {
   uint32_t row;
 } id_row;
 
-static int32_t
-id_of(const sg_view *view, uint32_t row)
-{
-  return view->column[1].page[row / SG_PAGE_ROWS].i[row % SG_PAGE_ROWS];
-}
-
 static bool
 make_flat(const sg_view *view, const uint32_t *row, size_t n, sg_id_rows *out)
 {
@@ -287,7 +281,7 @@ make_flat(const sg_view *view, const uint32_t *row, size_t n, sg_id_rows *out)
   }
   memset(out->row, 0xff, out->places * sizeof *out->row);
   for (size_t i = 0; i < n; i++) {
-    out->row[id_of(view, row[i]) - out->first] = row[i];
+    out->row[sg_view_int(view, 1, row[i]) - out->first] = row[i];
   }
   return true;
 }
@@ -305,7 +299,7 @@ make_sorted(const sg_view *view, const uint32_t *row, size_t n, sg_id_rows *out)
     return false;
   }
   for (size_t i = 0; i < n; i++) {
-    pair[i] = (id_row){id_of(view, row[i]), row[i]};
+    pair[i] = (id_row){sg_view_int(view, 1, row[i]), row[i]};
   }
   qsort(pair, n, sizeof *pair, sg_compare_ids);
   for (size_t i = 0; i < n; i++) {
@@ -326,9 +320,9 @@ sg_id_rows_make(const sg_view *view, const uint32_t *row, size_t n,
   if (n == 0) {
     return true;
   }
-  out->first = last = id_of(view, row[0]);
+  out->first = last = sg_view_int(view, 1, row[0]);
   for (size_t i = 1; i < n; i++) {
-    int32_t id = id_of(view, row[i]);
+    int32_t id = sg_view_int(view, 1, row[i]);
     out->first = id < out->first ? id : out->first;
     last = id > last ? id : last;
   }

@@ -405,3 +405,25 @@ sg_dense_segment_of(const sg_dense *d, const uint32_t *begin, uint32_t place)
   SG_SEARCH(next, 1, d->segments, begin[next] <= place);
   return next - 1;
 }
+
+bool
+sg_dense_by_polygon(const sg_dense *dense, uint32_t **begin,
+                    uint32_t **triangle)
+{
+  uint32_t *first = *begin = calloc(dense->polygons + 2, sizeof *first);
+
+  *triangle = malloc((dense->triangles + 1) * sizeof **triangle);
+  if (!first || !*triangle) {
+    return false;
+  }
+  for (size_t t = 0; t < dense->triangles; t++) {
+    first[dense->polygon_of[t] + 2]++;
+  }
+  for (size_t p = 2; p < dense->polygons + 2; p++) {
+    first[p] += first[p - 1];
+  }
+  for (uint32_t t = 0; t < dense->triangles; t++) {
+    (*triangle)[first[dense->polygon_of[t] + 1]++] = t;
+  }
+  return true;
+}

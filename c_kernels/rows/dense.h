@@ -54,6 +54,12 @@ bool sg_dense_make(const sg_dense_views *views, const int32_t *wanted, size_t n,
                    const sg_cancel *cancel, sg_dense *out, bool *stopped);
 void sg_dense_clear(sg_dense *dense);
 
+/* The triangles of polygon p (places), in order:
+ * triangle[begin[p]] .. triangle[begin[p + 1] - 1]. False: no memory.
+ * Owner: the caller, free() both in any case. */
+bool sg_dense_by_polygon(const sg_dense *dense, uint32_t **begin,
+                         uint32_t **triangle);
+
 /* The place of vertex v of segment s, -1: there is none. */
 int32_t sg_dense_vertex(const sg_dense *dense, int32_t s, int32_t v);
 

@@ -17,12 +17,6 @@ typedef struct reading {
   uint32_t *corner; /* [at.places]; UINT32_MAX: not yet */
 } reading;
 
-static int32_t
-number(const sg_view *view, unsigned column, uint32_t row)
-{
-  return view->column[column].page[row / SG_PAGE_ROWS].i[row % SG_PAGE_ROWS];
-}
-
 static bool
 open_corners(reading *r)
 {
@@ -67,9 +61,7 @@ point(const reading *r, size_t place, double out[3])
   uint32_t row = r->at.row[place];
   double p[3];
 
-  for (unsigned k = 0; k < 3; k++) {
-    p[k] = r->v.column[2 + k].page[row / SG_PAGE_ROWS].f[row % SG_PAGE_ROWS];
-  }
+  sg_view_point(&r->v, row, p);
   for (unsigned k = 0; k < 3; k++) {
     const double *m = r->map + 4 * (size_t)k;
     out[k] = r->map ? m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + m[3] : p[k];
@@ -84,7 +76,7 @@ add_triangle(reading *r, uint32_t row)
   uint32_t corner[3];
 
   for (unsigned k = 0; k < 3 && end == SG_SHADING_GOOD; k++) {
-    size_t place = sg_id_rows_place(&r->at, number(&r->t, 3 + k, row));
+    size_t place = sg_id_rows_place(&r->at, sg_view_int(&r->t, 3 + k, row));
     double p[3];
 
     if (r->corner[place] == UINT32_MAX) {
@@ -95,8 +87,8 @@ add_triangle(reading *r, uint32_t row)
   }
   return end != SG_SHADING_GOOD
              ? end
-             : sg_shading_add_polygon(r->scene, number(&r->t, 1, row), corner,
-                                      &three, 1);
+             : sg_shading_add_polygon(r->scene, sg_view_int(&r->t, 1, row),
+                                      corner, &three, 1);
 }
 
 sg_shading_end

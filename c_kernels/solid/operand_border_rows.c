@@ -8,12 +8,6 @@
 
 #include <string.h>
 
-static int32_t
-cell(const sg_view *view, uint32_t row, int column)
-{
-  return view->column[column].page[row / SG_PAGE_ROWS].i[row % SG_PAGE_ROWS];
-}
-
 /* The place of polygon p of segment s (a place); SIZE_MAX: there is none. */
 static size_t
 place_of(const sg_dense *d, size_t s, int32_t p)
@@ -49,9 +43,10 @@ each_row(const sg_dense *d, const from_rows *from, use_row *use, void *data)
          place < d->segments && d->segment[place] == from->s[k] &&
          i < from->rows->begin[k + 1];
          i++) {
-      size_t p = place_of(d, place, cell(from->view, from->rows->row[i], 1));
+      size_t p =
+          place_of(d, place, sg_view_int(from->view, 1, from->rows->row[i]));
       if (p != SIZE_MAX) {
-        use(data, p, cell(from->view, from->rows->row[i], 2));
+        use(data, p, sg_view_int(from->view, 2, from->rows->row[i]));
       }
     }
   }

@@ -96,28 +96,6 @@ find_vertices(sewer *s, const sg_cancel *cancel)
 
 /* ---- polygons ---- */
 
-static bool
-sort_triangles(sewer *s)
-{
-  const sg_dense *d = s->d;
-
-  s->begin = calloc(d->polygons + 2, sizeof *s->begin);
-  s->triangle = malloc((d->triangles + 1) * sizeof *s->triangle);
-  if (!s->begin || !s->triangle) {
-    return false;
-  }
-  for (size_t t = 0; t < d->triangles; t++) {
-    s->begin[d->polygon_of[t] + 2]++;
-  }
-  for (size_t p = 2; p < d->polygons + 2; p++) {
-    s->begin[p] += s->begin[p - 1];
-  }
-  for (uint32_t t = 0; t < d->triangles; t++) {
-    s->triangle[s->begin[d->polygon_of[t] + 1]++] = t;
-  }
-  return true;
-}
-
 static size_t
 edges_of(const sewer *s, uint32_t p)
 {
@@ -322,7 +300,8 @@ sg_sewing_find(const sg_dense *dense, bool doubles, const sg_cancel *cancel,
   sewer s = {.d = dense, .out = out};
 
   *out = (sg_sewing){0};
-  bool good = sort_triangles(&s) && find_vertices(&s, cancel) &&
+  bool good = sg_dense_by_polygon(s.d, &s.begin, &s.triangle) &&
+              find_vertices(&s, cancel) &&
               ((!out->any && !doubles) || weigh_polygons(&s, cancel));
 
   free(s.begin);

@@ -74,37 +74,28 @@ sg_old_count(const sg_solid_old *old, int relation)
 }
 
 /* The cell of the row in this place. */
-static inline sg_cells
-sg_old_page(const sg_solid_old *old, int relation, unsigned column,
-            uint32_t place)
-{
-  uint32_t row = old->rows[relation].row[place];
-
-  return old->view[relation]->column[column].page[row / SG_PAGE_ROWS];
-}
-
 static inline int32_t
 sg_old_int(const sg_solid_old *old, int relation, unsigned column,
            uint32_t place)
 {
-  return sg_old_page(old, relation, column, place)
-      .i[old->rows[relation].row[place] % SG_PAGE_ROWS];
+  return sg_view_int(old->view[relation], column,
+                     old->rows[relation].row[place]);
 }
 
 static inline double
 sg_old_float(const sg_solid_old *old, int relation, unsigned column,
              uint32_t place)
 {
-  return sg_old_page(old, relation, column, place)
-      .f[old->rows[relation].row[place] % SG_PAGE_ROWS];
+  return sg_view_float(old->view[relation], column,
+                       old->rows[relation].row[place]);
 }
 
 static inline const int32_t *
 sg_old_list(const sg_solid_old *old, int relation, unsigned column,
             uint32_t place)
 {
-  return sg_old_page(old, relation, column, place)
-      .list[old->rows[relation].row[place] % SG_PAGE_ROWS];
+  return sg_view_list(old->view[relation], column,
+                      old->rows[relation].row[place]);
 }
 
 /* The place of an id. */

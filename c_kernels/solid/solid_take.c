@@ -21,12 +21,6 @@ typedef struct take {
   sg_solid *out;
 } take;
 
-static int32_t
-int_at(const sg_view *view, int column, uint32_t row)
-{
-  return view->column[column].page[row / SG_PAGE_ROWS].i[row % SG_PAGE_ROWS];
-}
-
 static size_t
 all_rows(const sg_segment_rows *rows, size_t segments)
 {
@@ -65,11 +59,9 @@ take_vertices(take *k, size_t i)
       continue;
     }
     sg_solid_vertex *to = &out->vertex[out->vertices];
-    *to = (sg_solid_vertex){.s = k->segment[i], .v = int_at(k->in->v, 1, r)};
-    for (int c = 0; c < 3; c++) {
-      to->at[c] =
-          k->in->v->column[2 + c].page[r / SG_PAGE_ROWS].f[r % SG_PAGE_ROWS];
-    }
+    *to =
+        (sg_solid_vertex){.s = k->segment[i], .v = sg_view_int(k->in->v, 1, r)};
+    sg_view_point(k->in->v, r, to->at);
     k->number.row[place] = (uint32_t)out->vertices++;
   }
   return true;
@@ -78,8 +70,8 @@ take_vertices(take *k, size_t i)
 static void
 edge_key(const take *k, uint32_t row, uint32_t key[2])
 {
-  key[0] = sg_id_rows_find(&k->number, int_at(k->in->e, 2, row));
-  key[1] = sg_id_rows_find(&k->number, int_at(k->in->e, 3, row));
+  key[0] = sg_id_rows_find(&k->number, sg_view_int(k->in->e, 2, row));
+  key[1] = sg_id_rows_find(&k->number, sg_view_int(k->in->e, 3, row));
 }
 
 /* Notes the auxiliary edges, then that some of them are real too. */
@@ -89,7 +81,7 @@ take_edges(take *k, size_t i)
   uint32_t key[2], *is;
 
   for (size_t r = k->e.begin[i]; r < k->e.begin[i + 1]; r++) {
-    if (int_at(k->in->e, 4, k->e.row[r]) == 0) {
+    if (sg_view_int(k->in->e, 4, k->e.row[r]) == 0) {
       edge_key(k, k->e.row[r], key);
       if (!(is = sg_key_table_put(&k->auxiliary, key))) {
         return false;
@@ -98,7 +90,7 @@ take_edges(take *k, size_t i)
     }
   }
   for (size_t r = k->e.begin[i]; k->auxiliary.n && r < k->e.begin[i + 1]; r++) {
-    if (int_at(k->in->e, 4, k->e.row[r]) != 0) {
+    if (sg_view_int(k->in->e, 4, k->e.row[r]) != 0) {
       edge_key(k, k->e.row[r], key);
       if (sg_key_table_get(&k->auxiliary, key) != SG_NO_KEY) {
         *sg_key_table_put(&k->auxiliary, key) = 0;
@@ -125,13 +117,13 @@ auxiliary_edges(const take *k, const uint32_t v[3])
 static void
 take_triangle(take *k, int32_t s, uint32_t row)
 {
-  int32_t p = int_at(k->in->t, 1, row);
+  int32_t p = sg_view_int(k->in->t, 1, row);
   sg_solid *out = k->out;
   sg_solid_face *last = out->faces ? &out->face[out->faces - 1] : NULL;
   uint32_t *v = out->triangle[out->triangles];
 
-  for (int c = 0; c < 3; c++) {
-    v[c] = sg_id_rows_find(&k->number, int_at(k->in->t, 3 + c, row));
+  for (unsigned c = 0; c < 3; c++) {
+    v[c] = sg_id_rows_find(&k->number, sg_view_int(k->in->t, 3 + c, row));
   }
   out->auxiliary[out->triangles] = auxiliary_edges(k, v);
   if (!last || last->s != s || last->p != p) {
@@ -159,7 +151,7 @@ take_triangles(take *k, size_t i)
 
   for (size_t r = 0; r < n && good; r++) {
     uint32_t row = k->t.row[k->t.begin[i] + r];
-    by[r] = (polygon_row){int_at(k->in->t, 1, row), row};
+    by[r] = (polygon_row){sg_view_int(k->in->t, 1, row), row};
   }
   good = good &&
          sg_sort(by, n, sizeof *by, compare_polygons, k->cancel) == SG_SORTED;
