@@ -77,7 +77,8 @@ user_root(PI) :-
     predicate_named(Facade:Head, PI).
 user_root(PI) :-
     calls(PI, _),
-    \+ rule_predicate(PI).
+    \+ rule_predicate(PI),
+    \+ oracle_root(PI).
 user_root(PI) :-
     rule_predicate(PI),
     PI = Module:Name/Arity,
