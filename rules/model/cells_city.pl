@@ -7,11 +7,14 @@
 :- use_module('../json_layout', [json_laid_out/3]).
 :- use_module('../store',
               [v/5, e/5, segment/3, sides/4, edge_polygon/3]).
+:- use_module('../vector', [doubled_area/2, dot_product/3, vector_sum/3]).
 :- use_module(library(aggregate), [aggregate_all/3]).
-:- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(apply), [foldl/4, maplist/3, partition/4]).
 :- use_module(library(assoc), [empty_assoc/1, get_assoc/3]).
-:- use_module(library(lists), [member/2, nth1/3, reverse/2]).
-:- use_module(library(pairs), [group_pairs_by_key/2, pairs_values/2]).
+:- use_module(library(lists),
+              [append/2, append/3, member/2, nth1/3, reverse/2]).
+:- use_module(library(pairs),
+              [group_pairs_by_key/2, pairs_keys_values/3, pairs_values/2]).
 /** <module> Cells as CityJSON 2.0.
 
 What hangs together by faces is a CompositeSolid, whose members are its cells;
@@ -180,13 +183,57 @@ solid_boundary(Vertices, S-R, Boundary) :-
                       Surfaces) ),
             Boundary).
 
+%   face_rings(Vertices, S, P, Side, Rings): a hole that touches another ring is
+%   one of its own, so that no ring has a vertex twice: unless the face would be
+%   several then.
+
 face_rings(Vertices, S, P, Side, Rings) :-
-    face_border(S, P, Loops, _),
+    face_border(S, P, Loops0, _),
+    maplist(rings_of, Loops0, Lists),
+    append(Lists, Simple),
+    (   length(Simple, N),
+        \+ length(Loops0, N),
+        one_outer(S, Simple, Loops)
+    ->  true
+    ;   Loops = Loops0
+    ),
     findall(Ring,
             ( member(Loop, Loops),
               maplist(index_of(Vertices, S), Loop, Ring0),
               turned(Side, Ring0, Ring) ),
             Rings).
+
+%   rings_of(Loop, Rings): parted where a vertex comes again.
+
+rings_of(Loop, Rings) :-
+    walked(Loop, [], [], Rings).
+
+walked([], Behind, Rings, [Ring|Rings]) :-
+    reverse(Behind, Ring).
+walked([V|Vs], Behind0, Rings0, Rings) :-
+    (   append(Around, [V|Behind], Behind0)
+    ->  reverse([V|Around], Turned),
+        walked([V|Vs], Behind, [Turned|Rings0], Rings)
+    ;   walked(Vs, [V|Behind0], Rings0, Rings)
+    ).
+
+%   one_outer(S, Rings, Ordered): one of them runs the other way round than all
+%   others, and encloses more: it comes first.
+
+one_outer(S, Rings, [Outer|Holes]) :-
+    maplist(ring_area(S), Rings, Areas),
+    pairs_keys_values(Pairs, Areas, Rings),
+    foldl(vector_sum, Areas, p(0,0,0), Sum),
+    partition(looks_as(Sum), Pairs, [_-Outer], Inner),
+    pairs_values(Inner, Holes).
+
+ring_area(S, Ring, Area) :-
+    findall(p(X,Y,Z), ( member(V, Ring), once(v(S, V, X, Y, Z)) ), Points),
+    doubled_area(Points, Area).
+
+looks_as(Sum, Area-_) :-
+    dot_product(Sum, Area, Product),
+    Product > 0.
 
 turned(1, Ring, Ring).
 turned(-1, Ring0, Ring) :-

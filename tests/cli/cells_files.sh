@@ -58,11 +58,19 @@ segment(7, surface, at([translate(1.2,1.2,2)], rectangle(size(1,1)))).
 segment(8, cells, glue([1,2,3,4,5,6,7])).
 EOF
 
+# A box on another one, a corner of it on an edge: a hole touches its border.
+cat >"$TMP/touching.pl" <<'EOF'
+segment(1, solid, box(size(4,4,1))).
+segment(2, solid, at([translate(0,0,1)],
+                     prism(outline([[2,0],[1,1],[0,0],[1,-1]]), height(1)))).
+segment(3, cells, glue([1,2])).
+EOF
+
 for name in materials vertex crossing face mixed; do
   cp "facts/figures/glue_$name.pl" "$TMP/$name.pl"
 done
 
-for name in materials vertex crossing face mixed room inner; do
+for name in materials vertex crossing face mixed room inner touching; do
   check "$name: written" report "$TMP/$name.pl" "$TMP/$name"
   check "$name: OFF read again" again "$TMP/$name.off" "$TMP/$name"
   if has tetgen; then
@@ -79,7 +87,7 @@ done
 
 # CityJSON is right by another program, which sees each fault planted here.
 city() { python3 "$here/city_checker.py" "$@"; }
-for name in materials vertex crossing face mixed room inner; do
+for name in materials vertex crossing face mixed room inner touching; do
   check "$name: CityJSON written" \
     cells "$TMP/$name.pl" -o "$TMP/$name.city.json"
   check "$name: CityJSON is right" city "$TMP/$name.city.json" \
@@ -121,7 +129,7 @@ city_again() { # NAME
     "$SANGGWAN" glue -q --json "$TMP/$1.city.json" >"$TMP/$1.again" &&
     volumes "$TMP/$1.json" report "$TMP/$1.again"
 }
-for name in materials vertex crossing face mixed room inner; do
+for name in materials vertex crossing face mixed room inner touching; do
   check "$name: CityJSON glued again" city_again "$name"
 done
 
