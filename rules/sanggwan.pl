@@ -2,74 +2,57 @@
 /** <module> The facade: everything that a user or a rule file calls.
 
 `use_module(library(sanggwan))` loads this. It only re-exports, topic by topic;
-sanggwan_help/0 lists the topics. topology.pl and spans.pl go on with what a
-first model does not need; goals of the command line, rule files and hosts see
-them too. What is in none can be imported from the module that has it.
+sanggwan_help/0 lists the topics. rows.pl, topology.pl and spans.pl go on with
+what a first model does not need; goals of the command line, rule files and
+hosts see them too. What is in none can be imported from the module that has it.
 */
 :- use_module(topics, [topic/2]).
-:- use_module(topology, []).
+:- use_module(rows, []).
 
-:- set_module(base(sanggwan_topology)).
+:- set_module(base(sanggwan_rows)).
 
 :- topic(relations, "The relations: rows that you can ask and change").
 :- reexport(store,
             [ segment/3, v/5, e/5, p/3, plane/6, t/6, line/9, origin/3,
-              from_v/4, from_p/5, leaf_v/5, leaf_e/5, leaf_p/3, leaf_t/6,
-              gluing/2, unfolding/2, region/3, sides/4, from_r/4, lies_in/3,
-              piece/3, joint/6, view/3, projection/1,
-              title_block/2, look/2, light/2, param/2, param_about/2, formula/2,
-              question/2,
-              screen/5, contour/13, surface_facing/6, drawn/7, span/7 ]).
+              gluing/2, unfolding/2, view/3, projection/1, title_block/2,
+              look/2, light/2, param/2, param_about/2, formula/2, question/2 ]).
 
 :- topic(asking, "Asking what is there").
 :- reexport(csg/csg, [root_segment/1, node/4]).
-:- reexport(exact, [vertex_exact/5]).
-:- reexport(store,
-            [edge_polygon/3, relation/3, relation_column/5]).
 :- reexport(model/measures, [volume/2, area/2, bounding_box/3]).
 :- reexport(penetration/penetration, [touches/2]).
-:- reexport(solid/inside, [inside/2, winding/3]).
+:- reexport(solid/inside, [inside/2]).
 :- reexport(model/integrity, [model_defect/1]).
-:- reexport(primitive/primitive_face, [face_of/3, smooth_surface/3]).
 :- reexport(studio/query, [query/2]).
 
 :- topic(changing, "Changing worlds, reading and writing models").
 :- reexport(model/model,
             [ load_model/1, load_model/2, save_model/1, save_model/2 ]).
 :- reexport(model/parameter_change, [set_parameter/2]).
-:- reexport(model/openscad, [read_csg/2]).
 :- reexport(model/mesh, [read_mesh/2, read_mesh/3, write_mesh/2, write_mesh/3]).
 :- reexport(command/verbs, [convert/2]).
 :- reexport(store,
             [ assert_fact/1, assert_fact/2, retract_fact/1, retract_fact/2,
-              retractall_facts/1, fresh_id/3, facts_transaction/1,
-              facts_transaction/2, facts_snapshot/1, facts_undo/0,
-              facts_redo/0, facts_undo_limit/1, new_world/1, current_world/1,
-              set_world/1, in_world/2 ]).
+              retractall_facts/1, facts_transaction/1, facts_transaction/2,
+              facts_snapshot/1, facts_undo/0, facts_redo/0, new_world/1,
+              current_world/1, set_world/1, in_world/2 ]).
 :- reexport(primitive/primitive_rows, [add_primitive/2]).
-:- reexport(polygon/triangulation, [complete_segments/0]).
-:- reexport(limits, [set_limit/2, limit_value/2]).
 
 :- topic(cutting, "Cutting: penetration lines").
 :- reexport(penetration/penetration,
-            [ penetrate/0, penetrate/1, penetrate/2, penetration_chains/1 ]).
-:- reexport(penetration/chain, [chain/5, chain_length/2, chain_points/2]).
+            [penetrate/0, penetrate/1, penetrate/2]).
+:- reexport(penetration/chain, [chain/5]).
 :- reexport(command/lines_out, [write_lines/1, write_lines/2]).
 
 :- topic(combining, "Combining solids").
 :- reexport(solid/boolean, [boolean/2, boolean/3]).
 :- reexport(solid/csg_evaluate,
             [ evaluate/0, evaluate/1, evaluate/2, evaluated/1 ]).
-:- reexport(solid/trimmed, [trimmed/4, trimmed/5]).
 :- reexport(model/solid_file, [write_solid/2, write_solid/3]).
-:- reexport(solid/operand, [operand_faults/2]).
-:- reexport(solid/repair, [repair_operand/1]).
-:- reexport(gluing/regions, [regions_made/2]).
 :- reexport(solid/glue, [unglue/1, glue_report/2]).
 :- reexport(solid/glue_contact, [contact/4]).
 :- reexport(csg/provenance,
-            [ vertex_from/4, edge_from/3, polygon_from/5, operand_face/3,
-              operand_edge/3 ]).
+            [operand_face/3, operand_edge/3]).
 
 :- topic(drawing, "Drawing: views, pictures, hidden lines").
 :- reexport(picture/hidden_lines,
@@ -77,30 +60,20 @@ them too. What is in none can be imported from the module that has it.
 :- reexport(command/verbs, [draw/1, draw/2]).
 :- reexport(drawing/terminal, [show/0, show/1]).
 :- reexport(picture/view,
-            [ set_view/1, set_view/3, set_direction/3, set_projection/1,
-              current_view/4 ]).
-:- reexport(shading/seen, [seen_at/4]).
+            [set_view/1, set_view/3]).
 :- reexport(shading/picture_file, [render/2]).
 
 :- topic(unfolding, "Unfolding: developments and patterns").
 :- reexport(unfolding/unfold, [unfold/2, unfold/3]).
 :- reexport(development/development,
             [ develop/2, develop/3, development/2 ]).
-:- reexport(development/development_record, [development_measures/2]).
-:- reexport(unrolling/true_development,
-            [ true_development/4, developable_part/3 ]).
-:- reexport(unrolling/true_table,
-            [ write_true_lengths/2, write_true_lengths/3, true_length_rows/2,
-              generator_mark/4 ]).
-:- reexport(development/bend, [pattern_bent/2]).
-
 :- topic(explaining, "Explaining").
 :- reexport(explanation/explain,
             [ explain/1, explain/2, explanation/2, explanation/3 ]).
 
 :- topic(rules, "Rules that decide, and help").
 :- reexport(decision,
-            [ rules/0, use_rules/1, no_rules/1, rule_file/1, default/1 ]).
+            [ rules/0, use_rules/1, no_rules/1, default/1 ]).
 :- reexport(command/repl, [repl/0]).
 :- reexport(command/help, [sanggwan_help/0, sanggwan_help/1]).
 

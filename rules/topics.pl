@@ -7,15 +7,16 @@
 
 /** <module> Topics: what users may call, in order.
 
-The facades are the one list of it: sanggwan.pl, then topology.pl and spans.pl.
-Each `:- topic(Topic, Title)` there begins a topic, to which all belongs that is
-exported after it.
+The facades are the one list of it: sanggwan.pl, then rows.pl, topology.pl and
+spans.pl. Each `:- topic(Topic, Title)` there begins a topic, to which all
+belongs that is exported after it.
 */
 
 % begun(Facade, Topic, Title, Before): Before were the exports when Topic began.
 :- dynamic begun/4.
 
 facade(sanggwan).
+facade(sanggwan_rows).
 facade(sanggwan_topology).
 facade(sanggwan_spans).
 

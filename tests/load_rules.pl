@@ -51,6 +51,7 @@ directory_file_path(Directory, Name, Path) :-
 :- initialization(( compiled(File) -> load_files(user:File, []) ; true ), now).
 :- if(found(rules('sanggwan.pl'), _)).
 :- use_module(user:rules(sanggwan)).
+:- use_module(user:rules(rows)).
 :- use_module(user:rules(topology)).
 :- use_module(user:rules(spans)).
 :- endif.

@@ -232,6 +232,7 @@ topic_of_kernel(Name) :-
     sub_atom(Name, 0, _, _, 'kernel/').
 
 facade('sanggwan.pl').
+facade('rows.pl').
 facade('topology.pl').
 facade('spans.pl').
 

@@ -33,6 +33,7 @@
 :- use_module(usage, [verb/4, verb_options/2]).
 :- use_module(usage_print, [print_usage/1, print_usage/2]).
 :- use_module(user:'../sanggwan').
+:- use_module(user:'../rows').
 :- use_module(user:'../topology').
 :- use_module(user:'../spans').
 :- use_module(user:help, [help/0, help/1]).

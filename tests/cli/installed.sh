@@ -108,6 +108,7 @@ fi
 
 cat >ask.pl <<'PROLOG'
 :- use_module(library(sanggwan)).
+:- use_module(library(sanggwan/rows)).
 :- use_module(library(sanggwan/spans)).
 :- use_module(library(sanggwan/topology)).
 :- initialization(main, main).
@@ -123,6 +124,7 @@ asked(Model) :-
     aggregate_all(count, line(_, _, _, _, _, _, _, _, _), Count),
     once(half_edge(_)),
     predicate_property(line_spans(_, _, _), defined),
+    predicate_property(leaf_v(_, _, _, _, _), defined),
     format("~d pieces~n", [Count]),
     forall(( module_property(Module, file(File)),
              sub_atom(Module, 0, _, _, sg_) ),
