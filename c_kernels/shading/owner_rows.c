@@ -1,5 +1,5 @@
 /* owner_rows.c -- which one of faces that lie in one another is seen: what a
- * rule is asked, and what it answers. */
+ * rule is asked, and what it answers; and which roots do not hide others. */
 #include "doors/shading.h"
 
 #include "shading_scene.h"
@@ -10,6 +10,19 @@ bool
 sg_door_shading_ask_owners(sg_call *call, sg_shading *scene)
 {
   return sg_shading_ask_owners(scene) || sg_call_no_memory(call);
+}
+
+bool
+sg_door_shading_let_through(sg_call *call, sg_shading *scene,
+                            const sg_shading_pair_list *pairs)
+{
+  bool good = true;
+
+  for (size_t i = 0; good && i < pairs->n; i++) {
+    good =
+        sg_shading_let_through(scene, pairs->at[i].front, pairs->at[i].behind);
+  }
+  return good || sg_call_no_memory(call);
 }
 
 static bool

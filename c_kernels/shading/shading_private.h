@@ -135,6 +135,8 @@ struct sg_shading {
   double back[4][4];  /* from the picture to the model, but for a factor */
   sg_expression expression; /* the union of all roots */
   sg_owners *owners;        /* null: the first face of a group is seen */
+  bool *through;            /* null, or [roots][roots]: the first one does not
+                               hide the second one */
   size_t root_node;         /* of the last root */
   uint32_t band, bands;     /* rows of one; how many */
   uint32_t *band_first;     /* [bands + 1] */

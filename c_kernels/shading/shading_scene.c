@@ -97,6 +97,7 @@ sg_shading_close(sg_shading *s)
     free(s->known.item);
     sg_expression_clear(&s->expression);
     sg_owners_close(s->owners);
+    free(s->through);
     free(s->band_first);
     free(s->item);
     free(s);
@@ -116,6 +117,21 @@ sg_shading_ask_owners(sg_shading *s)
 {
   s->owners = s->owners ? s->owners : sg_owners_open();
   return s->owners;
+}
+
+bool
+sg_shading_let_through(sg_shading *s, int32_t front, int32_t behind)
+{
+  size_t n = s->root.n;
+
+  s->through = s->through ? s->through : calloc(n * n + 1, sizeof *s->through);
+  for (size_t i = 0; s->through && i < n && front != behind; i++) {
+    for (size_t k = 0; k < n && s->root.item[i].segment == front; k++) {
+      s->through[i * n + k] =
+          s->through[i * n + k] || s->root.item[k].segment == behind;
+    }
+  }
+  return s->through;
 }
 
 sg_owners *

@@ -110,6 +110,11 @@ sg_shading_end sg_shading_seal(sg_shading *scene, const sg_cancel *cancel);
  * its owners (owner.h); else, and until there is an answer, it is that of the
  * first leaf that makes its root begin there, or end. False: no memory. */
 bool sg_shading_ask_owners(sg_shading *scene);
+/* From here on the root with the segment `front` does not hide the other one:
+ * where the other one is met next behind it, that counts as nearer. Roots that
+ * are not there are left out. False: no memory. */
+bool sg_shading_let_through(sg_shading *scene, int32_t front, int32_t behind);
+
 /* Null: they are not asked. Borrowed. */
 sg_owners *sg_shading_owners(const sg_shading *scene);
 

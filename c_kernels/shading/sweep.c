@@ -328,7 +328,8 @@ front_ends(const sg_shading_work *w, int32_t x, size_t next, size_t *front)
   const sg_slice *f = w->active.item[*front].slice;
   int32_t to = f->x2;
 
-  if (w->opacities || f->arc != 0 || !w->scene->leaf.item[f->leaf].united) {
+  if (w->opacities || w->scene->through || f->arc != 0 ||
+      !w->scene->leaf.item[f->leaf].united) {
     return x;
   }
   for (size_t i = 0; i < w->active.n; i++) {

@@ -201,9 +201,14 @@ see_one(sg_shading_work *w, const sg_active *active, size_t slice,
         uint32_t *left)
 {
   const sg_opacities *o = w->opacities;
-  uint32_t opacity =
-      o->opacity[sg_face_number(&o->numbers, leaf_of(w, &active[slice])->number,
-                                active[slice].slice->face)];
+  uint32_t opacity = !o ? SG_OPAQUE
+                        : o->opacity[sg_face_number(
+                              &o->numbers, leaf_of(w, &active[slice])->number,
+                              active[slice].slice->face)];
+
+  if (w->scene->through) { /* who hides whom is not known yet */
+    return add_layer(w, slice, opacity);
+  }
   uint32_t part =
       (uint32_t)(((uint64_t)*left * opacity + SG_OPAQUE / 2) / SG_OPAQUE);
 
@@ -232,6 +237,43 @@ see_all(sg_shading_work *w, const sg_active *active, size_t from, size_t to,
     w->held[leaf_of(w, &active[i])->root] = root_holds(w, &active[i]);
   }
   return true;
+}
+
+/* ---- where some roots do not hide others ---- */
+
+/* Each layer goes before those directly before it whose roots do not hide its
+ * own; then each has its part of what those before it leave. */
+static void
+let_through(sg_shading_work *w, const sg_active *active)
+{
+  size_t roots = w->scene->root.n, kept = 0;
+  sg_layer *layer = w->layer.item;
+  uint32_t left = SG_OPAQUE;
+
+  for (size_t i = 1; i < w->layer.n; i++) {
+    sg_layer own = layer[i];
+    int32_t root = leaf_of(w, &active[own.slice])->root;
+    size_t k = i;
+
+    for (; k > 0; k--) {
+      int32_t front = leaf_of(w, &active[layer[k - 1].slice])->root;
+      if (!w->scene->through[(size_t)front * roots + (size_t)root]) {
+        break;
+      }
+      layer[k] = layer[k - 1];
+    }
+    layer[k] = own;
+  }
+  for (size_t i = 0; i < w->layer.n; i++) {
+    uint32_t part =
+        (uint32_t)(((uint64_t)left * layer[i].part + SG_OPAQUE / 2) /
+                   SG_OPAQUE);
+    left -= part;
+    if (part > 0) {
+      layer[kept++] = (sg_layer){layer[i].slice, part};
+    }
+  }
+  w->layer.n = kept;
 }
 
 /* ---- all ---- */
@@ -265,8 +307,12 @@ sg_walk_slices(sg_shading_work *w, const sg_active *active, size_t n,
     while (to < n && active[to].middle - active[from].middle <= tolerance) {
       toggle(w, &active[to++]);
     }
-    good = w->opacities ? see_all(w, active, from, to, &left)
-                        : see_first(w, active, from, to, &left);
+    good = w->opacities || w->scene->through
+               ? see_all(w, active, from, to, &left)
+               : see_first(w, active, from, to, &left);
+  }
+  if (w->scene->through) {
+    let_through(w, active);
   }
   *last = left == 0 ? to - 1 : n;
   turn_back(w, active, to);

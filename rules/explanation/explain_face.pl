@@ -22,7 +22,7 @@
 :- use_module('../shading/seen', [met/4, root_faces/6]).
 :- use_module('../shading/shading_scene',
               [ named_face/3, scene_handle/2, scene_leaf/2, scene_place/2,
-                scene_root/2 ]).
+                scene_root/2, seen_through/2 ]).
 :- use_module('../shading/surface_look', [look_opacity/2, look_source/5]).
 :- use_module('../shading/surface_ramp', [ramp/3]).
 :- use_module('../shading/surface_tone',
@@ -196,8 +196,15 @@ passed_met(Scene, Mets, In, Apart, Statement, Why) :-
 %
 %   Because says the Reason of false_reason/4 why the root R is not there.
 
-reason_because(_, R, true, [because(lets_through(R), [])]) :-
-    !.
+reason_because(Scene, R, true, [because(Statement, [])]) :-
+    !,
+    findall(R1, scene_root(Scene, root(R1,_)), Roots),
+    seen_through(Roots, Pairs),
+    (   memberchk(R-_, Pairs)
+    ->  decided_by(may_hide/2, By),
+        Statement = let_through(R, By)
+    ;   Statement = lets_through(R)
+    ).
 reason_because(_, R, cut, [because(cut_away(R), [])]) :-
     !.
 reason_because(_, R, outside_all(N,Operation,Count),

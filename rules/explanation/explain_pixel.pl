@@ -204,7 +204,7 @@ leaf_out(Scene, Leaf, Out) :-
     scene_model(Scene, model(_, Facts, _)),
     (   member(Fact, Facts),
         arg(1, Fact, Leaf),
-        ( Fact = ring(_,_,_,_) ; Fact = flat(_,_,[_|_],_) )
+        Fact = flat(_,_,[_|_],_)
     ->  Out = 0.5
     ;   Out is 1/32
     ).
@@ -356,12 +356,12 @@ unseen_at(Scene, Opaque, Place, X, Y, Reason) :-
     ).
 
 %   seen_instead(Scene, Opaque, X, Y, Z, R, Reason): what is seen before the
-%   depth Z, or in it, where the root R begins.
+%   root R, which begins in the depth Z, or in it.
 
-seen_instead(Scene, Opaque, X, Y, Z, _, hidden(R,Leaf,S,Name)) :-
+seen_instead(Scene, Opaque, X, Y, Z, R0, hidden(R,Leaf,S,Name)) :-
     seen_layers(Scene, X, Y, Layers),
-    member(layer(Z1,R,Leaf,F), Layers),
-    Z1 < Z,
+    append(Before, [layer(Z,R0,_,_)|_], Layers),
+    member(layer(_,R,Leaf,F), Before),
     face_opacity(Opaque, Leaf, F, A),
     A >= 1,
     !,

@@ -119,6 +119,11 @@ Leaves are, each with its Number, which several may have:
 %   From here on Scene notes the groups of faces of one root that lie in one
 %   another where the root begins, or ends.
 
+%!  shading_let_through(+Scene:shading, +Pairs:list(shading_pair)) is det.
+%
+%   From here on, of each Front-Behind of Pairs, segments of roots of Scene, the
+%   first one does not hide the second one.
+
 %!  shading_groups(+Scene:shading, -Groups:list(shading_group)) is det.
 %
 %   Groups are group(Root, Begins, Faces), in no order: those that were met in

@@ -58,6 +58,10 @@ pixel_statement_en(outside_leaf(Leaf, S, Name, R)) -->
 pixel_statement_en(lets_through(R)) -->
     { root(R, Root) },
     [ '~w is there, and light from behind comes through it'-[Root] ].
+pixel_statement_en(let_through(R, By)) -->
+    { root(R, Root) },
+    [ '~w is there, but may_hide/2 (~w) lets what is behind it be seen'-
+      [Root, By] ].
 pixel_statement_en(cut_away(R)) -->
     { root(R, Root) },
     [ '~w is not there: a plane cuts it away'-[Root] ].

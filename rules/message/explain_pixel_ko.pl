@@ -58,6 +58,10 @@ pixel_statement_ko(outside_leaf(Leaf, S, Name, R)) -->
 pixel_statement_ko(lets_through(R)) -->
     { root(R, Root) },
     [ '~w은(는) 거기에 있고, 뒤에서 오는 빛이 지나간다'-[Root] ].
+pixel_statement_ko(let_through(R, By)) -->
+    { root(R, Root) },
+    [ '~w은(는) 거기에 있지만, may_hide/2(~w)에 따라 뒤에 있는 것이 보인다'-
+      [Root, By] ].
 pixel_statement_ko(cut_away(R)) -->
     { root(R, Root) },
     [ '~w은(는) 거기에 없다. 평면이 잘라 낸다'-[Root] ].

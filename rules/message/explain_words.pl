@@ -148,6 +148,7 @@ statement_keys(outside_all, [operation, segment, count, root]).
 statement_keys(taken_away, [operand, operation, segment, root]).
 statement_keys(outside_leaf, [leaf, segment, name, root]).
 statement_keys(lets_through, [root]).
+statement_keys(let_through, [root,rules]).
 statement_keys(cut_away, [root]).
 statement_keys(see_through, [opacity]).
 statement_keys(shine, [strength, power, light]).

@@ -204,7 +204,7 @@ may_hide(S2, _, S, _) :-
 %   True when segment S2 may hide lines of segment S. It always may. A decision,
 %   asked once for each two segments, and for each with itself: one that does
 %   not hide its own lines shows its back too. A world can make a segment of
-%   glass.
+%   glass. A shaded picture asks it once for each two roots.
 
 may_hide(_, _).
 

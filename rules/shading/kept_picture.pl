@@ -53,10 +53,12 @@ world_picture(Options, Image) :-
         )
     ).
 
-%   kept_picture(Kept): of groups that a rule is asked of nothing is kept.
+%   kept_picture(Kept): of what a rule is asked of groups, or of roots, nothing
+%   is kept.
 
 kept_picture(Kept) :-
     decision_is_default(owner/3),
+    decision_is_default(may_hide/2),
     nb_current(sg_kept_picture, Kept).
 
 model_eye(Model, Eye) :-
@@ -143,6 +145,7 @@ kept(Key, Size-Place, Model, Scene, Looked, Scan, Image) :-
     Key = key(Options,_,_),
     (   decision_is_default(pixel_colour/4),
         decision_is_default(owner/3),
+        decision_is_default(may_hide/2),
         \+ option(palette(_), Options)
     ->  scene_tolerance(Scene, Tolerance),
         row_stamps(Model, Stamps),

@@ -7,6 +7,7 @@
                                         % -Faces
             seen_at/4,                  % +Scene, +X, +Y, -Seen
             seen_layers/4,              % +Scene, +X, +Y, -Layers
+            met_layers/4,               % +Scene, +X, +Y, -Layers
             line_spans/3,               % +Scene, +Y, -Spans
             seen_side/5                 % +Scene, +X, +Y, -Depth, -Normal
           ]).
@@ -14,10 +15,13 @@
               [shading_point/6, shading_slices/3, shading_spans/3]).
 :- use_module(group_owner, [group_owner/5, owners_asked/2]).
 :- use_module(shading_scene,
-              [scene_handle/2, scene_place/2, scene_root/2, scene_tolerance/2]).
+              [ scene_handle/2, scene_place/2, scene_root/2, scene_tolerance/2,
+                seen_through/2
+              ]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [foldl/4]).
-:- use_module(library(lists), [append/2, append/3, member/2, nth1/3]).
+:- use_module(library(lists),
+              [append/2, append/3, member/2, nth1/3, reverse/2]).
 :- use_module(library(ordsets), [ord_symdiff/3]).
 /** <module> What is seen at a point of a shaded picture: the definition.
 
@@ -201,8 +205,19 @@ with_first(Rest, _, _, [], Rest).
 %   @error domain_error(scan_line, Y)
 
 seen_at(Scene, X, Y, Seen) :-
-    met(Scene, X, Y, Groups),
-    first_seen(Groups, Scene, [], Seen).
+    roots_through(Scene, Pairs),
+    (   Pairs == []
+    ->  met(Scene, X, Y, Groups),
+        first_seen(Groups, Scene, [], Seen)
+    ;   seen_layers(Scene, X, Y, [layer(_,R,S,F)|_]),
+        Seen = seen(R,S,F)
+    ).
+
+%   roots_through(Scene, Pairs): Front-Behind, roots that hide others not.
+
+roots_through(Scene, Pairs) :-
+    findall(R, scene_root(Scene, root(R,_)), Roots),
+    seen_through(Roots, Pairs).
 
 %   first_seen(Groups, Scene, In, Seen): In are the places of the leaves that
 %   the line of sight is in, ascending.
@@ -343,12 +358,39 @@ operands_signed(Count, Which, Nodes0, Nodes, Sign0, Place, Sign) :-
 %!  seen_layers(+Scene, +X, +Y, -Layers) is det.
 %
 %   Layers are what would be seen at (X, Y), in dots, if all were see-through,
-%   the nearest first: layer(Z, R, S, F) where the root R begins, or ends, at a
-%   group of the depth Z. Of one group what ends is nearer than what begins.
+%   the nearest first, as of met_layers/4; but a layer counts as nearer than
+%   those directly before it whose roots do not hide its own (may_hide/2).
 %
 %   @error domain_error(scan_line, Y)
 
 seen_layers(Scene, X, Y, Layers) :-
+    met_layers(Scene, X, Y, Layers0),
+    roots_through(Scene, Pairs),
+    (   Pairs == []
+    ->  Layers = Layers0
+    ;   foldl(let_through(Pairs), Layers0, [], Backwards),
+        reverse(Backwards, Layers)
+    ).
+
+%   let_through(Pairs, Layer, Before0, Before): the last one first.
+
+let_through(Pairs, Layer, [Last|Before0], [Last|Before]) :-
+    arg(2, Last, Front),
+    arg(2, Layer, Behind),
+    memberchk(Front-Behind, Pairs),
+    !,
+    let_through(Pairs, Layer, Before0, Before).
+let_through(_, Layer, Before, [Layer|Before]).
+
+%!  met_layers(+Scene, +X, +Y, -Layers) is det.
+%
+%   Layers are layer(Z, R, S, F), by depth, where the root R begins, or ends, at
+%   a group of the depth Z on the line of sight through (X, Y), in dots. Of one
+%   group what ends is nearer than what begins.
+%
+%   @error domain_error(scan_line, Y)
+
+met_layers(Scene, X, Y, Layers) :-
     met(Scene, X, Y, Groups),
     findall(root(R,Nodes), scene_root(Scene, root(R,Nodes)), Roots),
     layers(Groups, Scene, Roots, [], Layers).

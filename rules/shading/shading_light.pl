@@ -3,7 +3,7 @@
             light_layers/4              % +Scene, +Way, +Point, -Layers
           ]).
 :- use_module('../kernel', [shading_box/3]).
-:- use_module(seen, [seen_layers/4]).
+:- use_module(seen, [met_layers/4]).
 :- use_module(shading_scene,
               [ depth_tolerance/3, other_sight/4, scene_model/2, scene_opened/4,
                 scene_scale/2 ]).
@@ -23,7 +23,7 @@ light_scene(Scene, Way, Handle) :-
 
 %!  light_layers(+Scene, +Way, +Point, -Layers) is det.
 %
-%   Layers (seen_layers/4) are what of Scene is between the light of
+%   Layers (met_layers/4) are what of Scene is between the light of
 %   light_scene/3 and Point = [X,Y,Z], the first one what the light meets first.
 
 light_layers(Scene, Way, [X,Y,Z], Layers) :-
@@ -32,7 +32,7 @@ light_layers(Scene, Way, [X,Y,Z], Layers) :-
     length(Rows, 12),
     append(Rows, _, Matrix),
     places(Rows, [X,Y,Z], [XL,YL,ZL]),
-    seen_layers(Seen, XL, YL, All),
+    met_layers(Seen, XL, YL, All),
     findall(layer(Depth,R,Leaf,F),
             ( member(layer(Depth,R,Leaf,F), All), Depth < ZL ),
             Layers).

@@ -4,6 +4,7 @@
             shaded_eye/3,               % +Model, +View, -Eye
             shaded_box/3,               % +Model, +Eye, -Box
             shaded_scene/5,             % +Model, +Eye, +Place, +Size, -Scene
+            seen_through/2,             % +Roots, -Pairs
             shading_scene/2,            % +Size, -Scene
             is_shaded/1,                % +S
             as_its_term/2,              % +S, +Term
@@ -35,8 +36,10 @@
 :- use_module('../decision', [decision_is_default/1]).
 :- use_module('../kernel',
               [ kept_leaves/2, shading_ask_owners/1, shading_box/3,
+                shading_let_through/2,
                 shading_open/4, shading_size/3 ]).
 :- use_module('../limits', [limit_value/2]).
+:- use_module('../picture/hidden_lines', [may_hide/2]).
 :- use_module('../picture/view', [current_view/4]).
 :- use_module('../primitive/primitive',
               [is_primitive/1, primitive_kind/2, primitive_shape/4]).
@@ -432,7 +435,27 @@ shaded_scene(Model, Eye, Place, Width-Height,
     eye_rows(Eye, Place, Matrix),
     depth_tolerance(Matrix, Facts, Tolerance),
     eye_depth(Eye, Depth),
-    scene_opened(frame(Matrix,Width,Height,Tolerance), Facts, Roots, Handle).
+    scene_opened(frame(Matrix,Width,Height,Tolerance), Facts, Roots, Handle),
+    findall(R, member(root(R,_), Roots), Rs),
+    seen_through(Rs, Pairs),
+    (   Pairs == []
+    ->  true
+    ;   shading_let_through(Handle, Pairs)
+    ).
+
+%!  seen_through(+Roots:list, -Pairs:list) is det.
+%
+%   Pairs are Front-Behind, of Roots: what may_hide/2 says that Front does not
+%   hide. Each pair is asked once.
+
+seen_through(Roots, Pairs) :-
+    (   decision_is_default(may_hide/2)
+    ->  Pairs = []
+    ;   findall(Front-Behind,
+                ( member(Front, Roots), member(Behind, Roots),
+                  Front =\= Behind, \+ may_hide(Front, Behind) ),
+                Pairs)
+    ).
 
 %!  scene_opened(+Frame, +Facts, +Roots, -Handle) is det.
 %

@@ -118,6 +118,42 @@ seen(void)
   sg_shading_close(scene);
 }
 
+/* A cube below another one is seen through it, if that one may not hide it. */
+static void
+seen_through(void)
+{
+  static double below[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, -2};
+  sg_shading_leaf_fact leaf[2] = {rows_leaf(1, 12), rows_leaf(2, 12)};
+  sg_expression_node_fact node[2] = {{SG_LEAF, 1}, {SG_LEAF, 2}};
+  sg_shading_root_fact root[2] = {{.s = 7, .nodes = {&node[0], 1, 0}},
+                                  {.s = 8, .nodes = {&node[1], 1, 0}}};
+  sg_shading_pair pair[2] = {{.front = 8, .behind = 7},
+                             {.front = 7, .behind = 8}};
+  sg_shading_span_list before = {0}, same = {0}, after = {0};
+  sg_shading *scene = NULL;
+
+  leaf[1].rows.map.at = below;
+  CHECK("two roots",
+        sg_door_shading_open(&call, &frame,
+                             &(sg_shading_leaf_fact_list){leaf, 2, 0},
+                             &(sg_shading_root_fact_list){root, 2, 0}, &scene));
+  CHECK("the upper one is seen",
+        sg_door_shading_spans(&call, scene, 45, &before) && before.n == 1 &&
+            before.at[0].root == 7);
+  CHECK("also if the lower one may not hide it",
+        sg_door_shading_let_through(&call, scene,
+                                    &(sg_shading_pair_list){&pair[0], 1, 0}) &&
+            sg_door_shading_spans(&call, scene, 45, &same) && same.n == 1 &&
+            same.at[0].root == 7);
+  CHECK("the lower one is",
+        sg_door_shading_let_through(&call, scene,
+                                    &(sg_shading_pair_list){&pair[1], 1, 0}) &&
+            sg_door_shading_spans(&call, scene, 45, &after) && after.n == 1 &&
+            after.at[0].root == 8 && after.at[0].x1 == before.at[0].x1 &&
+            after.at[0].x2 == before.at[0].x2);
+  sg_shading_close(scene);
+}
+
 /* The cube of glass on one line: its front, half as much of its back. */
 static void
 layers(void)
@@ -317,6 +353,7 @@ main(void)
   call.world = world;
   CHECK("a cube", add_cube(world, 1));
   seen();
+  seen_through();
   layers();
   buffers();
   scans();

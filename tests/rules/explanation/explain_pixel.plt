@@ -247,6 +247,34 @@ test(layers_of_glass, Ps == [40.0,25.2,24.0,7.56]) :-
     memberchk(see_through(0.4), Statements),
     memberchk(lets_through(1), Statements).
 
+% A ball is seen through a box that may not hide it: the line of sight passes
+% the box, and why.
+test(seen_through_by_a_rule, Said == [seen(2),let_through(1),hidden(none)]) :-
+    in_text("segment(1, solid, box(size(4,4,4))).
+             segment(2, solid, at([translate(0,0,2)],
+                                  sphere(radius(1),facets(24)))).
+             view(270, 90, 0).",
+            setup_call_cleanup(
+                ( tmp_file_stream(File, Out, [encoding(utf8),extension(pl)]),
+                  write(Out, "may_hide(S, T) :- S \\== 1, \c
+                              default(may_hide(S, T))."),
+                  close(Out),
+                  use_rules(File) ),
+                ( explanation(pixel(20,20), [size(41-41)], Because),
+                  explanation(why_not(seen(2)), [size(41-41)], WhyNot) ),
+                delete_file(File))),
+    findall(R, ( sub_term(T, Because), nonvar(T),
+                 T = seen_part(_,_,_,_,_,R) ), [Seen|_]),
+    (   sub_term(let_through(Through,_), Because)
+    ->  true
+    ;   Through = none
+    ),
+    (   sub_term(hidden_by_leaf(_,_,_,_), WhyNot)
+    ->  Hidden = some
+    ;   Hidden = none
+    ),
+    Said = [seen(Seen),let_through(Through),hidden(Hidden)].
+
 said_parts(Item, Options, Ps, Statements) :-
     explanation(Item, Options, Because),
     findall(S, ( sub_term(T, Because), nonvar(T), T = because(S,_) ),
