@@ -119,39 +119,6 @@ sg_mesh_clear(sg_mesh *mesh)
   *mesh = (sg_mesh){0};
 }
 
-static bool
-lists_are_valid(const sg_mesh *mesh, const sg_mesh_lists *lists, size_t least)
-{
-  if (lists->count == 0) {
-    return lists->corners == 0;
-  }
-  for (size_t i = 0; i < lists->count; i++) {
-    if (lists->start[i + 1] < lists->start[i] + least ||
-        lists->segment[i] < 0 || (size_t)lists->segment[i] >= mesh->segments) {
-      return false;
-    }
-  }
-  for (size_t i = 0; i < lists->corners; i++) {
-    if (lists->corner[i] < 0 || (size_t)lists->corner[i] >= mesh->vertices) {
-      return false;
-    }
-  }
-  return lists->start[0] == 0 && lists->start[lists->count] == lists->corners;
-}
-
-bool
-sg_mesh_is_valid(const sg_mesh *mesh)
-{
-  for (size_t i = 0; i < mesh->vertices; i++) {
-    const double *p = mesh->vertex[i];
-    if (!isfinite(p[0]) || !isfinite(p[1]) || !isfinite(p[2])) {
-      return false;
-    }
-  }
-  return lists_are_valid(mesh, &mesh->face, 3) &&
-         lists_are_valid(mesh, &mesh->curve, 2);
-}
-
 /* Cleaning --------------------------------------------------------------- */
 
 /* Drops corners that repeat the one before, of a face also those at its end

@@ -159,7 +159,4 @@ bool sg_mesh_end_list(sg_mesh_lists *lists, int32_t segment);
 /* The number of a new segment, or -1. `name` may be null. */
 int32_t sg_mesh_add_segment(sg_mesh *mesh, const char *name, size_t n);
 
-/* True if every index, list and coordinate of `mesh` is in range. */
-bool sg_mesh_is_valid(const sg_mesh *mesh);
-
 #endif

@@ -190,7 +190,4 @@ bool sg_work_resolve(sg_work *work, double reach);
  * one that is not (the polygon does not close there), or SG_WORK_NONE. */
 int32_t sg_work_unbalanced(const sg_work *work);
 
-/* True if every invariant holds; tests call it. */
-bool sg_work_is_valid(const sg_work *work);
-
 #endif

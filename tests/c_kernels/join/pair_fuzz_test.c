@@ -5,6 +5,7 @@
  *
  * An argument is the number of rounds; a failure names its round.
  */
+#include "tests/c_kernels/polygon/work_valid.h"
 #include "tests/check.h"
 
 #include "join/cut.h"
@@ -136,11 +137,10 @@ polygon_holds(void)
     }
   }
   bool good =
-      sg_work_resolve(work, draw(2) ? 0.0 : 1e-9) && sg_work_is_valid(work);
+      sg_work_resolve(work, draw(2) ? 0.0 : 1e-9) && work_is_valid(work);
   if (good) {
     sg_outcome outcome = sg_work_triangulate(work, &found, &edge, NULL);
-    good =
-        (outcome == SG_DONE || outcome == SG_STUCK) && sg_work_is_valid(work);
+    good = (outcome == SG_DONE || outcome == SG_STUCK) && work_is_valid(work);
   }
   free(found.item);
   sg_work_close(work);

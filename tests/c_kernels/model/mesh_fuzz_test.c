@@ -8,6 +8,7 @@
  * Without libFuzzer a main() that changes seeds in a fixed pseudo-random way;
  * an argument is the number of rounds. The first byte picks the format.
  */
+#include "mesh_valid.h"
 #include "tests/check.h"
 
 #include "model/mesh_part.h"
@@ -70,7 +71,7 @@ LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
   options.weld = (sg_mesh_weld)(data[0] / 8 % 3);
   if (sg_mesh_read(formats[data[0] % 5], (const char *)data + 1, n - 1,
                    &options, &mesh, &error)) {
-    if (!sg_mesh_is_valid(&mesh)) {
+    if (!mesh_is_valid(&mesh)) {
       broken = "valid";
     } else {
       use(&mesh);

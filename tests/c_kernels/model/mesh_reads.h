@@ -2,6 +2,7 @@
 #ifndef MESH_READS_H
 #define MESH_READS_H
 
+#include "mesh_valid.h"
 #include "model/mesh.h"
 
 #include <stdio.h>
@@ -22,7 +23,7 @@ read_bytes(sg_mesh_format format, const char *bytes, size_t n)
   memcpy(copy, bytes, n);
   bool done = sg_mesh_read(format, copy, n, &options, &mesh, &error);
   free(copy);
-  return done && sg_mesh_is_valid(&mesh);
+  return done && mesh_is_valid(&mesh);
 }
 
 static inline bool

@@ -490,24 +490,24 @@ test_valid(void)
   CHECK("of three vertices", mesh.vertices == 3 && mesh.face.corners == 3 &&
                                  mesh.curve.corners == 2);
   mesh.face.corner[2] = 3;
-  CHECK("a corner beyond the vertices", !sg_mesh_is_valid(&mesh));
+  CHECK("a corner beyond the vertices", !mesh_is_valid(&mesh));
   mesh.face.corner[2] = -1;
-  CHECK("a corner before them", !sg_mesh_is_valid(&mesh));
+  CHECK("a corner before them", !mesh_is_valid(&mesh));
   mesh.face.corner[2] = 2;
-  CHECK("the last one", sg_mesh_is_valid(&mesh));
+  CHECK("the last one", mesh_is_valid(&mesh));
   mesh.curve.corner[1] = 3;
-  CHECK("of a curve", !sg_mesh_is_valid(&mesh));
+  CHECK("of a curve", !mesh_is_valid(&mesh));
   mesh.curve.corner[1] = 1;
   mesh.face.segment[0] = (int32_t)mesh.segments;
-  CHECK("a segment beyond them", !sg_mesh_is_valid(&mesh));
+  CHECK("a segment beyond them", !mesh_is_valid(&mesh));
   mesh.face.segment[0] = 0;
   mesh.face.start[1] = 2;
-  CHECK("two corners", !sg_mesh_is_valid(&mesh));
+  CHECK("two corners", !mesh_is_valid(&mesh));
   mesh.face.start[1] = 3;
   mesh.vertex[2][1] = NAN;
-  CHECK("no number", !sg_mesh_is_valid(&mesh));
+  CHECK("no number", !mesh_is_valid(&mesh));
   mesh.vertex[2][1] = 1;
-  CHECK("valid again", sg_mesh_is_valid(&mesh));
+  CHECK("valid again", mesh_is_valid(&mesh));
 }
 
 int

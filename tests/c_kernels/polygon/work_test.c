@@ -4,6 +4,7 @@
  * covers: work_grid
  */
 #include "work_scene.h"
+#include "work_valid.h"
 
 static void
 test_lists(void)
@@ -30,7 +31,7 @@ test_lists(void)
   CHECK("five edges", sg_work_edges(s.work) == 5);
   sg_work_delete(s.work, e[0]);
   CHECK("out of balance", sg_work_unbalanced(s.work) != SG_WORK_NONE);
-  CHECK("valid", sg_work_is_valid(s.work));
+  CHECK("valid", work_is_valid(s.work));
   sg_work_close(s.work);
 }
 
@@ -121,7 +122,7 @@ test_meeting(int vertices, int grid, int edges, int rounds)
         sg_work_add(s.work, v1, v2, 1, 0);
       }
     }
-    bad += !sg_work_is_valid(s.work);
+    bad += !work_is_valid(s.work);
     sg_meetings_clear(&out);
     sg_work_close(s.work);
   }
@@ -164,8 +165,8 @@ test_any_edges(void)
       int32_t e = sg_work_add(s.work, v, w, 1, 0);
       bad += v == w ? e != SG_WORK_NONE : e <= 0;
     }
-    bad += !sg_work_is_valid(s.work);
-    bad += !sg_work_resolve(s.work, pick(2)) || !sg_work_is_valid(s.work);
+    bad += !work_is_valid(s.work);
+    bad += !sg_work_resolve(s.work, pick(2)) || !work_is_valid(s.work);
     sg_work_close(s.work);
   }
   CHECK("any edges: the lists stay right", bad == 0);
