@@ -1,5 +1,6 @@
 /* cell_added_read_rows.c -- a glue near a solid: see cell_added_rows.h. */
 #include "cell_added_rows.h"
+#include "engine/search.h"
 
 #include "engine/search.h"
 #include "rows/sort.h"
@@ -277,6 +278,18 @@ take_solid(sg_cell_joiner *j)
   both->plain = both->vertices;
 }
 
+/* Where a vertex that a cut made is exactly its row does not say. */
+static bool
+has_made(const sg_cell_joiner *j)
+{
+  for (size_t v = 0; v < j->known; v++) {
+    if (sg_find_id(j->made->at, j->made->n, j->both.vertex[v].v) != SIZE_MAX) {
+      return true;
+    }
+  }
+  return false;
+}
+
 /* ---- together ----------------------------------------------------------- */
 
 bool
@@ -286,7 +299,7 @@ sg_cell_read(sg_cell_joiner *j)
   size_t n;
 
   if (!read_all(j) || !list_near(j, &list, &n) || !make_room(j, n) ||
-      !take_near(j, list, n)) {
+      !take_near(j, list, n) || has_made(j)) {
     return false;
   }
   take_solid(j);

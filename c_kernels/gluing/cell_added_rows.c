@@ -198,14 +198,15 @@ lies_nothing(sg_call *call, const sg_version *version, int32_t s)
 
 bool
 sg_door_cell_added(sg_call *call, int32_t s, int32_t n, sg_solid *solid,
-                   double reach)
+                   double reach, const sg_int_list *made)
 {
   sg_cell_joiner j = {.call = call,
                       .version = sg_call_version(call),
                       .s = s,
                       .of = n,
                       .solid = solid,
-                      .reach = reach};
+                      .reach = reach,
+                      .made = made};
   sg_pool *pool = sg_call_pool(call);
   sg_cell_added_how how = SG_CELL_NOT;
   bool good = j.version && pool && solid->plain == solid->vertices &&
@@ -233,7 +234,8 @@ write_rest(sg_cell_joiner *j)
 
 bool
 sg_door_cell_completed(sg_call *call, int32_t s, int32_t n, sg_solid *solid,
-                       double reach, const sg_id_pair_list *was, size_t *faces)
+                       double reach, const sg_int_list *made,
+                       const sg_id_pair_list *was, size_t *faces)
 {
   sg_cell_joiner j = {.call = call,
                       .version = sg_call_version(call),
@@ -241,6 +243,7 @@ sg_door_cell_completed(sg_call *call, int32_t s, int32_t n, sg_solid *solid,
                       .of = n,
                       .solid = solid,
                       .reach = reach,
+                      .made = made,
                       .rest_only = true,
                       .was = was->at,
                       .was_n = was->n};

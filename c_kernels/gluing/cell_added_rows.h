@@ -39,6 +39,7 @@ typedef struct sg_cell_joiner {
    * polygon of the glue gets. */
   const struct sg_id_pair *was;
   size_t was_n;
+  const sg_int_list *made; /* vertices that a cut made, ascending */
   int32_t inside;          /* the region that the solid becomes */
   int32_t before, outside; /* of the outside, until now and from now on */
 } sg_cell_joiner;

@@ -72,23 +72,26 @@ Foreign predicates; see kernel.pl and c_kernels/gluing/regions.h.
 
 /* - - - cell_added_rows.c - - - */
 
-%!  cell_added(+S:id, +N:id, +Solid:solid, +Reach:number) is semidet.
+%!  cell_added(+S:id, +N:id, +Solid:solid, +Reach:number,
+%!             +Made:set(id)) is semidet.
 %
 %   Segment N, the solid that is Solid, with its faces merged, becomes one more
 %   operand of the glue S: what it shares is known to be made of it too, the
 %   rest gets rows, and only sides and regions beside it change. Fails, and
 %   writes nothing, where S and N do not meet in equal features alone, within
-%   Reach, or where regions change otherwise than by one more, or a void less.
+%   Reach, where a polygon of S near N has one of the vertices Made, of which
+%   v/5 does not say where they are exactly, or where regions change otherwise
+%   than by one more, or a void less.
 %
 %   @see c_kernels/gluing/cell_added.h
 
-%!  cell_completed(+S:id, +N:id, +Solid:solid, +Reach:number,
+%!  cell_completed(+S:id, +N:id, +Solid:solid, +Reach:number, +Made:set(id),
 %!                 +Was:list(id_pair), -Faces:count) is semidet.
 %
 %   So many Faces of segment N, an operand of the glue S that is Solid, with its
 %   faces merged, are not in S, and get rows; of sides/4 they have none. P0-P in
 %   Was, ascending: polygon P0 of N becomes P. Fails, and writes nothing, where
-%   one has no number there, or two have one.
+%   one has no number there, or two have one, or Made is near.
 
 /* - - - regions_joined_rows.c - - - */
 

@@ -3,16 +3,16 @@
           ]).
 :- use_module('../csg/csg', [complete_leaf/4]).
 :- use_module('../csg/csg_record', [record/2]).
-:- use_module('../csg/csg_rows', [drop_views/1]).
+:- use_module('../csg/csg_rows', [drop_views/1, was_cut/1]).
 :- use_module('../csg/csg_term', [is_node_term/1]).
 :- use_module('../csg/source', [source_kept/3]).
 :- use_module('../decision', [decision_is_default/1]).
 :- use_module(faces, [faces_merged/2]).
-:- use_module(glue_left, [operand_gone/3, made_first/4]).
+:- use_module(glue_left, [operand_gone/3, made_first/4, made_vertices/2]).
 :- use_module(glue_whole, [is_elsewhere/1]).
 :- use_module('../gluing/glue_choice', [choice_made/1]).
 :- use_module('../kernel',
-              [ cell_added/4, changed_leaves/3, newer_segments/3,
+              [ cell_added/5, changed_leaves/3, newer_segments/3,
                 segments_tolerance/3, solid_close/1, solid_take/2
               ]).
 :- use_module('../polygon/triangulation', [complete_segments/1]).
@@ -28,11 +28,11 @@ changes.
 
 Where an operand more is a solid that meets the glue in equal features alone,
 and makes one region more, or fills one, the rows are those that the glue of
-all would have. What it takes depends on what is near (cell_added/4), but for
-one look at the rows. An operand that goes takes with it what only it had
-(glue_left.pl); one that changed goes, and comes as it is now. If that is the
-last one, ids are those of the glue of all too. In all other cases the glue is
-made anew.
+all would have. What it takes depends on what is near (cell_added/5), but for
+one look at the rows; what was cut elsewhere does not matter. An operand that
+goes takes with it what only it had (glue_left.pl); one that changed goes, and
+comes as it is now. If that is the last one, ids are those of the glue of all
+too. In all other cases the glue is made anew.
 
 @see c_kernels/gluing/cell_added.h
 */
@@ -59,7 +59,7 @@ glue_grown(S, Tolerance) :-
     maplist(is_leaf, News),
     decision_is_default(disk_relation/3),
     \+ choice_made(S),
-    \+ is_elsewhere(S),
+    \+ was_cut(S),
     sort(0, @>=, Stayed, [Last|_]),
     facts_transaction(sg_glue_grown:grown(S, Last, Leaving, News, Tolerance)),
     record(S, evaluated(glue(Operands, Tolerance, []))).
@@ -139,6 +139,7 @@ operand_added(S, Last, Tolerance, N) :-
     complete_leaf(S, N, solid, Incomplete),
     complete_segments(Incomplete),
     \+ is_elsewhere(N),
+    made_vertices(S, Made),
     reach_kept(Tolerance, S, N, Reach, Merging),
     solid_take([N], Solid),
     call_cleanup(
@@ -146,7 +147,7 @@ operand_added(S, Last, Tolerance, N) :-
                                     [ tolerance(Merging), origins(separate),
                                       cells(true)
                                     ])),
-          stage(join, cell_added(S, N, Solid, Reach))
+          stage(join, cell_added(S, N, Solid, Reach, Made))
         ),
         solid_close(Solid)),
     (   N > Last

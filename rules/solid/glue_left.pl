@@ -1,21 +1,23 @@
 :- module(sg_glue_left,
           [ operand_gone/3,             % +S, +Tolerance, +N
-            made_first/4                % +S, +N, +Reach, +Merging
+            made_first/4,               % +S, +N, +Reach, +Merging
+            made_vertices/2             % +S, -Vs
           ]).
 :- use_module(faces, [faces_merged/2]).
 :- use_module('../kernel',
-              [ cell_completed/6, regions_joined/3, segment_grain/2,
+              [ cell_completed/7, regions_joined/3, segment_grain/2,
                 segments_tolerance/3, solid_close/1, solid_take/2
               ]).
 :- use_module('../near', [tolerance/2]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
               [ v/5, e/5, p/3, plane/6, edge_polygon/3, from_p/5, from_v/4,
-                lies_in/3, sides/4, assert_fact/1, retractall_facts/1
+                lies_in/3, origin/3, sides/4, assert_fact/1, retractall_facts/1
               ]).
 :- use_module('../vector', [difference/3, dot_product/3]).
 :- use_module(library(apply), [maplist/2, maplist/3, partition/4]).
 :- use_module(library(lists), [member/2, min_member/2]).
+:- use_module(library(ordsets), [ord_disjoint/2]).
 :- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> A glue without one of its operands: only what is near it changes.
 
@@ -52,6 +54,8 @@ operand_gone(S, Tolerance, N) :-
     sort(Sides0, Sides),
     findall(V, ( member(A-B, Sides), ( V = A ; V = B ) ), Vs0),
     sort(Vs0, Vs),
+    made_vertices(S, Made),
+    ord_disjoint(Vs, Made),
     stage(regions, regions_joined(S, N, Alone)),
     forall(member(P, Shared), retractall_facts(from_p(S, P, N, _, _))),
     maplist(polygon_dropped(S), Alone),
@@ -59,6 +63,15 @@ operand_gone(S, Tolerance, N) :-
     \+ ( member(A-B, Sides), parted_side(S, A, B) ),
     \+ ( member(V, Vs), parted_line(S, V) ),
     same_reach(Tolerance, S, Reach).
+
+%!  made_vertices(+S, -Vs:list) is det.
+%
+%   Vs are the vertices of segment S that a cut made, ascending: where they are
+%   exactly v/5 does not say.
+
+made_vertices(S, Vs) :-
+    findall(V, origin(S, v(V), _), Vs0),
+    sort(Vs0, Vs).
 
 merging(default, Reach, Reach, own(Reach)) :-
     !.
@@ -222,11 +235,12 @@ given_anew(S, Heir, Reach, Merging, Ps) :-
     maplist(polygon_dropped(S), Ps),
     forall(( member(V, Vs), \+ e(S, _, V, _, _) ),
            retractall_facts(v(S, V, _, _, _))),
+    made_vertices(S, Made),
     solid_take([Heir], Solid),
     call_cleanup(
         ( faces_merged(Solid,
                        [tolerance(Merging),origins(separate),cells(true)]),
-          cell_completed(S, Heir, Solid, Reach, Was, Faces)
+          cell_completed(S, Heir, Solid, Reach, Made, Was, Faces)
         ),
         solid_close(Solid)),
     length(Ps, Faces),

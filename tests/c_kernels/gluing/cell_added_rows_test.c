@@ -51,7 +51,8 @@ static bool
 added(int32_t s)
 {
   sg_solid *solid = taken(s);
-  bool is = solid && sg_door_cell_added(&call, GLUE, s, solid, 1e-9);
+  bool is = solid &&
+            sg_door_cell_added(&call, GLUE, s, solid, 1e-9, &(sg_int_list){0});
 
   sg_solid_free(solid);
   sg_call_rest(&call);
@@ -83,7 +84,8 @@ completed(int32_t s, const sg_id_pair_list *was)
   size_t faces;
 
   CHECK("taken", solid);
-  if (!sg_door_cell_completed(&call, GLUE, s, solid, 1e-9, was, &faces)) {
+  if (!sg_door_cell_completed(&call, GLUE, s, solid, 1e-9, &(sg_int_list){0},
+                              was, &faces)) {
     CHECK("not refused", was_refused(SG_REFUSED_NOTHING));
     faces = SIZE_MAX;
   }

@@ -261,6 +261,14 @@ steps(sheet_in_two, [all([add(3, box(size(2,1,1))),
 steps(sheets_apart, [all([add(3, A),add(4, sheet(Sheet))]),gone(4)], 1) :-
     Sheet = at([translate(0,0,9)], rectangle(size(1,1))),
     cube([], 0-0-0, A).
+steps(cut_elsewhere, [ all([add(3, A),add(4, Across),add(5, sheet(Sheet)),
+                            add(6, B)]),
+                       add(7, C),gone(6),add(6, D),gone(4)], 3) :-
+    maplist(cube([]), [0-0-0,0.3-0.4-0.6,6-0-0,7-0-0,7-1-0],
+            [A,Across,B,C,D]),
+    Sheet = at([rotate(x,90),translate(0,0,1)], rectangle(size(1,3))).
+steps(cut_beside, [all([add(3, A),add(4, Across)]),add(5, B)], 0) :-
+    maplist(cube([]), [0-0-0,0.3-0.4-0.6,-1-0-0], [A,Across,B]).
 steps(several, Steps, 1) :-
     cubes(3, [], Terms),
     all_at_once(Terms, Steps, [ several([gone(16),gone(5),gone(20)]) ]).
@@ -345,11 +353,17 @@ canonical_rows(rows(Polygons, Regions, Vertices, Others)) :-
             Vertices0),
     msort(Vertices0, Vertices),
     findall(Other,
-            ( member(Other, [lies_in(S,_,_),segment(S,_,_),origin(S,_,_)]),
-              call(sg_store:Other),
-              Other \= origin(_, node(_), _) ),
+            ( member(Row, [lies_in(S,_,_),segment(S,_,_),origin(S,_,_)]),
+              call(sg_store:Row),
+              Row \= origin(_, node(_), _),
+              placed_row(Row, Other) ),
             Others0),
     msort(Others0, Others).
+
+placed_row(origin(S,v(V),Origin), origin(Place,Origin)) :-
+    !,
+    vertex_place(S, V, Place).
+placed_row(Row, Row).
 
 vertex_place(S, V, p(X,Y,Z)) :-
     v(S, V, X, Y, Z).
@@ -400,7 +414,8 @@ numbers_right(Right) :-
     msort(Again, SortedAgain),
     (   Sorted == SortedAgain -> Right = true ; Right = false ).
 
-%   random_steps(Seed, Steps): cubes of a grid, and some that fit less.
+%   random_steps(Seed, Steps): cubes of a grid, and some that fit less; beside
+%   it cubes that go through each other.
 
 random_steps(Seed, Steps) :-
     set_random(seed(Seed)),
@@ -419,6 +434,12 @@ random_step(Step) :-
     random_between(0, 3, Kind),
     (   Kind =:= 0
     ->  Step = gone(S)
+    ;   maybe(0.2)
+    ->  maplist(random_between(0, 3), [X,Y,Z]),
+        X1 is 10+X/2.0,
+        Y1 is Y/2.0,
+        Z1 is Z/2.0,
+        Step = add(S, at([translate(X1,Y1,Z1)], box(size(1,1,1))))
     ;   maplist(random_between(0, 2), [X,Y,Z]),
         (   maybe(0.95)
         ->  Size = 1
