@@ -5,7 +5,7 @@
               [depth_at/3, line_spans/3, slice_candidate/4]).
 :- use_module('../shading/shading_scene', [scene_leaf/2, scene_size/2]).
 :- use_module(library(apply), [maplist/3]).
-:- use_module(library(lists), [append/2, max_list/2, member/2, min_list/2]).
+:- use_module(library(lists), [append/2, append/3, max_list/2, member/2, min_list/2]).
 /** <module> One scan line of a shaded picture, seen from above.
 
 What the plane of the line cuts out of the faces of the leaves (slice/3), X to
@@ -51,8 +51,11 @@ of_role(outline, Slices, _, Slice) :-
     member(true-Slice, Slices).
 of_role(penetration, Slices, Spans, slice(R,S,F,Sense,X1,X2,Depth)) :-
     member(span(N1,N2,R,S,F), Spans),
-    X1 is N1/256.0,
-    X2 is N2/256.0,
+    Left is N1/256.0,
+    Right is N2/256.0,
+    ring_ends(Slices, slice(R,S,F), Left, Right, Ends),
+    sort([Left,Right|Ends], Cuts),
+    append(_, [X1,X2|_], Cuts),
     Middle is (X1+X2)/2,
     findall(Z-slice(R,S,F,Sense0,X1,X2,Depth0),
             ( member(true-slice(R,S,F,Sense0,From,To,Depth0), Slices),
@@ -61,6 +64,18 @@ of_role(penetration, Slices, Spans, slice(R,S,F,Sense,X1,X2,Depth)) :-
               depth_at(Depth0, Middle, Z) ),
             Candidates),
     keysort(Candidates, [_-slice(_,_,_,Sense,_,_,Depth)|_]).
+
+%   ring_ends(Slices, Of, Left, Right, Ends): a span goes on from one slice of a
+%   torus to the next at these places.
+
+ring_ends(Slices, slice(R,S,F), Left, Right, Ends) :-
+    findall(End,
+            ( member(true-slice(R,S,F,_,From,To,Depth), Slices),
+              functor(Depth, ring, _),
+              member(End, [From,To]),
+              Left < End,
+              End < Right ),
+            Ends).
 
 leaf_segment(Scene, Leaf, S) :-
     once(scene_leaf(Scene, leaf(Leaf,_,S,_,_))).

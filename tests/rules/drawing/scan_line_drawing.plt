@@ -94,4 +94,21 @@ test(surface_has_two_sides,
     )),
     Ss == Seens.
 
+% What is seen of a torus bends all the way, also where it goes on from one
+% slice to the next.
+test(seen_torus_is_nowhere_flat, Flat-Some == []-true) :-
+    in_new_world((
+        assert_fact(segment(1, solid, torus(radius(3),tube(1),facets(48)))),
+        shading_scene(420-300, Scene),
+        findall(Y-X1-X2,
+                ( member(Y, [100.3,150.3,170.3]),
+                  lines_of(Scene, Y, penetration, Lines),
+                  member(_-Points, Lines),
+                  append(_, [X1-Z,_-Z,X2-Z|_], Points),
+                  X2-X1 > 1500 ),
+                Flat),
+        lines_of(Scene, 150.3, penetration, [_|More]),
+        ( More == [] -> Some = false ; Some = true )
+    )).
+
 :- end_tests(scan_line_drawing).
