@@ -5,7 +5,8 @@
               [depth_at/3, line_spans/3, slice_candidate/4]).
 :- use_module('../shading/shading_scene', [scene_leaf/2, scene_size/2]).
 :- use_module(library(apply), [maplist/3]).
-:- use_module(library(lists), [append/2, append/3, max_list/2, member/2, min_list/2]).
+:- use_module(library(lists),
+              [append/2, append/3, max_list/2, member/2, min_list/2]).
 /** <module> One scan line of a shaded picture, seen from above.
 
 What the plane of the line cuts out of the faces of the leaves (slice/3), X to
