@@ -127,7 +127,7 @@ loose_edges(const sg_simplified *s, size_t *edges)
   }
   qsort(pair, n, sizeof *pair, compare_pairs);
   for (size_t i = 0; i < n; i++) {
-    int64_t back = pair[i] << 32 | (int64_t)((uint64_t)pair[i] >> 32);
+    int64_t back = (pair[i] & INT32_MAX) << 32 | pair[i] >> 32;
 
     loose += (i > 0 && pair[i] == pair[i - 1]) ||
              !bsearch(&back, pair, n, sizeof *pair, compare_pairs);
