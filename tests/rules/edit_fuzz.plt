@@ -5,6 +5,9 @@
 :- use_module(library(lists)).
 :- use_module(library(process)).
 :- use_module(library(readutil)).
+:- use_module(rules(sanggwan), [in_world/2, new_world/1]).
+:- use_module(rules(topics), [offered/2]).
+:- use_module(tests('rules/edit_script'), [asked/1, unfit/1]).
 :- use_module(tests('rules/sample'), [few/3]).
 
 /* Random edits and random questions (edit_script.pl), in processes of their
@@ -110,7 +113,29 @@ run(Count, First, Threads, Wrong) :-
     Last is First+Count-1,
     with_folder(Folder, once(scripts(First, Last, Threads, Folder, Wrong))).
 
+%   calls(Count, PIs): what so many questions ask.
+
+calls(Count, PIs) :-
+    set_random(seed(20260731)),
+    setenv('EDIT_SCRATCH', '/nowhere'),
+    new_world(World),
+    in_world(World,
+             findall(Name/Arity,
+                     ( between(1, Count, _),
+                       asked(Goal),
+                       functor(Goal, Name, Arity) ),
+                     All)),
+    sort(All, PIs).
+
 :- begin_tests(edit_fuzz).
+
+%   Every export of the facades is asked, but for two that say why not.
+
+test(every_export_is_asked, Missing == [repl/0,use_rules/1]) :-
+    calls(8000, Asked),
+    findall(PI, ( offered(PI, _), \+ memberchk(PI, Asked) ), Missing0),
+    sort(Missing0, Missing),
+    forall(member(PI, Missing), unfit(PI)).
 
 test(scripts, Wrong == []) :-
     few(100, 400, Few),

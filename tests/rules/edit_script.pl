@@ -1,6 +1,8 @@
 :- module(sg_test_edit_script,
           [ script/3,                   % +Threads, +Seed, -Wrong
             exported/1,                 % -All
+            unfit/1,                    % ?PI
+            asked/1,                    % -Goal
             documented_words/3,         % +Name, +Arity, -Words
             argument/2,                 % +Word, -Value
             with_files/2                % +Goal0, -Goal
@@ -167,7 +169,8 @@ made(rooms, _) :-
               one_of([box(size(2,2,2)), box(size(2.5,1,2))], Box),
               add_primitive(at([translate(X,Y,0)], Box), S) ),
             Ss),
-    facts_transaction(assert_fact(segment(22, solid, glue(Ss)))),
+    one_of([solid, cells], Kind),
+    facts_transaction(assert_fact(segment(22, Kind, glue(Ss)))),
     evaluate,
     regions_made(22, _).
 made(mesh, Soup) :-
@@ -177,10 +180,19 @@ made(file, _) :-
     one_of([ "segment(1,solid,box(size(2,2,2))).\n\c
               segment(2,solid,at([translate(1,1,1)],cylinder(radius(1),\c
               height(2),facets(8)))).\nsegment(3,solid,difference([1,2])).\n",
-             "v(1,1,0,0,0).v(1,2,1,0,0).v(1,3,0,1,0).p(1,1,[1,2,3]).\n",
-             "segment(1,surface,x).v(1,1,0,0,0).v(1,2,4,0,0).v(1,3,4,4,0).\c
-              v(1,4,0,4,0).p(1,1,[1,2,3,4]).view(30,60,9).\c
-              unfolding(1,root(1)).\n" ],
+             "v(1,1,0,0,0).\nv(1,2,1,0,0).\nv(1,3,0,1,0).\np(1,1,[1,2,3]).\n",
+             "segment(1,surface,x).\nv(1,1,0,0,0).\nv(1,2,4,0,0).\n\c
+              v(1,3,4,4,0).\nv(1,4,0,4,0).\np(1,1,[1,2,3,4]).\nview(30,60,9).\n\c
+              unfolding(1,root(1)).\n",
+             "param(w,2).\nparam(h,1.5*param(w)).\n\c
+              segment(1,solid,box(size(param(w),param(h),2))).\n\c
+              segment(2,solid,at([translate(1,0,1)],cylinder(radius(1),\c
+              height(param(h)),facets(8)))).\n\c
+              projection(parallel).\nlight(1,strength(2)).\n\c
+              look(1,colour(rgb(9,99,199))).\ntitle_block(name,'x').\n",
+             "segment(1,solid,box(size(2,2,2))).\n\c
+              segment(2,solid,at([translate(2,0,0)],box(size(2,1,2)))).\n\c
+              segment(22,cells,glue([1,2])).\ngluing(22,only(faces)).\n" ],
            Text),
     with_text(pl, Text, File, load_model(File)).
 made(by_hand, _) :-
@@ -458,7 +470,9 @@ regions_checked(Around) :-
     findall(Items, disk(_, _, _, Items), Disks),
     Around = [Neighbours,Radial,Loops,Disks].
 
-%   asked(Goal): a call of something that the facade exports.
+%!  asked(-Goal) is det.
+%
+%   Goal is a call of something that the facade exports.
 
 asked(Goal) :-
     (   maybe(0.35)
@@ -467,11 +481,12 @@ asked(Goal) :-
                  develop(1, _), unfold(1, _), chains(_), project_world,
                  write_mesh(1, file(stl)), write_solid(1, file(obj)),
                  save_model(file(pl)), boolean(union([1,2]), 90),
-                 boolean(difference([1,2]), 91), trimmed(1, [2], 92, 93),
-                 operand_faults(1, _), repaired(1, _), winding(1, p(0,0,0), _),
+                 boolean(difference([1,2]), 91), trimmed(1, [2], outside, _),
+                 operand_faults(1, _), repaired(1, _),
+                 winding(1, point(0,0,0), _),
                  faces_merged(1, _), show, penetration_chains(_),
                  hidden_by(_, _, _, _, _, _), explain(line(1)),
-                 true_development(1, 94, [], _), write_lines(file(csv)),
+                 true_development(1, _, [], _), write_lines(file(csv)),
                  regions_made(1, _), regions_made(22, _), unglue(22),
                  glue_report(22, _), boolean(glue([1,2]), 96),
                  rendered(_), regions_checked(_) ],
@@ -480,8 +495,13 @@ asked(Goal) :-
         one_of(All, Name/Arity),
         functor(Goal0, Name, Arity),
         documented_words(Name, Arity, Words),
+        documented_modes(Name, Arity, Modes),
         Goal0 =.. [_|Arguments],
-        maplist(argument, Words, Arguments)
+        (   maybe(0.3)
+        ->  Open = 1
+        ;   Open = 0.7
+        ),
+        maplist(moded_argument(Open), Modes, Words, Arguments)
     ),
     with_files(Goal0, Goal1),
     Goal = Goal1.
@@ -501,15 +521,12 @@ exported(All) :-
     msort(All0, All),
     assertz(exported_(All)).
 
-%   What ends, waits for somebody, or changes what is not of this world.
+%!  unfit(?PI) is nondet.
+%
+%   It waits for somebody, or changes what is of the process.
 
 unfit(repl/0).
-unfit(set_world/1).
-unfit(help/_).
 unfit(use_rules/1).
-unfit(default/1).
-unfit(facts_undo_limit/1).
-unfit(in_world/2).
 
 %!  documented_words(+Name, +Arity, -Words:list(atom)) is det.
 %
@@ -528,6 +545,35 @@ documented_words(Name, Arity, Words) :-
 documented_words(_, Arity, Words) :-
     length(Words, Arity),
     maplist(=('X'), Words).
+
+%   documented_modes(Name, Arity, Modes): each is `in` or `open`.
+
+documented_modes(Name, Arity, Modes) :-
+    documented_head(Name, Arity, Head),
+    !,
+    Head =.. [_|Arguments],
+    maplist(argument_mode, Arguments, Modes).
+documented_modes(_, Arity, Modes) :-
+    length(Modes, Arity),
+    maplist(=(open), Modes).
+
+argument_mode(Argument, Mode) :-
+    (   compound(Argument),
+        functor(Argument, Sign, _),
+        memberchk(Sign, [?,-,!])
+    ->  Mode = open
+    ;   Mode = in
+    ).
+
+%   moded_argument(Open, Mode, Word, Value): what may be an answer is mostly
+%   left open, or hardly a question had one.
+
+moded_argument(Open, Mode, _, _) :-
+    Mode \== in,
+    maybe(Open),
+    !.
+moded_argument(_, _, Word, Value) :-
+    argument(Word, Value).
 
 :- dynamic heads_read/0, head_of/3.
 
@@ -609,18 +655,26 @@ worded('Options', Value) :-
 worded(Word, Value) :-
     memberchk(Word, ['File','Output']),
     one_of([file(svg), file(pl), file(obj), file(stl), file(csv), file(off),
-            file(pdf)],
+            file(pdf), file(png), file(csg)],
            Value).
+worded('Input', Value) :-
+    one_of([file(pl), file(obj), file(stl), file(off)], Value).
 worded('Expression', Value) :-
     one_of([union([1,2]), difference([1,2]), intersection([1,2]), 1,
             union([1,difference([2,3])]), split([1,2])],
            Value).
-worded('Goal', true).
+worded('Goal', Value) :-
+    one_of([true, facts_undo, retract_fact(v(1,1,_,_,_)), v(1,_,_,_,_),
+            picture, may_cut(1, 2), may_hide(1, 2), owner(1, [1,2], _)],
+           Value).
+worded('World', World) :-
+    new_world(World).
 worded('Fact', Value) :-
     one_of([v(1,1,0,0,0), e(1,1,1,2,1), p(1,1,[1,2,3]), v(_,_,_,_,_),
             line(_,_,_,_,_,_,_,_,_), segment(9,solid,x)],
            Value).
-worded('Primitive', Value) :-
+worded(Word, Value) :-
+    memberchk(Word, ['Primitive','Term']),
     solid(Value).
 worded('Item', Value) :-
     one_of([line(1), vertex(1,1), hidden(s1e1), edge(1,1), piece(1,1),
@@ -631,7 +685,45 @@ worded(Word, Value) :-
     typed(float, Value).
 worded(Word, Value) :-
     memberchk(Word, ['Point','Eye']),
-    one_of([p(0,0,0), point(0.5,0.5,0.5), p(9,9,9), _], Value).
+    one_of([point(0,0,0), point(0.5,0.5,0.5), point(9,9,9), p(0,0,0), _],
+           Value).
+worded('Size', Value) :-
+    one_of([16-16, 1-1, 9-24], Value).
+worded('Scene', Scene) :-
+    catch(shading_scene(16-12, Scene), error(_, _), fail).
+worded('Files', Value) :-
+    one_of([file(pl), [file(pl)], [file(obj)], [file(pl),file(obj)], []],
+           Value).
+worded('Kind', Value) :-
+    one_of([parallel, central, solid, surface, curve, cells, edge, face],
+           Value).
+worded('Name', Value) :-
+    one_of([front, top, iso, w, h, x, facets, depth, nodes, v, segment, _],
+           Value).
+worded('Relation', Value) :-
+    one_of([v, e, p, t, segment, line], Value).
+worded('Operation', Value) :-
+    P = p(0.5,0.5,0.5),
+    one_of([make(_), kill(_)], Value),
+    arg(1, Value, What),
+    one_of([ vertex(_,P), spur(_,1,_,P), wire(_,1,2), split(1,2,_,P),
+             face(_,[[1,2,3]]), face(_,[[1,2,3,4]]), chord(1,1,3,_) ],
+           What).
+worded(Word, Value) :-
+    memberchk(Word, ['Item1','Item2','Items']),
+    one_of([v(1), v(2), e(1), e(3), p(1), p(2), [v(1),e(1)], _], Value).
+worded('What', Value) :-
+    one_of([[], [smooth(2)], shade, lines, all, x, _], Value).
+worded('Side', Value) :-
+    one_of([inside, outside, below, above, _], Value).
+worded(Word, Value) :-
+    memberchk(Word, ['I','J','K','R','R1','R2','F','F1','F2','Most','Row',
+                     'Number','Depth','Id']),
+    one_of([1, 1, 2, 3, 5, 0, 100000, _], Value).
+worded(Word, Value) :-
+    memberchk(Word, ['X1','X2','Y1','Y2','Nx','Ny','Nz','Length','Angle',
+                     'Value']),
+    typed(float, Value).
 worded('View', Value) :-
     one_of([front, top, right, isometric, view(30,60,9), _], Value).
 
@@ -655,7 +747,9 @@ with_files(Goal0, Goal) :-
     ).
 
 with_file(Argument, File) :-
-    (   nonvar(Argument),
+    (   is_list(Argument)
+    ->  maplist(with_file, Argument, File)
+    ;   nonvar(Argument),
         Argument = file(Extension)
     ->  getenv('EDIT_SCRATCH', Folder),
         format(atom(File), '~w/scratch.~w', [Folder, Extension])
