@@ -69,6 +69,38 @@ test_sweep(void)
   sg_world_drop(world);
 }
 
+/* Pages that were emptied, side by side, are filled one after the other. */
+static void
+test_vacant_pages(void)
+{
+  enum { PAGES = 5, ALL = PAGES * SG_PAGE_ROWS };
+  sg_world *world = sg_world_open();
+  sg_statistics before, after;
+  bool right = true;
+
+  for (int32_t s = 1; s <= PAGES; s++) {
+    right = right && fill_vertices(world, s, 1, SG_PAGE_ROWS);
+  }
+  sg_world_statistics(world, SG_V, &before);
+  for (int32_t s = 1; s < PAGES; s++) {
+    for (int32_t v = 1; v <= SG_PAGE_ROWS; v++) {
+      right = right && sg_world_retract(world, SG_V, find_vertex(world, s, v));
+    }
+  }
+  for (int32_t i = 0; right && i < ALL - SG_PAGE_ROWS; i++) {
+    sg_value row[SG_MAX_COLUMNS] = {{.i = 9}, {.i = i + 1}, {.f = i}};
+    right = sg_world_add(world, SG_V, row, NULL, NULL) == SG_OK;
+    if (i % (SG_PAGE_ROWS / 2) == 0) {
+      right = right && sg_world_is_valid(world);
+    }
+  }
+  sg_world_statistics(world, SG_V, &after);
+  CHECK("pages are emptied and filled", right && sg_world_is_valid(world));
+  CHECK("all rows are there", count(world, SG_V) == ALL);
+  CHECK("no page came", after.slots == before.slots);
+  sg_world_drop(world);
+}
+
 /* Who looks for a segment passes pages by that cannot have it. */
 static void
 test_spans(void)
@@ -435,6 +467,7 @@ int
 main(void)
 {
   test_sweep();
+  test_vacant_pages();
   test_spans();
   test_narrow();
   test_bulk();

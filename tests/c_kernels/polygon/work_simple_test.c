@@ -185,9 +185,38 @@ test_disorder(void)
   CHECK("it is simple and not orderly", orderly == 0);
 }
 
+/* A side of a triangle in whose way nothing was, which is added after another
+ * edge came in its way. */
+static void
+test_no_longer_free(void)
+{
+  const double up[3] = {0, 0, 1};
+  const double at[6][3] = {{0, 0, 0},  {10, 0, 0}, {5, 10, 0},
+                           {5, 20, 0}, {8, 1, 0},  {12, 8, 0}};
+  sg_work *work = sg_work_open(up);
+  sg_candidates walk;
+
+  for (int32_t v = 0; v < 6; v++) {
+    sg_point point;
+    sg_point_set(&point, at[v]);
+    sg_work_vertex(work, v + 1, &point);
+  }
+  sg_work_add(work, 0, 1, 1, 1);
+  sg_work_add(work, 2, 3, 1, 1);
+  sg_candidates_open(&walk, work, 0, 1);
+  CHECK("nothing is in its way", sg_candidates_next(&walk) == 2);
+  sg_candidates_close(&walk);
+  sg_work_add(work, 4, 5, 1, 1);
+  CHECK("nothing crosses", sg_work_is_simple(work));
+  sg_work_add(work, 1, 2, 1, 1);
+  CHECK("its side crosses what came between", !sg_work_is_simple(work));
+  sg_work_close(work);
+}
+
 int
 main(void)
 {
+  test_no_longer_free();
   test_simple(70, 30, 12, 1500);
   test_simple(150, 40, 9, 1500);
   test_simple(90, 12, 5, 600);
