@@ -13,7 +13,7 @@
 %
 %   Call Goal once, with Text open: text(Name, Path, Stream), Name that of File
 %   for messages. It breaks no limit (limits.pl) of texts of this Kind: `facts`,
-%   `program`, or `csg`, of which csg_nodes/4 finds that. What can be read once
+%   `program`, `json`, or `csg`, of which csg_nodes/4 finds that. What can be read once
 %   only, as `-`, standard input, or a pipe, is copied to a temporary file, Path
 %   then, that vanishes with Text: it is looked through first, and places in it
 %   are found again.
@@ -46,7 +46,7 @@ with_text_again(Path, Stream, Goal) :-
         closed(Path, Path, Stream)).
 
 size_limit(Kind, limit(Name, Most)) :-
-    (   Kind == csg
+    (   memberchk(Kind, [csg,json])
     ->  Name = file
     ;   Name = text
     ),

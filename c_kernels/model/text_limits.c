@@ -94,7 +94,7 @@ count_word(sg_text_scan *s)
   uint64_t most =
       s->kind == SG_TEXT_GOAL ? GOAL_WORDS * s->most.depth : s->most.depth;
 
-  if (s->kind == SG_TEXT_PROGRAM) {
+  if (s->kind >= SG_TEXT_PROGRAM) {
     return;
   }
   *(s->n ? &s->level[s->n - 1].words : &s->top) += 1;
@@ -150,6 +150,9 @@ comma(sg_text_scan *s)
 static void
 end_fact(sg_text_scan *s)
 {
+  if (s->kind == SG_TEXT_JSON) {
+    return;
+  }
   s->depth = s->top = s->fact = 0;
   s->n = 0;
   s->in_fact = false;
@@ -170,13 +173,13 @@ begin(sg_text_scan *s, uint32_t c)
     return;
   }
   s->in_fact = s->in_fact || (c != '%' && c != '/');
-  if (c == '"' || c == '\'' || c == '`') {
+  if (c == '"' || ((c == '\'' || c == '`') && s->kind != SG_TEXT_JSON)) {
     begin_word(s, SG_TEXT_QUOTED);
     s->quote = c;
     if (c == '`') {
       count_word(s); /* a list */
     }
-  } else if (c == '%') {
+  } else if (c == '%' && s->kind != SG_TEXT_JSON) {
     s->state = SG_TEXT_LINE;
   } else if (c == '/') {
     s->state = SG_TEXT_SLASH;
@@ -295,6 +298,8 @@ in_slash(sg_text_scan *s, uint32_t c)
   if (c == '*') {
     s->state = SG_TEXT_COMMENT;
     s->star = false;
+  } else if (c == '/' && s->kind == SG_TEXT_JSON) {
+    s->state = SG_TEXT_LINE;
   } else {
     s->in_fact = true;
     begin_word(s, SG_TEXT_SIGN);

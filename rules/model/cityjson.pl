@@ -3,8 +3,8 @@
           ]).
 :- use_module('../kernel', [shape_write/4]).
 :- use_module(cityjson_floor, [floors_added/3]).
-:- use_module('../limits', [limit_value/2]).
 :- use_module('../store', [assert_fact/1, fresh_id/3]).
+:- use_module('../text_file', [with_text/4]).
 :- use_module(library(apply),
               [ exclude/3, foldl/4, foldl/5, maplist/2, maplist/3,
                 partition/4 ]).
@@ -38,10 +38,9 @@ library(http/json) is loaded with the first such file.
 %   how many surfaces have no area. Call it in a transaction.
 %
 %   @error error(model_error(cityjson(Path, Why)), location(File, Line, 0)),
-%   error(model_error(limit(file, Most)), location(File, 0, 0))
+%   and as of with_text/4: a text that is too large or too deep
 
 read_cityjson(File, Options) :-
-    not_too_large(File),
     json_of(File, Json),
     catch(city_read(Json, Options, Counts), cityjson(Path, Why),
           throw(error(model_error(cityjson(Path, Why)),
@@ -65,27 +64,17 @@ read_cityjson(File, Options) :-
     ;   true
     ).
 
-not_too_large(File) :-
-    (   File \== (-),
-        limit_value(file, Most),
-        size_file(File, Size),
-        Size > Most
-    ->  throw(error(model_error(limit(file, Most)), location(File, 0, 0)))
-    ;   true
-    ).
-
 json_of(File, Json) :-
     use_module(library(http/json), []),
-    setup_call_cleanup(
-        ( File == (-) -> In = user_input, Close = true
-        ; open(File, read, In, [encoding(utf8)]), Close = close(In) ),
-        catch(json:json_read_dict(In, Json,
-                                  [value_string_as_atom(false)]),
-              error(syntax_error(_), Context),
-              ( place(Context, Line),
-                throw(error(model_error(cityjson('/', syntax)),
-                            location(File, Line, 0))) )),
-        Close).
+    with_text(json, File, text(Name, _, In),
+              sg_cityjson:json_in(In, Name, Json)).
+
+json_in(In, Name, Json) :-
+    catch(json:json_read_dict(In, Json, [value_string_as_atom(false)]),
+          error(syntax_error(_), Context),
+          ( place(Context, Line),
+            throw(error(model_error(cityjson('/', syntax)),
+                        location(Name, Line, 0))) )).
 
 place(Context, Line) :-
     (   nonvar(Context),

@@ -46,9 +46,30 @@ fault(const char *text)
   return fed(SG_TEXT_FACTS, text, 40, 1000);
 }
 
+static void
+test_json(void)
+{
+  const sg_text_kind json = SG_TEXT_JSON;
+
+  CHECK("brackets alone", depth(json, "{\"a\": [1, -2.5e3, {\"b\": 0}]}") == 3);
+  CHECK("many members are not deep",
+        depth(json, "{\"a\":1,\"b\":2,\"c\":3,\"d\":4,\"e\":5}") == 1);
+  CHECK("brackets in texts",
+        depth(json, "[\"[[[\", \"\\\"[[\", \"\\\\\", []]") == 2);
+  CHECK("comments", depth(json, "[ // \"\n[ /* \" ]] */ [1]]]") == 3);
+  CHECK("no other quotes", depth(json, "['[`[%[[[[") > 6);
+  CHECK("a point ends nothing", depth(json, "[[1. [") == 3);
+  CHECK("one may be long",
+        fed(json, "[1,2,3,4,5,6,7,8,9,0,1,2,3,4,5,6,7,8,9,0,1,2,3,4,5,6,7,8,9]",
+            9, 7) == SG_TEXT_GOOD);
+  CHECK("digits", fed(json, "[12345678901]", 9, 5) == SG_TEXT_DIGITS);
+  CHECK("a text", fed(json, "[\"abcdefghijklm\"]", 9, 5) == SG_TEXT_NAME);
+}
+
 int
 main(void)
 {
+  test_json();
   CHECK("compounds", facts("f(g(h(a))).") == 4);
   CHECK("lists", facts("[[[a]]].") == 4);
   CHECK("a long list is not deep", facts("[a,b,c,d,e,f,g,h].") == 2);

@@ -9,6 +9,7 @@
 :- use_module(rules(studio/query), [read_goal/3]).
 :- use_module(rules(drawing/style_file), [style_rows/2]).
 :- use_module(rules(limits)).
+:- use_module(rules(model/cityjson), [read_cityjson/2]).
 :- use_module(rules(model/model_file), [read_model/3]).
 :- use_module(rules(sheet/title_block), [title_block_read/2]).
 :- use_module(tests(rules/polyhedron), [in_new_world/1]).
@@ -165,6 +166,16 @@ reader(File, style_rows(File, _)).
 reader(File, title_block_read(File, _)).
 reader(File, in_new_world(use_rules(File))).
 
+%   json_beyond(Name, Text): of CityJSON.
+
+json_beyond(Name, Text) :-
+    member(Name-Before-Codes-N-After,
+           [ depth-""-`[`-200-"", depth-"{\"x\":"-`[{"a":`-100-"",
+             depth-"// \"\n"-`[`-200-"", digits-"["-`9`-2001-"]",
+             name-"[\""-`n`-65537-"\"]" ]),
+    repeated(Codes, N, Many),
+    format(string(Text), "~s~s~s", [Before,Many,After]).
+
 test(every_reader, Wrong == []) :-
     findall(Name-Reader,
             ( beyond(Name, Text),
@@ -173,6 +184,14 @@ test(every_reader, Wrong == []) :-
                    \+ sub_string(Text, _, _, _, "[["),
                    \+ sub_string(Text, _, _, _, "f(f(") ),
               with_text(pl, Text, refusal(Reader, What), File),
+              What \= limit(Name, _)
+            ), Wrong).
+test(cityjson, Wrong == []) :-
+    findall(Name-What,
+            ( json_beyond(Name, Text),
+              with_text(json, Text,
+                        refusal(in_new_world(read_cityjson(File, [])), What),
+                        File),
               What \= limit(Name, _)
             ), Wrong).
 test(goals, Wrong == []) :-
