@@ -1,7 +1,7 @@
 :- module(sg_spelling,
           [ near_words/3                % +Word, +Words, -Near
           ]).
-:- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(lists), [append/3, last/2, member/2, numlist/3]).
 :- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> Which known word somebody may have meant.
 
@@ -17,6 +17,9 @@ spelling errors, Comm. ACM 7, 1964
 
 % Fewer letters than this say nothing.
 least_letters(3).
+
+% More are no word that was mistyped.
+most_letters(64).
 
 %!  near_words(+Word, +Words, -Near) is det.
 %
@@ -48,30 +51,50 @@ word_apart(Letters, Other, Apart) :-
     N >= Least,
     letters(Other, Others),
     Most is max(1, N//3),
-    (   between(0, Most, Apart0),
-        apart(Letters, Others, Apart0)
+    (   most_letters(Longest),
+        N =< Longest,
+        length(Others, M),
+        abs(N-M) =< Most,
+        apart(Letters, Others, Apart0),
+        Apart0 =< Most
     ->  Apart = Apart0
     ;   append(Letters, _, Others),
         Apart is Most+1
     ).
 
-%   apart(As, Bs, N) is nondet: N steps at most make Bs of As.
+%   apart(As, Bs, N): so many steps make Bs of As. A row has, for the letters of
+%   As so far, the numbers for Bs cut off after 0, 1, 2, ... letters.
 
-apart([], Bs, N) :-
-    length(Bs, More),
-    More =< N.
-apart([A|As], Bs, N) :-
-    (   Bs = [A|Bs1]
-    ->  apart(As, Bs1, N)
-    ;   N > 0,
-        N1 is N-1,
-        step([A|As], Bs, As1, Bs1),
-        apart(As1, Bs1, N1)
-    ).
+apart(As, Bs, N) :-
+    length(Bs, M),
+    numlist(0, M, Row),
+    rows(As, none, Bs, [], Row, N).
 
-%   step(As0, Bs0, As, Bs) is nondet: what is left of both after a step.
+%   rows(As, A0, Bs, Older, Row, N): A0 and Row are the last letter and its row,
+%   Older is the row before.
 
-step([_|As], Bs, As, Bs).                       % left out
-step(As, [_|Bs], As, Bs).                       % put in
-step([_|As], [_|Bs], As, Bs).                   % replaced
-step([A,B|As], [B,A|Bs], As, Bs).               % changed places
+rows([], _, _, _, Row, N) :-
+    last(Row, N).
+rows([A|As], A0, Bs, Older, Row, N) :-
+    Row = [First0|_],
+    First is First0+1,
+    row(Bs, none, A-A0, Older, Row, First, Rest),
+    rows(As, A, Bs, Row, [First|Rest], N).
+
+row([], _, _, _, _, _, []).
+row([B|Bs], B0, A-A0, Older, [Before,Above|Row], Left, [N|Rest]) :-
+    (   A == B
+    ->  N0 = Before
+    ;   N0 is min(Before, min(Above, Left))+1
+    ),
+    (   B0 == none
+    ->  N = N0,
+        Older1 = Older
+    ;   A == B0,
+        B == A0
+    ->  Older = [Swapped|Older1],
+        N is min(N0, Swapped+1)
+    ;   N = N0,
+        ( Older = [_|Older1] -> true ; Older1 = [] )
+    ),
+    row(Bs, B, A-A0, Older1, [Above|Row], N, Rest).

@@ -28,5 +28,21 @@ test(one_letter, Near == []) :- near(t, Near).
 test(nearest, Near == [color]) :- near(color, Near).
 test(several, Near == [color,colour]) :- near(colou, Near).
 test(no_words, Near == []) :- near_words(tabs, [], Near).
+test(swapped_at_the_start, Near == [tabs]) :- near(atbs, Near).
+
+%   Words as long as may be, and longer: no search without end.
+
+test(long_words, Near == []) :-
+    length(As, 60),
+    maplist(=(a), As),
+    length(Bs, 60),
+    maplist(=(b), Bs),
+    length(Cs, 3000),
+    maplist(=(a), Cs),
+    maplist(atom_chars, [A,B,C], [As,Bs,Cs]),
+    call_with_inference_limit(( near_words(A, [B], Near1),
+                                near_words(C, [A,B], Near2) ), 200000, _),
+    nonvar(Near2),
+    append(Near1, Near2, Near).
 
 :- end_tests(spelling).
