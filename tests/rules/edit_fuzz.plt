@@ -113,6 +113,10 @@ run(Count, First, Threads, Wrong) :-
     Last is First+Count-1,
     with_folder(Folder, once(scripts(First, Last, Threads, Folder, Wrong))).
 
+known(Name/Arity) :-
+    functor(Head, Name, Arity),
+    predicate_property(sg_test_edit_script:Head, imported_from(_)).
+
 %   calls(Count, PIs): what so many questions ask.
 
 calls(Count, PIs) :-
@@ -136,6 +140,8 @@ test(every_export_is_asked, Missing == [repl/0,use_rules/1]) :-
     findall(PI, ( offered(PI, _), \+ memberchk(PI, Asked) ), Missing0),
     sort(Missing0, Missing),
     forall(member(PI, Missing), unfit(PI)).
+test(every_export_is_there, Missing == []) :-
+    findall(PI, ( offered(PI, _), \+ known(PI) ), Missing).
 
 test(scripts, Wrong == []) :-
     few(100, 400, Few),

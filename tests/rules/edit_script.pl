@@ -25,6 +25,7 @@ edit_fuzz.plt runs scripts in processes of their own.
 :- use_module(library(readutil)).
 :- use_module(library(thread)).
 :- use_module(rules(sanggwan)).
+:- use_module(rules(rows)).
 :- use_module(rules(spans)).
 :- use_module(rules(topology)).
 :- use_module(rules(topics), [offered/2]).
