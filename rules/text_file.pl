@@ -11,12 +11,12 @@
 
 %!  with_text(+Kind, +File, -Text, :Goal) is semidet.
 %
-%   Call Goal once, with Text open: text(Name, Path, Stream), Name that of File
-%   for messages. It breaks no limit (limits.pl) of texts of this Kind: `facts`,
-%   `program`, `json`, or `csg`, of which csg_nodes/4 finds that. What can be read once
-%   only, as `-`, standard input, or a pipe, is copied to a temporary file, Path
-%   then, that vanishes with Text: it is looked through first, and places in it
-%   are found again.
+%   Call Goal once, with Text open: text(Name, Path, Stream), Name that of
+%   File for messages. It breaks no limit (limits.pl) of texts of this Kind:
+%   `facts`, `program`, `json`, or `csg`, of which csg_nodes/4 finds that.
+%   What can be read once only, as `-`, standard input, or a pipe, is copied
+%   to a temporary file, Path then, that vanishes with Text: it is looked
+%   through first, and places in it are found again.
 %
 %   @error model_error(cannot_read(Why)), model_error(limit(Name, Most)), with
 %   location(Name, Line, Column)

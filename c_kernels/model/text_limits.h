@@ -27,7 +27,7 @@ typedef enum sg_text_kind {
   SG_TEXT_PROGRAM, /* clauses: of depth only the brackets count, and what is
                       long is no fault */
   SG_TEXT_JSON     /* one value: of depth only the brackets count. After what
-                      is no JSON anything may be thought: no reader gets there */
+                      is no JSON anything may be thought: nobody reads on */
 } sg_text_kind;
 
 typedef enum sg_text_fault {

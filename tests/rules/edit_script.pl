@@ -183,8 +183,8 @@ made(file, _) :-
               height(2),facets(8)))).\nsegment(3,solid,difference([1,2])).\n",
              "v(1,1,0,0,0).\nv(1,2,1,0,0).\nv(1,3,0,1,0).\np(1,1,[1,2,3]).\n",
              "segment(1,surface,x).\nv(1,1,0,0,0).\nv(1,2,4,0,0).\n\c
-              v(1,3,4,4,0).\nv(1,4,0,4,0).\np(1,1,[1,2,3,4]).\nview(30,60,9).\n\c
-              unfolding(1,root(1)).\n",
+              v(1,3,4,4,0).\nv(1,4,0,4,0).\np(1,1,[1,2,3,4]).\n\c
+              view(30,60,9).\nunfolding(1,root(1)).\n",
              "param(w,2).\nparam(h,1.5*param(w)).\n\c
               segment(1,solid,box(size(param(w),param(h),2))).\n\c
               segment(2,solid,at([translate(1,0,1)],cylinder(radius(1),\c
