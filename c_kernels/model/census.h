@@ -27,6 +27,8 @@ typedef enum sg_defect_kind {
                             or looks the other way */
   SG_DEFECT_TRIANGLES,   /* the triangles of polygon a do not cover it once, or
                             one is turned over */
+  SG_DEFECT_CROSSED,     /* polygon a crosses or overlaps itself: no triangles
+                            fill it */
   SG_DEFECTS
 } sg_defect_kind;
 

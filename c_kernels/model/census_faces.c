@@ -138,6 +138,34 @@ has_own_plane(const sg_counting *c, size_t p, const measures *m)
          fabs(sg_any_length(own) - 1) < 1e-6;
 }
 
+/* Twice the sum of the areas between a corner of polygon p and its edges: not 0
+ * if its own area is because it crosses or overlaps itself. */
+static double
+fan_of(const sg_counting *c, size_t p)
+{
+  const sg_dense *d = c->d;
+  const double *corner = d->at[d->from[d->list[d->list_begin[p]]]];
+  double fan = 0;
+
+  for (size_t k = d->list_begin[p]; k < d->list_begin[p + 1]; k++) {
+    sg_newell one;
+    sg_newell_triangle(&one, corner, d->at[d->from[d->list[k]]],
+                       d->at[d->to[d->list[k]]]);
+    fan += 2 * sg_newell_area(&one);
+  }
+  return fan;
+}
+
+/* Whether polygon p crosses or overlaps itself: it has a plane, and no triangle
+ * was found; or no plane, though it is no line. */
+static bool
+is_crossed(const sg_counting *c, size_t p, bool has_plane, const measures *m)
+{
+  return !c->triangles[p] &&
+         (has_plane ? c->plane && !isnan(c->plane[p][0])
+                    : fan_of(c, p) > c->part->tolerance * m->around);
+}
+
 /* What is kept of polygon p beside its corners, against these. */
 static bool
 note_derived(sg_counting *c, size_t p, const measures *m)
@@ -170,7 +198,12 @@ sg_census_faces(sg_counting *c)
     if (!c->triangles[p] && has_plane) {
       add_face(c, p, &m.sum, o);
     }
-    if (!has_plane || sg_newell_area(&m.sum) * 2 <= tolerance * m.longest) {
+    if (is_crossed(c, p, has_plane, &m)) {
+      if (!sg_census_note(c, SG_DEFECT_CROSSED, id, 0)) {
+        return false;
+      }
+    } else if (!has_plane ||
+               sg_newell_area(&m.sum) * 2 <= tolerance * m.longest) {
       if (!sg_census_note(c, SG_DEFECT_FLAT, id, 0)) {
         return false;
       }

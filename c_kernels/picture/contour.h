@@ -13,10 +13,10 @@
  * piece begins and ends in the picture on the surface, which *rises* above the
  * side as a circle does that has the normals of both ends, N1 and N2, at P1 and
  * P2: at z of it by z (1 - z) / 2 (N2 - N1) . (P2 - P1) along the normal, up to
- * the fourth power of the angle. Where a line ends in a facet the surface is
- * above its end, too (sg_smooth.sunk). Not where a line runs on the surface,
- * for outline and line meet on the side; nor on other than known surfaces,
- * whose normals are not known so well.
+ * the fourth power of the angle. Where a sheet ends at a line in a facet, the
+ * surface is above its end, too (sg_smooth.sunk). Not beside a line that runs
+ * through the sheet, for outline and line meet on the side; nor on other than
+ * known surfaces, whose normals are not known so well.
  *
  * A piece is straight, the surface is not: if it leaves the corner that it
  * parts from the two others outside in the picture, on its right, which lies on

@@ -388,31 +388,56 @@ sink(const sg_smooth_builder *b, uint32_t i)
   }
 }
 
-/* Whether a triangle stands on a known surface, with all corners or by as much
- * as they are sunk. */
-static bool
-stands(const sg_smooth_builder *b, const bool *cut, uint32_t t)
-{
-  const int32_t *v = b->in->corner[t];
-  int32_t of = sg_smooth_surface(b, 3 * t);
+/* Of each fan: a penetration line ends there; one runs through its sheet. */
+typedef struct line_at {
+  bool end, through;
+} line_at;
 
-  return of >= 0 && (sg_known_surface_is_measured(&b->known.surface[of]) ||
-                     (!cut[v[0]] && !cut[v[1]] && !cut[v[2]]));
+/* Whether a triangle stands on a known surface, with all corners or by as much
+ * as they are sunk. Where a line runs through the sheet, outline and line meet
+ * in the facets, or the other surface would part them. */
+static bool
+stands(const sg_smooth_builder *b, const line_at *line, uint32_t t)
+{
+  int32_t of = sg_smooth_surface(b, 3 * t);
+  bool measured =
+      of >= 0 && sg_known_surface_is_measured(&b->known.surface[of]);
+
+  for (uint32_t i = 3 * t; i < 3 * t + 3; i++) {
+    const line_at *at = &line[b->out->fan[i]];
+    if (at->through || (at->end && !measured)) {
+      return false;
+    }
+  }
+  return of >= 0;
 }
 
 /* cut: the vertices at which penetration lines end. */
 static void
-mark_known(sg_smooth_builder *b, const bool *cut)
+find_lines(sg_smooth_builder *b, const bool *cut, line_at *line)
+{
+  const sg_smooth *out = b->out;
+
+  for (uint32_t i = 0; i < 3 * b->in->triangles; i++) {
+    line[out->fan[i]].end |= cut[sg_smooth_vertex(b, i)];
+    if ((out->side[i] & SG_SIDE_SMOOTH) && (out->side[i] & SG_SIDE_CUT)) {
+      line[out->fan[i]].through = true;
+      line[out->fan[sg_smooth_next(i)]].through = true;
+    }
+  }
+}
+
+static void
+mark_known(sg_smooth_builder *b, const line_at *line)
 {
   sg_smooth *out = b->out;
 
   for (uint32_t i = 0; i < 3 * b->in->triangles; i++) {
-    if (out->curved[i / 3] && cut[sg_smooth_vertex(b, i)]) {
+    if (out->curved[i / 3] && line[out->fan[i]].end) {
       sink(b, i);
     }
     if (out->curved[i / 3] && (out->side[i] & SG_SIDE_SMOOTH) &&
-        !(out->side[i] & SG_SIDE_CUT) && stands(b, cut, i / 3) &&
-        stands(b, cut, out->across[i] / 3)) {
+        stands(b, line, i / 3) && stands(b, line, out->across[i] / 3)) {
       out->side[i] |= SG_SIDE_KNOWN;
     }
   }
@@ -423,20 +448,23 @@ static bool
 find_known(sg_smooth_builder *b)
 {
   bool *cut;
+  line_at *line;
 
   if (b->known.n == 0) {
     return true;
   }
   cut = calloc(b->in->vertices + 1, sizeof *cut);
-  if (!cut) {
-    return false;
+  line = calloc(b->out->fans + 1, sizeof *line);
+  if (cut && line) {
+    for (size_t i = 0; i < b->input->cuts; i++) {
+      cut[b->input->cut[i][0]] = cut[b->input->cut[i][1]] = true;
+    }
+    find_lines(b, cut, line);
+    mark_known(b, line);
   }
-  for (size_t i = 0; i < b->input->cuts; i++) {
-    cut[b->input->cut[i][0]] = cut[b->input->cut[i][1]] = true;
-  }
-  mark_known(b, cut);
   free(cut);
-  return true;
+  free(line);
+  return cut && line;
 }
 
 /* -------------------------------------------------------------- building */

@@ -53,10 +53,10 @@ enum {
   SG_SIDE_BULGES = 8, /* it is in a curved sheet of no known surface, and a
                          smooth one would bulge there by more than a
                          ten-thousandth of its segment's longest side */
-  SG_SIDE_KNOWN = 32  /* it is smooth and in a curved sheet, no penetration line
-                         runs there, and both triangles there stand on known
-                         surfaces: with all corners, or by as much as these
-                         are sunk */
+  SG_SIDE_KNOWN = 32  /* it is smooth and in a curved sheet, and both triangles
+                         there stand on known surfaces: with all corners, or
+                         by as much as these are sunk; no penetration line
+                         that runs through the sheet touches them */
 };
 
 typedef struct sg_smooth {

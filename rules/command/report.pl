@@ -166,6 +166,7 @@ defect_ko(inside_out,       '안팎이 뒤집힌 입체').
 defect_ko(self_penetration, '자기 관통').
 defect_ko(wrong_plane,      '맞지 않는 평면').
 defect_ko(wrong_triangles,  '맞지 않는 삼각형').
+defect_ko(crossed_face,     '자기 자신과 교차하는 면').
 defect_ko(self_overlap,     '자기 겹침').
 defect_ko(broken_law,       '어긋난 법칙').
 defect_ko(unsure_part,      '자리를 알 수 없는 부분').

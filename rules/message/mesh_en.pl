@@ -52,6 +52,9 @@ mesh_en(not_finite(Text)) -->
 mesh_en(no_float32) -->
     [ 'a coordinate is too large for STL, whose numbers go up to 3.4e38', nl,
       '  Write .off, .obj or .ply, or choose other units.' ].
+mesh_en(crosses_itself(S, P)) -->
+    [ 'segment ~d: polygon ~d crosses itself, so it would be missing'-[S, P],
+      nl, '  Correct it in the model.' ].
 mesh_en(too_far(Text)) -->
     [ 'the coordinate ~w is beyond 1.0e90'-[Text], nl,
       '  Choose other units: nothing can be computed at this size.' ].

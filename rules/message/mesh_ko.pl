@@ -53,6 +53,9 @@ mesh_ko(not_finite(Text)) -->
 mesh_ko(no_float32) -->
     [ '좌표가 STL에 쓰기에는 너무 큽니다. STL의 수는 3.4e38 까지입니다', nl,
       '  .off, .obj, .ply로 쓰거나 다른 단위를 고르십시오.' ].
+mesh_ko(crosses_itself(S, P)) -->
+    [ '세그먼트 ~d: 다각형 ~d의 변이 서로 교차하여 빠지게 됩니다'-[S, P], nl,
+      '  모델에서 고치십시오.' ].
 mesh_ko(too_far(Text)) -->
     [ '좌표 ~w이(가) 1.0e90을 넘습니다'-[Text], nl,
       '  다른 단위를 쓰십시오. 이 크기로는 계산할 수 없습니다.' ].

@@ -410,7 +410,9 @@ notice_en(polygon_edges(S, Count, P, V1, V2)) -->
       '  They are left out.' ].
 notice_en(no_area(S, Count, P)) -->
     [ 'polygons without area in segment ~d: ~D (the first is ~d)'-
-      [S, Count, P], nl, '  Left out.' ].
+      [S, Count, P], nl,
+      '  They are lines, or cross themselves so that their parts cancel.', nl,
+      '  Left out.' ].
 fault_en(tolerance(Tolerance, Most)) -->
     [ 'a tolerance of ~4g is too large: a part is hardly larger'-[Tolerance],
       nl,

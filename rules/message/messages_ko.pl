@@ -422,6 +422,7 @@ notice_ko(polygon_edges(S, Count, P, V1, V2)) -->
 notice_ko(no_area(S, Count, P)) -->
     [ '세그먼트 ~d의 다각형 ~D개는 넓이가 없습니다 (처음은 ~d)'-
       [S, Count, P], nl,
+      '  선이거나, 자기 자신과 교차하여 넓이가 상쇄됩니다.', nl,
       '  빼고 계속합니다.' ].
 fault_ko(tolerance(Tolerance, Most)) -->
     [ '허용 오차 ~4g은(는) 너무 큽니다: 그보다 별로 크지 않은 부분이 있습니다'-

@@ -44,6 +44,9 @@ A bad model is no error but a relation. The joins are one pass in C
 %     - wrong_plane(S, P), wrong_triangles(S, P)
 %       plane/6 or t/6 is not as the corners of P have it: another plane, the
 %       other side, or triangles that do not cover P once, as it is turned.
+%     - crossed_face(S, P)
+%       P crosses or overlaps itself, or a hole of it is outside or runs the
+%       wrong way round: no triangles fill it, and it is left out.
 %     - twin_vertices(S, V1, V2), unused_vertex(S, V)
 %     - self_penetration(S, P1, P2), self_overlap(S, P1, P2)
 %       Two polygons of a segment (or one) go through each other, or lie in one
@@ -144,6 +147,7 @@ defect_census(bent_face(S, P),            bent_face,        S, P, _).
 defect_census(short_edge(S, E),           short_edge,       S, E, _).
 defect_census(wrong_plane(S, P),          wrong_plane,      S, P, _).
 defect_census(wrong_triangles(S, P),      wrong_triangles,  S, P, _).
+defect_census(crossed_face(S, P),         crossed_face,     S, P, _).
 defect_census(twin_vertices(S, V1, V2),   twin_vertices,    S, V1, V2).
 defect_census(unused_vertex(S, V),        unused_vertex,    S, V, _).
 
@@ -174,6 +178,7 @@ defect_weight(inside_out,       fault).
 defect_weight(self_penetration, fault).
 defect_weight(wrong_plane,      fault).
 defect_weight(wrong_triangles,  fault).
+defect_weight(crossed_face,     fault).
 defect_weight(self_overlap,     fault).
 defect_weight(broken_law,       fault).
 defect_weight(unsure_part,      fault).

@@ -10,6 +10,7 @@
               [ segment_grain/2, segments_meeting_themselves/2,
                 self_meeting/4, simplified_add/2, simplified_close/1,
                 simplified_open/2, simplified_run/3, simplified_weigh/4 ]).
+:- use_module('../polygon/polygon_whole', [crosses_itself/2]).
 :- use_module('../polygon/triangulation', [complete_segments/0]).
 :- use_module('../store',
               [ e/5, p/3, segment/3, t/6, assert_fact/1,
@@ -40,6 +41,9 @@ matters_more(16.0).
 %   afterwards. One transaction. A message says how many there are; warnings
 %   that it could not be so few, and that a part goes through itself that did
 %   not before.
+%
+%   @error geometry_error(mesh(crosses_itself(S, P))): polygon P has no
+%          triangles, and would be missing
 
 simplified_roots(Faces) :-
     facts_transaction(sg_simplify:roots_simplified(Faces)).
@@ -52,7 +56,8 @@ roots_simplified(Faces) :-
     aggregate_all(count, ( member(S, Ss), t(S, _, _, _, _, _) ), Before),
     (   Before =< Faces
     ->  true
-    ;   segments_meeting_themselves(Ss, Met),
+    ;   maplist(has_all_triangles, Ss),
+        segments_meeting_themselves(Ss, Met),
         setup_call_cleanup(
             simplified_open(Ss, Simplified),
             made_simple(Ss, Met, Faces, Simplified, Left),
@@ -63,6 +68,13 @@ roots_simplified(Faces) :-
         ->  true
         ;   print_message(warning, sanggwan(simplify(not_fewer(Faces, Left))))
         )
+    ).
+
+has_all_triangles(S) :-
+    (   p(S, P, _),
+        crosses_itself(S, P)
+    ->  throw(error(geometry_error(mesh(crosses_itself(S, P))), _))
+    ;   true
     ).
 
 made_simple(Ss, Met, Faces, Simplified, Left) :-

@@ -2,12 +2,9 @@
           [ pattern_whole/1             % +D
           ]).
 :- use_module('../development/bend', [named_segment/2]).
-:- use_module('../near', [is_straight/2]).
-:- use_module('../store', [e/5, from_p/5, p/3, t/6, v/5]).
-:- use_module('../vector', [cross_product/3, difference/3, dot_product/3]).
+:- use_module('../polygon/polygon_whole', [crosses_itself/2]).
+:- use_module('../store', [from_p/5, p/3]).
 :- use_module(unfold, [pattern_of/2]).
-:- use_module(library(apply), [maplist/3]).
-:- use_module(library(lists), [member/2]).
 /** <module> A pattern with each of its faces.
 
 A polygon that crosses itself has no triangles, so nothing is drawn of it. Who
@@ -43,20 +40,3 @@ laid_from(D, P, T, P1) :-
     ->  true
     ;   P1 = P
     ).
-
-crosses_itself(S, P) :-
-    \+ t(S, P, _, _, _, _),
-    p(S, P, Es),
-    findall(p(X,Y,Z), ( member(E, Es), e(S, E, V, _, _), v(S, V, X, Y, Z) ),
-            [First|Places]),
-    findall(Way, ( member(Place, Places), difference(Place, First, Way) ),
-            Ways),
-    member(U, Ways),
-    member(W, Ways),
-    cross_product(U, W, Cross),
-    maplist(square, [U,W,Cross], [UU,WW,CC]),
-    \+ is_straight(sqrt(CC), max(UU, WW)),
-    !.
-
-square(U, UU) :-
-    dot_product(U, U, UU).

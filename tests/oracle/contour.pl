@@ -32,9 +32,9 @@ where.
 A side is a chord: at its zero the surface is above it, by a part of the square
 of its length that no two sides share, and where the outline runs towards the
 eye that would be all one sees of it: hooks. So in the picture a piece begins
-and ends on the surface (side_rise/3), but not where a line runs on it, for
-outline and line meet on the side. Where a line ends in a facet the surface is
-above its end, too.
+and ends on the surface (side_rise/3), but not beside a line that runs through
+the sheet, for outline and line meet on the side. Where the sheet ends at a line
+in a facet, the surface is above its end, too.
 
 A piece is straight, the surface is not: it may leave a corner of its triangle
 outside in the picture that lies on the surface. Then the outline goes by way of

@@ -144,24 +144,36 @@ side_rise(Context, Side, Rise) :-
     ;   Rise = 0.0-0.0
     ).
 
-%   known_side(S, Sheets, Side): both triangles of a curved sheet at Side, along
-%   which no line runs, stand on known surfaces: with all corners, or by as much
-%   as these are sunk.
+%   known_side(S, Sheets, Side): both triangles of a curved sheet at Side stand
+%   on known surfaces: with all corners, or by as much as these are sunk. None
+%   of them touches a line that runs through the sheet: there outline and line
+%   meet in the facets.
 
 known_side(S, Sheets, T-I) :-
     curved_triangle(Sheets, T),
     smooth_side(Sheets, T-I, T2-_),
-    \+ cut_side(S, Sheets, T-I),
     stands(S, Sheets, T),
     stands(S, Sheets, T2).
 
 stands(S, Sheets, T) :-
     corner_surface(Sheets, T-1, _-surface(Kind,_,_,_)),
-    (   memberchk(Kind, [tapered,turned,sphere,torus])
-    ->  true
-    ;   \+ ( member(I, [1,2,3]), corner_vertex(Sheets, T-I, V),
-             line_ends_at(S, V) )
-    ).
+    \+ ( member(I, [1,2,3]),
+         corner_vertex(Sheets, T-I, V),
+         line_ends_at(S, V),
+         (   \+ memberchk(Kind, [tapered,turned,sphere,torus])
+         ;   runs_through(S, Sheets, T-I)
+         ) ).
+
+runs_through(S, Sheets, Corner) :-
+    corner_fan(Sheets, Corner, Fan),
+    fan_corners(Sheets, Fan, Corners),
+    member(C, Corners),
+    next_corner(C, Next),
+    next_corner(Next, Before),
+    member(Side, [C,Before]),
+    smooth_side(Sheets, Side, _),
+    cut_side(S, Sheets, Side),
+    !.
 
 %   sunk(S, Sheets, Corner, Height): the surface is Height above Corner, where a
 %   line ends in a facet; of the surfaces of its fan that which is farthest off.

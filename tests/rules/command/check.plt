@@ -9,6 +9,7 @@
 :- use_module(rules(model/mesh)).
 :- use_module(rules(command/report)).
 :- use_module(rules(store)).
+:- use_module(rules(kernel), [fill_triangles/2]).
 :- use_module(rules(polygon/triangulation), [complete_segments/0]).
 
 % Goal in a world that holds the OBJ or OFF text.
@@ -123,6 +124,16 @@ test(nonmanifold, N == 3) :-
 test(degenerate) :-
     defects("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", Ds),
     memberchk(degenerate_face(1, 1), Ds).
+% Bow ties: one half is as large as the other, or not.
+test(crossed) :-
+    defects("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3 4\n", Ds),
+    memberchk(crossed_face(1, 1), Ds),
+    \+ memberchk(degenerate_face(1, 1), Ds).
+test(crossed_unevenly) :-
+    with(obj, "v 0 0 0\nv 1 0 0\nv -0.3 1.4 0\nv 1 1 0\nf 1 2 3 4\n",
+         ( fill_triangles(all, _), model_defect(crossed_face(1, 1)) )).
+test(crossed_is_fault, Weight == fault) :-
+    defect_weight(crossed_face, Weight).
 test(bent) :-
     defects("v 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\nf 1 2 3 4\n", Ds),
     memberchk(bent_face(1, 1), Ds).

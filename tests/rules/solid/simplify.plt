@@ -1,4 +1,5 @@
 :- module(test_simplify, []).
+% covers: polygon_whole
 :- use_module(library(plunit)).
 :- use_module(library(aggregate)).
 :- use_module(library(lists)).
@@ -10,6 +11,11 @@
 /* Fewer triangles: closed stays closed, flat stays flat; what cannot be so few,
    or would go through itself, is said. */
 
+:- multifile user:message_hook/3.
+
+user:message_hook(sanggwan(no_area(_, _, _)), warning, _).
+user:message_hook(sanggwan(polygon_edge(_, _, _, _)), warning, _).
+
 file(ball, "segment(1, solid, sphere(radius(10), facets(48))).
 segment(2, solid, at([translate(40,0,0)], named(can,
     cylinder(radius(5), height(20), facets(96))))).\n").
@@ -20,6 +26,13 @@ file(hollow, "segment(1, solid, difference([2,3])).
 segment(2, solid, sphere(radius(10), facets(24))).
 segment(3, solid, sphere(radius(9.5), facets(24))).\n").
 file(tube, "segment(1, solid, torus(radius(20), tube(5), facets(48))).\n").
+
+file(bow_tie, "segment(1, surface, two).
+v(1,1,0,0,0). v(1,2,1,0,0). v(1,3,-0.3,1.4,0). v(1,4,1,1,0). v(1,5,0,0,1).
+p(1,1,[1,2,3,4]). p(1,2,[1,5,2]). p(1,3,[2,5,4]). p(1,4,[4,5,3]).\n").
+file(even_bow_tie, "segment(1, surface, two).
+v(1,1,0,0,0). v(1,2,1,0,0). v(1,3,0,1,0). v(1,4,1,1,0). v(1,5,0,0,1).
+p(1,1,[1,2,3,4]). p(1,2,[1,5,2]). p(1,3,[2,5,4]). p(1,4,[4,5,3]).\n").
 
 in(Name, Goal) :-
     file(Name, Text),
@@ -105,5 +118,10 @@ test(meets_no_more, Which-Terms == [] - [made(700, 1056)]) :-
 test(same, V1 == V2) :-
     in(ball, ( simplified_roots(150), vertices(V1) )),
     in(ball, ( simplified_roots(150), vertices(V2) )).
+
+% A face without triangles is not left out.
+test(crosses, [ forall(member(Name, [bow_tie,even_bow_tie])),
+                error(geometry_error(mesh(crosses_itself(1, 1)))) ]) :-
+    in(Name, messages(simplified_roots(2), _)).
 
 :- end_tests(simplify).
