@@ -45,9 +45,9 @@ driven(Expression, A, B, Out, Reps) :-
 run(Expression, run(Seconds, Stages, S)) :-
     fresh_id(segment, 0, S),
     stages_reset,
-    get_time(T0),
+    statistics(process_cputime, T0),
     boolean(Expression, S),
-    get_time(T),
+    statistics(process_cputime, T),
     Seconds is T-T0,
     findall(Name-Part, stage_seconds(Name, Part), Pairs),
     dict_pairs(Stages, _, Pairs).

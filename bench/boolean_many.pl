@@ -1,8 +1,10 @@
 /* Many operands:
 
-       swipl -p foreign=build bench/boolean_many.pl -- many|tree|instance
+       swipl -p foreign=build bench/boolean_many.pl -- many|apart|tree|instance
 
-   many: 700 spheres on a jittered grid, each meeting some others, in one call.
+   many: 700 spheres on a jittered grid, each meeting some others, in one call;
+   apart: farther from each other, so that none meets another. If OPERANDS names
+   a folder each is written there, N.off, for peers.
    tree: 1,000 primitives, each meeting at most 10 others, in one expression;
    the first evaluation, then each leaf moved in turn and the tree evaluated
    again. MOVES of the leaves (all unless told) are moved. By the clock, and in
@@ -48,31 +50,46 @@ timed(Goal, Seconds, Processor) :-
 /* - - - 700 spheres - - - */
 
 many :-
-    forall(between(0, 699, I), add_sphere(I)),
+    spheres(meeting, 1.0).
+
+apart :-
+    spheres(apart, 1.5).
+
+spheres(How, Pitch) :-
+    forall(between(0, 699, I), add_sphere(I, Pitch)),
     complete_segments,
     aggregate_all(count, t(_, _, _, _, _, _), Triangles),
     numlist(1, 700, Leaves),
+    operands_written(Leaves),
     stages_reset,
-    timed(boolean(union(Leaves), 701), Seconds),
+    timed(boolean(union(Leaves), 701), _, Seconds),
     said(701, Text),
-    format("700 spheres, ~d triangles, in ~3f s: ~w~n",
-           [Triangles,Seconds,Text]),
+    format("700 spheres ~w, ~d triangles, in ~3f s of the processor: ~w~n",
+           [How,Triangles,Seconds,Text]),
     forall(stage_seconds(Name, Part),
            format("  ~w ~3f s~n", [Name,Part])).
 
-%   10 x 10 x 7 places 1 apart; radius 0.6, so that neighbours meet.
+operands_written(Leaves) :-
+    (   getenv('OPERANDS', Folder)
+    ->  forall(member(S, Leaves),
+               ( format(atom(File), '~w/~d.off', [Folder,S]),
+                 write_rows_off(S, File) ))
+    ;   true
+    ).
 
-add_sphere(I) :-
+%   10 x 10 x 7 places, Pitch apart; radius 0.6, so that neighbours meet at 1.
+
+add_sphere(I, Pitch) :-
     X0 is I mod 10, Y0 is I//10 mod 10, Z0 is I//100,
-    maplist(jittered, [X0,Y0,Z0], [X,Y,Z]),
+    maplist(jittered(Pitch), [X0,Y0,Z0], [X,Y,Z]),
     random(R),
     Degrees is 90*R,
     add_primitive(at([rotate(axis(1,2,3),Degrees),translate(X,Y,Z)],
                      sphere(radius(0.6), facets(24), bands(12))), _).
 
-jittered(X0, X) :-
+jittered(Pitch, X0, X) :-
     random(R),
-    X is X0+0.1*R.
+    X is Pitch*X0+0.1*R.
 
 said(S, Text) :-
     setup_call_cleanup(

@@ -35,9 +35,9 @@ curves(A, B, Reps) :-
 
 run(run(Seconds, Stages, Pieces, Lines)) :-
     stages_reset,
-    get_time(T0),
+    statistics(process_cputime, T0),
     penetration_chains(Chains),
-    get_time(T),
+    statistics(process_cputime, T),
     Seconds is T-T0,
     findall(Name-Part, stage_seconds(Name, Part), Pairs),
     dict_pairs(Stages, _, Pairs),

@@ -4,7 +4,7 @@
 # They and their inputs are made outside the project, in $work: PEERS_DIR, a
 # folder under /tmp unless told. Needs python3 and, for the peers, the packages
 # g++ libcgal-dev libgts-dev; a peer that cannot be built is left out. $found
-# lists those that are there, comma before each.
+# lists those that are there, comma before each. Their clock is the processor's.
 peers=$PWD/../shared/peers/boolean
 [ -e "$peers/bench.py" ] || { echo "skipped: no ../shared/peers"; exit 0; }
 work=${PEERS_DIR:-${TMPDIR:-/tmp}/sanggwan_peers}
@@ -17,9 +17,10 @@ last=(-lm)
 make_peer gen cc -O2 "$peers/gen.c"
 make_peer check cc -O2 "$peers/check.c"
 read -ra last <<<"$(pkg-config --cflags --libs gts 2>/dev/null) -lm"
-make_peer d_gts cc -O3 "$peers/d_gts.c"
+make_peer d_gts cc -O3 -include bench/processor_time.h "$peers/d_gts.c"
 last=(-lgmp -lmpfr)
-make_peer d_cgal g++ -O3 -DNDEBUG -frounding-math -std=c++17 "$peers/d_cgal.cpp"
+make_peer d_cgal g++ -O3 -DNDEBUG -frounding-math -std=c++17 \
+  -include bench/processor_time.h "$peers/d_cgal.cpp"
 [ -e "$work/in/sph1300k_b.off" ] || "$work/bin/gen" "$work/in" big
 found=
 for peer in cgal gts; do
