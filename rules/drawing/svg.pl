@@ -75,7 +75,7 @@ write_view(Out, How, Joints, view(Name,Lines,Texts)) :-
     view_prefix(Name, Prefix),
     emit(Out, view_head(Name)),
     fold_lines(write_line(Out, look(Prefix,How,Joints)), Lines,
-               state(none,ids), State),
+               state(none,ids,none), State),
     emit(Out, strokes_tail(State)),
     forall(member(Text, Texts), emit(Out, text(How, Text))),
     emit(Out, view_tail(Name)).
@@ -277,7 +277,7 @@ colour(rgb(R,G,B)) -->
     { format(codes(Codes), '#~|~`0t~16r~2+~`0t~16r~2+~`0t~16r~2+', [R,G,B]) },
     list(Codes).
 
-strokes_tail(state(none,_)) -->
+strokes_tail(state(none,_,_)) -->
     !,
     "".
 strokes_tail(_) -->
@@ -285,29 +285,44 @@ strokes_tail(_) -->
 
 /* - - - strokes - - - */
 
-%   state(Group,Ids): the open group, and how often each id was given.
+%   state(Group,Ids,Same): the open group, how often each id was given, and the
+%   Head of the last line that shows no edge, same(S,Head).
 
-write_line(Out, Look, Line, state(Group0,Ids0), state(Group,Ids)) :-
-    Look = look(Prefix, _, _),
-    Line = line(_, stroke(Visibility,Role,S,Edges,_,_,_)),
+write_line(Out, Look, Line, State0, State) :-
+    Line = line(Ink, stroke(Visibility,Role,S,Edges,Points,_,_)),
+    State0 = state(Group0, Ids0, Same0),
     Group = Visibility-Role,
-    (   Edges = [E|_]
-    ->  new_id(S, E, Ids0, Ids, N)
-    ;   Ids = Ids0,
-        N = none
-    ),
+    (   Edges == [],
+        ink_runs(Ink, [])               % letters: many, with the same head
+    ->  (   Same0 = same(S, Head),
+            Group == Group0
+        ->  State = State0
+        ;   group_opened(Out, Look, Group0, Group),
+            line_head(Line, Look, none, _, _, Codes, []),
+            atom_codes(Head, Codes),
+            State = state(Group, Ids0, same(S,Head))
+        ),
+        points_text(Points, Text),
+        format(Out, '~w~w"/>~n', [Head,Text])
+    ;   group_opened(Out, Look, Group0, Group),
+        line_id(Edges, S, Ids0, Ids, N),
+        line_head(Line, Look, N, Pointss, Before, Head, []),
+        format(Out, '~s', [Head]),
+        foldl(write_points(Out), Pointss, Before, _),
+        format(Out, '"/>~n', []),
+        State = state(Group, Ids, Same0)
+    ).
+
+group_opened(Out, Look, Group0, Group) :-
     (   Group == Group0
     ->  true
-    ;   emit(Out, group(Prefix, Group0, Group))
-    ),
-    line_head(Line, Look, N, Pointss, Before, Head, []),
-    (   Pointss = [Points]              % mostly: at once is faster
-    ->  points_text(Points, Text),
-        format(Out, '~s~w~w"/>~n', [Head,Before,Text])
-    ;   format(Out, '~s', [Head]),
-        foldl(write_points(Out), Pointss, Before, _),
-        format(Out, '"/>~n', [])
+    ;   Look = look(Prefix, _, _),
+        emit(Out, group(Prefix, Group0, Group))
     ).
+
+line_id([], _, Ids, Ids, none).
+line_id([E|_], S, Ids0, Ids, N) :-
+    new_id(S, E, Ids0, Ids, N).
 
 write_points(Out, Points, Before, 'M') :-
     points_text(Points, Text),

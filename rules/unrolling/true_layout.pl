@@ -139,7 +139,8 @@ strip_layout(Strip, Facets, motion(Cos, Sin, X, Y), Chord, Points, Curves) :-
 %   T-H on the curve.
 
 curve_places(Shape, Start, Facets, Chord, Places) :-
-    asked_curves(Shape, Facets, Asked),
+    edges_curved(Shape, Facets, Curved),
+    asked_curves(Shape, Curved, Asked),
     pairs_keys_values(Asked, Edges, Curves),
     Shape = shape(Surface, Reach, _),
     roll_curves(roll(Surface, 0.0, Start), Reach, Chord, Curves, Lists),
@@ -153,11 +154,22 @@ curve_places(Shape, Start, Facets, Chord, Places) :-
                       List) ),
             Places).
 
-asked_curves(Shape, Facets, Asked) :-
+%   edges_curved(Shape, Facets, Curved): Edge-Curve (edge_curve/4) of all edges
+%   that are not straight.
+
+edges_curved(Shape, Facets, Curved) :-
     facet_edges(Facets, Edges),
     findall(Edge-Curve,
             ( member(Edge, Edges),
-              asked_curve(Shape, Edge, Curve) ),
+              Edge = edge(A, B, _, _),
+              edge_curve(Shape, A, B, Curve),
+              Curve \== straight ),
+            Curved).
+
+asked_curves(Shape, Curved, Asked) :-
+    findall(Edge-Asking,
+            ( member(Edge-Curve, Curved),
+              asked_curve(Curve, Shape, Edge, Asking) ),
             Asked).
 
 %!  chord_tolerance(+Options, +Size, -Chord) is det.
@@ -287,7 +299,8 @@ curves(flat, _, _, _, _, []) :-
     !.
 curves(_, Shape, Layer-Seam, Facets, Chord, Curves) :-
     Shape = shape(_, Reach, _),
-    asked_curves(Shape, Facets, Asked),
+    edges_curved(Shape, Facets, Curved),
+    asked_curves(Shape, Curved, Asked),
     pairs_keys_values(Asked, Edges1, Curves1),
     roll(Shape, Layer, Seam, Roll),
     roll_curves(Roll, Reach, Chord, Curves1, Lists),
@@ -298,9 +311,8 @@ curves(_, Shape, Layer-Seam, Facets, Chord, Curves) :-
               Edge = A-B,
               maplist(place_point(Roll, T1, T2), Places, Points) ),
             Met),
-    facet_edges(Facets, Edges),
     findall((A-B)-Points,
-            ( member(edge(A, B, _, _), Edges),
+            ( member(edge(A, B, _, _)-tip(_), Curved),
               tip_curve(Shape, Roll, Chord, A, B, Points) ),
             Tips),
     append(Met, Tips, Curves).
@@ -312,9 +324,7 @@ curves(_, Shape, Layer-Seam, Facets, Chord, Curves) :-
 tip_curve(Shape, Roll, Chord, A, B, Points) :-
     Shape = shape(_, _, Nodes),
     key_place(Nodes, A, T1, H),
-    key_place(Nodes, B, T2, H2),
-    H =:= H2,
-    edge_curve(Shape, A, B, tip(_)),
+    key_place(Nodes, B, T2, _),
     roll_points(Roll, [T1-H,T2-H], [P,Q]),
     halved(tip(Roll, H, Chord), T1-P, T2-Q, Points, []),
     Points \== [].
@@ -360,18 +370,18 @@ facet_edges(Facets, Edges) :-
             Edges0),
     sort(Edges0, Edges).
 
-asked_curve(Shape, edge(A, B, _, _), curve(Near, Surfaces, From, To)) :-
-    Shape = shape(Surface, _, Nodes),
-    edge_curve(Shape, A, B, Curve),
+%   asked_curve(Curve, Shape, Edge, Asking): Asking is what roll_curves/5 is
+%   asked of an edge.
+
+asked_curve(Curve, shape(Surface, _, Nodes), edge(A, B, _, _),
+            curve(Near, [Surface,Other], From, To)) :-
     key_place(Nodes, A, T1, _),
     key_place(Nodes, B, T2, _),
     (   Curve = level(H)
-    ->  level_plane(Surface, H, Plane),
-        Surfaces = [Surface,Plane],
+    ->  level_plane(Surface, H, Other),
         surface_point(Surface, T1, H, From),
         surface_point(Surface, T2, H, To)
     ;   Curve = meets(Other),
-        Surfaces = [Surface,Other],
         A = k(Id1, _),
         B = k(Id2, _),
         get_assoc(Id1, Nodes, node(_, _, From, _)),

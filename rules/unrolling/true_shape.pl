@@ -339,11 +339,14 @@ more_surfaces(none, _, _, _, _, []).
 
 kept_in_order(Shape, I, Facet, Nodes0, Nodes) :-
     Facet = facet(_, _, _, Halves),
-    findall(V-T,
-            ( member(half(A, B, _), Halves),
-              ( V-W = A-B ; V-W = B-A ),
-              past(Facet, I, Nodes0, V, W, T) ),
-            Pasts0),
+    (   is_past(Facet, Nodes0)          % mostly none is
+    ->  findall(V-T,
+                ( member(half(A, B, _), Halves),
+                  ( V-W = A-B ; V-W = B-A ),
+                  past(Facet, I, Nodes0, V, W, T) ),
+                Pasts0)
+    ;   Pasts0 = []
+    ),
     (   Pasts0 == []
     ->  Nodes = Nodes0
     ;   sort(1, @<, Pasts0, Pasts),
@@ -354,6 +357,18 @@ kept_in_order(Shape, I, Facet, Nodes0, Nodes) :-
             kept_in_order(Shape, I1, Facet, Nodes1, Nodes)
         )
     ).
+
+%   is_past(Facet, Nodes): a corner of Facet is past a generator of it.
+
+is_past(Facet, Nodes) :-
+    Facet = facet(_, T1, T2, Halves),
+    facet_middle(Facet, Middle),
+    member(half(V, _, _), Halves),
+    node_near(Nodes, Middle, V, T),
+    (   less_part(T2, T)
+    ;   less_part(T, T1)
+    ),
+    !.
 
 %   past(Facet, I, Nodes, V, W, T): V is past a generator of Facet, and W is on
 %   it, or was moved back from there; T is the place for V.
@@ -542,6 +557,7 @@ narrowing(cone(_, _, _, _, K)) :-
 
 met_by_both(shape(Surface, Reach, Nodes), k(A,_), k(B,_), Met) :-
     get_assoc(A, Nodes, node(_, _, Point1, Surfaces1)),
+    Surfaces1 \== [],
     get_assoc(B, Nodes, node(_, _, Point2, Surfaces2)),
     middle_point(Point1, Point2, Middle),
     findall(Off-Other,

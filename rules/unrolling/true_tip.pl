@@ -102,12 +102,18 @@ facet_tip(Facet0, Ends, Table, Tolerance, tip(T, Q, Turns, Chain, From, To),
 %   those half-edges along which Other meets the surface.
 
 line_edges(Halves, Shape, Lines) :-
+    Shape = shape(_, _, Nodes),
     findall(line(A, B, Other),
             ( member(half(K1, K2, _), Halves),
+              is_met(Nodes, K1),
+              is_met(Nodes, K2),
               msort([K1,K2], [A,B]),
               edge_curve(Shape, A, B, meets(Other)) ),
             Lines0),
     sort(Lines0, Lines).
+
+is_met(Nodes, k(Id, _)) :-
+    get_assoc(Id, Nodes, node(_, _, _, [_|_])).
 
 
                 /*******************************
