@@ -71,8 +71,17 @@ main(Status) :-
     own_arguments(Words, Arguments),
     set_stream(user_output, encoding(utf8)),
     set_stream(user_error, encoding(utf8)),
+    roomy_stack,
     sanggwan(Arguments, Status0),
     flushed(Status0, Status).
+
+%   The global stack becomes large at once when it grows, and rubbish is looked
+%   for later: a few megabytes are cheaper than copying them often. Both are
+%   numbers of cells.
+
+roomy_stack :-
+    set_prolog_stack(global, min_free(1000000)),
+    set_prolog_stack(global, low(4000000)).
 
 %   Those after the first `--`: engine/main.c puts it after Prolog's own.
 
