@@ -5,6 +5,7 @@
 #include "engine/list.h"
 #include "engine/search.h"
 
+#include <malloc.h>
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
@@ -362,6 +363,29 @@ sg_self_keep(sg_world *world, const sg_kept_tree *kept, sg_self_known known)
         (self_entry){{kept->stamp[0], kept->stamp[1]}, known};
   }
   pthread_mutex_unlock(&store->lock);
+}
+
+/* ---- room ---------------------------------------------------------------- */
+
+/* What was asked of contents stays known. What is free between other things
+ * goes back to the system too. */
+bool
+sg_door_trees_dropped(sg_call *call)
+{
+  sg_world *world = sg_call_world(call);
+  tree_store *store = world ? store_of(world) : NULL;
+
+  if (!store) {
+    return world ? sg_call_no_memory(call) : false;
+  }
+  pthread_mutex_lock(&store->lock);
+  for (size_t i = 0; i < store->n; i++) {
+    sg_kept_tree_drop(store->of[i].kept);
+    store->of[i].kept = NULL;
+  }
+  pthread_mutex_unlock(&store->lock);
+  malloc_trim(0);
+  return true;
 }
 
 /* ---- statistics ---------------------------------------------------------- */

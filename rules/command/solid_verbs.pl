@@ -19,6 +19,7 @@
 :- use_module('../model/model', [load_model/2, save_model/1]).
 :- use_module('../model/parameter', [settings_met/2, settings_of/2]).
 :- use_module('../model/parameter_about', [settings_used/1]).
+:- use_module('../solid/arrangement', [pieces_dropped/0]).
 :- use_module('../solid/operand', [operand_faults/2]).
 :- use_module('../csg/operand_name', [name_root/2]).
 :- use_module('../plain', [plain_json/2, plain_text/2]).
@@ -146,6 +147,10 @@ solids_written(Ss, Outputs, Options) :-
     (   option(repair(true), Options)
     ->  Check = all
     ;   Check = changed
+    ),
+    (   Meshes == []
+    ->  true
+    ;   pieces_dropped                  % as large as what is written
     ),
     maplist(output_written(sg_solid_verbs:solids_output(Pairs, Check)), Meshes),
     (   Models == []

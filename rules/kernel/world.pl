@@ -157,6 +157,11 @@ Foreign predicates; see kernel.pl.
 %   (triangles, or edges of curves) and `bytes`, and how many were `grown` and
 %   how many `found` there since the world was made.
 
+%!  trees_dropped is det.
+%
+%   The current world keeps no trees: there is room for what comes, and the next
+%   join grows them again.
+
 /* - - - near_rows.c - - - */
 
 %!  near_segments(+Reach:number, ?S1:id, ?S2:id) is nondet.

@@ -5,6 +5,7 @@
             default_senses/4,           % +Arrangement, +Expression, +Open,
                                         % -Senses
             contact_vertices/2,         % +Arrangement, -Contacts
+            pieces_dropped/0,
             pieces_statistics/1         % -Statistics
           ]).
 :- use_module('../kernel',
@@ -13,7 +14,7 @@
                 arrangement_seal/1,
                 arrangement_components/2, arrangement_select/3,
                 arrangement_senses/4,
-                pieces_kept/1, keep_pieces/1,
+                pieces_kept/1, keep_pieces/1, trees_dropped/0,
                 near_segments_of/3, segments_meeting_themselves/2,
                 segments_tolerance/3
               ]).
@@ -490,6 +491,22 @@ operand_nodes([]) -->
 operand_nodes([Operand|Operands]) -->
     nodes(Operand),
     operand_nodes(Operands).
+
+%!  pieces_dropped is det.
+%
+%   Nothing is kept of arrangements and of trees in the current world: there is
+%   room for what comes, and the next question makes them again.
+
+pieces_dropped :-
+    with_mutex(sg_pieces,
+               ( kept(Kept),
+                 empty_assoc(None),
+                 keep_pieces(None)
+               )),
+    assoc_to_values(Kept, Entries),
+    forall(( member(Es, Entries), member(entry(_, A, _, _), Es) ),
+           arrangement_drop(A)),
+    trees_dropped.
 
 %!  pieces_statistics(-Statistics:dict) is det.
 %

@@ -11,7 +11,6 @@
 :- use_module('../model/model', [load_model/1]).
 :- use_module('../store', [in_world/2, new_world/1]).
 :- use_module(job, [with_input/2]).
-:- use_module(process_limit, [kilobytes/3]).
 :- use_module(world_state,
               [ world_begun/1, world_forgotten/1, world_is_known/1 ]).
 :- use_module(library(lists), [append/3]).
@@ -27,13 +26,9 @@ comes again, as undo brings it, finds its world again.
 % last used one comes last.
 :- dynamic content_/3, kept_world/2.
 
-%   most_worlds(N), most_contents(N): kept to go back to. Of the worlds 16 are
-%   kept even where memory is short: where the process has more than
-%   most_kilobytes(KB), or the machine less than a quarter of its own.
+%   most_worlds(N), most_contents(N): kept to go back to.
 
-most_worlds(64).
-least_worlds(16).
-most_kilobytes(500_000).
+most_worlds(16).
 most_contents(1256).
 
 %!  text_digest(+Text, -Digest:atom) is det.
@@ -115,23 +110,12 @@ model_loaded(text, _, Key) :-
 forget_worlds :-
     most_worlds(Most),
     predicate_property(kept_world(_, _), number_of_clauses(N)),
-    least_worlds(Least),
-    (   ( N > Most ; N > Least, memory_is_short ),
+    (   N > Most,
         retract(kept_world(_, World))
     ->  world_forgotten(World),
         forget_worlds
     ;   true
     ).
-
-memory_is_short :-
-    most_kilobytes(Most),
-    kilobytes('/proc/self/status', "VmRSS:", Mine),
-    Mine > Most,
-    !.
-memory_is_short :-
-    kilobytes('/proc/meminfo', "MemTotal:", Total),
-    kilobytes('/proc/meminfo', "MemAvailable:", Free),
-    Free < Total/4.
 
 %!  file_world_forgotten(+File) is det.
 %

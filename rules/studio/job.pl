@@ -12,7 +12,6 @@
               ]).
 :- use_module('../output', [files_recorded/2]).
 :- use_module(files_read, [files_read/2]).
-:- use_module(process_limit, [kilobytes/3]).
 :- use_module(process_state, [runs_users_code/1, with_process_kept/3]).
 :- use_module(request, [request_error/1]).
 :- use_module(library(apply), [maplist/2, maplist/3]).
@@ -21,6 +20,7 @@
               [ new_memory_file/1, free_memory_file/1, open_memory_file/4,
                 memory_file_to_string/3, size_memory_file/3
               ]).
+:- use_module(library(readutil), [read_file_to_string/3]).
 :- use_module(library(rlimit), [rlimit/3]).
 /** <module> A verb as a job of a session: as if a process of its own did it.
 
@@ -152,7 +152,7 @@ job_told(Head, Told) :-
 %   nothing could be done, not even a reply be written.
 
 room_checked(Octets) :-
-    (   kilobytes('/proc/self/status', "VmData:", Kilobytes),
+    (   status_kilobytes("VmData:", Kilobytes),
         Least is Kilobytes*1024 + 2 000 000,
         Octets < Least
     ->  Megabytes is ceiling(Least/1 000 000),
@@ -437,7 +437,17 @@ peak_reset :-
           error(_, _), true).
 
 peak_memory(Kilobytes) :-
-    (   kilobytes('/proc/self/status', "VmHWM:", Kilobytes0)
+    (   status_kilobytes("VmHWM:", Kilobytes0)
     ->  Kilobytes = Kilobytes0
     ;   Kilobytes = null
     ).
+
+%   status_kilobytes(Name, Kilobytes) is semidet: as Linux counts them.
+
+status_kilobytes(Name, Kilobytes) :-
+    catch(read_file_to_string('/proc/self/status', Text, []),
+          error(_, _), fail),
+    sub_string(Text, _, _, After, Name),
+    sub_string(Text, _, After, 0, Rest),
+    split_string(Rest, "\n", " \tkB", [Number|_]),
+    number_string(Kilobytes, Number).

@@ -3,11 +3,9 @@
             few_collections/0,
             memory_limited/1,           % +Head
             cpu_wanted/1,               % +Head
-            cpu_limited/0,
-            kilobytes/3                 % +File, +Name, -Kilobytes
+            cpu_limited/0
           ]).
 :- use_module(request, [request_error/1]).
-:- use_module(library(readutil), [read_file_to_string/3]).
 :- use_module(library(rlimit), [rlimit/3]).
 /** <module> What a session may use, as its `hello` says. */
 
@@ -75,16 +73,3 @@ cpu_limited :-
         rlimit(cpu, _, Most)
     ;   true
     ).
-
-%!  kilobytes(+File, +Name:string, -Kilobytes) is semidet.
-%
-%   As Linux counts them, in a line of File that begins with Name:
-%   `/proc/self/status`, `/proc/meminfo`.
-
-kilobytes(File, Name, Kilobytes) :-
-    catch(read_file_to_string(File, Text, []), error(_, _), fail),
-    sub_string(Text, _, _, After, Name),
-    !,
-    sub_string(Text, _, After, 0, Rest),
-    split_string(Rest, "\n", " \tkB", [Number|_]),
-    number_string(Kilobytes, Number).

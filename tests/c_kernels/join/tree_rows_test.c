@@ -122,6 +122,16 @@ gone(sg_world *world)
   check_counts("its tree is, too", 2, 4, 7);
 }
 
+/* As if they had never been there, but for what was counted. */
+static void
+dropped(sg_world *world)
+{
+  CHECK("dropped", sg_door_trees_dropped(&call));
+  check_counts("none is kept", 0, 4, 7);
+  held(world, 1);
+  check_counts("it is grown again", 1, 5, 7);
+}
+
 static void
 operands(void)
 {
@@ -219,6 +229,7 @@ main(void)
   call.world = world;
   trees(world);
   gone(world);
+  dropped(world);
   operands();
   meets_itself(world);
   sg_call_close(&call);

@@ -9,7 +9,8 @@ rules/solid/arrangement.pl. */ :- use_module(library(plunit)).
                 cut_polygons_of/3, arrangement_open/5, arrangement_drop/1,
                 arrangement_polygons/3, arrangement_free_polygons/3,
                 arrangement_seal/1, arrangement_components/2,
-                arrangement_select/3, solid_close/1, solid_write/2
+                arrangement_select/3, solid_close/1, solid_write/2,
+                tree_statistics/1
               ]).
 :- use_module(rules(primitive/primitive_rows)).
 :- use_module(rules(store)).
@@ -172,6 +173,36 @@ segment_dropped(S) :-
     retractall_facts(e(S, _, _, _, _)),
     retractall_facts(v(S, _, _, _, _)),
     retractall_facts(segment(S, _, _)).
+
+%   What is dropped is made again, and is the same; trees go with it.
+
+test(dropped, [true(Made-Trees-Same == [3,0,3]-0-true)]) :-
+    in_new_world(( forall(member(X, [0,0.5,1.0]),
+                          add_primitive(at([translate(X,0.1,0.2)],
+                                           box(size(0.9,1,1))), _)),
+                   complete_segments,
+                   Leaves = [1,2,3],
+                   numbers_made(Leaves, First, Numbers1),
+                   numbers_made(Leaves, Second, _),
+                   pieces_dropped,
+                   tree_statistics(Statistics),
+                   numbers_made(Leaves, Third, Numbers2) )),
+    Made = [First,Second,Third],
+    Trees = Statistics.trees,
+    (   Numbers1 == Numbers2
+    ->  Same = true
+    ;   Same = false
+    ).
+
+numbers_made(Leaves, N, Counts) :-
+    pieces_statistics(Before),
+    with_arrangement(Leaves, [], counted_components(Counts)),
+    pieces_statistics(After),
+    N is After.made-Before.made.
+
+counted_components(N, Arrangement) :-
+    components(Arrangement, Components),
+    length(Components, N).
 
 %   Pieces look into their world, and the world keeps them: it ends all the
 %   same when nobody has it, and they with it.
