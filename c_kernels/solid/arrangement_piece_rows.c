@@ -95,6 +95,20 @@ sg_door_arrangement_components(sg_call *call,
   return good;
 }
 
+bool
+sg_door_arrangement_numbers(sg_call *call,
+                            const sg_arrangement_piece_list *pieces,
+                            sg_integer_list *numbers)
+{
+  sg_pieces p;
+  bool good = sg_pieces_take(call, pieces, &p);
+
+  for (size_t i = 0; good && i < p.n; i++) {
+    good = sg_integer_list_add(call, numbers, (int64_t)p.from[i]->number);
+  }
+  return good;
+}
+
 /* ---- choosing ---- */
 
 static bool

@@ -174,6 +174,8 @@ hold_trees(sg_call *call, sg_arrangement_handle *h)
   return good;
 }
 
+static atomic_uint_fast64_t opened; /* arrangements, ever */
+
 static bool
 open_rows(sg_call *call, size_t weights, sg_arrangement_handle *h)
 {
@@ -191,6 +193,7 @@ open_rows(sg_call *call, size_t weights, sg_arrangement_handle *h)
                    .weight = h->weight,
                    .weights = weights},
       &call->cancel);
+  h->number = atomic_fetch_add(&opened, 1);
   atomic_init(&h->holders, 1);
   return h->arrangement || sg_call_ended(call);
 }

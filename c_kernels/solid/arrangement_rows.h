@@ -13,6 +13,7 @@
 
 typedef struct sg_arrangement_handle {
   sg_arrangement *arrangement; /* null: closed */
+  uint64_t number;             /* its own, of all there ever were */
   atomic_uint holders;         /* arrangement_hold/1 less arrangement_drop/1 */
   sg_cut_handle *set;          /* kept until it is sealed, then null */
   bool sealing;                /* that was begun: no more is filled in */

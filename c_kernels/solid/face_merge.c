@@ -161,6 +161,66 @@ count_refused(const sg_merge *m, sg_merge_counts *out)
   }
 }
 
+/* ---- a region ----------------------------------------------------------- */
+
+static bool
+is_of_region(const sg_merge_region *region, const sg_solid_face *face)
+{
+  return sg_find_id(region->s, region->n, face->s) != SIZE_MAX;
+}
+
+/* No face of the region might be one with another face, and what others are one
+ * need not be asked again. */
+static bool
+stands_apart(const sg_merge *m)
+{
+  const sg_merge_region *region = m->options->region;
+  const sg_solid_face *face = m->solid->face;
+
+  if (m->others != m->tolerance) {
+    return false;
+  }
+  for (size_t i = 0; region && i < m->weaks; i++) {
+    if (is_of_region(region, &face[m->weak[i][0]]) !=
+        is_of_region(region, &face[m->weak[i][1]])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* Leaves the faces of the region, with their triangles and parts. */
+static void
+leave_region(sg_solid *solid, const sg_merge_region *region)
+{
+  size_t faces = 0, triangles = 0, parts = 0, part = 0;
+
+  for (uint32_t f = 0; f < solid->faces; f++) {
+    sg_solid_face face = solid->face[f];
+    bool stays = is_of_region(region, &face);
+
+    for (; part < solid->parts && solid->part[part].face == f; part++) {
+      if (stays) {
+        solid->part[parts] = solid->part[part];
+        solid->part[parts++].face = (uint32_t)faces;
+      }
+    }
+    if (stays) {
+      memmove(solid->triangle[triangles], solid->triangle[face.first],
+              face.n * sizeof *solid->triangle);
+      memmove(solid->auxiliary + triangles, solid->auxiliary + face.first,
+              face.n);
+      face.first = (uint32_t)triangles;
+      triangles += face.n;
+      solid->face[faces++] = face;
+    }
+  }
+  solid->faces = faces;
+  solid->triangles = triangles;
+  solid->parts = parts;
+  solid->closed = false;
+}
+
 /* ---- all of it ---------------------------------------------------------- */
 
 /* Half-edges, once vertices in one place are one. */
@@ -188,6 +248,9 @@ merge(sg_merge *m, sg_solid *solid, sg_contracted *before)
 {
   sg_merge_end end = make_mesh(m, solid, before);
 
+  if (end == SG_MERGE_DONE && !stands_apart(m)) {
+    end = SG_MERGE_APART;
+  }
   if (end == SG_MERGE_DONE && (m->weaks || !only_triangles(m->solid))) {
     end = sg_merge_grow(m);
   }
@@ -217,6 +280,8 @@ sg_face_merge(sg_solid *solid, const sg_merge_options *options,
   }
   if (end != SG_MERGE_DONE) {
     sg_merge_restore(solid, &before);
+  } else if (options->region) {
+    leave_region(solid, options->region);
   }
   sg_merge_forget(&before);
   count_refused(&m, &done);

@@ -52,6 +52,15 @@ typedef struct sg_merge_pair {
   sg_merge_side one, other;
 } sg_merge_pair;
 
+/* The solid is a part of a larger one: faces of these segments, and others
+ * round them, which are there to be looked at. */
+typedef struct sg_merge_region {
+  const int32_t *s; /* [n]: ascending */
+  size_t n;
+  sg_box box; /* round the vertices of the other faces of the larger one */
+  sg_box was; /* round all vertices when these others were merged */
+} sg_merge_region;
+
 typedef struct sg_merge_options {
   double tolerance;           /* model units, >= 0; 4 units in the last place of
                                  the largest coordinate are the least */
@@ -62,6 +71,7 @@ typedef struct sg_merge_options {
                                  in the middle of faces */
   const sg_merge_pair *apart; /* [aparts]: sorted, never these */
   size_t aparts;
+  const sg_merge_region *region; /* or null: the solid is all there is */
   /* How far the source of segment s lets vertices of it move without a word;
      null: not at all. */
   double (*explained)(void *data, int32_t s);
@@ -72,6 +82,9 @@ typedef struct sg_merge_options {
 
 typedef enum sg_merge_end {
   SG_MERGE_DONE,
+  SG_MERGE_APART, /* a face of the region and another might be one, or the size
+                     gives another tolerance now: that cannot be said without
+                     what is beyond */
   SG_MERGE_STOPPED,
   SG_MERGE_NO_MEMORY
 } sg_merge_end;
@@ -97,8 +110,8 @@ typedef struct sg_merge_counts {
 /* Merges the faces of `solid`, drops vertices, also those in no triangle, and
  * numbers the rest again, in the same order; faces come in the order of the
  * last of their parts. A merged face is named after its largest part, and the
- * others are in `part`. `counts` may be null. If not done, the solid is as it
- * was.
+ * others are in `part`. Of a region only its faces are left: they are as in the
+ * larger solid. `counts` may be null. If not done, the solid is as it was.
  * Requires: every triangle belongs to one face, and faces stand in the order of
  * their triangles. */
 sg_merge_end sg_face_merge(sg_solid *solid, const sg_merge_options *options,

@@ -374,9 +374,9 @@ note_faces(void *data, size_t block)
   }
 }
 
-/* The tolerance of all that is in a box, and rounding. */
-static void
-find_tolerance(sg_merge *m, const sg_box *box)
+/* The tolerance of all that is in a box. */
+static double
+tolerance_in(const sg_merge *m, const sg_box *box, double *rounding)
 {
   double largest = 0, size = 0, tolerance = m->options->tolerance;
 
@@ -384,11 +384,11 @@ find_tolerance(sg_merge *m, const sg_box *box)
     largest = fmax(largest, fmax(fabs(box->lo[k]), fabs(box->hi[k])));
     size = fmax(size, box->hi[k] - box->lo[k]);
   }
-  m->rounding = 4 * DBL_EPSILON * largest;
+  *rounding = 4 * DBL_EPSILON * largest;
   if (m->options->by_size) {
     tolerance = fmin(tolerance, ldexp(size, -SIZE));
   }
-  m->tolerance = fmax(tolerance, m->rounding);
+  return fmax(tolerance, *rounding);
 }
 
 /* Where the lists of vertices begin; and the tolerance: only vertices that have
@@ -396,7 +396,9 @@ find_tolerance(sg_merge *m, const sg_box *box)
 static void
 begin_lists(sg_merge *m)
 {
-  sg_box box = sg_box_none();
+  const sg_merge_region *region = m->options->region;
+  sg_box box = region ? region->box : sg_box_none();
+  double rounding;
 
   for (uint32_t v = 0; v < m->solid->vertices; v++) {
     if (m->first[v + 2] > 0) {
@@ -404,7 +406,8 @@ begin_lists(sg_merge *m)
     }
     m->first[v + 2] += m->first[v + 1];
   }
-  find_tolerance(m, &box);
+  m->tolerance = tolerance_in(m, &box, &m->rounding);
+  m->others = region ? tolerance_in(m, &region->was, &rounding) : m->tolerance;
 }
 
 static bool

@@ -57,6 +57,7 @@ typedef struct sg_merge {
   const sg_merge_options *options;
   double tolerance;
   double rounding;     /* what places may be off by rounding alone */
+  double others;       /* of a region: the tolerance that its others had */
   size_t ranges;       /* of vertices, each for a thread */
   uint32_t *face_of;   /* [triangles] */
   uint32_t *first;     /* [vertices + 2]: of a vertex in `leaving` */

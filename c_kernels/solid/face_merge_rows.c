@@ -3,6 +3,7 @@
 #include "face_merge.h"
 #include "polygon/flatness.h"
 #include "rows/grain_rows.h"
+#include "solid_region_rows.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -88,7 +89,8 @@ take_apart(sg_call *call, const sg_merge_pair_list *pairs,
 }
 
 static bool
-take_option(sg_call *call, const sg_merge_option *option, sg_merge_options *out)
+take_option(sg_call *call, const sg_merge_option *option, sg_merge_options *out,
+            sg_merge_region *region)
 {
   switch (option->is) {
   case SG_MERGE_OPTION_ORIGINS:
@@ -100,6 +102,13 @@ take_option(sg_call *call, const sg_merge_option *option, sg_merge_options *out)
   case SG_MERGE_OPTION_BY_SIZE:
     out->by_size = option->by_size.is;
     break;
+  case SG_MERGE_OPTION_REGION: {
+    const sg_old_region *of = &option->region.of->old.region;
+
+    *region = (sg_merge_region){of->leaf, of->leaves, of->box, of->whole};
+    out->region = region;
+    break;
+  }
   case SG_MERGE_OPTION_APART:
     return take_apart(call, &option->apart.pairs, out);
   }
@@ -121,6 +130,7 @@ sg_door_solid_merge(sg_call *call, sg_solid *solid,
 {
   sources of = {.version = sg_call_version(call), .solid = solid};
   sg_merge_counts counts = {0};
+  sg_merge_region region;
   sg_merge_options all = {.cancel = &call->cancel,
                           .explained = explained,
                           .data = &of,
@@ -131,7 +141,7 @@ sg_door_solid_merge(sg_call *call, sg_solid *solid,
     return false;
   }
   for (size_t i = 0; i < options->n; i++) {
-    if (!take_option(call, &options->at[i], &all)) {
+    if (!take_option(call, &options->at[i], &all, &region)) {
       return false;
     }
   }

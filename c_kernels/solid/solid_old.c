@@ -1,10 +1,8 @@
 /* solid_old.c -- the rows of a solid, read: see solid_old.h. */
-#include "solid_old.h"
+#include "solid_old_private.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-enum { SPREAD = 1 << 16 }; /* ids beyond four times as many as rows */
 
 uint32_t *
 sg_old_new_places(size_t n)
@@ -19,10 +17,9 @@ sg_old_new_places(size_t n)
 
 /* ---- by id -------------------------------------------------------------- */
 
-/* The largest id in a column; unfit if it is far beyond the number of rows. */
-static sg_old_end
-find_most(const sg_solid_old *old, int relation, unsigned column,
-          const sg_cancel *cancel, int32_t *most)
+sg_old_end
+sg_old_find_most(const sg_solid_old *old, int relation, unsigned column,
+                 const sg_cancel *cancel, int32_t *most)
 {
   size_t n = sg_old_count(old, relation);
 
@@ -42,10 +39,13 @@ read_ids(const sg_solid_old *old, int relation, unsigned column,
          const sg_cancel *cancel, sg_old_ids *out)
 {
   size_t n = sg_old_count(old, relation);
-  sg_old_end end = find_most(old, relation, column, cancel, &out->most);
 
-  if (end != SG_OLD_READ) {
-    return end;
+  if (!out->held) { /* else it is known */
+    sg_old_end end =
+        sg_old_find_most(old, relation, column, cancel, &out->most);
+    if (end != SG_OLD_READ) {
+      return end;
+    }
   }
   out->place = sg_old_new_places((size_t)out->most);
   for (uint32_t i = 0; out->place && i < n; i++) {
@@ -251,16 +251,37 @@ sg_solid_old_read(const sg_view *const view[SG_OLD_RELATIONS], int32_t s,
                                    : SG_OLD_FAILED;
 }
 
+sg_old_end
+sg_solid_old_read_region(const sg_view *const view[SG_OLD_RELATIONS], int32_t s,
+                         const int32_t *leaf, size_t n,
+                         int32_t (*item_vertex)(const uint32_t *item),
+                         const sg_cancel *cancel, sg_solid_old *out)
+{
+  *out = (sg_solid_old){0};
+  memcpy(out->view, view, sizeof out->view);
+  if (!find_rows(out, s, cancel)) {
+    return SG_OLD_FAILED;
+  }
+  sg_old_end end = sg_old_narrow(out, leaf, n, item_vertex, cancel);
+
+  return end == SG_OLD_READ ? look_at_all(out, item_vertex, cancel) : end;
+}
+
 void
 sg_solid_old_clear(sg_solid_old *old)
 {
   for (int k = 0; k < SG_OLD_RELATIONS; k++) {
     sg_segment_rows_clear(&old->rows[k]);
   }
-  free(old->vertex.place);
-  free(old->edge.place);
-  free(old->polygon.place);
-  free(old->triangle.place);
+  sg_old_ids *const ids[] = {&old->vertex, &old->edge, &old->polygon,
+                             &old->triangle};
+
+  for (size_t k = 0; k < sizeof ids / sizeof *ids; k++) {
+    free(ids[k]->place);
+    free(ids[k]->held);
+  }
+  free(old->region.leaf);
+  free(old->region.row);
   free(old->from);
   free(old->origin);
   free(old->plane);

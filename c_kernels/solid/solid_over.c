@@ -346,7 +346,8 @@ match_face(matching *m, uint32_t f)
   return true;
 }
 
-/* What is said of a vertex goes and stays with it; other origins stay. */
+/* What is said of a vertex goes and stays with it; other origins stay. So do
+ * vertices that other faces have. */
 static void
 keep_names(matching *m)
 {
@@ -355,6 +356,9 @@ keep_names(matching *m)
 
   memset(gone[SG_OLD_ORIGIN], 0, sg_old_count(old, SG_OLD_ORIGIN));
   for (uint32_t i = 0; i < sg_old_count(old, SG_OLD_V); i++) {
+    if (sg_old_is_held(&old->vertex, sg_old_int(old, SG_OLD_V, 1, i))) {
+      gone[SG_OLD_V][i] = 0;
+    }
     if (old->from[i] != SG_NO_PLACE) {
       gone[SG_OLD_FROM_V][old->from[i]] = gone[SG_OLD_V][i];
     }

@@ -13,6 +13,9 @@
  *     order of the solid.
  *
  * So except for the ids the segment has the rows that solid_out.h would write.
+ *
+ * Of a REGION (solid_old.h) nothing else is looked at: its new faces have to go
+ * in where the old ones were.
  */
 #ifndef SG_SOLID_OVER_H
 #define SG_SOLID_OVER_H
@@ -58,6 +61,11 @@ typedef struct sg_solid_over {
  * in any case. Exact. */
 bool sg_solid_over_match(const sg_solid_rows *rows, const sg_solid_old *old,
                          const sg_cancel *cancel, sg_solid_over *out);
+/* Of a region: the new faces are bounded by the edges that bounded the old
+ * ones, once in 2^64 by chance, and of the new vertices none is where another
+ * of the segment is. False also without memory, or stopped. */
+bool sg_solid_over_fits(const sg_solid_rows *rows, const sg_solid_old *old,
+                        const sg_solid_over *over, const sg_cancel *cancel);
 /* Then the rows that are new, of segment s: the rest. The same. */
 bool sg_solid_over_write(const sg_solid_rows *rows, const sg_solid_old *old,
                          int32_t s, sg_pool *pool, const sg_cancel *cancel,

@@ -1,6 +1,9 @@
-/* solid_over_rows.c -- a solid over the rows of an earlier one. */
+/* solid_over_rows.c -- a solid over the rows of an earlier one, or over those
+ * of a region of it.
+ */
 #include "doors/boolean.h"
 #include "solid_over.h"
+#include "solid_region_rows.h"
 
 #include "engine/symbol.h"
 #include "engine/term.h"
@@ -95,6 +98,15 @@ is_little(const sg_solid_over *over, const sg_solid *solid)
   return over->faces_stay * 2 < solid->faces;
 }
 
+/* Not to be written over these rows: most is new, or it does not fit. */
+static bool
+is_unfit(sg_call *call, const sg_solid_rows *rows, const sg_solid_old *old,
+         const sg_solid_over *over)
+{
+  return old->region.leaf ? !sg_solid_over_fits(rows, old, over, &call->cancel)
+                          : is_little(over, rows->solid);
+}
+
 /* False without a refusal: it is not to be written over these rows. */
 static bool
 write_over(sg_call *call, sg_world *world, const sg_solid_rows *rows,
@@ -103,7 +115,7 @@ write_over(sg_call *call, sg_world *world, const sg_solid_rows *rows,
   sg_solid_over over;
   bool good = (sg_solid_over_match(rows, old, &call->cancel, &over) ||
                sg_call_ended(call)) &&
-              !is_little(&over, rows->solid) &&
+              !is_unfit(call, rows, old, &over) &&
               (sg_solid_over_write(rows, old, s, pool, &call->cancel, &over) ||
                sg_call_ended(call)) &&
               exchange_all(call, world, old, &over);
@@ -128,58 +140,114 @@ write_solid(sg_call *call, sg_world *world, const sg_solid *solid,
   return good;
 }
 
-/* ---- the door ----------------------------------------------------------- */
+/* ---- reading ------------------------------------------------------------ */
 
-/* Views of the relations that a solid is written to. */
-static bool
-open_views(sg_call *call, const sg_version *version,
-           sg_view view[SG_OLD_RELATIONS])
+void
+sg_region_free(sg_region *region)
 {
+  if (region) {
+    sg_solid_old_clear(&region->old);
+    for (int k = 0; k < SG_OLD_RELATIONS; k++) {
+      sg_view_clear(&region->view[k]);
+    }
+    sg_version_drop(region->version);
+    free(region);
+  }
+}
+
+/* The rows of segment s, or the region of some leaves in it; false without a
+ * refusal: they are no solid's. */
+static bool
+read_region(sg_call *call, int32_t s, const sg_int_list *leaves, sg_region *out)
+{
+  const sg_view *of[SG_OLD_RELATIONS];
+  sg_old_end end = SG_OLD_FAILED;
+
   for (int k = 0; k < SG_OLD_RELATIONS; k++) {
-    if (!sg_version_view(version, relation_of[k], &view[k])) {
+    of[k] = &out->view[k];
+    if (!sg_version_view(out->version, relation_of[k], &out->view[k])) {
       return sg_call_no_memory(call);
     }
   }
-  return true;
+  end =
+      leaves
+          ? sg_solid_old_read_region(of, s, leaves->at, leaves->n,
+                                     sg_term_vertex, &call->cancel, &out->old)
+          : sg_solid_old_read(of, s, sg_term_vertex, &call->cancel, &out->old);
+  return end == SG_OLD_READ || (end == SG_OLD_FAILED && sg_call_ended(call));
 }
 
-/* As the door; false without a refusal: the rows are no solid's. */
-static bool
-read_and_write(sg_call *call, sg_world *world, const sg_solid *solid, int32_t s,
-               const sg_view view[SG_OLD_RELATIONS])
+/* As read_region(), of the current version. Null: false. */
+static sg_region *
+open_region(sg_call *call, int32_t s, const sg_int_list *leaves)
 {
-  const sg_view *of[SG_OLD_RELATIONS];
-  sg_solid_old old;
+  sg_world *world = sg_call_world(call);
+  sg_region *region = world ? calloc(1, sizeof *region) : NULL;
 
-  for (int k = 0; k < SG_OLD_RELATIONS; k++) {
-    of[k] = &view[k];
+  if (!region) {
+    if (world) {
+      sg_call_no_memory(call);
+    }
+    return NULL;
   }
-  sg_old_end end =
-      sg_solid_old_read(of, s, sg_term_vertex, &call->cancel, &old);
-  bool good = end == SG_OLD_READ ? write_solid(call, world, solid, &old, s)
-                                 : end == SG_OLD_FAILED && sg_call_ended(call);
+  region->s = s;
+  region->version = sg_world_version(world);
+  region->stamp = sg_segment_stamp(region->version, s);
+  if (!read_region(call, s, leaves, region)) {
+    sg_region_free(region);
+    return NULL;
+  }
+  return region;
+}
 
-  sg_solid_old_clear(&old);
+/* ---- the doors ---------------------------------------------------------- */
+
+bool
+sg_door_solid_write_over(sg_call *call, sg_solid *solid, int32_t s)
+{
+  sg_world *world = sg_call_claim(call);
+  sg_region *all = world ? open_region(call, s, NULL) : NULL;
+  bool good = all && write_solid(call, world, solid, &all->old, s);
+
+  sg_region_free(all);
+  if (world) {
+    sg_world_release(world);
+  }
   return good;
 }
 
 bool
-sg_door_solid_write_over(sg_call *call, sg_solid *solid, int32_t s)
+sg_door_solid_write_region(sg_call *call, sg_solid *solid, int32_t s,
+                           sg_region *region)
 {
   sg_world *world = sg_call_claim(call);
 
   if (!world) {
     return false;
   }
-  const sg_version *version = sg_world_version(world);
-  sg_view view[SG_OLD_RELATIONS] = {{0}};
-  bool good = open_views(call, version, view) &&
-              read_and_write(call, world, solid, s, view);
+  const sg_version *version = sg_call_version(call);
+  bool good = version && s == region->s &&
+              sg_segment_stamp(version, s) == region->stamp &&
+              write_solid(call, world, solid, &region->old, s);
 
-  for (int k = 0; k < SG_OLD_RELATIONS; k++) {
-    sg_view_clear(&view[k]);
-  }
-  sg_version_drop(version);
   sg_world_release(world);
   return good;
+}
+
+bool
+sg_door_solid_region(sg_call *call, int32_t s, const sg_int_list *leaves,
+                     sg_region **region)
+{
+  *region = open_region(call, s, leaves);
+  return *region != NULL;
+}
+
+bool
+sg_door_region_leaves(sg_call *call, sg_region *region, sg_int_list *leaves)
+{
+  size_t n = region->old.region.leaves;
+
+  (void)call;
+  *leaves = (sg_int_list){region->old.region.leaf, n, 0};
+  return true;
 }

@@ -171,7 +171,7 @@ free_ids(const sg_old_ids *ids, const uint8_t *gone, size_t n)
 
   for (size_t i = 0; out && i < n;) {
     uint32_t at = sg_old_place(ids, ++id);
-    if (at == SG_NO_PLACE || gone[at]) {
+    if (at == SG_NO_PLACE ? !sg_old_is_held(ids, id) : gone[at]) {
       out[i++] = id;
     }
   }

@@ -191,10 +191,38 @@ Foreign predicates; see kernel.pl.
 %
 %   @see c_kernels/solid/solid_over.h
 
+%!  solid_write_region(+Solid:solid, +S:id, +Region:region) is semidet.
+%
+%   As solid_write_over/2, of the faces of Region alone, which was read from
+%   segment S: they become those of Solid. Fails, and changes nothing, if S has
+%   changed since; if the new faces are not bounded by the edges that the old
+%   ones were; or if a new vertex is where another one of S is.
+%
+%   @see c_kernels/solid/solid_over.h
+
+%!  solid_region(+S:id, +Leaves:set(id), -Region:region) is semidet.
+%
+%   Region is a handle of the faces of segment S, a solid's rows, that come from
+%   Leaves: and from those that such faces come from, too, and so on. Fails if S
+%   has other rows than a solid becomes. It is closed by garbage collection, or
+%   at once by region_close/1.
+%
+%   @see c_kernels/solid/solid_old.h
+
+%!  region_leaves(+Region:region, -Leaves:list(id)) is det.
+%
+%   Leaves are those of Region, ascending.
+%
+%   @error type_error(region, Region); existence_error(region, Region): closed
+
+%!  region_close(+Region:region) is det.
+%
+%   @error as region_leaves/2
+
 /* - - - face_merge_rows.c - - - */
 
 %!  solid_merge(+Solid:solid, +Tolerance:merge_tolerance,
-%!              +Options:list(merge_option), -Tight:merge_move) is det.
+%!              +Options:list(merge_option), -Tight:merge_move) is semidet.
 %
 %   Makes coplanar neighbours in Solid one face each and drops vertices that lie
 %   straight (c_kernels/solid/face_merge.h). Tolerance is a number, or
@@ -202,7 +230,9 @@ Foreign predicates; see kernel.pl.
 %   origins(separate): never faces of different segments; cells(true): edges of
 %   more than two half-edges stay, also in the middle of faces; apart(Pairs):
 %   never these, as of solid_neighbours/3; by_size(true): a Tolerance no larger
-%   than 2^-13 of the size of Solid.
+%   than 2^-13 of the size of Solid; region(Region): Solid is a part of a larger
+%   one, of which only the faces of Region (solid_region/3) are wanted and left;
+%   then it fails if one of these and another might become one.
 %
 %   Tight is `none`, or tight(S0, X, Y, Z, Move, Edge, N) if N vertices of
 %   operands vanish farther from what stays than a hundredth of an edge there,
@@ -283,6 +313,12 @@ Foreign predicates; see kernel.pl.
 %!  arrangement_components(
 %!      +Pieces:list(arrangement_piece),
 %!      -Components:list(component_fact)) is det.
+%!  arrangement_numbers(+Pieces:list(arrangement_piece),
+%!                      -Numbers:list(integer)) is det.
+%
+%   Numbers are those of the arrangements in Pieces, a list of S-Arrangement, in
+%   order. In the life of the process each arrangement has a number of its own.
+
 %!  arrangement_select(+Pieces:list(arrangement_piece),
 %!                     +Senses:list(component_sense), -Solid:solid) is det.
 %

@@ -6,6 +6,10 @@
                                         % -Senses
             contact_vertices/2,         % +Arrangement, -Contacts
             pieces_dropped/0,
+            pieces_numbers/2,           % +Arrangement, -Numbers
+            pieces_changed/3,           % +Arrangement, +Numbers, -Changed
+            leaves_around/3,            % +Arrangement, +Leaves, -Around
+            part_of_arrangement/3,      % +Arrangement, +Leaves, -Part
             pieces_statistics/1         % -Statistics
           ]).
 :- use_module('../kernel',
@@ -13,7 +17,7 @@
                 arrangement_polygons/3, arrangement_free_polygons/3,
                 arrangement_seal/1,
                 arrangement_components/2, arrangement_select/3,
-                arrangement_senses/4,
+                arrangement_senses/4, arrangement_numbers/2,
                 pieces_kept/1, keep_pieces/1, trees_dropped/0,
                 near_segments_of/3, segments_meeting_themselves/2,
                 segments_tolerance/3
@@ -90,7 +94,7 @@ with_arrangement(Leaves0, Options, Goal) :-
                 append(Current, Fresh, Pieces0),
                 sort(1, @<, Pieces0, Pieces),
                 contacts(Contacts0, Stale, Touch, Contacts),
-                call(Goal, arrangement(Pieces, Contacts))
+                call(Goal, arrangement(Pieces, Contacts, Near))
               ),
               drop_fresh(Fresh))
         ),
@@ -447,7 +451,7 @@ reached(A, Next0-Left0, Next-Left) :-
 %   Components are the component(C, S, P, Point, Sides, Which) of an
 %   arrangement: arrangement_components/2.
 
-components(arrangement(Pieces, _), Components) :-
+components(arrangement(Pieces, _, _), Components) :-
     arrangement_components(Pieces, Components).
 
 %!  arranged_solid(+Arrangement, +Senses:list, -Solid) is det.
@@ -455,7 +459,7 @@ components(arrangement(Pieces, _), Components) :-
 %   Solid is a handle of the boundary that the components C with C-Sense in
 %   Senses make, turned over where Sense is -1: arrangement_select/3.
 
-arranged_solid(arrangement(Pieces, _), Senses, Solid) :-
+arranged_solid(arrangement(Pieces, _, _), Senses, Solid) :-
     arrangement_select(Pieces, Senses, Solid).
 
 %!  contact_vertices(+Arrangement, -Contacts:list) is det.
@@ -463,13 +467,13 @@ arranged_solid(arrangement(Pieces, _), Senses, Solid) :-
 %   Contacts are S-Places of the leaves that were made to touch others, as of
 %   contact_places/2: vertices that they have in pieces alone.
 
-contact_vertices(arrangement(_, Contacts), Contacts).
+contact_vertices(arrangement(_, Contacts, _), Contacts).
 
 %!  default_senses(+Arrangement, +Expression, +Open:list, -Senses:list) is det.
 %
 %   Senses as the default of stays/3 says (boolean.pl): its fused kernel.
 
-default_senses(arrangement(Pieces, _), Expression, Open, Senses) :-
+default_senses(arrangement(Pieces, _, _), Expression, Open, Senses) :-
     phrase(nodes(Expression), Nodes),
     arrangement_senses(Pieces, Nodes, Open, Senses).
 
@@ -507,6 +511,47 @@ pieces_dropped :-
     forall(( member(Es, Entries), member(entry(_, A, _, _), Es) ),
            arrangement_drop(A)),
     trees_dropped.
+
+%!  pieces_numbers(+Arrangement, -Numbers:list) is det.
+%
+%   Numbers has a number for the pieces of each leaf, ascending by leaves:
+%   pieces with the same number are the same.
+
+pieces_numbers(arrangement(Pieces, _, _), Numbers) :-
+    arrangement_numbers(Pieces, Numbers).
+
+%!  pieces_changed(+Arrangement, +Numbers:list, -Changed:list) is det.
+%
+%   Changed are the leaves with other pieces than had Numbers, of an earlier
+%   arrangement of the same leaves.
+
+pieces_changed(arrangement(Pieces, _, _), Numbers0, Changed) :-
+    arrangement_numbers(Pieces, Numbers),
+    changed(Pieces, Numbers0, Numbers, Changed).
+
+changed([], [], [], []).
+changed([S-_|Pieces], [Number0|Numbers0], [Number|Numbers], Changed) :-
+    (   Number0 == Number
+    ->  Changed = Changed1
+    ;   Changed = [S|Changed1]
+    ),
+    changed(Pieces, Numbers0, Numbers, Changed1).
+
+%!  leaves_around(+Arrangement, +Leaves:list, -Around:list) is det.
+%
+%   Around are Leaves and those near them, ascending.
+
+leaves_around(arrangement(_, _, Near), Leaves, Around) :-
+    around(Leaves, Near, Around).
+
+%!  part_of_arrangement(+Arrangement, +Leaves:list, -Part) is det.
+%
+%   Part is an arrangement of those of the leaves of Arrangement that are in
+%   Leaves, ascending, with the pieces that they have there.
+
+part_of_arrangement(arrangement(Pieces0, Contacts, Near), Leaves,
+                    arrangement(Pieces, Contacts, Near)) :-
+    parted(Pieces0, Leaves, Pieces, _).
 
 %!  pieces_statistics(-Statistics:dict) is det.
 %

@@ -9,14 +9,16 @@
           ]).
 :- use_module(arrangement,
               [ with_arrangement/3, components/2, arranged_solid/3,
-                default_senses/4, contact_vertices/2
+                default_senses/4, contact_vertices/2, pieces_numbers/2,
+                pieces_changed/3, leaves_around/3, part_of_arrangement/3
               ]).
 :- use_module('../csg/csg_record', [not_kept/2, segments_of_kind/3]).
 :- use_module('../decision', [decision/2, decision_is_default/1]).
-:- use_module(faces, [faces_merged/2]).
+:- use_module(faces, [faces_merged/2, region_faces_merged/3]).
 :- use_module('../kernel',
-              [ solid_close/1, solid_is_closed/1, solid_write/2,
-                solid_write_over/2, segments_tolerance/3
+              [ solid_close/1, solid_is_closed/1, solid_region/3,
+                solid_write/2, solid_write_over/2, solid_write_region/3,
+                region_leaves/2, region_close/1, segments_tolerance/3
               ]).
 :- use_module(operand, [checked_operand/1]).
 :- use_module('../polygon/triangulation', [new_segments_complete/0]).
@@ -61,6 +63,16 @@ that two operands have in common stays or goes by how it looks in each.
 %     - over(Bool)
 %     Rows that S has are those of an earlier boundary: what of them is the same
 %     stays, with its ids. Default: `false`, S must have none.
+%     - earlier(Numbers)
+%     With over(true): that boundary was of this Expression too, with these
+%     options, made from the pieces with these Numbers.
+%     - pieces(-Numbers)
+%     Numbers are those of the pieces of this one (pieces_numbers/2); `unknown`
+%     if more than pieces decided what it is: a rule file, or what was tried
+%     because the result were open else.
+%     - made(-How)
+%     How is `around`: only around what had changed since the earlier one; or
+%     `whole`.
 %
 %   @error existence_error(segment, S1): an operand is not there
 %   @error geometry_error(operand(S1, Faults)): the result would be open, and so
@@ -78,13 +90,19 @@ boolean(Expression, S, Options0) :-
     new_segments_complete,
     expression_leaves(Expression, Leaves),
     boolean_tolerance(Leaves, Options0, Options),
-    made(Expression, Leaves, Options, Solid, Contacts),
-    setup_call_cleanup(
-        true,
-        facts_transaction(sg_boolean:written(Solid, S, Expression, Contacts,
-                                             Options)),
-        solid_close(Solid)),
-    source_kept(Leaves, 1, S).
+    (   made_around_changes(Expression, Leaves, S, Options, Numbers)
+    ->  How = around
+    ;   How = whole,
+        made(Expression, Leaves, Options, Solid, Contacts, Numbers),
+        setup_call_cleanup(
+            true,
+            facts_transaction(sg_boolean:written(Solid, S, Expression, Contacts,
+                                                 Options)),
+            solid_close(Solid))
+    ),
+    source_kept(Leaves, 1, S),
+    option(pieces(Numbers), Options0, _),
+    option(made(How), Options0, _).
 
 %!  boolean_tolerance(+Leaves:list, +Options0:list, -Options:list) is det.
 %
@@ -114,14 +132,14 @@ refuse_large(Tolerance, Smallest) :-
     ;   true
     ).
 
-%   made(+Expression, +Leaves, +Options, -Solid, -Contacts): it must be closed
-%   if its operands are. If sheets of one operand nearly lie on each other,
-%   touching may open the result, and so may merging of faces; then that step
-%   is left out.
+%   made(+Expression, +Leaves, +Options, -Solid, -Contacts, -Numbers): it must
+%   be closed if its operands are. If sheets of one operand nearly lie on each
+%   other, touching may open the result, and so may merging of faces; then that
+%   step is left out.
 
-made(Expression, Leaves, Options, Solid, Contacts) :-
+made(Expression, Leaves, Options, Solid, Contacts, Numbers) :-
     attempt(Options, Attempt, What),
-    selected_solid(Expression, Leaves, Attempt, Solid0, Contacts0),
+    selected_solid(Expression, Leaves, Attempt, Solid0, Contacts0, Numbers0),
     (   is_open(Leaves, Solid0)
     ->  solid_close(Solid0),
         maplist(checked_leaf, Leaves),
@@ -132,8 +150,14 @@ made(Expression, Leaves, Options, Solid, Contacts) :-
     ),
     !,
     Solid = Solid0,
-    Contacts = Contacts0.
-made(_, _, _, _, _) :-
+    Contacts = Contacts0,
+    (   What == first,
+        decision_is_default(stays/3),
+        decision_is_default(merge_faces/2)
+    ->  Numbers = Numbers0
+    ;   Numbers = unknown
+    ).
+made(_, _, _, _, _, _) :-
     throw(error(geometry_error(result_open), _)).
 
 attempt(Options, Options, first).
@@ -144,17 +168,18 @@ attempt(Options, [tolerance(0)|Options], contacts) :-
     tolerance_reach(Tolerance, Reach),
     Reach > 0.
 
-selected_solid(Expression, Leaves, Options, Solid, Contacts) :-
+selected_solid(Expression, Leaves, Options, Solid, Contacts, Numbers) :-
     with_arrangement(Leaves, Options,
-                     sg_boolean:selected(Expression, Solid, Contacts)),
+                     sg_boolean:selected(Expression, Solid, Contacts, Numbers)),
     catch(merged(Solid, Options),
           Error,
           ( solid_close(Solid),
             throw(Error)
           )).
 
-selected(Expression, Solid, Contacts, Arrangement) :-
+selected(Expression, Solid, Contacts, Numbers, Arrangement) :-
     contact_vertices(Arrangement, Contacts),
+    pieces_numbers(Arrangement, Numbers),
     select_boundary(Arrangement, Expression, Solid).
 
 %   A decision of the user's may open what it likes.
@@ -197,6 +222,76 @@ rows_written(Solid, S, Options) :-
     ;   solid_write(Solid, S)
     ).
 
+
+                /*******************************
+                *    AROUND WHAT HAS CHANGED   *
+                *******************************/
+
+%   made_around_changes(+Expression, +Leaves, +S, +Options, -Numbers) is
+%   semidet: the boundary is made anew where leaves have other pieces than it
+%   was made from, and near these. There faces do not depend on what is
+%   farther away: they are chosen and merged together with their neighbours,
+%   which stay as they are. Fails where that cannot be said, or is not worth
+%   it.
+
+made_around_changes(Expression, Leaves, S, Options, Numbers) :-
+    option(earlier(Earlier), Options),
+    Earlier \== unknown,
+    decision_is_default(stays/3),
+    decision_is_default(merge_faces/2),
+    segments_of_kind(surface, Leaves, []),
+    with_arrangement(Leaves, Options,
+                     sg_boolean:selected_around(Expression, Leaves, S, Earlier,
+                                                Region, Solid, Contacts,
+                                                Numbers)),
+    call_cleanup(
+        ( stage(faces, region_faces_merged(Solid, Region, Options)),
+          facts_transaction(sg_boolean:written_around(Solid, S, Region,
+                                                      Contacts))
+        ),
+        ( solid_close(Solid),
+          region_close(Region)
+        )),
+    !.
+
+selected_around(Expression, Leaves, S, Earlier, Region, Solid, Contacts,
+                Numbers, Arrangement) :-
+    pieces_changed(Arrangement, Earlier, Changed),
+    leaves_around(Arrangement, Changed, Around),
+    are_few(Around, Leaves),
+    contact_vertices(Arrangement, Contacts),
+    pieces_numbers(Arrangement, Numbers),
+    stage(write, solid_region(S, Around, Region)),
+    (   catch(selected_region(Region, Expression, Leaves, Solid, Arrangement),
+              Error,
+              ( region_close(Region),
+                throw(Error)
+              ))
+    ->  true
+    ;   region_close(Region),
+        fail
+    ).
+
+%   The faces of the region, and those near them.
+
+selected_region(Region, Expression, Leaves, Solid, Arrangement) :-
+    region_leaves(Region, Inner),
+    leaves_around(Arrangement, Inner, Looked),
+    are_few(Looked, Leaves),
+    part_of_arrangement(Arrangement, Looked, Part),
+    select_boundary(Part, Expression, Solid).
+
+%   are_few(+Some, +Leaves): no more than half of them.
+
+are_few(Some, Leaves) :-
+    length(Some, N),
+    length(Leaves, All),
+    2*N =< All.
+
+written_around(Solid, S, Region, Contacts) :-
+    stage(write, ( solid_write_region(Solid, S, Region),
+                   contact_origins(S, Contacts)
+                 )).
 
 %!  select_boundary(+Arrangement, +Expression, -Solid) is det.
 %

@@ -19,7 +19,8 @@
 :- use_module('../csg/csg_matrix',
               [identity_matrix/1, steps_matrix/2, rounded_matrix/2]).
 :- use_module('../csg/csg_record',
-              [ up_to_date/2, record/2, drop_record/1, recorded/2, not_kept/2
+              [ up_to_date/2, record/2, drop_record/1, recorded/2,
+                record_pieces/2, recorded_pieces/2, not_kept/2
               ]).
 :- use_module('../csg/csg_rows',
               [copy_segments/3, drop_boundary/1, drop_pictures/1, was_cut/1]).
@@ -181,56 +182,64 @@ made_from(S, Tolerance, From) :-
 renewed(S, From) :-
     earlier(S, Earlier),
     drop_record(S),
-    made(From, Earlier, S),
+    made(From, Earlier, S, Numbers, How),
     record(S, evaluated(From)),
-    counted(whole).
+    (   Numbers == []
+    ->  true
+    ;   record_pieces(S, Numbers)
+    ),
+    counted(How).
 
 %   earlier(S, Earlier): what is known of the boundary that S has:
 %
 %     - none
-%     - from(From)    it is a Boolean's, of operands that were checked
-%     - over(From)    the same, of several operands; nobody changed it since,
-%                     and it has no lines
+%     - from(From)             it is a Boolean's, of operands that were checked
+%     - over(From, Numbers)    the same, with the numbers of the pieces it was
+%                              made from; nobody changed it since, and it has
+%                              no lines
 
 earlier(S, Earlier) :-
     (   recorded(S, evaluated(From)),
-        From = of(Expression, _, _)
+        From = of(_, _, _)
     ->  (   up_to_date(S, From),
             \+ was_cut(S),
-            compound(Expression),
-            Expression \== union([])
-        ->  Earlier = over(From)
+            recorded_pieces(S, Numbers)
+        ->  Earlier = over(From, Numbers)
         ;   Earlier = from(From)
         )
     ;   Earlier = none
     ).
 
-%   made(From, Earlier, S): a segment alone is copied if it does not go through
-%   itself, nothing is nothing.
+%   made(From, Earlier, S, Numbers, How): a segment alone is copied if it does
+%   not go through itself, nothing is nothing. Numbers are those of the pieces
+%   it was made from, How is `whole` or `around` (boolean/3).
 
-made(join(Stamps, Matrix), _, S) :-
+made(join(Stamps, Matrix), _, S, [], whole) :-
     drop_boundary(S),
     pairs_keys(Stamps, Children),
     copy_segments(Children, Matrix, S).
-made(glue(Operands, Tolerance, _), _, S) :-
+made(glue(Operands, Tolerance, _), _, S, [], whole) :-
     drop_boundary(S),
     sort(Operands, Leaves),
     tolerance_options(Tolerance, Leaves, Options),
     glued_boundary(Operands, S, Options).
-made(of(Expression, Stamps, Tolerance), Earlier, S) :-
+made(of(Expression, Stamps, Tolerance), Earlier, S, Numbers, How) :-
     (   integer(Expression),
         \+ meets_itself(Expression)
     ->  drop_boundary(S),
         rounded_identity(Identity),
-        copy_segments([Expression], Identity, S)
+        copy_segments([Expression], Identity, S),
+        Numbers-How = []-whole
     ;   Expression == union([])
-    ->  drop_boundary(S)
+    ->  drop_boundary(S),
+        Numbers-How = []-whole
     ;   new_leaves(Earlier, Stamps, Leaves),
         exclude(is_surface, Leaves, Solids),
         maplist(checked_operand, Solids),
         pairs_keys(Stamps, Known),
         tolerance_options(Tolerance, Known, Options),
-        boolean_made(Earlier, Expression, S, Options)
+        boolean_made(Earlier, Expression, Tolerance, S,
+                     [pieces(Numbers),made(How)|Options])
     ).
 
 %   new_leaves(Earlier, Stamps, Leaves): those that were not checked before.
@@ -243,11 +252,15 @@ new_leaves(Earlier, Stamps, Leaves) :-
     ),
     pairs_keys(New, Leaves).
 
-boolean_made(over(_), Expression, S, Options) :-
+boolean_made(over(From, Numbers), Expression, Tolerance, S, Options) :-
     !,
     drop_pictures(S),
-    boolean(Expression, S, [over(true)|Options]).
-boolean_made(_, Expression, S, Options) :-
+    (   From = of(Expression0, _, Tolerance0),
+        Expression0-Tolerance0 == Expression-Tolerance
+    ->  boolean(Expression, S, [over(true),earlier(Numbers)|Options])
+    ;   boolean(Expression, S, [over(true)|Options])
+    ).
+boolean_made(_, Expression, _, S, Options) :-
     drop_boundary(S),
     boolean(Expression, S, Options).
 
@@ -350,9 +363,8 @@ is_current(S) :-
 %!  csg_statistics(-Statistics:dict) is det.
 %
 %   How often in this thread the boundary of a node was `evaluated`, how many of
-%   these times, of a glue, only `around` what had changed, and how often it was
-%   `reused` as it was, since csg_statistics_reset/0; and `pieces`:
-%   pieces_statistics/1.
+%   these times only `around` what had changed, and how often it was `reused` as
+%   it was, since csg_statistics_reset/0; and `pieces`: pieces_statistics/1.
 
 csg_statistics(_{evaluated:Evaluated, around:Around, reused:Reused,
                  pieces:Pieces}) :-

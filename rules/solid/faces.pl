@@ -1,5 +1,6 @@
 :- module(sg_faces,
           [ faces_merged/2,             % +Solid, +Options
+            region_faces_merged/3,      % +Solid, +Region, +Options
             merge_faces/2               % +Part1, +Part2
           ]).
 :- use_module('../decision', [decision/2, decision_is_default/1]).
@@ -42,17 +43,7 @@ left at them vanish. Bodies that touch in an edge keep it.
 %   Others are ignored.
 
 faces_merged(Solid, Options) :-
-    (   option(tolerance(Tolerance), Options)
-    ->  (   Tolerance = own(_)
-        ->  BySize0 = true
-        ;   BySize0 = false
-        )
-    ;   model_tolerance(Reach),
-        Tolerance = own(Reach),
-        BySize0 = true
-    ),
-    option(by_size(BySize), Options, BySize0),
-    option(origins(Origins), Options, together),
+    merge_options(Options, Tolerance, BySize, Origins),
     option(cells(Cells), Options, false),
     option(apart(Apart0), Options, []),
     kept_apart(Solid, Tolerance, Apart1),
@@ -67,6 +58,33 @@ faces_merged(Solid, Options) :-
 flattened(none).
 flattened(tight(S, X, Y, Z, Move, Edge, N)) :-
     tight_said(flattened(S, [X,Y,Z], Move, Edge, N)).
+
+merge_options(Options, Tolerance, BySize, Origins) :-
+    (   option(tolerance(Tolerance), Options)
+    ->  (   Tolerance = own(_)
+        ->  BySize0 = true
+        ;   BySize0 = false
+        )
+    ;   model_tolerance(Reach),
+        Tolerance = own(Reach),
+        BySize0 = true
+    ),
+    option(by_size(BySize), Options, BySize0),
+    option(origins(Origins), Options, together).
+
+%!  region_faces_merged(+Solid, +Region, +Options:list) is semidet.
+%
+%   Solid is a part of a larger solid: what comes from the leaves of Region (of
+%   solid_region/3) and from those near them. Merges its faces as faces_merged/2
+%   would those of all of it, and leaves those of Region. Fails where a face of
+%   Region and another might become one, or others might become one otherwise
+%   than before. The default of merge_faces/2 holds.
+
+region_faces_merged(Solid, Region, Options) :-
+    merge_options(Options, Tolerance, BySize, Origins),
+    solid_merge(Solid, Tolerance,
+                [origins(Origins), by_size(BySize), region(Region)], Tight),
+    flattened(Tight).
 
 kept_apart(_, _, []) :-
     decision_is_default(merge_faces/2),

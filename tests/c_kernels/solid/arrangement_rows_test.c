@@ -133,6 +133,7 @@ static void
 components(const sg_arrangement_piece_list *pieces)
 {
   sg_component_fact_list all = {0};
+  sg_integer_list numbers = {0};
   sg_arrangement_piece other = {3, pieces->at[0].arrangement};
 
   CHECK("components", sg_door_arrangement_components(&call, pieces, &all));
@@ -142,9 +143,12 @@ components(const sg_arrangement_piece_list *pieces)
           all.at[i].number == i && all.at[i].s == (i < 2 ? FIRST : SECOND) &&
               all.at[i].which == SG_COMPONENT_WHICH_ONLY);
   }
+  CHECK("one arrangement",
+        sg_door_arrangement_numbers(&call, pieces, &numbers) &&
+            numbers.n == 2 && numbers.at[0] == numbers.at[1]);
   CHECK("no piece of it",
-        !sg_door_arrangement_components(
-            &call, &(sg_arrangement_piece_list){&other, 1, 1}, &all) &&
+        !sg_door_arrangement_numbers(
+            &call, &(sg_arrangement_piece_list){&other, 1, 1}, &numbers) &&
             was_refused(SG_REFUSED_EXISTENCE, 1, 0));
 }
 

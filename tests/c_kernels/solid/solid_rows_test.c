@@ -3,7 +3,7 @@
  * solid_over_rows.c and face_merge_rows.c.
  *
  * covers: append_rows, edge_print, solid_move, solid_old
- * covers: solid_take
+ * covers: solid_region_rows, solid_take
  */
 #include "doors/boolean.h"
 
@@ -93,6 +93,27 @@ writes(void)
   sg_solid_free(solid);
 }
 
+static void
+regions(void)
+{
+  int32_t leaf = CUBE;
+  sg_region *region = NULL;
+  sg_int_list leaves = {0};
+  sg_solid *solid = taken(CUBE);
+
+  CHECK("region", sg_door_solid_region(&call, WRITTEN,
+                                       &(sg_int_list){&leaf, 1, 1}, &region));
+  CHECK("its leaves", sg_door_region_leaves(&call, region, &leaves) &&
+                          leaves.n == 1 && leaves.at[0] == CUBE);
+  CHECK("of another segment",
+        !sg_door_solid_write_region(&call, solid, CUBE, region) &&
+            was_refused(SG_REFUSED_NOTHING));
+  CHECK("the same", sg_door_solid_write_region(&call, solid, WRITTEN, region));
+  CHECK("changes nothing", rows_of(SG_V) == 16 && rows_of(SG_P) == 12);
+  sg_region_free(region);
+  sg_solid_free(solid);
+}
+
 /* The cube and its copy, which are in one place. */
 static void
 glues(void)
@@ -161,6 +182,7 @@ main(void)
   CHECK("a cube", call.world && add_cube(call.world, CUBE));
   takes();
   writes();
+  regions();
   glues();
   merges();
   sg_world *world = call.world;

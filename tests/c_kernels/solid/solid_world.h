@@ -137,14 +137,14 @@ write_world(const sg_solid *solid, world *w)
 }
 
 static sg_old_end
-read_old(const world *w, const sg_cancel *cancel, sg_solid_old *old)
+read_region(const world *w, const int32_t *leaf, size_t n, sg_solid_old *old)
 {
   const sg_view *view[SG_OLD_RELATIONS];
 
   for (int k = 0; k < SG_OLD_RELATIONS; k++) {
     view[k] = &w->of[k].view;
   }
-  return sg_solid_old_read(view, S, item_vertex, cancel, old);
+  return sg_solid_old_read_region(view, S, leaf, n, item_vertex, NULL, old);
 }
 
 #endif
