@@ -217,10 +217,10 @@ replied(get, '/ws', Request) :-
     ->  socket_wanted(Request)
     ;   reply(403, 'text/plain', "not from a page of this program\n")
     ).
-replied(get, '/words.json', _) :-
+replied(get, '/words.json', Request) :-
     !,
     page_words(Text),
-    reply(200, 'application/json', Text).
+    reply_page('application/json', Text, Request).
 replied(get, Path, _) :-
     atom_concat('/x/', Ticket0, Path),
     !,
@@ -240,11 +240,11 @@ replied(post, Path, Request) :-
     ->  uploaded(Request, File)
     ;   reply(404, 'text/plain', "not there any more\n")
     ).
-replied(Method, Path, _) :-
+replied(Method, Path, Request) :-
     memberchk(Method, [get,head]),
     page_file(Path, Type, Text),
     !,
-    reply(200, Type, Text).
+    reply_page(Type, Text, Request).
 replied(Method, _, _) :-
     (   memberchk(Method, [get,head])
     ->  reply(404, 'text/plain', "not found\n")
@@ -254,6 +254,38 @@ replied(Method, _, _) :-
 reply(Status, Type, Text) :-
     reply_head(Status, Type, '; charset=UTF-8', []),
     format("~s", [Text]).
+
+%   reply_page(Type, Text, Request): in the gzip format for who takes it.
+
+reply_page(Type, Text, Request) :-
+    Vary = 'Vary'-'Accept-Encoding',
+    (   takes_gzip(Request)
+    ->  text_octets(Text, Octets),
+        reply_head(200, Type, '; charset=UTF-8',
+                   [Vary,'Content-Encoding'-gzip]),
+        set_stream(current_output, encoding(octet)),
+        setup_call_cleanup(
+            called(zlib, zopen(current_output, Out,
+                               [format(gzip),close_parent(false)])),
+            ( set_stream(Out, encoding(octet)),
+              format(Out, "~s", [Octets]) ),
+            close(Out))
+    ;   reply_head(200, Type, '; charset=UTF-8', [Vary]),
+        format("~s", [Text])
+    ).
+
+%   takes_gzip(Request): gzip is among what it takes, with any weight but 0.
+
+takes_gzip(Request) :-
+    memberchk(accept_encoding(Given), Request),
+    split_string(Given, ",", " \t", Codings),
+    member(Coding, Codings),
+    split_string(Coding, ";", " \t", ["gzip"|Weights]),
+    !,
+    \+ ( member(Weight, Weights),
+         split_string(Weight, "=", " \t", ["q",Q]),
+         number_string(Value, Q),
+         Value =:= 0 ).
 
 reply_head(Status, Type, Charset, More) :-
     format("Status: ~d~n", [Status]),

@@ -10,8 +10,8 @@
 socket, which a proxy on the same machine asks. Who starts the program, such as
 systemd, may have opened that socket, and passes it.
 
-library(http) and library(socket) are loaded when the front starts: no other
-verb pays for them.
+library(http), library(socket) and library(zlib) are loaded when the front
+starts: no other verb pays for them.
 */
 
 % made_here(Path): a Unix socket that is gone with the program.
@@ -53,7 +53,8 @@ called(Module, Goal) :-
 
 libraries_loaded :-
     load_files([ library(socket), library(http/thread_httpd),
-                 library(http/websocket), library(http/http_dispatch) ],
+                 library(http/websocket), library(http/http_dispatch),
+                 library(zlib) ],
                [if(not_loaded), imports([]), silent(true)]).
 
 %   bound_port(Host, Options, Socket, Port): answers are sent at once; a socket

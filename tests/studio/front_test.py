@@ -1,6 +1,7 @@
 """front_test.py PROGRAM FOLDER: the front of the studio and its guard, as pages
 and as those who attack them see it."""
 # covers: front, guard, visitor, page_file, model_tree, answer_name
+import gzip
 import json
 import os
 import re
@@ -77,6 +78,23 @@ total += len(front.get("/words.json")[2])
 check("the page is small", total < 150_000, total)
 check("words in both languages", len(words) > 60 and all(
     len(pair) == 2 and all(pair) for pair in words.values()))
+
+# In the gzip format for who takes it: then all of it is small.
+sent = 0
+for path in ["/", "/words.json"] + sorted(
+        "/" + name for name in os.listdir("web") if name != "index.html"):
+    plain = front.get(path)[2]
+    for given, packed in (("gzip, deflate, br", True), ("br, gzip;q=0.5", True),
+                          ("deflate", False), ("gzip;q=0", False)):
+        status, headers, octets = front.get(
+            path, headers={"Accept-Encoding": given})
+        check("packed: %s: %s" % (path, given),
+              status == 200 and headers["Vary"] == "Accept-Encoding"
+              and (headers.get("Content-Encoding") == "gzip") == packed
+              and (gzip.decompress(octets) if packed else octets) == plain,
+              headers)
+        sent += len(octets) if given.startswith("gzip, ") else 0
+check("all of the page is small", sent < 75_000, sent)
 for path in ("/", "/main.js", "/nothing", "/x/none", "/../rules/about.pl",
              "/%2e%2e/README.md", "/studio.css/", "//etc/passwd"):
     status, headers, octets = front.get(path)
