@@ -208,9 +208,10 @@ read_shaded(sg_call *call, const sg_image_how *how,
             const sg_shading_look_list *looks, const sg_list_count_list *leaves,
             sg_shaded *in, sg_opacities *opacities)
 {
-  size_t lines = how->lines;
+  in->middles = how->lines == 0;
+  size_t lines = in->middles ? 1 : how->lines;
 
-  if (!(lines > 0 && lines <= SG_COVER_LINES && (lines & (lines - 1)) == 0)) {
+  if (!(lines <= SG_COVER_LINES && (lines & (lines - 1)) == 0)) {
     return sg_call_domain(call, "shading_lines", LINES);
   }
   in->lines = (unsigned)lines;
@@ -351,6 +352,9 @@ sg_door_image_parts(sg_call *call, sg_shading *scene, const sg_image_how *how,
 
   if (!read_shaded(call, how, looks, leaves, &in, &opacities)) {
     return false;
+  }
+  if (in.middles) {
+    return sg_call_domain(call, "shading_lines", LINES);
   }
   if (y >= (size_t)sg_shading_frame_of(scene)->height) {
     return sg_call_domain(call, "image_dot", 5);

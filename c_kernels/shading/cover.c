@@ -285,6 +285,20 @@ sg_cover_light(const sg_shaded *in, sg_shading_work *work, const sg_span *span,
   }
 }
 
+/* Whole dots, those whose middles are in the span. */
+static void
+add_middles(sg_dot_row *cover, const sg_shaded *in, sg_shading_work *work,
+            sg_span span, int32_t y, double line)
+{
+  int32_t from, to = sg_span_dots(&span, &from);
+
+  span.x1 = from * DOT;
+  span.x2 = to * DOT;
+  if (from < to) {
+    add_span(cover, in, work, &span, y, line);
+  }
+}
+
 static int32_t
 wanted_to(const sg_dot_row *cover, const sg_shaded *in)
 {
@@ -312,7 +326,11 @@ sg_cover_row(sg_dot_row *cover, const sg_shaded *in, sg_shading_work *work,
       return false;
     }
     for (size_t i = 0; i < here->n; i++) {
-      add_span(cover, in, work, &here->span[i], y, line);
+      if (in->middles) {
+        add_middles(cover, in, work, here->span[i], y, line);
+      } else {
+        add_span(cover, in, work, &here->span[i], y, line);
+      }
     }
   }
   return (!in->edges || sg_face_edges(cover, in, work, y)) &&

@@ -46,6 +46,8 @@ typedef struct sg_shaded {
   const sg_shadow *shadow; /* [shadows]: of the lights of all looks in their
                               order; the picture is lit by no others then */
   unsigned shadows;        /* 0: there are none */
+  bool middles;            /* with one line: what is in the middle of a dot
+                              has all of it */
   bool edges;              /* a line where other faces begin */
   const sg_scan *scan;     /* null, or spans of this scene, lines, opacities */
   int32_t from, to;        /* dots of a row that are wanted; to 0: all */

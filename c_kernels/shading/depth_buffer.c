@@ -5,14 +5,6 @@
 
 #include <math.h>
 
-/* The dots whose middles are in a span: from *x up to, not with, the result. */
-static int32_t
-dots_of(const sg_span *span, int32_t *x)
-{
-  *x = (span->x1 + 127) / 256;
-  return (span->x2 + 127) / 256;
-}
-
 bool
 sg_depth_row(const sg_shading *scene, sg_shading_work *work,
              const double plane[4], int32_t y, sg_spans *spans, float *out)
@@ -27,7 +19,7 @@ sg_depth_row(const sg_shading *scene, sg_shading_work *work,
     return false;
   }
   for (size_t i = 0; i < spans->n; i++) {
-    int32_t x, end = dots_of(&spans->span[i], &x);
+    int32_t x, end = sg_span_dots(&spans->span[i], &x);
 
     for (; x < end; x++) {
       double seen[3] = {x + 0.5, line, 0}, normal[3], place[3];
@@ -53,7 +45,7 @@ sg_normal_row(const sg_shading *scene, sg_shading_work *work, int32_t y,
     return false;
   }
   for (size_t i = 0; i < spans->n; i++) {
-    int32_t x, end = dots_of(&spans->span[i], &x);
+    int32_t x, end = sg_span_dots(&spans->span[i], &x);
 
     for (; x < end; x++) {
       double depth, normal[3];

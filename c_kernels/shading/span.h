@@ -31,4 +31,12 @@ typedef struct sg_spans {
   size_t n, room;
 } sg_spans;
 
+/* The dots whose middles are in a span: from *x up to, not with, the result. */
+static inline int32_t
+sg_span_dots(const sg_span *span, int32_t *x)
+{
+  *x = (span->x1 + 127) / 256;
+  return (span->x2 + 127) / 256;
+}
+
 #endif

@@ -13,7 +13,8 @@ scene is that of kernel/shading.pl.
 %!              +Leaves:list(list(count)), -Image:image) is det.
 %
 %   Image is Scene in dots. How is how(Lines, Background, Edges, Shadows):
-%   Lines, 1, 2, 4, 8 or 16, cross each. Background is rgb(R, G, B) in bytes, or
+%   Lines, 1, 2, 4, 8 or 16, cross each; or 0: what is in the middle of a dot
+%   has all of it. Background is rgb(R, G, B) in bytes, or
 %   `none`: dots have an alpha. Edges 1: a black line is where other faces
 %   begin, 0: there is none. Shadows are scenes of the same solids seen
 %   from where the lights of all looks come, in their order; []: there are no
@@ -64,7 +65,8 @@ scene is that of kernel/shading.pl.
 %
 %   Parts are part(X, Root, Leaf, Face, Share, light(R, G, B)): Share of the dot
 %   X of row Y, counted from 0, shows that face, which sends that light there.
-%   By X, Leaf and Face, each once. The others are as for image_shade/5.
+%   By X, Leaf and Face, each once. The others are as for image_shade/5, but
+%   Lines is not 0.
 %
 %   @error as for image_shade/5, and domain_error(image_dot, Y)
 

@@ -46,7 +46,7 @@ write_buffer(tone, Scene, Out) :-
     grey_ramp(Grey),
     maplist(tone_alone(Grey), Looks1, Looks),
     scene_handle(Scene, Handle),
-    picture_how(Scene, [smooth(1),background(black)], How),
+    picture_how(Scene, [smooth(0),background(black)], How),
     owners_asked(Scene, image_shade(Handle, How, Looks, Leaves, Image)),
     image_pgm(Image, Out).
 write_buffer(id, Scene, Out) :-

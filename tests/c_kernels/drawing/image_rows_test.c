@@ -179,6 +179,11 @@ parts_and_strokes(void)
                                                   &leaves, 15, &parts) &&
                               parts.n == 20 && parts.at[9].share == 1 &&
                               parts.at[9].leaf == 1);
+  const sg_image_how middles = {.lines = 0};
+  CHECK("a part of a dot is not its middle",
+        !sg_door_image_parts(&call, scene, &middles, &looks, &leaves, 15,
+                             &parts) &&
+            is_domain("shading_lines", 2));
   CHECK("no such row",
         !sg_door_image_parts(&call, scene, &how, &looks, &leaves, 30, &parts) &&
             is_domain("image_dot", 5));
@@ -323,7 +328,7 @@ refused(void)
   const sg_output to = {write_bytes, &full};
 
   CHECK("lines", !shaded(scene, 3, true) && is_domain("shading_lines", 2));
-  CHECK("no lines", !shaded(scene, 0, true) && is_domain("shading_lines", 2));
+  CHECK("most lines", !shaded(scene, 32, true) && is_domain("shading_lines", 2));
   CHECK("a look that is not there",
         !sg_door_image_shade(&call, scene, &how, &looks, &leaves, &image) &&
             is_domain("shading_look", 4));

@@ -30,7 +30,8 @@ buffer(Kind, View, Codes) :-
                      read_file_to_codes(File, Codes, [encoding(octet)]) ),
                    delete_file(File)) )).
 
-ball("segment(1, solid, sphere(radius(3),facets(64))).").
+ball("segment(1, solid, sphere(radius(3),facets(64))).
+      view(270, 0, 0).").
 
 top(view(270.0,0.0,0.0,parallel)).
 
@@ -102,6 +103,28 @@ test(normals, Head-Wrong == 'PF\n80 80\n'-[]) :-
               ->  \+ ( abs(NX-X/3) < 1.0e-5, abs(NY-Y/3) < 1.0e-5 )
               ;   Square < -0.05,
                   \+ ( NX =:= 0, NY =:= 0 )
+              ) ),
+            Wrong).
+% The middle of a dot counts, as for depths and normals, also where it is
+% covered in part.
+test(tones, Head-Wrong == "P5\n80 80\n255\n"-[]) :-
+    top(View),
+    buffer(tone, View, Codes),
+    length(Head0, 13),
+    append(Head0, Bytes, Codes),
+    string_codes(Head, Head0),
+    findall(Row-Column-Byte,
+            ( nth0(I, Bytes, Byte),
+              Row is I//80,
+              Column is I mod 80,
+              X is (Column+0.5)/10-4,
+              Y is 4-(Row+0.5)/10,      % rows from above
+              Square is 9-X*X-Y*Y,
+              (   Square > 0.05
+              ->  Light is max(0, (-5*X+6*Y+8*sqrt(Square))/3/sqrt(125)),
+                  abs(Byte-255*(0.25+0.75*Light)) > 1.5
+              ;   Square < -0.05,
+                  Byte =\= 0
               ) ),
             Wrong).
 test(id, First-Count == "40.5,"-60) :-
