@@ -35,7 +35,7 @@ goes_on(const sg_shading *s, const sg_span *p, const sg_span *q)
 
   if (p->root != q->root || a->kind != SG_IS_PLANE || b->kind != SG_IS_PLANE) {
     return p->root == q->root && p->surface == q->surface &&
-           p->sense == q->sense;
+           sg_quartic_side(p->sense) == sg_quartic_side(q->sense);
   }
   return p->surface == q->surface ||
          (p->leaf == q->leaf &&

@@ -10,6 +10,7 @@
 #define SG_QUARTIC_H
 
 #include <stdbool.h>
+#include <stdint.h>
 
 /* Roots lie between -it and it. */
 #define SG_QUARTIC_REACH 1.125
@@ -24,6 +25,16 @@ typedef enum sg_quartic_root {
   SG_ROOT_FAR_IN,
   SG_ROOT_FAR_OUT
 } sg_quartic_root;
+
+/* The first root of two goes on as that of four where more are behind it, and
+ * the last one where more are before it; what is no such root is as it is. */
+static inline int32_t
+sg_quartic_side(int32_t root)
+{
+  return root == SG_ROOT_NEAR_IN   ? (int32_t)SG_ROOT_FIRST
+         : root == SG_ROOT_FAR_OUT ? (int32_t)SG_ROOT_LAST
+                                   : root;
+}
 
 /* How many there are: 0, 2 or 4. */
 int sg_quartic_count(const double c[5]);

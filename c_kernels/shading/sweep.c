@@ -77,15 +77,6 @@ sg_shading_work_close(sg_shading_work *w)
 
 /* ---- spans ---- */
 
-/* The first root of two goes on as that of four, where more are behind it. */
-static int32_t
-side_of(int32_t sense)
-{
-  return sense == SG_ROOT_NEAR_IN   ? (int32_t)SG_ROOT_FIRST
-         : sense == SG_ROOT_FAR_OUT ? (int32_t)SG_ROOT_LAST
-                                    : sense;
-}
-
 static bool
 continues(const sg_shading *s, const sg_span *last, const sg_span *next)
 {
@@ -93,7 +84,7 @@ continues(const sg_shading *s, const sg_span *last, const sg_span *next)
          last->leaf == next->leaf && last->face == next->face &&
          last->surface == next->surface && last->part == next->part &&
          (s->surface.item[last->surface].kind == SG_IS_PLANE ||
-          side_of(last->sense) == side_of(next->sense));
+          sg_quartic_side(last->sense) == sg_quartic_side(next->sense));
 }
 
 /* Of the layer `depth`, 0 the nearest. */
@@ -121,7 +112,7 @@ add_span(sg_shading_work *w, size_t depth, int32_t x1, int32_t x2,
     if (continues(s, last, &span)) {
       last->x2 = x2;
       last->sense =
-          last->sense == span.sense ? last->sense : side_of(last->sense);
+          last->sense == span.sense ? last->sense : sg_quartic_side(last->sense);
       return true;
     }
     w->open.item[depth] = out->n;

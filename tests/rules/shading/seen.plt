@@ -73,7 +73,8 @@ view(view(270.0,90.0,0.0,parallel)).
 view(view(270.0,0.0,0.0,parallel)).
 view(view(300.0,65.0,20.0,central)).
 
-% wrong(Scene, Y, Wrong): what the kernel says of a place, and the rule not.
+% wrong(Scene, Y, Wrong): what the kernel says of a place, and the rule not; or
+% two spans side by side of one face.
 wrong(Scene, Y, wrong(Y,X,Span,Seen)) :-
     line_spans(Scene, Y, Spans),
     gaps(Spans, 0, Gaps),
@@ -90,6 +91,16 @@ wrong(Scene, Y, wrong(Y,X,Span,Seen)) :-
     Span = span(_,_,R,S,F),
     Seen \== seen(R,S,F).
 
+% Of a torus two spans may be side by side: the nearer half is seen through a
+% cut, so its farther half, and where the nearer one ends it is the first.
+wrong(Scene, Y, same(Y,A,B)) :-
+    line_spans(Scene, Y, Spans),
+    append(_, [A,B|_], Spans),
+    A = span(_,X,R,Leaf,F),
+    B = span(X,_,R,Leaf,F),
+    scene_leaf(Scene, leaf(Leaf,R,_,_,Faces)),
+    \+ memberchk(F-curved(torus), Faces).
+
 gaps([], From, [span(From,25600,0,0,0)]).
 gaps([span(X1,X2,_,_,_)|Spans], From, Gaps) :-
     (   From < X1
@@ -97,12 +108,6 @@ gaps([span(X1,X2,_,_,_)|Spans], From, Gaps) :-
     ;   Gaps = Gaps1
     ),
     gaps(Spans, X2, Gaps1).
-
-same_neighbours(Scene, Y, Y-A) :-
-    line_spans(Scene, Y, Spans),
-    append(_, [A,B|_], Spans),
-    A = span(_,X,R,S,F),
-    B = span(X,_,R,S,F).
 
 cases(Cases) :-
     (   getenv('SHADING_CASES', Text)
@@ -346,7 +351,8 @@ test(first_of_roots, Wrong == []) :-
                              box(size(2,2,2))-flush(0.7),
                              box(size(2,2,2))-flush(-2),
                              box(size(2,2,2))-flush(0) ]),
-              pair_terms(Pair, A0, B0),
+              pair_terms(Pair, C0, D0),
+              member(A0-B0, [C0-D0,D0-C0]),
               placed(Turn, A0, A),
               placed(Turn, B0, B),
               View = view(270.0,90.0,0.0,parallel),
