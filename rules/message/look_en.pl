@@ -55,12 +55,16 @@ expected_look_en(opacity) -->
 expected_look_en(shine) -->
     !,
     [ 'shine(F, N), F a number from 0 to 1, N a whole number from 1 to 1000' ].
-expected_look_en(_) -->
+expected_look_en(colour) -->
+    !,
     { findall(Name, colour_name(Name, _), Names),
       atomic_list_concat(Names, ', ', All)
     },
     [ 'colour(C), where C is rgb(R, G, B), whole numbers from 0 to 255, or \c
        one of', nl, '  ~w.'-[All] ].
+expected_look_en(_) -->
+    [ 'colour(C), opacity(A), shine(F, N), or for a face alone \c
+       face(Face, Property) with one of these' ].
 
 expected_light_en(strength) -->
     [ 'strength(F), F a number from 0 to 10' ].

@@ -56,12 +56,16 @@ expected_look_ko(opacity) -->
 expected_look_ko(shine) -->
     !,
     [ 'shine(F, N). F는 0에서 1까지의 수, N은 1에서 1000까지의 정수' ].
-expected_look_ko(_) -->
+expected_look_ko(colour) -->
+    !,
     { findall(Name, colour_name(Name, _), Names),
       atomic_list_concat(Names, ', ', All)
     },
     [ 'colour(C). C는 0에서 255까지 정수의 rgb(R, G, B) 또는 다음 가운데 하나', nl,
       '  ~w.'-[All] ].
+expected_look_ko(_) -->
+    [ 'colour(C), opacity(A), shine(F, N), 또는 면 하나만이면 그 가운데 하나를 \c
+       넣은 face(Face, Property)' ].
 
 expected_light_ko(strength) -->
     [ 'strength(F). F는 0에서 10까지의 수' ].

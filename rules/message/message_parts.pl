@@ -179,8 +179,11 @@ size_that_fits(Width, Height, Size) :-
 shown_value(Value, Shown) :-
     (   var(Value)
     ->  Shown = '_'
-    ;   format(atom(Shown), "~W",
-               [Value,[quoted(true),numbervars(true),max_depth(12)]])
+    ;   copy_term(Value, Copy, _),
+        term_variables(Copy, Variables),
+        maplist(=('$VAR'('_')), Variables),
+        format(atom(Shown), "~W",
+               [Copy,[quoted(true),numbervars(true),max_depth(12)]])
     ).
 
 %!  shown_count(+Count, -Shown) is det.

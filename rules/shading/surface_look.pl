@@ -22,6 +22,7 @@
 :- use_module(library(lists),
               [ append/2, append/3, list_to_set/2, member/2, nth0/3, nth1/3,
                 selectchk/3 ]).
+:- use_module(library(ordsets), [ord_add_element/3, ord_memberchk/2]).
 /** <module> How a face looks (CB-8).
 
 A look is a list of properties, those of look/2. Of each the nearest wins: that
@@ -127,7 +128,7 @@ body_way(N, [N|Way]) :-
 %   tells them apart. Colours is `root` or `leaf`: by what the palette goes.
 %
 %   @error model_error(look(no_face(S, Face, Names))): a fact look/2 is of a
-%          Face that the leaf S has not; Names are those that it has
+%          Face that S has not, nor a leaf below it; Names are those it has
 
 scene_looks(Scene, Colours, Looks, Leaves) :-
     findall(R, scene_root(Scene, root(R,_)), Roots),
@@ -205,11 +206,15 @@ way_look(Way, Face, Colour, Look) :-
     nearest(All, [], Look0),
     with_colour(Look0, Colour, Look).
 
-%   face_is_there(S, Face, Leaves): segment S, if it is one of Leaves, has such
-%   a Face.
+%   face_is_there(S, Face, Leaves): segment S, if it is one of Leaves or above
+%   some, has such a Face.
 
 face_is_there(S, Face, Leaves) :-
-    findall(Faces, member(leaf(_,_,S,_,Faces), Leaves), Own),
+    under([S], [], Under),
+    findall(Faces,
+            ( member(leaf(_,_,Leaf,_,Faces), Leaves),
+              ord_memberchk(Leaf, Under) ),
+            Own),
     (   Own == []
     ->  true
     ;   append(Own, All),
@@ -220,6 +225,23 @@ face_is_there(S, Face, Leaves) :-
         ;   throw(error(model_error(look(no_face(S,Face,Names))), _))
         )
     ).
+
+%   under(Segments, Under0, Under): Under0, ascending, and what is in the trees
+%   of Segments, each once.
+
+under([], Under, Under).
+under([S|Segments], Under0, Under) :-
+    (   ord_memberchk(S, Under0)
+    ->  Under1 = Under0
+    ;   ord_add_element(Under0, S, Under2),
+        findall(Child,
+                ( node(S, _, Children, _),
+                  member(Child, Children),
+                  integer(Child) ),
+                Below),
+        under(Below, Under2, Under1)
+    ),
+    under(Segments, Under1, Under).
 
 own_colour(Colours, Number, R, Roots, Place, Colour) :-
     (   Colours == leaf
