@@ -111,8 +111,8 @@ add_span(sg_shading_work *w, size_t depth, int32_t x1, int32_t x2,
     sg_span *last = &out->span[w->open.item[depth]];
     if (continues(s, last, &span)) {
       last->x2 = x2;
-      last->sense =
-          last->sense == span.sense ? last->sense : sg_quartic_side(last->sense);
+      last->sense = last->sense == span.sense ? last->sense
+                                              : sg_quartic_side(last->sense);
       return true;
     }
     w->open.item[depth] = out->n;

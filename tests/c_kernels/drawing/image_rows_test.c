@@ -328,7 +328,8 @@ refused(void)
   const sg_output to = {write_bytes, &full};
 
   CHECK("lines", !shaded(scene, 3, true) && is_domain("shading_lines", 2));
-  CHECK("most lines", !shaded(scene, 32, true) && is_domain("shading_lines", 2));
+  CHECK("most lines",
+        !shaded(scene, 32, true) && is_domain("shading_lines", 2));
   CHECK("a look that is not there",
         !sg_door_image_shade(&call, scene, &how, &looks, &leaves, &image) &&
             is_domain("shading_look", 4));
