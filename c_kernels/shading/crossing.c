@@ -5,7 +5,7 @@
  * cross; else the way between is halved, down to 1/256 dot. Of a torus is asked
  * whether another slice, or the strip in which it lies between two places,
  * meets it at all: on a straight line it is a quartic, the signs of whose
- * numbers of Bernstein tell.
+ * Bernstein coefficients tell.
  */
 #include "shading_private.h"
 

@@ -283,7 +283,7 @@ add_product(sg_polynomial *out, double part, const sg_polynomial *a,
   sg_polynomial_add(out, part, &product);
 }
 
-/* Numbers of u^k become those of Bernstein; the largest of them. */
+/* Coefficients of u^k become Bernstein coefficients; the largest of them. */
 static double
 make_bernstein(sg_polynomial *p)
 {

@@ -50,8 +50,9 @@ double sg_root_between(const double *c, int n, double low, double high,
  * it is below 0; a part of its discriminant. */
 double sg_quartic_discriminant(const double c[5]);
 
-/* A polynomial in u, of a place (1 u + 0) / (1 + u) between 0 and 1: all its
- * numbers are above 0 if it is so everywhere there (Bernstein). */
+/* A polynomial of degree n, for t from 0 to 1: the sum of c[k] u^k, times
+ * (1 - t)^n, with u = t / (1 - t). So c[k] / choose(n, k) are its Bernstein
+ * coefficients: if all of them are above 0, so is the polynomial there. */
 enum { SG_POLYNOMIAL_MOST = 12 };
 
 typedef struct sg_polynomial {
@@ -60,8 +61,8 @@ typedef struct sg_polynomial {
 } sg_polynomial;
 
 /* The discriminant, of degree 12, of a quartic whose c[k] has the degree 4 - k
- * in u. In *noise what rounding may leave of 0 in each of its numbers, which
- * are those of Bernstein. */
+ * in u. *out has its Bernstein coefficients; *noise is what rounding may leave
+ * of 0 in each of them. */
 void sg_discriminant_along(const sg_polynomial c[5], sg_polynomial *out,
                            double *noise);
 

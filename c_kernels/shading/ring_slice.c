@@ -1,7 +1,7 @@
 /* ring_slice.c -- what the plane of a scan line cuts out of a torus: a curve
  * A^2 = 4 B W. The line of sight at t meets it where a quartic is 0. How often
  * can change only where the discriminant of the quartic, of degree 12 in t, is
- * 0: such places are told apart by the signs of its numbers of Bernstein, and
+ * 0: such places are told apart by the signs of its Bernstein coefficients, and
  * between two of them the middle says what is there. A place too many does no
  * harm.
  */
@@ -69,7 +69,7 @@ sg_ring_quartic(const sg_ring_line *line, double t, double c[5])
   quartic_of(r, c);
 }
 
-/* A form at two places, and between them: numbers of u^0, u^1 and u^2. */
+/* A form at two places, and between them: coefficients of u^0, u^1 and u^2. */
 static void
 form_along(const double f[6], const double p[2], const double q[2],
            double out[3])
@@ -171,7 +171,8 @@ place_between(const sg_ring_line *line, double low, double high)
   return low + (high - low) * (f / (f - g));
 }
 
-/* How often the signs of the numbers change, 2: at least; -1: all are noise. */
+/* How often the signs of the coefficients change, 2: at least; -1: all are
+ * noise. */
 static int
 changes_of(const sg_polynomial *p, double noise)
 {
@@ -225,7 +226,7 @@ find_places(places *all, const sg_polynomial *p, double low, double high)
   }
 }
 
-/* The numbers of A, B and W by powers of z, along t. */
+/* The coefficients of A, B and W by powers of z, along t. */
 static void
 forms_between(const sg_ring_line *line, double low, double high,
               sg_polynomial r[3][3])
