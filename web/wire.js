@@ -85,7 +85,7 @@ export class Wire extends EventTarget {
   // Resolves to { head, body }; rejects with Lost, or an Error that has the head.
   ask(request, keys = {}) {
     if (!this.open) return Promise.reject(new Lost("away"));
-    if (this.slow && this.waiting.has(this.slow)) this.send({ do: "stop" });
+    if (this.slow && this.waiting.has(this.slow)) this.send({ do: "stop", of: this.slow });
     this.number += 1;
     const id = this.number;
     this.slow = ["unfold", "fold", "sheet"].includes(request) ? id : 0;

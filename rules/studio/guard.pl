@@ -303,7 +303,7 @@ keys("reload",   [look]).
 keys("save",     [file,force]).
 keys("complete", [text]).
 keys("help",     [of]).
-keys("stop",     []).
+keys("stop",     [of]).
 
 view_keys([ format,view,projection,lines,hidden,up,crease,size,scale,margin,
             segments ]).

@@ -151,6 +151,7 @@ cache(sg_cli:told/1).
 cache(sg_cli:told_once/0).
 cache(sg_process_state:_).
 cache(sg_session:_).
+cache(sg_stop:_).
 cache(sg_files_read:_).
 
 %   put_back(State): as far as it can be. What is then still another is found

@@ -33,6 +33,8 @@
                          text_octets/2]).
 :- use_module(request, [request_error/1, request_options/2]).
 :- use_module(select, [selected/3, selection_forgotten/0]).
+:- use_module(stop, [committed/1, stop_all/2, stop_answered/2, stop_asked/3,
+                     stoppable/3, stops_forgotten/0, under_way/1]).
 :- use_module(world_state, [in_state/3]).
 :- use_module(library(apply), [maplist/2]).
 /** <module> A session: frames in, frames out (docs/protocol.md).
@@ -51,10 +53,8 @@ revision.
 
 :- meta_predicate session(2, :, :, -).
 
-% The sequence number of the request that is being done, and of the last `stop`
-% that came: what came before that is not done any more. newest(Port, Sequence):
-% of the last `view` that came for Port.
-:- dynamic under_way/1, stopped_before/1, newest/2.
+% newest(Port, Sequence): the last `view` that came for Port.
+:- dynamic newest/2.
 
 %!  session(:Run, +Makers, +Help, -Status) is det.
 %
@@ -71,8 +71,7 @@ revision.
 %   would, an item of the current world.
 
 session(Run, _:Makers, _:Help, Status) :-
-    retractall(under_way(_)),
-    retractall(stopped_before(_)),
+    stops_forgotten,
     retractall(newest(_, _)),
     limits_forgotten,
     few_collections,
@@ -126,7 +125,7 @@ reading(In, Out, Worker, Queue, Sequence) :-
     ->  thread_send_message(Queue, end),
         orphan_watched(Out, Worker)
     ;   (   get_dict(do, Head, "stop")
-        ->  stop(Worker, Sequence)
+        ->  stop_asked(Worker, Sequence, Head)
         ;   get_dict(do, Head, "view"),
             catch(view_port(Head, Port), error(_, _), fail)
         ->  retractall(newest(Port, _)),
@@ -146,31 +145,10 @@ next_read(In, Out, Worker, Queue, Sequence) :-
 
 orphan_watched(Out, Worker) :-
     (   catch(reader_gone(Out), error(_, _), true)
-    ->  stop(Worker, inf)
+    ->  stop_all(Worker, inf)
     ;   sleep(0.2),
         orphan_watched(Out, Worker)
     ).
-
-stop(Worker, Sequence) :-
-    asserta(stopped_before(Sequence)),
-    forall(( stopped_before(S), S \== Sequence ), retract(stopped_before(S))),
-    catch(thread_signal(Worker, sg_session:stop_heard), error(_, _), true).
-
-:- public stop_heard/0.
-
-%   stop_heard: in the thread that works, between two of its steps.
-
-stop_heard :-
-    (   under_way(Sequence),
-        is_stopped(Sequence)
-    ->  throw(sanggwan_interrupt(int))
-    ;   true
-    ).
-
-is_stopped(Sequence) :-
-    stopped_before(Stop),
-    Sequence < Stop,
-    !.
 
 
                 /*******************************
@@ -194,21 +172,12 @@ answered(Session, Request, Reply, Octets) :-
     document_revision(Revision),
     Reply = Reply0.put(_{id:Id, rev:Revision}).
 
-%   worked(Session, Request, Reply, Octets): nobody can stop it but between the
-%   beginning and the end of this.
-
 worked(Session, request(Sequence, Head, Body), Reply, Octets) :-
-    setup_call_cleanup(
-        asserta(under_way(Sequence)),
-        ( (   is_stopped(Sequence)
-          ->  throw(sanggwan_interrupt(int))
-          ;   cpu_limited,
-              with_progress_wanted(Session, Sequence, Head,
-                  done(Session, Sequence, Head, Body, Reply, Octets))
-          ),
-          not_stopped_now
-        ),
-        not_stopped_now).
+    request_id(Head, Id),
+    stoppable(Sequence, Id,
+              ( cpu_limited,
+                with_progress_wanted(Session, Sequence, Head,
+                    done(Session, Sequence, Head, Body, Reply, Octets)) )).
 
 :- meta_predicate with_progress_wanted(+, +, +, 0).
 
@@ -248,18 +217,6 @@ sent_or_not(Out, Head) :-
     ->  true
     ;   true
     ).
-
-not_stopped_now :-
-    retractall(under_way(_)).
-
-%   committed(Goal): what has begun to change the document is not stopped any
-%   more.
-
-:- meta_predicate committed(0).
-
-committed(Goal) :-
-    sig_atomic(( not_stopped_now,
-                 once(Goal) )).
 
 request_id(Head, Id) :-
     (   is_dict(Head),
@@ -382,7 +339,8 @@ run(request(_, Head, Body), Session, Reply, Octets) :-
     session_run(Session, Run),
     verb_job(Run, Head, Body, Reply, Octets).
 
-stopped(_, _, _{}, "").
+stopped(request(Sequence, Head, _), _, _{}, "") :-
+    stop_answered(Sequence, Head).
 
 %   helped: the list of requests, or what one word is.
 

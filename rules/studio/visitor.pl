@@ -20,6 +20,7 @@
 :- use_module(request, [request_error/1]).
 :- use_module(library(filesex), [delete_directory_and_contents/1]).
 :- use_module(library(http/json), [json_write_dict/3]).
+:- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(process),
               [process_create/3, process_kill/2, process_wait/2]).
@@ -37,10 +38,11 @@ one, and the journal of the document has all that was answered.
 % session_(Visitor, Generation, Pid, In); socket_(Socket, Visitor, Send);
 % pending_(Number, Visitor, Socket, Id, Do, Since, File): Number is the id that
 % the session knows. revision_(Visitor, Revision); used_(Visitor, Time);
+% answered_(Visitor, Time): of the last reply of the session;
 % opened_(Visitor, File, Time): what is open, and when it was written, as far as
 % pages know. download_(Ticket, Path, Name, Until); folder_(Folder): of these.
 :- dynamic session_/4, socket_/3, pending_/7, revision_/2, used_/2,
-           opened_/3, download_/4, folder_/1.
+           answered_/2, opened_/3, download_/4, folder_/1.
 
 %   What a visitor may have: waiting requests, seconds for one until it is
 %   stopped and until its session is killed, seconds of the processor for one,
@@ -188,7 +190,7 @@ asked(Front, Visitor, Socket, Id, Head, Body) :-
     used_now(Visitor),
     flag(sg_visitor_request, N, N+1),
     Number is N+1,
-    question_known(Socket, Allowed0, Allowed1),
+    request_known(Socket, Allowed0, Allowed1),
     download_begun(Head, Number, Allowed1, Allowed, File0),
     file_opened(Front, Allowed, File0, File),
     (   Visitor == owner,
@@ -208,18 +210,24 @@ asked(Front, Visitor, Socket, Id, Head, Body) :-
 visitor_mutex(Visitor, Mutex) :-
     atom_concat('sg_visitor ', Visitor, Mutex).
 
-%   question_known(Socket, Head0, Head): the id of a question, as the session
-%   knows it.
+%   request_known(Socket, Head0, Head): the id of a question, or of a request that
+%   is stopped, as the session knows it. 0, if that one is done.
 
 :- dynamic question_/3.
 
-question_known(Socket, Head0, Head) :-
+request_known(Socket, Head0, Head) :-
     (   get_dict(of, Head0, Id),
-        Head0.do == "next"
-    ->  (   question_(Socket, Id, Number)
-        ->  Head = Head0.put(of, Number)
+        memberchk(Head0.do, ["next","stop"])
+    ->  (   (   Head0.do == "next"
+            ->  question_(Socket, Id, Number)
+            ;   pending_(Number, _, Socket, Id, _, _, _)
+            )
+        ->  true
+        ;   Head0.do == "stop"
+        ->  Number = 0
         ;   request_error(no_answers_left(Id))
-        )
+        ),
+        Head = Head0.put(of, Number)
     ;   Head = Head0
     ).
 
@@ -285,6 +293,9 @@ routed(Visitor, Head, Body) :-
     ;   pending_(Number, Visitor, Socket, Id, Do, _, File),
         file_heard(Do, Visitor, File, Head),
         retractall(pending_(Number, Visitor, _, _, _, _, _)),
+        get_time(Now),
+        retractall(answered_(Visitor, _)),
+        assertz(answered_(Visitor, Now)),
         (   Do == "ask"
         ->  retractall(question_(Socket, Id, _)),
             assertz(question_(Socket, Id, Number))
@@ -365,6 +376,7 @@ session_gone(Visitor, Generation) :-
     ->  catch(close(In, [force(true)]), error(_, _), true),
         catch(process_wait(Pid, _), error(_, _), true),
         retractall(revision_(Visitor, _)),
+        retractall(answered_(Visitor, _)),
         forall(retract(pending_(_, Visitor, Socket, Id, _, _, _)),
                visitor_refused(Socket, Id,
                                error(request_error(session_ended), _))),
@@ -522,16 +534,15 @@ visitors_watched(Now) :-
     most(stopped, Stopped),
     most(killed, Killed),
     most(idle, Idle),
-    findall(Visitor-Age,
+    findall(age(Visitor, Number, Age),
             ( session_(Visitor, _, _, _),
-              findall(Since, pending_(_, Visitor, _, _, _, Since, _), Sinces),
-              Sinces = [First|_],
-              Age is Now-First ),
+              request_under_way(Visitor, Number, Since),
+              Age is Now-Since ),
             Ages),
-    forall(( member(Visitor-Age, Ages), Age > Killed ),
+    forall(( member(age(Visitor, _, Age), Ages), Age > Killed ),
            session_killed(Visitor)),
-    forall(( member(Visitor-Age, Ages), Age > Stopped ),
-           session_stopped(Visitor)),
+    forall(( member(age(Visitor, Number, Age), Ages), Age > Stopped ),
+           session_stopped(Visitor, Number)),
     forall(( session_(Visitor, _, _, _),
              \+ socket_(_, Visitor, _),
              used_(Visitor, Time),
@@ -542,11 +553,26 @@ visitors_watched(Now) :-
            ( retractall(download_(Ticket, _, _, _)),
              catch(delete_file(Path), error(_, _), true) )).
 
-session_stopped(Visitor) :-
+%   request_under_way(Visitor, Number, Since): the first of those that wait. It
+%   began when it was asked, or when the one before was answered.
+
+request_under_way(Visitor, Number, Since) :-
+    aggregate_all(min(Number0, Asked),
+                  pending_(Number0, Visitor, _, _, _, Asked, _),
+                  min(Number, Asked)),
+    (   answered_(Visitor, Answered)
+    ->  Since is max(Asked, Answered)
+    ;   Since = Asked
+    ).
+
+%   session_stopped(Visitor, Number): what waits behind request Number is done.
+
+session_stopped(Visitor, Number) :-
     visitor_mutex(Visitor, Mutex),
     with_mutex(Mutex,
         (   session_(Visitor, _, _, In)
-        ->  catch(frame_write(In, _{id:0, do:"stop"}, ""), error(_, _), true)
+        ->  catch(frame_write(In, _{id:0, do:"stop", of:Number}, ""),
+                  error(_, _), true)
         ;   true
         )).
 

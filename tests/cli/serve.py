@@ -181,6 +181,29 @@ for goal in ("repeat,fail", "sleep(30)", "catch((repeat,fail),_,fail)"):
     check("what waits", second["id"] == 2 and
           second["error"]["code"] == "interrupted", second)
     check("stop itself", third == {"id": 3, "rev": 0, "do": "stop"}, third)
+# A stop that names its request ends that one only: before it begins, while it
+# is under way, and not when it is done.
+SLOW = {"do": "run", "argv": ["query", "facts/cube.pl", "repeat,fail"]}
+QUICK = {"do": "run", "argv": ["query", "facts/cube.pl", "sleep(0.5)"]}
+for sent, named, stopped in (
+        ([{"id": 1, **QUICK}, {"id": "b", **SLOW}, {"id": 3, **QUICK}], "b",
+         ["b"]),
+        ([{"id": 1, **SLOW}, {"id": 2, **QUICK}], 1, [1]),
+        ([{"id": 1, **QUICK}], 2, []), ([{"id": 1, **QUICK}], "1", []),
+        ([QUICK], None, []), ([{"id": 1, **QUICK}], [1], [])):
+    for one in sent:
+        s.send(one)
+    time.sleep(0.2)
+    s.send({"id": 9, "do": "stop", "of": named})
+    s.send({"id": named, **QUICK} if stopped else {"id": 10, **QUICK})
+    replies = [s.reply()[0] for _ in range(len(sent) + 2)]
+    told = [one["id"] for one in replies[:len(sent)] if one.get("status") != 0]
+    check("stop of %s" % named, told == stopped, replies)
+    wrong = replies[-2].get("error", {}).get("code")
+    check("of an id", replies[-2]["id"] == 9 and wrong == (
+        None if isinstance(named, (int, str)) else "request_error.bad_key"),
+        replies)
+    check("what came after it", replies[-1]["status"] == 0, replies)
 status, out, err, head = s.run("check", "facts/cube.pl")
 check("after stops", status == 0, head)
 check("end", s.end() == (0, b""))

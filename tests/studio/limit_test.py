@@ -90,6 +90,22 @@ while 71 not in heard:
 check("and stop is heard", heard[70].get("error", {}).get("code")
       == "interrupted", heard)
 check("the model is as it was", greedy.ask("text")[1].decode() == CUBE)
+
+# A stop that names its request: what was asked before it is done.
+greedy.say({"id": 72, "do": "ask", "goal": "between(1, 3000000, X), X < 0"})
+greedy.say({"id": 73, "do": "text", "body": CUBE.replace("1", "2", 1)})
+greedy.say({"id": 74, "do": "unfold"})
+greedy.say({"id": 75, "do": "stop", "of": 74})
+greedy.say({"id": 76, "do": "stop", "of": 1000})
+heard = {}
+while 76 not in heard:
+    head, _ = greedy.hear()
+    heard[head.get("id")] = head
+check("it alone is stopped", [n for n in heard if "error" in heard[n]] == [74]
+      and sorted(heard) == [72, 73, 74, 75, 76] and heard[74]["error"]["code"]
+      == "interrupted", heard)
+check("no change is lost", greedy.ask("text")[1].decode() != CUBE)
+greedy.ask("undo")
 deep = greedy.ask("ask", goal="numlist(1, 30000000, L), length(L, N)")
 check("memory", "error" in deep[0] and greedy.ask("text")[1].decode() == CUBE,
       deep[0])

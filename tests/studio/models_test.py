@@ -186,6 +186,20 @@ for language in ("en", "ko"):
                             "studio.asking.ask()") is None and
              browser.wait("document.querySelectorAll('.answers tbody tr')"
                           ".length === 1"))
+
+        # A slow pattern that nobody waits for any more is stopped, alone: what
+        # was asked before it is done.
+        done = browser.script('''const ask = (...words) => studio.wire.ask(
+          ...words).then(() => "done", ({ message }) => message);
+          return Promise.all([
+            ask("ask", { goal: "between(1, 3000000, X), X < 0" }),
+            ask("text", { body: "segment(1, solid, box(size(1, 2, 4)))." }),
+            ask("unfold", { segment: 1 }), ask("tree")])''')
+        told("a pattern is stopped, no change", done == [
+            "done", "done", "interrupted", "done"] and browser.script(
+            "return studio.wire.ask('text').then(({ body }) => new "
+            "TextDecoder().decode(body))") ==
+            "segment(1, solid, box(size(1, 2, 4))).", done)
         told("nothing went wrong", browser.log() == [], browser.log())
     finally:
         browser.end()

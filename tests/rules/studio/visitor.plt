@@ -1,8 +1,9 @@
 /* Which sessions are ended: those that nobody uses, and those that do not stop.
-   A process that sleeps stands for each. */
+   What the front stops. A process that sleeps stands for each. */
 :- module(test_visitor, []).
 :- use_module(library(plunit)).
 :- use_module(library(process)).
+:- use_module(rules('studio/protocol'), [frame_read/4]).
 :- use_module(rules('studio/visitor'), [visitors_watched/1]).
 
 :- begin_tests(visitor).
@@ -38,11 +39,46 @@ watched(Used, Since, After, Status) :-
 
 test(used, Status == running) :-
     watched(1000, none, 2700, Status).
+%   stopped(Asked, Answered, After, Of): at After the front stops request Of of a
+%   session of which Asked, Number-Since, wait, and which answered another one
+%   at Answered; none, if nothing.
+
+stopped(Asked, Answered, After, Of) :-
+    tmp_file_stream(File, Out, [encoding(octet)]),
+    findall(Clause,
+            ( (   member(Number-Since, Asked),
+                  Fact = pending_(Number, someone, none, 1, "view", Since, none)
+              ;   member(Fact, [ session_(someone, 7, 0, Out),
+                                 answered_(someone, Answered),
+                                 used_(someone, After) ])
+              ),
+              assertz(sg_visitor:Fact, Clause) ),
+            Clauses),
+    visitors_watched(After),
+    forall(member(Clause, Clauses), erase(Clause)),
+    close(Out),
+    setup_call_cleanup(open(File, read, In, [type(binary)]),
+                       frame_read(In, request, Head, _),
+                       close(In)),
+    delete_file(File),
+    (   is_dict(Head)
+    ->  get_dict(of, Head, Of)
+    ;   Of = none
+    ).
+
 test(idle, Status == killed(9)) :-
     watched(1000, none, 2801, Status).
 test(busy, Status == running) :-
     watched(1000, 1000, 1074, Status).
 test(stuck, Status == killed(9)) :-
     watched(1000, 1000, 1076, Status).
+
+% What waits behind a slow request is not slow itself.
+test(slow, Of == 1) :-
+    stopped([2-1000,1-1000], 900, 1061, Of).
+test(next, Of == none) :-
+    stopped([3-1000,2-1000], 1061, 1074, Of).
+test(next_slow, Of == 2) :-
+    stopped([3-1000,2-1000], 1001, 1062, Of).
 
 :- end_tests(visitor).
