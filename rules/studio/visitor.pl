@@ -210,8 +210,8 @@ asked(Front, Visitor, Socket, Id, Head, Body) :-
 visitor_mutex(Visitor, Mutex) :-
     atom_concat('sg_visitor ', Visitor, Mutex).
 
-%   request_known(Socket, Head0, Head): the id of a question, or of a request that
-%   is stopped, as the session knows it. 0, if that one is done.
+%   request_known(Socket, Head0, Head): the id of a question, or of a request
+%   that is stopped, as the session knows it. 0, if that one is done.
 
 :- dynamic question_/3.
 

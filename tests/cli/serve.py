@@ -1,6 +1,6 @@
 """serve.py PROGRAM FOLDER: verbs as jobs of a session do what the command line
 does, and a session survives all that is sent to it."""
-# covers: job, message_object, process_state
+# covers: job, message_object, process_state, stop
 import os
 import random
 import signal

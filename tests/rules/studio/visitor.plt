@@ -39,9 +39,9 @@ watched(Used, Since, After, Status) :-
 
 test(used, Status == running) :-
     watched(1000, none, 2700, Status).
-%   stopped(Asked, Answered, After, Of): at After the front stops request Of of a
-%   session of which Asked, Number-Since, wait, and which answered another one
-%   at Answered; none, if nothing.
+%   stopped(Asked, Answered, After, Of): at After the front stops request Of of
+%   a session of which Asked, Number-Since, wait, and which answered another
+%   one at Answered; none, if nothing.
 
 stopped(Asked, Answered, After, Of) :-
     tmp_file_stream(File, Out, [encoding(octet)]),
