@@ -11,6 +11,7 @@
                 polygon_of_edge/3
               ]).
 :- use_module(corner_relief, [corners_relieved/4, outline_crossings/2]).
+:- use_module(flat_faces, [flat_faces_united/1]).
 :- use_module('../csg/placed_surface', [facet_surface/3]).
 :- use_module('../store',
               [ e/5, from_v/4, joint/6, origin/3, p/3,
@@ -101,8 +102,8 @@ drawn_at(inside, Degrees, T, _, S) :-
 %!  pattern_bent(+D, +Options) is det.
 %
 %   Pattern D, flat faces joined by folds, becomes that of a plate. Folds by
-%   less than 0.01 degree are none. Nothing changes without a thickness. One
-%   transaction. Options:
+%   less than 0.01 degree are none: what they join becomes one polygon. Nothing
+%   changes without a thickness. One transaction. Options:
 %
 %     - thickness(T)
 %     - size(Which)
@@ -141,6 +142,7 @@ pattern_bent(D, Options) :-
     ).
 
 bent(D, Options0) :-
+    flat_faces_united(D),
     seen_from(D, Options0, Options),
     findall(bend(E1, E2, P1, P2, Half),
             fold_half(D, Options, E1, E2, P1, P2, Half),

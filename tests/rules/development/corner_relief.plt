@@ -4,6 +4,7 @@
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
 :- use_module(library(lists)).
+:- use_module(library(pairs)).
 :- use_module(library(random)).
 :- use_module(rules(decision), [use_rules/1]).
 :- use_module(rules(development/bend)).
@@ -298,6 +299,54 @@ test(no_room, error(geometry_error(true(no_relief(1, _, _))), _)) :-
           _, true).
 test(not_a_relief, error(type_error(oneof([square,round,none]), oval), _)) :-
     plate(box(size(100,60,20)), [thickness(2),relief(oval)], _, true).
+
+%   A mesh has each flat face as triangles; its plate is that of the faces.
+
+meshed(box(size(100,60,20))).
+meshed(pyramid(base(100,100), height(60))).
+meshed(prism(outline([[0,0],[60,0],[60,20],[20,20],[20,50],[0,50]]),
+             height(30))).
+meshed(prism(outline([[0,0],[160,0],[160,200],[0,200]]),
+             holes([[[20,20],[140,20],[140,180],[20,180]]]), height(40))).
+meshed(sheet(points([[0,0,0],[60,0,0],[60,100,0],[0,100,0],[0,0,40],
+                     [0,100,40]]),
+             faces([[1,2,3,4],[1,4,6,5]]))).
+
+test(faces_of_a_mesh, [forall(( meshed(Term), member(T, [1,2]) ))]) :-
+    Options = [thickness(T)],
+    plate(Term, Options, D1,
+          ( segment(1, Kind, _),
+            area(D1, Area1),
+            sides(D1, Count1),
+            triangles(Places, Corners) )),
+    (   Kind == surface
+    ->  Mesh = sheet(points(Places), faces(Corners))
+    ;   Mesh = polyhedron(points(Places), faces(Corners))
+    ),
+    plate(Mesh, Options, D2,
+          ( area(D2, Area2),
+            sides(D2, Count2),
+            outline_crossings(D2, Crossings),
+            findall(P, ( from_p(D2, _, 1, P, _)
+                       ; p(D2, P, _), \+ from_p(D2, P, _, _, _) ), Ps) )),
+    assertion(near(Area2, Area1)),
+    assertion(Count2 == Count1),
+    assertion(Crossings == 0),
+    length(Corners, N),
+    numlist(1, N, All),
+    msort(Ps, Sorted),
+    assertion(Sorted == All).
+
+%   triangles(Places, Corners): those of segment 1.
+
+triangles(Places, Corners) :-
+    findall(V-[X,Y,Z], v(1, V, X, Y, Z), Vs0),
+    msort(Vs0, Vs),
+    pairs_keys_values(Vs, Ids, Places),
+    findall([I,J,K],
+            ( t(1, _, _, A, B, C),
+              nth1(I, Ids, A), nth1(J, Ids, B), nth1(K, Ids, C) ),
+            Corners).
 
 %   A shop that has no square punch.
 test(decided, Count == Round) :-
