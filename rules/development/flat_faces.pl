@@ -2,6 +2,7 @@
           [ flat_faces_united/1         % +D
           ]).
 :- use_module(bend_corner, [model_segment/2, polygon_of_edge/3]).
+:- use_module('../csg/placed_surface', [facet_surface/3]).
 :- use_module('../store',
               [ e/5, from_p/5, joint/6, p/3, piece/3,
                 assert_fact/1, retractall_facts/1
@@ -21,8 +22,8 @@ relief, are of the whole face.
 %!  flat_faces_united(+D) is det.
 %
 %   Polygons of pattern D that hang together by folds of less than 0.01 degree,
-%   at which a plate stays flat, become one, of the smallest number. A face that
-%   has a seam in itself keeps its polygons.
+%   at which a plate stays flat, become one, of the smallest number. Facets of
+%   curved surfaces, and a face that has a seam in itself, keep their polygons.
 
 flat_faces_united(D) :-
     findall(flat(J, E1, E2, P1, P2), flat_fold(D, J, E1, E2, P1, P2), Flats),
@@ -61,7 +62,10 @@ flat_fold(D, J, E1, E2, P1, P2) :-
     abs(Degrees) < 0.01,
     polygon_of_edge(D, E1, P1),
     polygon_of_edge(D, E2, P2),
-    P1 \== P2.
+    P1 \== P2,
+    model_segment(D, S),
+    \+ facet_surface(S, P1, _),
+    \+ facet_surface(S, P2, _).
 
 %   face_polygons(Vertices, Graph, Faces): the sets of vertices of Graph that
 %   hang together, each in order.
