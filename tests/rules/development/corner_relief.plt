@@ -1,5 +1,5 @@
 /* Corners of bent plates: rules/development/corner_relief.pl. */
-% covers: corner_cut
+% covers: corner_cut, flat_faces
 :- use_module(library(plunit)).
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
