@@ -13,6 +13,7 @@
             longer/2,                   % +Length1, +Length2
             is_on_surface/2,            % +Off, +Size
             is_straight/2,              % +Cross, +Square
+            is_bend/1,                  % +Degrees
             below_zero/2,               % +Product, +Square
             points_left/2,              % +X, +Y
             boxes_near/3                % +Box1, +Box2, +Reach
@@ -46,6 +47,7 @@ expressions.
 %       this may not be meant. Nothing is moved, it is only told.
 %     - paper: of millimetres, of directions, and of places over their size: far
 %       below what a knife can do, far above rounding.
+%     - fold: of folds of a plate, in degrees: below what a brake can bend.
 
 tolerance(angle,    1.0e-6).
 tolerance(rounding, 1.0e-9).
@@ -55,6 +57,7 @@ tolerance(place,    1.0e-7).
 tolerance(surface,  1.0e-6).
 tolerance(gap,      1.0e-3).
 tolerance(paper,    1.0e-6).
+tolerance(fold,     1.0e-2).
 
 %!  same_angle(+T1, +T2) is semidet.
 %
@@ -158,6 +161,14 @@ is_on_surface(Off, Size) :-
     abs(Off) =< Near*Size.
 
 %!  is_straight(+Cross, +Square) is semidet.
+%!  is_bend(+Degrees) is semidet.
+%
+%   True when a plate is bent where its faces fold by Degrees, either way.
+
+is_bend(Degrees) :-
+    tolerance(fold, Near),
+    abs(Degrees) >= Near.
+
 %!  below_zero(+Product, +Square) is semidet.
 %
 %   True when the product of two ways on paper, whose size is that of Square, is

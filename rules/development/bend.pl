@@ -4,7 +4,7 @@
             doubly_curved/3,            % +D, ?P, -Kind
             named_segment/2             % +D, -S
           ]).
-:- use_module('../near', [is_rounding/2]).
+:- use_module('../near', [is_bend/1, is_rounding/2]).
 :- use_module(bend_corner,
               [ corner_place/5, edge_inward/4, list_to_first/2,
                 model_segment/2, of_one_surface/3, polygon_corners/4,
@@ -101,9 +101,9 @@ drawn_at(inside, Degrees, T, _, S) :-
 
 %!  pattern_bent(+D, +Options) is det.
 %
-%   Pattern D, flat faces joined by folds, becomes that of a plate. Folds by
-%   less than 0.01 degree are none: what they join becomes one polygon. Nothing
-%   changes without a thickness. One transaction. Options:
+%   Pattern D, flat faces joined by folds, becomes that of a plate. Where folds
+%   are no is_bend/1, what they join becomes one polygon. Nothing changes
+%   without a thickness. One transaction. Options:
 %
 %     - thickness(T)
 %     - size(Which)
@@ -182,7 +182,8 @@ seen_from(D, Options0, Options) :-
     (   segment(S, surface, _),
         joint(D, _, _, _, fold, _),
         \+ ( joint(D, _, _, _, fold, Degrees),
-             Degrees > 0.01
+             Degrees > 0.0,
+             is_bend(Degrees)
            ),
         option(size(Size), Options0),
         other_side(Size, Other)
@@ -200,7 +201,7 @@ fold_half(D, Options, E1, E2, P1, P2, Half) :-
     joint(D, _, E1, E2, fold, Degrees),
     polygon_of_edge(D, E1, P1),
     polygon_of_edge(D, E2, P2),
-    (   abs(Degrees) < 0.01
+    (   \+ is_bend(Degrees)
     ->  Half = 0.0
     ;   abs(Degrees) >= 170.0
     ->  named_segment(D, S),

@@ -2,7 +2,7 @@
           [ corners_relieved/4,         % +D, +S, +Plate, +Wished
             outline_crossings/2         % +D, -Count
           ]).
-:- use_module('../near', [is_rounding/2]).
+:- use_module('../near', [is_bend/1, is_rounding/2]).
 :- use_module('../polygon/triangulation', [pattern_completed/1]).
 :- use_module('../store',
               [ e/5, from_v/4, joint/6, origin/3, p/3,
@@ -55,7 +55,7 @@ corners_relieved(D, S, Plate, Wished) :-
 
 bend_side(D, plate(R, Layer), E, bend(F, Wide, Degrees)) :-
     joint(D, _, E1, E2, fold, Degrees),
-    abs(Degrees) >= 0.01,
+    is_bend(Degrees),
     Wide is abs(Degrees)*pi/360.0*(R + Layer),
     Wide > 0.0,
     ( E = E1, F = E2 ; E = E2, F = E1 ).

@@ -3,6 +3,7 @@
           ]).
 :- use_module(bend_corner, [model_segment/2, polygon_of_edge/3]).
 :- use_module('../csg/placed_surface', [facet_surface/3]).
+:- use_module('../near', [is_bend/1]).
 :- use_module('../store',
               [ e/5, from_p/5, joint/6, p/3, piece/3,
                 assert_fact/1, retractall_facts/1
@@ -21,9 +22,9 @@ relief, are of the whole face.
 
 %!  flat_faces_united(+D) is det.
 %
-%   Polygons of pattern D that hang together by folds of less than 0.01 degree,
-%   at which a plate stays flat, become one, of the smallest number. Facets of
-%   curved surfaces, and a face that has a seam in itself, keep their polygons.
+%   Polygons of pattern D that folds connect at which a plate stays flat,
+%   is_bend/1, become one, of the smallest number. Facets of curved surfaces,
+%   and a face that has a seam in itself, keep their polygons.
 
 flat_faces_united(D) :-
     findall(flat(J, E1, E2, P1, P2), flat_fold(D, J, E1, E2, P1, P2), Flats),
@@ -59,7 +60,7 @@ flat_faces_united(D) :-
 
 flat_fold(D, J, E1, E2, P1, P2) :-
     joint(D, J, E1, E2, fold, Degrees),
-    abs(Degrees) < 0.01,
+    \+ is_bend(Degrees),
     polygon_of_edge(D, E1, P1),
     polygon_of_edge(D, E2, P2),
     P1 \== P2,
@@ -67,8 +68,8 @@ flat_fold(D, J, E1, E2, P1, P2) :-
     \+ facet_surface(S, P1, _),
     \+ facet_surface(S, P2, _).
 
-%   face_polygons(Vertices, Graph, Faces): the sets of vertices of Graph that
-%   hang together, each in order.
+%   face_polygons(Vertices, Graph, Faces): the connected components of Graph,
+%   the vertices of each in order.
 
 face_polygons([], _, []).
 face_polygons([P-_|Vertices], Graph, Faces) :-

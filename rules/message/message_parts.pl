@@ -17,7 +17,7 @@
             loading_warnings/2,         % +Term, -Whats
             manual_page//1              % +PI
           ]).
-:- use_module(library(apply), [convlist/3, maplist/3]).
+:- use_module(library(apply), [convlist/3, maplist/2, maplist/3]).
 :- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(uri), [uri_encoded/3]).
 :- use_module('../sheet/sheet_paper', [paper_size/3]).
