@@ -144,10 +144,10 @@ static double
 fan_of(const sg_counting *c, size_t p)
 {
   const sg_dense *d = c->d;
-  const double *corner = d->at[d->from[d->list[d->list_begin[p]]]];
   double fan = 0;
 
   for (size_t k = d->list_begin[p]; k < d->list_begin[p + 1]; k++) {
+    const double *corner = d->at[d->from[d->list[d->list_begin[p]]]];
     sg_newell one;
     sg_newell_triangle(&one, corner, d->at[d->from[d->list[k]]],
                        d->at[d->to[d->list[k]]]);

@@ -157,6 +157,25 @@ changed(void)
   CHECK("as before", ask_all(&after) && after.n == before.n);
 }
 
+/* Behind the last edge of the last polygon there is nothing to read. */
+static void
+without_edges(void)
+{
+  const int32_t s = 3, p = 1, none[1] = {0};
+  const int32_t *list = none;
+  sg_census_defect_rows all;
+
+  sg_world_begin(call.world);
+  CHECK("a polygon without edges",
+        sg_world_add_many(call.world, SG_P, 1, (const void *[]){&s, &p, &list},
+                          NULL) == SG_OK);
+  sg_call_rest(&call);
+  CHECK("is flat", ask_all(&all) && all.n > 0 && all.at[all.n - 1].s == s &&
+                       all.at[all.n - 1].kind == SG_DEFECT_FLAT);
+  CHECK("it goes", sg_world_rollback(call.world) == SG_OK);
+  sg_call_rest(&call);
+}
+
 static bool
 stop(void *data)
 {
@@ -184,6 +203,7 @@ main(void)
   one_by_one();
   parts_and_shells();
   changed();
+  without_edges();
   sg_call_close(&call);
   sg_world_let_go(world);
   return check_report();
