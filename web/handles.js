@@ -116,7 +116,8 @@ export class Handles {
           const far = Math.hypot(...one.axis);
           const reach = one.arrow ? 0 : one.axis.reduce((sum, x, k) => sum + Math.abs(x) * (high[k] - low[k]) / 2, 0) / far / far;
           return { ...one, at: placed(place, middle.map((x, k) => x + one.axis[k] * reach)), middle: placed(place, middle),
-            axis: along(place, one.axis), target: { segment, path: one.path } };
+            axis: along(place, one.axis), target: { segment, path: one.path },
+            get value() { return tree.valueOf(this.target); } };
         });
       }
     } catch (error) {
@@ -170,7 +171,8 @@ export class Handles {
     const [x, y] = [event.clientX, event.clientY];
     const square = way[0] ** 2 + way[1] ** 2;
     tree.drag = (tree.drag || 0) + 1;
-    const moved = (next) => this.put(one, one.value + ((next.clientX - x) * way[0] + (next.clientY - y) * way[1]) / square,
+    const from = one.value;
+    const moved = (next) => this.put(one, from + ((next.clientX - x) * way[0] + (next.clientY - y) * way[1]) / square,
       1 / Math.sqrt(square));
     const up = () => {
       window.removeEventListener("pointermove", moved);
@@ -188,15 +190,13 @@ export class Handles {
     const { tree } = this.studio;
     const step = 10 ** (Math.floor(Math.log10(Math.abs(one.value) || 1)) - 1);
     tree.drag = (tree.drag || 0) + 1;
-    one.value = this.put(one, one.value + way * step, step);     // the next key may come before the picture
+    this.put(one, one.value + way * step, step);
   }
 
   // A size is more than nothing; no more digits than a dot can tell.
   put(one, value, step) {
     const unit = 10 ** Math.floor(Math.log10(step));
     const number = Number((Math.round(value / unit) * unit).toPrecision(12));
-    if (!one.arrow && !(number > 0)) return one.value;
-    this.studio.tree.set(one.target, number);
-    return number;
+    if (one.arrow || number > 0) this.studio.tree.set(one.target, number);
   }
 }

@@ -281,6 +281,7 @@ class Studio {
     try {
       const { head } = await this.wire.ask("open", { file, ...keys });
       this.segments = head.segments;
+      this.tree.sets = [];
       this.ready = true;
       this.changes = head.replayed;
       $("banner").hidden = true;
@@ -342,10 +343,16 @@ class Studio {
     $("state").className = this.changes ? "changed" : "";
   }
 
-  // One change after the other; the panes show what the last of them made.
+  // One change after the other.
+  inLine(change) {
+    this.line = (this.line || Promise.resolve()).then(change);
+    return this.line;
+  }
+
+  // The panes show what the last of several made.
   change(request, keys) {
     this.queued = (this.queued || 0) + 1;
-    this.line = (this.line || Promise.resolve()).then(async () => {
+    return this.inLine(async () => {
       this.queued -= 1;
       this.tree.done = null;
       try {
@@ -357,7 +364,6 @@ class Studio {
         if (!this.queued) this.failed(error);
       }
     });
-    return this.line;
   }
 
   async save(keys = {}) {

@@ -43,12 +43,15 @@ export class Tree {
       h("h2", { "data-word": "form" }), this.form);
     this.open = new Set();
     this.model = { segments: [], params: [], forms: {} };
+    this.sets = [];
   }
 
   async refresh() {
     try {
       const { head } = await this.studio.wire.ask("tree");
       this.model = head;
+      this.sets = this.sets.filter(({ rev }) => !(rev <= head.rev));
+      for (const { target, value } of this.sets) this.put(target, value);
     } catch (error) {
       if (error instanceof Lost) return;
       const { segments } = this.studio;
@@ -77,7 +80,9 @@ export class Tree {
     this.roots = roots.map(({ segment }) => segment);
     if (!this.drawn) for (const { segment } of roots) this.open.add("/" + segment);
     this.drawn = true;
+    const held = this.list.contains(document.activeElement) && document.activeElement.dataset.key;
     this.list.replaceChildren(...roots.map(({ segment }) => this.row(segment, "", 1)));
+    if (held) this.focus(held);
     this.drawForm();
     reworded(this.element);
     this.studio.handles?.choose(this.segment);
@@ -128,6 +133,10 @@ export class Tree {
       this.studio.lightSegment(number);
     }
     this.draw();
+    this.focus(key);
+  }
+
+  focus(key) {
     this.list.querySelector(`[data-key="${CSS.escape(key)}"]`)?.focus();
   }
 
@@ -149,7 +158,6 @@ export class Tree {
   // --- the form ---
 
   drawForm() {
-    if (this.form.contains(document.activeElement) && this.dragging) return;
     const rows = [];
     for (const { param, value, about } of this.model.params) {
       if (typeof value === "number") rows.push(this.number(param, value, [], { param }, about));
@@ -166,7 +174,16 @@ export class Tree {
     } else {
       rows.push(h("p", { class: "quiet", "data-word": "no_sizes" }));
     }
-    this.form.replaceChildren(...rows);
+    // Whoever is at a field stays there, also in the middle of a number.
+    const [was, now] = [[...this.form.querySelectorAll("input")], rows.flatMap((row) => [...row.querySelectorAll("input")])];
+    const held = document.activeElement;
+    if (!was.includes(held) || JSON.stringify(was.map((one) => one.dataset.of)) !== JSON.stringify(now.map((one) => one.dataset.of))) {
+      this.form.replaceChildren(...rows);
+      return;
+    }
+    was.forEach((one, i) => {
+      if (one !== held || !(this.dragging || one.dataset.typed)) one.value = now[i].value;
+    });
   }
 
   // The numbers of a term, each with its path (docs/protocol.md, edit).
@@ -215,7 +232,8 @@ export class Tree {
     };
     const begun = () => { this.drag = (this.drag || 0) + 1; };
     const field = h("input", { type: "number", value, step: "any",
-      onchange: () => { begun(); sent(field.value); } });
+      oninput: () => { field.dataset.typed = true; },
+      onchange: () => { delete field.dataset.typed; begun(); sent(field.value); } });
     const slider = h("input", { type: "range", min: least, max: most, step, value,
       oninput: () => {
         this.dragging = true;
@@ -223,34 +241,58 @@ export class Tree {
         sent(slider.value);
       },
       onchange: () => { this.dragging = false; } });
-    slider.setAttribute("aria-label", name);
-    field.setAttribute("aria-label", name);
+    for (const one of [slider, field]) {
+      one.setAttribute("aria-label", name);
+      one.dataset.of = JSON.stringify(target);
+    }
     slider.addEventListener("pointerdown", begun);
     slider.addEventListener("keydown", begun);
     return h("label", { class: "number", title: text }, h("span", {}, name), slider, field);
   }
 
-  // The last value wins: one edit is under way. All edits of one drag are one
-  // step of undo: each takes back the one before it.
-  async set(target, value) {
-    this.next = { target, value, drag: this.drag };
-    if (this.editing) return;
-    this.editing = true;
-    while (this.next) {
-      const { target: set, value: number, drag } = this.next;
-      this.next = null;
-      try {
-        if (drag === this.done) await this.studio.wire.ask("undo");
-        this.done = null;
-        const { head } = await this.studio.wire.ask("edit", { set: { ...set, value: number } });
-        this.done = drag;
-        this.studio.segments = head.segments;
-        this.studio.edited(head);
-      } catch (error) {
-        this.studio.failed(error);
-        if (!this.next) this.drawForm();
-      }
+  // What the page holds of a number of the text: also what is not answered yet.
+  valueOf({ param, segment, path }) {
+    return param ? this.model.params.find((one) => one.param === param)?.value
+      : path.reduce((term, step) => (term?.args || term)?.[step - 1], this.byNumber.get(segment)?.term);
+  }
+
+  put({ param, segment, path }, value) {
+    const one = param ? this.model.params.find((one) => one.param === param)
+      : this.model.segments.find((one) => one.segment === segment);
+    const within = param ? one : path.slice(0, -1).reduce((term, step) => (term?.args || term)?.[step - 1], one?.term);
+    if (within) (within.args || within)[param ? "value" : path.at(-1) - 1] = value;
+  }
+
+  // Of one number the last value wins; of several each comes. All edits of one
+  // drag are one step of undo: each takes back the one before it. Until the tree
+  // that has it is there, a value stands in what the page holds: the next key
+  // goes on from it.
+  set(target, value) {
+    const last = this.sets.at(-1);
+    const same = last && !last.begun && last.line === this.studio.line && JSON.stringify(last.target) === JSON.stringify(target);
+    const one = same ? last : { target };
+    Object.assign(one, { value, drag: this.drag });
+    this.put(target, value);
+    if (same) return;
+    this.sets.push(one);
+    one.line = this.studio.inLine(() => this.sent(one));
+  }
+
+  async sent(one) {
+    one.begun = true;
+    const { wire } = this.studio;
+    try {
+      if (one.drag === this.done) await wire.ask("undo");
+      this.done = null;
+      const { head } = await wire.ask("edit", { set: { ...one.target, value: one.value } });
+      this.done = one.drag;
+      one.rev = head.rev;
+      this.studio.segments = head.segments;
+      this.studio.edited(head);
+    } catch (error) {
+      this.sets = this.sets.filter((other) => other !== one);
+      this.studio.failed(error);
+      if (!this.sets.length) this.refresh();
     }
-    this.editing = false;
   }
 }

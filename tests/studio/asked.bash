@@ -3,7 +3,7 @@
 # asked SCRIPT: its tests are counted here.
 asked() {
   mkdir "$work/$1"
-  PYTHONDONTWRITEBYTECODE=1 timeout 400 python3 tests/studio/"$1" "$sanggwan" \
+  PYTHONDONTWRITEBYTECODE=1 timeout 900 python3 tests/studio/"$1" "$sanggwan" \
     "$work/$1" >"$work/asked" 2>&1
   grep -v ' passed, ' "$work/asked"
   local more less

@@ -604,7 +604,8 @@ def flows(language):
       }
       slider.dispatchEvent(new Event('change'));""")
     check(language + ": the slider's last value is shown", browser.wait(
-        "!studio.tree.editing && " + LINES % 0 + " !== arguments[0]", before))
+        "!studio.tree.sets.length && " + LINES % 0 + " !== arguments[0]",
+        before))
     changed = front_page.ask("text")[1].decode()
     check(language + ": one number is another", changed ==
           text.replace("radius(1)", "radius(0.9)", 1), changed)

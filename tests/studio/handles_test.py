@@ -3,6 +3,7 @@ placements, and Ctrl-K, in a real browser, in English and in Korean."""
 import os
 import re
 import sys
+import time
 
 sys.path[:0] = [os.path.dirname(os.path.abspath(__file__)),
                 os.path.join(os.path.dirname(os.path.abspath(__file__)),
@@ -28,8 +29,8 @@ segment(5, solid, at([translate(8, 5, 0)], sphere(radius(1)))).
 """
 with open(os.path.join(models, "plate.pl"), "w") as out:
     out.write(MODEL)
-CONTROL, ENTER, ESCAPE, DOWN, UP, TAB = (
-    "\ue009", "\ue007", "\ue00c", "\ue015", "\ue013", "\ue004")
+CONTROL, ENTER, ESCAPE, DOWN, UP, RIGHT = (
+    "\ue009", "\ue007", "\ue00c", "\ue015", "\ue013", "\ue014")
 
 # Pulls the knob NAME of port 0 by so many units of the picture along its axis.
 PULL = """
@@ -47,7 +48,7 @@ PULL = """
   at('pointerdown', 0, knob());
   for (let i = 1; i <= steps; i++) at('pointermove', i / steps, window);
   at('pointerup', 1, window);"""
-QUIET = "!studio.tree.editing && studio.ports.ports.every((p) => !p.busy)"
+QUIET = "!studio.tree.sets.length && studio.ports.ports.every((p) => !p.busy)"
 KNOBS = "[...studio.ports.ports[0].knobs.querySelectorAll('.knob')]" \
         ".map((k) => k.dataset.name)"
 
@@ -155,6 +156,40 @@ for language in ("en", "ko"):
                           "k.getAttribute('aria-valuenow')]")
     check("a slider that stays where it is", knob == ["height", "slider",
                                                       "3.9"], knob)
+    # However slow the program answers, each key counts, and each number.
+    browser.script("""const { wire } = studio, heard = wire.heard.bind(wire);
+      wire.heard = (data) => setTimeout(() => heard(data), 150);""")
+    for i in range(12):
+        browser.keys(UP)
+        time.sleep(0.02 + 0.05 * (i % 4))
+    browser.wait(QUIET)
+    check("each key counts", "height(5.1)" in text(), text())
+    check("the dot is where it is", browser.wait(
+        "document.activeElement.getAttribute('aria-valuenow') == 5.1"))
+    browser.keys(DOWN * 3)
+    browser.script("[...studio.ports.ports[0].knobs.querySelectorAll('.knob')]"
+                   ".find((k) => k.dataset.name === 'radius').focus()")
+    browser.keys(UP * 2)
+    browser.chord(CONTROL, "z")
+    browser.wait(QUIET)
+    check("each number counts, and undo has its place", browser.wait(
+        "!studio.queued") and re.search(
+            r"radius\(0.51?\), height\(4.8\)", text()), text())
+    browser.script("document.querySelector('.form input[type=range]')"
+                   ".focus()")
+    was = float(re.search(r"radius\((0.5\d*)\), height", text()).group(1))
+    for i in range(8):
+        browser.keys(RIGHT)
+        time.sleep(0.02 + 0.05 * (i % 3))
+    browser.wait(QUIET)
+    check("the keys of a slider count", "radius(%g), height" % (
+        was + 0.008) in text(), (was, text()))
+    check("a slider keeps the keyboard", browser.script(
+        "return document.activeElement === document.querySelector("
+        "'.form input[type=range]')"))
+    browser.script("delete studio.wire.heard")
+    browser.script("[...studio.ports.ports[0].knobs.querySelectorAll('.knob')]"
+                   ".find((k) => k.dataset.name === 'height').focus()")
     # Ctrl-K.
     found(said["undo"].lower(), said["undo"])
     browser.keys(ENTER)
