@@ -6,10 +6,10 @@
 :- use_module('../csg/csg', [glue_operands/2, node/4]).
 :- use_module('../gluing/cycle', [loop_cycle/4, radial_cycle/4, disk/4]).
 :- use_module('../decision', [decision/4]).
-:- use_module('../gluing/gap', [polygon_gap/5]).
 :- use_module('../gluing/vertex_disk', [disk_relation/3]).
 :- use_module('../gluing/region_name', [is_region_name/1, region_named/3]).
 :- use_module('../gluing/region_point', [region_point/3]).
+:- use_module('../kernel', [polygon_gap/4]).
 :- use_module('../solid/glue', [glue_report/2]).
 :- use_module('../store',
               [ v/5, e/5, p/3, plane/6, segment/3, from_v/4, from_p/5,
@@ -236,7 +236,7 @@ apart(S, S1-P1, S2-P2, in_common(Vs)) :-
     findall(V, ( member(V, Vs1), memberchk(V, Vs2) ), Vs),
     Vs \== [].
 apart(_, Facet1, Facet2, gap(Gap, point(X1,Y1,Z1), point(X2,Y2,Z2))) :-
-    polygon_gap(Facet1, Facet2, 1.0e300, Gap, p(X1,Y1,Z1)-p(X2,Y2,Z2)).
+    polygon_gap(Facet1, Facet2, Gap, p(X1,Y1,Z1)-p(X2,Y2,Z2)).
 apart(_, S1-P1, S2-P2, Fact) :-
     once(plane(S1, P1, A1, B1, C1, _)),
     once(plane(S2, P2, A2, B2, C2, _)),

@@ -103,3 +103,21 @@ Foreign predicates; see kernel.pl and c_kernels/gluing/regions.h.
 %   writes nothing, where the regions that become one are inside different
 %   operands else, and where there is a slit. N may be S: no operand goes, and
 %   regions get their numbers anew.
+
+/* - - - gap_rows.c - - - */
+
+%!  segment_gaps(+Pairs:list(id_pair), +Reach:number,
+%!               -Gaps:list(segment_gap)) is det.
+%
+%   Gaps has miss(S1-Of1, S2-Of2, Gap, End1-End2) for each S1-S2 of Pairs, in
+%   their order, that are no farther apart than Reach: how far they are, the
+%   polygons that are nearest to each other, of curves the edges, and where. Of
+%   several that are as near the first by their numbers. Rounded; of polygons
+%   that go through each other Gap is 0 only where a corner or two edges touch.
+
+%!  polygon_gap(+Facet1:id_pair, +Facet2:id_pair, -Gap:number,
+%!              -Ends:gap_ends) is semidet.
+%
+%   Gap is the distance of the polygons Facet1 and Facet2, S-P, and Ends is
+%   End1-End2, where they are as near as that. The same. Fails if one has no
+%   triangles.

@@ -1,14 +1,17 @@
 /* How far faces are apart that were not glued: against distances known by
-   construction, in place and turned.
+   construction, in place and turned; and against a rule that compares each
+   two pieces.
    covers: triangle_corners */
 :- module(test_gap, []).
 :- use_module(library(lists)).
 :- use_module(library(plunit)).
 :- use_module(library(random)).
 :- use_module(rules(gluing/gap)).
+:- use_module(rules(kernel), [polygon_gap/4, segment_gaps/3]).
 :- use_module(rules(polygon/triangulation)).
 :- use_module(rules(primitive/primitive_rows)).
 :- use_module(rules(store)).
+:- use_module(tests(oracle/gap)).
 :- use_module(tests(rules/polyhedron), [in_new_world/1]).
 
 %   apart(Name, Terms, Gap): segments 1 and 2, and how far they are apart: a
@@ -91,12 +94,60 @@ test(polygons, Gap-End1-End2 == 0.125 - 1.0 - 1.125) :-
                    complete_segments,
                    top(1, P1, 1.0),
                    top(2, P2, 1.125),
-                   polygon_gap(1-P1, 2-P2, 1, Gap, p(_,_,End1)-p(_,_,End2)),
-                   \+ polygon_gap(1-P1, 2-P2, 0.1, _, _) )).
+                   polygon_gap(1-P1, 2-P2, Gap, p(_,_,End1)-p(_,_,End2)),
+                   \+ polygon_gap(1-P1, 2-99, _, _) )).
 
 top(S, P, Z) :-
     p(S, P, Es),
     forall(member(E, Es), ( e(S, E, V, _, _), v(S, V, _, _, Z) )),
     !.
+
+%   Random solids, sheets and curves, at all distances: as the rule has them. A
+%   pair is there if it is within reach, and all pairs are asked at once.
+
+test(random, [ forall(between(1, 6, Seed)), Wrong == [] ]) :-
+    set_random(seed(Seed)),
+    length(Terms, 7),
+    maplist(random_term, Terms),
+    findall(I-K, ( between(1, 6, I), between(I, 6, K0), K is K0+1 ), Pairs),
+    in_new_world(( forall(member(Term, Terms), add_primitive(Term, _)),
+                   complete_segments,
+                   segment_gaps(Pairs, 4, Gaps),
+                   findall(Pair, ( member(Pair, Pairs),
+                                   \+ as_the_rule(Pair, 4, Gaps) ), Wrong) )).
+
+as_the_rule(S1-S2, Reach, Gaps) :-
+    segments_gap(S1, S2, Gap),
+    (   memberchk(miss(S1-_,S2-_,Found,End1-End2), Gaps)
+    ->  abs(Found-Gap) < 1.0e-12,
+        Found =< Reach,
+        between_ends(End1, End2, Between),
+        abs(Found-Between) < 1.0e-9
+    ;   Gap > Reach-1.0e-12
+    ).
+
+random_term(Term) :-
+    maplist(random(-4.0, 4.0), [X,Y,Z,A,B,C,U,V,W]),
+    random(0.0, 360.0, Angle),
+    random_member(Shape, [ box(size(1,2,0.5)),
+                           cylinder(radius(0.7), height(2), facets(5)),
+                           rectangle(size(2,1)),
+                           line(from(X,Y,Z), to(U,V,W)) ]),
+    Term = at([rotate(axis(A,B,C),Angle),translate(X,Y,Z)], Shape).
+
+%   A wall of many facets before another one is found at once, however far
+%   they reach; of those that are as near the first.
+
+test(large, Gap-P == 0.25-Top) :-
+    in_new_world(( add_primitive(cylinder(radius(9), height(1), facets(512)),
+                                 _),
+                   add_primitive(at([translate(0,0,1.25)],
+                                    cylinder(radius(9), height(1),
+                                             facets(512))), _),
+                   complete_segments,
+                   top(1, Top, 1.0),
+                   call_with_inference_limit(
+                       near_misses([1-2], 5.0, [miss(1-P,2-_,Gap,_)]),
+                       10000, !) )).
 
 :- end_tests(gap).
