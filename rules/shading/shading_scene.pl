@@ -556,8 +556,11 @@ scene_size(scene(Handle, _, _), Width-Height) :-
 %!  scene_root(+Scene, -Root) is nondet.
 %
 %   Root is root(R, Nodes) of the kernel: segment R, and its tree.
+%
+%   @error instantiation_error: of what is no scene, each root would be one
 
 scene_root(scene(_, model(_, _, Roots), _), Root) :-
+    must_be(list, Roots),
     member(Root, Roots).
 
 %!  scene_place(+Scene, ?Place) is nondet.

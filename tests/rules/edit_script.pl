@@ -123,6 +123,8 @@ is_wrong(error(existence_error(procedure, Module:_), _)) :-
 is_wrong(error(existence_error(procedure, Name/_), _)) :-
     atom(Name).
 is_wrong(error(system_error(_), _)).
+is_wrong(error(resource_error(_), Context)) :-
+    is_dict(Context, stack_overflow).
 is_wrong(error(assertion_failed(_), _)).
 is_wrong(assertion_failed(_)).
 is_wrong(unwind(_)).

@@ -450,4 +450,7 @@ test(look_of_a_layer, error(domain_error(shading_look,_))) :-
                   scene_handle(Scene, Handle),
                   shading_layers(Handle, 40, [0.5], [[1]], _) )).
 
+test(no_scene, error(instantiation_error)) :-
+    seen_at(_, 1.0, 1.0, _).
+
 :- end_tests(seen).
