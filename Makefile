@@ -148,15 +148,15 @@ sanggwan: $(B)/sanggwan
 # --- tests -----------------------------------------------------------------
 
 T       ?=
-# T is a part of a name, or a folder.
-C_TESTS := $(patsubst %.c,$(B)/%,$(sort $(wildcard \
-             tests/c_kernels/*$(T)*_test.c tests/c_kernels/*/*$(T)*_test.c \
-             tests/c_kernels/$(or $(T:%/=%),*)/*_test.c tests/engine/*$(T)*_test.c)))
-PLTS    := $(sort $(wildcard tests/rules/*$(T)*.plt \
-             tests/rules/*/*$(T)*.plt tests/rules/$(or $(T:%/=%),*)/*.plt))
-CLIS    := $(wildcard tests/cli/*$(T)*.sh tests/transcripts/*$(T)*.txt \
-             tests/$(or $(T:%/=%),transcripts)/*.txt)
-CLIS    := $(sort $(CLIS))
+# T are parts of names, or folders.
+NAMED   := $(or $(T),*)
+C_TESTS := $(patsubst %.c,$(B)/%,$(sort $(wildcard $(foreach t,$(NAMED), \
+             tests/c_kernels/*$(t)*_test.c tests/c_kernels/*/*$(t)*_test.c \
+             tests/c_kernels/$(t:%/=%)/*_test.c tests/engine/*$(t)*_test.c))))
+PLTS    := $(sort $(wildcard $(foreach t,$(NAMED), tests/rules/*$(t)*.plt \
+             tests/rules/*/*$(t)*.plt tests/rules/$(t:%/=%)/*.plt)))
+CLIS    := $(sort $(wildcard $(foreach t,$(NAMED), tests/cli/*$(t)*.sh \
+             tests/transcripts/*$(t)*.txt $(if $(T),tests/$(t:%/=%)/*.txt))))
 
 $(B)/libcore.a: $(CORE)
 	@rm -f $@
@@ -200,7 +200,8 @@ $(SURFACE_CHECKER): tests/surface_checker/surface_checker.c
 	$(CC) $(CFLAGS) $(WARN) $(EXTRA_CFLAGS) $< -o $@ -lm
 
 # Programs that use the library as a host does: tests and the example.
-EMBEDS  := $(patsubst %.c,$(B)/%,$(wildcard tests/embed/*$(T)*_test.c))
+EMBEDS  := $(patsubst %.c,$(B)/%,$(sort $(wildcard \
+             $(foreach t,$(NAMED),tests/embed/*$(t)*_test.c))))
 HOSTS   := $(patsubst %.c,$(B)/%,$(wildcard tests/embed/*_test.c))
 $(HOSTS) $(B)/docs/example: $(B)/%: %.c engine/sanggwan.h tests/check.h \
                              $(B)/libsanggwan.a
@@ -223,7 +224,9 @@ $(B)/rules.qlf: $(B)/sanggwan.so $(RULES)
 	  -g "qcompile('$(B)/rules.pl',[include(user)])" -t halt
 
 test: all $(B)/rules.qlf $(C_TESTS) $(EMBEDS) $(B)/docs/example $(CHECKERS) $(FAILING)
-	@tests/run $(C_TESTS) $(EMBEDS) $(PLTS) $(CLIS)
+	@$(or $(if $(strip $(C_TESTS) $(EMBEDS) $(PLTS) $(CLIS)),tests/run), \
+	  echo 'no test is called so: $(T)' >&2; exit 2;) \
+	  $(C_TESTS) $(EMBEDS) $(PLTS) $(CLIS)
 # What tests do a sample of otherwise, in full.
 test-all:
 	@TEST_ALL=1 $(MAKE) --no-print-directory test
