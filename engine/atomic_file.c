@@ -516,10 +516,12 @@ sg_atomic_sync(int fd)
   return fsync(fd) == 0 ? 0 : errno;
 }
 
-/* The names in a folder last through a loss of power. */
-static void
-sync_folder(const char *path)
+void
+sg_atomic_sync_folder(const char *path)
 {
+  if (!sg_atomic_syncs()) {
+    return;
+  }
   char *folder = joined(path, folder_length(path), ".", "");
   int fd = folder ? open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC) : -1;
 
@@ -553,13 +555,11 @@ finish(const uint64_t *id, size_t n)
 static void
 sync_folders(entry *done)
 {
-  bool syncs = sg_atomic_syncs();
-
   while (done) {
     entry *e = done;
     done = e->next;
-    if (syncs && (!done || !same_folder(done->path, e->path))) {
-      sync_folder(e->path);
+    if (!done || !same_folder(done->path, e->path)) {
+      sg_atomic_sync_folder(e->path);
     }
     free_entry(e);
   }

@@ -29,6 +29,9 @@ int sg_atomic_scratch(const char *ending, uint64_t *id, char **path);
 /* fsync() in parts: a process that is ended meanwhile waits for one of them. */
 int sg_atomic_sync(int fd);
 
+/* The names in the folder of a file last through a loss of power. */
+void sg_atomic_sync_folder(const char *path);
+
 /* Puts the n files, which are complete, in their places: all of them, and then
  * they are gone from here, or none. After an error (*failed is the number of
  * the file) what was there before is there again. A file with several hard

@@ -139,6 +139,20 @@ atomic_sync(term_t stream)
   return PL_release_stream(out);
 }
 
+/* atomic_sync_folder(+File) is det. */
+static foreign_t
+atomic_sync_folder(term_t file)
+{
+  char *name;
+
+  if (!PL_get_nchars(file, NULL, &name,
+                     CVT_ATOM | CVT_STRING | CVT_EXCEPTION | REP_FN)) {
+    return FALSE;
+  }
+  sg_atomic_sync_folder(name);
+  return TRUE;
+}
+
 /* atomic_commit(+Ids, -Result) is det. */
 static foreign_t
 atomic_commit(term_t ids, term_t result)
@@ -198,6 +212,7 @@ static const PL_extension predicates[] = {
     {"atomic_open", 3, atomic_open, 0},
     {"atomic_scratch", 3, atomic_scratch, 0},
     {"atomic_sync", 1, atomic_sync, 0},
+    {"atomic_sync_folder", 1, atomic_sync_folder, 0},
     {"atomic_commit", 2, atomic_commit, 0},
     {"atomic_drop", 1, atomic_drop, 0},
     {NULL, 0, NULL, 0},

@@ -183,6 +183,10 @@ Foreign predicates; see kernel.pl.
 %
 %   @error io_error(write, Stream)
 
+%!  atomic_sync_folder(+File) is det.
+%
+%   The name of File in its folder is on the disk, if it can be.
+
 %!  atomic_commit(+Ids:list(integer), -Result) is det.
 %
 %   Put the files of atomic_open/3 in their places, all of them or none. Result

@@ -27,7 +27,9 @@
                 path_saved/4, save_step/3
               ]).
 :- use_module(document_step,
-              [change_step/6, kept_step/3, replayed/3, stepped/3]).
+              [ change_step/6, checkpoint/3, kept_step/3, replayed/3,
+                stepped/3, steps_changes/2
+              ]).
 :- use_module(journal, [journal_closed/1, journal_line/2]).
 :- use_module(protocol, [text_octets/2]).
 :- use_module(request, [of_owner/2, request_error/1]).
@@ -144,22 +146,40 @@ document_opened(Head, Reply,
     ),
     (   model_format(File, pl)
     ->  Kind = text,
-        model_text(File, Saved, Steps0, Journal0, Head),
+        get_time(Begun),
+        model_text(File, Saved, Steps, Journal0, Head),
         text_digest(Saved, Digest),
         content_key(Saved, "", Begin),
-        replayed(Steps0, state(Begin, [], []), State)
+        replayed(Steps, state(Begin, [], []), State),
+        content_key(Saved, "", Begin),
+        get_time(Now),
+        steps_changes(Steps, Replayed),
+        next_steps(Begun, Now, Steps, Replayed, State, Steps0)
     ;   Kind = other,
         Digest = "",
         State = state(file(File), [], []),
+        Replayed = 0,
         Steps0 = [],
         Journal0 = none
     ),
     file_world_forgotten(File),
     State = state(Key, _, _),
     model_world(Kind, File, Key, World, Objects),
-    length(Steps0, Replayed),
     shape(World, Objects, Shape),
     Reply = Shape.put(_{file:Name, replayed:Replayed}).
+
+%   next_steps(Begun, Now, Steps, Changes, State, Next): a journal begins with
+%   Next. Who waited too long for Steps does not wait for them again.
+
+most_replay_seconds(2).
+
+next_steps(Begun, Now, Steps, Changes, State, Next) :-
+    most_replay_seconds(Most),
+    (   Now-Begun > Most
+    ->  Next = [Checkpoint],
+        checkpoint(State, Changes, Checkpoint)
+    ;   Next = Steps
+    ).
 
 :- public open_committed/3.
 

@@ -13,7 +13,8 @@
 :- use_module(job, [with_input/2]).
 :- use_module(world_state,
               [ world_begun/1, world_forgotten/1, world_is_known/1 ]).
-:- use_module(library(lists), [append/3]).
+:- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(ordsets), [ord_subtract/3]).
 :- use_module(library(sha), [sha_hash/3, hash_atom/2]).
 /** <module> The texts that a document had, with their rules, and the worlds of
 the last of them.
@@ -56,7 +57,10 @@ content_key(Text, Rules, Key) :-
 %!  content(+Key, -Text, -Rules) is semidet.
 
 content(Key, Text, Rules) :-
-    content_(Key, Text, Rules).
+    content_(Key, Text0, Rules0),
+    !,
+    Text = Text0,
+    Rules = Rules0.
 
 %!  contents_swept(+State) is det.
 %
@@ -67,10 +71,12 @@ contents_swept(state(Now, Past, Future)) :-
     most_contents(Most),
     predicate_property(content_(_, _, _), number_of_clauses(N)),
     (   N > Most
-    ->  append([Now|Past], Future, Keys),
-        forall(( content_(Key, _, _),
-                 \+ memberchk(Key, Keys) ),
-               retractall(content_(Key, _, _)))
+    ->  append([Now|Past], Future, Keys0),
+        sort(Keys0, Keys),
+        findall(Key, content_(Key, _, _), All0),
+        sort(All0, All),
+        ord_subtract(All, Keys, Gone),
+        forall(member(Key, Gone), retractall(content_(Key, _, _)))
     ;   true
     ).
 

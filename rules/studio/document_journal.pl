@@ -9,10 +9,9 @@
           ]).
 :- use_module('../model/model', [load_model/1]).
 :- use_module(document_content, [content/3, text_digest/2]).
+:- use_module(document_step, [step_rules/2]).
 :- use_module(journal,
-              [ journal_begun/5, journal_closed/1, journal_line/2,
-                journal_steps/3, journal_whole/3
-              ]).
+              [journal_begun/6, journal_steps/3, journal_whole/3]).
 :- use_module(request, [of_owner/2, request_error/1]).
 :- use_module(library(lists), [member/2]).
 :- use_module(library(readutil), [read_file_to_string/3]).
@@ -71,7 +70,7 @@ text_steps(Path, Text, Head, Steps, Journal) :-
 
 rules_allowed(Steps, Head) :-
     (   member(Step, Steps),
-        get_dict(rules, Step, Rules),
+        step_rules(Step, Rules),
         Rules \== ""
     ->  of_owner(Head, journal)
     ;   true
@@ -111,16 +110,8 @@ usual_path(File, Path) :-
 
 journal_opened(none, _, _, _, none).
 journal_opened(file(Path), File, Digest, Steps, Journal) :-
-    atom_concat(Path, '.new', New),
     content(Digest, Text, ""),
-    journal_begun(New, File, Digest, Text, Journal),
-    catch(( forall(member(Step, Steps), journal_line(Journal, Step)),
-            rename_file(New, Path)
-          ),
-          Error,
-          ( journal_closed(Journal),
-            throw(Error)
-          )).
+    journal_begun(Path, File, Digest, Text, Steps, Journal).
 
 %!  path_saved(+File0, +File, +Path0, -Path) is det.
 %

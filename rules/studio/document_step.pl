@@ -3,14 +3,19 @@
                                         % -More
             stepped/3,                  % +Step, +State0, -State
             kept_step/3,                % +Step, +Key, -Kept
-            replayed/3                  % +Steps, +State0, -State
+            replayed/3,                 % +Steps, +State0, -State
+            checkpoint/3,               % +State, +Changes, -Step
+            steps_changes/2,            % +Steps, -Changes
+            step_rules/2                % +Step, -Rules
           ]).
-:- use_module(document_content, [content/3, content_key/3]).
+:- use_module(document_content, [content/3, content_key/3, contents_swept/1]).
 :- use_module(protocol, [octets_text/2]).
 :- use_module(query, [read_goal/3]).
 :- use_module(request, [request_error/1]).
-:- use_module(text_edit, [fact_place/6, number_place/5, text_replaced/5]).
-:- use_module(library(lists), [append/3, member/2]).
+:- use_module(text_edit,
+              [fact_place/6, number_place/5, text_change/5, text_replaced/5]).
+:- use_module(library(apply), [foldl/4, foldl/5]).
+:- use_module(library(lists), [append/3, member/2, reverse/2]).
 /** <module> Steps: how a document becomes another one, and back.
 
 A step is a dict, a line of the journal. A state of a document is state(Now,
@@ -108,35 +113,41 @@ edited(Set, segment(S, Path)) :-
 %   done again
 
 stepped(Step, State0, State) :-
-    Step.do = Do,
+    atom_string(Do, Step.do),
     stepped(Do, Step, State0, State).
 
-stepped("undo", Step, state(Now, Past, Future), State) :-
+stepped(undo, Step, state(Now, Past, Future), State) :-
     (   Past = [Before|Rest]
     ->  State = state(Before, Rest, [Now|Future])
     ;   step_content(Step, Before)
     ->  State = state(Before, [], [Now|Future])
     ;   request_error(nothing_to(undo))
     ).
-stepped("redo", Step, state(Now, Past, Future), State) :-
+stepped(redo, Step, state(Now, Past, Future), State) :-
     (   Future = [After|Rest]
     ->  State = state(After, [Now|Past], Rest)
     ;   step_content(Step, After)
     ->  State = state(After, [Now|Past], [])
     ;   request_error(nothing_to(redo))
     ).
-stepped("text", Step, State0, State) :-
+stepped(text, Step, State0, State) :-
     State0 = state(Now, _, _),
     content(Now, _, Rules),
     content_key(Step.text, Rules, Key),
     gone_on(Key, State0, State).
-stepped("edit", Step, State0, State) :-
+stepped(edit, Step, State0, State) :-
     State0 = state(Now, _, _),
     content(Now, Text, Rules),
     text_replaced(Text, Step.from, Step.to, Step.with, New),
     content_key(New, Rules, Key),
     gone_on(Key, State0, State).
-stepped("rules", Step, State0, State) :-
+stepped(checkpoint, Step, _, state(Now, Past, Future)) :-
+    content_key(Step.text, Step.rules, First),
+    foldl(next_content, Step.steps, Keys, First, _),
+    length(Old, Step.past),
+    append(Old, [Now|Future], [First|Keys]),
+    reverse(Old, Past).
+stepped(rules, Step, State0, State) :-
     State0 = state(Now, _, _),
     content(Now, Text, _),
     content_key(Text, Step.rules, Key),
@@ -180,4 +191,64 @@ kept_step(Step, Key, Kept) :-
 replayed([], State, State).
 replayed([Step|Steps], State0, State) :-
     stepped(Step, State0, State1),
+    contents_swept(State1),
     replayed(Steps, State1, State).
+
+%!  checkpoint(+State, +Changes, -Step:dict) is det.
+%
+%   Step leads to State from any other one, and stands for so many Changes. The
+%   contents are told one after the other, the oldest first, each by what is
+%   another one in it.
+
+checkpoint(state(Now, Past, Future), Changes,
+           _{ do:"checkpoint", changes:Changes, text:Text, rules:Rules,
+              past:Back, steps:Steps }) :-
+    length(Past, Back),
+    reverse(Past, Old),
+    append(Old, [Now|Future], [First|Keys]),
+    content(First, Text, Rules),
+    foldl(content_change, Keys, Steps, First, _).
+
+content_change(Key, Change, Key0, Key) :-
+    content(Key0, Text0, Rules0),
+    content(Key, Text, Rules),
+    text_change(Text0, Text, From, To, With),
+    Change0 = _{from:From, to:To, with:With},
+    (   Rules == Rules0
+    ->  Change = Change0
+    ;   Change = Change0.put(rules, Rules)
+    ).
+
+next_content(Change, Key, Key0, Key) :-
+    content(Key0, Text0, Rules0),
+    text_replaced(Text0, Change.from, Change.to, Change.with, Text),
+    (   get_dict(rules, Change, Rules)
+    ->  true
+    ;   Rules = Rules0
+    ),
+    content_key(Text, Rules, Key).
+
+%!  steps_changes(+Steps:list(dict), -Changes) is det.
+%
+%   So many changes are told by Steps.
+
+steps_changes(Steps, Changes) :-
+    foldl(step_counted, Steps, 0, Changes).
+
+step_counted(Step, N0, N) :-
+    (   get_dict(changes, Step, Changes)
+    ->  true
+    ;   Changes = 1
+    ),
+    N is N0+Changes.
+
+%!  step_rules(+Step:dict, -Rules) is nondet.
+%
+%   Rules is a text of rules that a document has by Step.
+
+step_rules(Step, Rules) :-
+    get_dict(rules, Step, Rules).
+step_rules(Step, Rules) :-
+    get_dict(steps, Step, Steps),
+    member(Within, Steps),
+    get_dict(rules, Within, Rules).

@@ -1,11 +1,12 @@
 :- module(sg_journal,
-          [ journal_begun/5,            % +Path, +File, +Digest, +Text, -Journal
+          [ journal_begun/6,            % +Path, +File, +Digest, +Text, +Steps,
+                                        % -Journal
             journal_line/2,             % +Journal, +Step
             journal_steps/3,            % +Path, +Digest, -Steps
             journal_whole/3,            % +Path, -Text, -Steps
             journal_closed/1            % +Journal
           ]).
-:- use_module('../kernel', [atomic_sync/1]).
+:- use_module('../kernel', [atomic_sync/1, atomic_sync_folder/1]).
 :- use_module(library(http/json), [json_read_dict/2, json_write_dict/3]).
 :- use_module(library(apply), [exclude/3]).
 :- use_module(library(filesex), [make_directory_path/1]).
@@ -18,18 +19,22 @@ change was made. So nothing is lost when the process is killed, or the machine
 loses its power. A last line that is not complete was told to nobody.
 */
 
-%!  journal_begun(+Path, +File, +Digest, +Text, -Journal) is det.
+%!  journal_begun(+Path, +File, +Digest, +Text, +Steps, -Journal) is det.
 %
-%   Path is a new journal of File, which holds Text with this Digest. An old one
-%   is gone.
+%   Path is a new journal of File, which holds Text with this Digest; it begins
+%   with Steps. An old one is there until all of that is on the disk.
 
-journal_begun(Path, File, Digest, Text, Journal) :-
+journal_begun(Path, File, Digest, Text, Steps, Journal) :-
     file_directory_name(Path, Folder),
     catch(make_directory_path(Folder), error(_, _), true),
-    open(Path, write, Journal, [encoding(utf8), newline(posix)]),
+    atom_concat(Path, '.new', New),
+    open(New, write, Journal, [encoding(utf8), newline(posix)]),
     atom_string(File, Name),
-    catch(journal_line(Journal, _{ journal:1, file:Name, digest:Digest,
-                                  text:Text }),
+    catch(( journal_lines(Journal, [_{ journal:1, file:Name, digest:Digest,
+                                       text:Text }|Steps]),
+            rename_file(New, Path),
+            atomic_sync_folder(Path)
+          ),
           Error,
           ( journal_closed(Journal),
             throw(Error)
@@ -45,8 +50,12 @@ journal_line(none, _) :-
 journal_line(failed(_, Error), _) :-
     throw(Error).
 journal_line(Journal, Step) :-
-    json_write_dict(Journal, Step, [width(0)]),
-    nl(Journal),
+    journal_lines(Journal, [Step]).
+
+journal_lines(Journal, Steps) :-
+    forall(member(Step, Steps),
+           ( json_write_dict(Journal, Step, [width(0)]),
+             nl(Journal) )),
     atomic_sync(Journal).
 
 %!  journal_closed(+Journal) is det.

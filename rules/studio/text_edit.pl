@@ -1,6 +1,7 @@
 :- module(sg_text_edit,
           [ number_place/5,             % +Text, +Which, -From, -To, -Number
             text_replaced/5,            % +Text, +From, +To, +With, -New
+            text_change/5,              % +Text, +New, -From, -To, -With
             fact_place/6                % +Text, +Wanted, -From, -To, -With,
                                         % -Fact
           ]).
@@ -99,6 +100,45 @@ text_replaced(Text, From, To, With, New) :-
     ;   Space = ""
     ),
     atomics_to_string([Before,Space,Written,After], New).
+
+%!  text_change(+Text, +New, -From:integer, -To:integer, -With:string) is det.
+%
+%   With in the place of the characters of Text behind From up to To makes New.
+%   What both begin with stays, and what both end with.
+
+text_change(Text, New, From, To, With) :-
+    string_length(Text, Length),
+    string_length(New, NewLength),
+    Shorter is min(Length, NewLength),
+    most(same_begin(Text, New), Shorter, From),
+    Rest is Shorter-From,
+    most(same_end(Text, New), Rest, After),
+    To is Length-After,
+    sub_string(New, From, _, After, With).
+
+same_begin(Text, New, N) :-
+    sub_string(Text, 0, N, _, Begin),
+    sub_string(New, 0, N, _, Begin).
+
+same_end(Text, New, N) :-
+    sub_string(Text, _, N, 0, End),
+    sub_string(New, _, N, 0, End).
+
+%   most(Goal, Most, N): the largest N up to Most for which Goal is true; it is
+%   true of all smaller ones.
+
+most(Goal, Most, N) :-
+    most(Goal, 0, Most, N).
+
+most(_, N, N, N) :-
+    !.
+most(Goal, Least, Most, N) :-
+    Middle is (Least+Most+1)//2,
+    (   call(Goal, Middle)
+    ->  most(Goal, Middle, Most, N)
+    ;   Below is Middle-1,
+        most(Goal, Least, Below, N)
+    ).
 
 %!  fact_place(+Text, +Wanted, -From:integer, -To:integer, -With, -Fact) is det.
 %

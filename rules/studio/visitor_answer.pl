@@ -5,7 +5,7 @@
             class_pupil/2,              % +Who, -Pupil
             answers_recorded/2          % +Who, +Reply
           ]).
-:- use_module('../kernel', [atomic_sync/1]).
+:- use_module('../kernel', [atomic_sync/1, atomic_sync_folder/1]).
 :- use_module(request, [request_error/1]).
 :- use_module(library(filesex), [make_directory_path/1]).
 :- use_module(library(http/json), [json_read_dict/2, json_write_dict/3]).
@@ -45,7 +45,8 @@ class_begun(File) :-
             nl(Stream)                  % after a line that is not complete
         ;   file_directory_name(Path, Folder),
             make_directory_path(Folder),
-            open(Path, write, Stream, [encoding(utf8), newline(posix)])
+            open(Path, write, Stream, [encoding(utf8), newline(posix)]),
+            atomic_sync_folder(Path)
         ),
         assertz(book_(File, Stream))
     ).

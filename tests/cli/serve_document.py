@@ -1,9 +1,13 @@
 """serve_document.py PROGRAM FOLDER: the document of a session: pictures and
 explanations are those of the command line, questions have limits, changes go
 into the text and into the journal, and kill -9 loses nothing."""
-# covers: document_content, document_journal, document_step
+# covers: document_content, document_journal
+import hashlib
+import json
 import os
 import random
+import re
+import shutil
 import struct
 import subprocess
 import sys
@@ -385,6 +389,72 @@ check("which journal", code(head) == "request_error.bad_key", head)
 head, _ = s.ask("open", file=model, journal=model)
 check("a model is no journal", code(head) == "request_error.no_journal" and
       read(model).startswith(b"%"), head)
+
+# A change is on the disk before it is told, and so is the name of its journal.
+if shutil.which("strace"):
+    s.kill()
+    traced, calls = work + "/traced", work + "/calls"
+    with open(traced, "w") as f:
+        f.write('#!/bin/bash\nunset SANGGWAN_SYNC\nexec strace -f -y -o %s -e '
+                'trace=write,writev,fsync,rename,renameat,renameat2 %s "$@"\n'
+                % (calls, program))
+    os.chmod(traced, 0o755)
+    s = Session(traced, env=environment)
+    s.ask("open", file=model, journal=work + "/traced.journal", replay=False)
+    for value in (41, 42):
+        s.ask("edit", set={"segment": 1, "path": [1, 1], "value": value})
+    s.ask("undo")
+    s.end()
+    waits, replies, renamed, synced = False, [], False, False
+    for line in read(calls).decode().split("\n"):
+        if re.search(r"write\w*\(\d+<[^>]*traced\.journal", line):
+            waits = True
+        elif re.search(r"fsync\(\d+<[^>]*traced\.journal", line):
+            waits = False
+        elif re.search(r"rename\w*\(.*traced\.journal", line):
+            renamed = True
+        elif renamed and "fsync(" in line and "<%s>" % work in line:
+            synced = True
+        elif re.search(r"write\w*\(\d+<pipe:", line):
+            replies.append(waits)
+    check("on the disk before it is told", len(replies) >= 4 and
+          not any(replies), replies)
+    check("the journal's name is on the disk", synced, read(calls)[-3000:])
+    s = session()
+
+# Who waited for a long journal does not wait again: it is the same, and short.
+with open(model, "w") as f:
+    f.write(TEXT)
+edit = {"do": "edit", "from": TEXT.index("radius(") + 7, "with": 7,
+        "to": TEXT.index(")", TEXT.index("radius("))}
+with open(journal, "w") as f:
+    f.write(json.dumps({"journal": 1, "file": model, "text": TEXT, "digest":
+                        hashlib.sha256(TEXT.encode()).hexdigest()}) + "\n")
+    for i in range(12000):
+        edit["with"] = 1000 + i % 8000 if i else 1000
+        f.write(json.dumps(edit) + "\n")
+        edit["to"] = edit["from"] + 4
+s.kill()
+s = session()
+before = time.time()
+head, _ = s.ask("open", file=model, journal=journal)
+took = time.time() - before
+check("a long journal", head.get("replayed") == 12000 and
+      b"radius(4999)" in s.ask("text")[1], head)
+lines = read(journal).count(b"\n")
+check("a checkpoint", lines == 2 or lines == 12001 and took < 8,
+      (lines, took))
+s.ask("undo")
+s.ask("edit", set={"segment": 1, "path": [1, 1], "value": 70})
+s.kill()
+s = session()
+head, _ = s.ask("open", file=model, journal=journal)
+check("what came behind it", head.get("replayed") == 12002 and
+      b"radius(70)" in s.ask("text")[1], head)
+for _ in range(999):
+    head, _ = s.ask("undo")
+check("a thousand steps back", "error" not in head and
+      b"radius(4000)" in s.ask("text")[1], s.ask("text")[1])
 
 # A full disk: the change is refused, and all that follow, until it is opened
 # again.

@@ -43,12 +43,13 @@ SEEN = """
 TEXTS = """
   return [...document.querySelectorAll("#bar button, .tabs button, #panes button, h2, figcaption option, figcaption button, .menu button, .menu label, label, .quiet, .decisions li")]
     .filter((e) => e.offsetParent || e.tagName === "OPTION").map((e) => e.textContent.trim());"""
-# In Korean these stay as they are.
+# In Korean these stay as they are; so do segments: 1 pyramid.
 LATIN = re.compile(r"^(|[\W\d_]*|English|.*\.(pl|csg|stl|off|obj|ply)|[A-Za-z0-9_, .()-]*"
                    r"(radius|height|facets|size|cylinder|box|param|named|at|rotate|"
                    r"translate)[A-Za-z0-9_, .()-]*|A\d(-\w+)?|[xyz]|PDF|SVG|DXF|HPGL|"
                    r"PNG|EPS|JSON|STL|OBJ|OFF|PLY|FOLD|HTML|pdf|svg|dxf|hpgl|png|"
-                   r"eps|json|stl|obj|off|ply|fold|html|pl|fig\d+(-\d+)?|Kim|[a-z]{1,2})$")
+                   r"eps|json|stl|obj|off|ply|fold|html|pl|fig\d+(-\d+)?|Kim|[a-z]{1,2}|"
+                   r"\d+ [a-z_]+)$")
 
 
 def step(name, good=True, shown=None):
