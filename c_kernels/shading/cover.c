@@ -169,6 +169,29 @@ light_at(const sg_shaded *in, sg_shading_work *work, const sg_face_look *look,
   }
 }
 
+/* A span, and how far it goes on to both sides as the same sheet. */
+typedef struct sheet_span {
+  const sg_span *span;
+  int32_t x1, x2;
+} sheet_span;
+
+static sheet_span
+sheet_of(const sg_spans *spans, size_t i)
+{
+  const sg_span *all = spans->span;
+  size_t first = i, last = i;
+
+  while (all[i].sheet > 0 && first > 0 &&
+         sg_span_goes_on(&all[first - 1], &all[first])) {
+    first--;
+  }
+  while (all[i].sheet > 0 && last + 1 < spans->n &&
+         sg_span_goes_on(&all[last], &all[last + 1])) {
+    last++;
+  }
+  return (sheet_span){&all[i], all[first].x1, all[last].x2};
+}
+
 /* What a span has of a light. */
 static lit
 part_of(const sg_span *span, const uint32_t light[3])
@@ -214,26 +237,40 @@ add_shaded(sg_dot_row *cover, const sg_shaded *in, sg_shading_work *work,
   }
 }
 
-/* Dot after dot; in the middle of a dot, or, if the span does not go so far, at
- * its end. */
+/* The place in or about a dot whose light it has, from the middle of what there
+ * is of it on a line, in 1/256 dot: the middle of the dot or, if the sheet ends
+ * before, its end; but if another sheet of a torus is seen there, `own`. */
 static void
-add_bent(sg_dot_row *cover, const sg_shaded *in, const sg_span *span,
-         uint32_t number, double y)
+place_of_light(const sg_shaded *in, const sheet_span *sheet,
+               const double own[2], double at[2])
 {
+  double centre = floor(own[0]) + 0.5;
+  double x1 = sheet->x1 / (double)DOT, x2 = sheet->x2 / (double)DOT;
+
+  at[0] = centre < x1 ? x1 : centre > x2 ? x2 : centre;
+  at[1] = floor(own[1]) + 0.5;
+  if (!sg_shading_sees_same(in->scene, sheet->span, own, at)) {
+    memcpy(at, own, 2 * sizeof *at);
+  }
+}
+
+static void
+add_bent(sg_dot_row *cover, const sg_shaded *in, const sheet_span *sheet,
+         uint32_t number, double line)
+{
+  const sg_span *span = sheet->span;
   const sg_face_look *look = &in->looks.look[number];
   uint64_t key = ((uint64_t)number << 36) + ((uint64_t)span->surface << 4) +
                  (uint64_t)(span->sense + 2);
 
   for (int32_t x1 = span->x1; x1 < span->x2;) {
-    int32_t dot = x1 / DOT, centre = dot * DOT + HALF;
-    int32_t end = (dot + 1) * DOT;
+    int32_t dot = x1 / DOT, end = (dot + 1) * DOT;
 
     end = end < span->x2 ? end : span->x2;
     if (cover->seen[dot] != key) {
-      int32_t x = centre < span->x1   ? span->x1
-                  : centre > span->x2 ? span->x2
-                                      : centre;
-      light_at(in, NULL, look, span, x / (double)DOT, y, cover->light[dot]);
+      double at[2];
+      place_of_light(in, sheet, (double[]){(x1 + end) / (2.0 * DOT), line}, at);
+      light_at(in, NULL, look, span, at[0], at[1], cover->light[dot]);
       cover->seen[dot] = key;
     }
     lit own = part_of(span, cover->light[dot]);
@@ -244,8 +281,9 @@ add_bent(sg_dot_row *cover, const sg_shaded *in, const sg_span *span,
 
 static void
 add_span(sg_dot_row *cover, const sg_shaded *in, sg_shading_work *work,
-         const sg_span *span, int32_t y, double line)
+         const sheet_span *sheet, double line)
 {
+  const sg_span *span = sheet->span;
   uint32_t number = sg_face_number(&in->looks.numbers, span->leaf, span->face);
   const sg_face_look *look = &in->looks.look[number];
   uint32_t light[3];
@@ -255,7 +293,7 @@ add_span(sg_dot_row *cover, const sg_shaded *in, sg_shading_work *work,
     return;
   }
   if (!sg_shading_is_flat(in->scene, span)) {
-    add_bent(cover, in, span, number, y + 0.5);
+    add_bent(cover, in, sheet, number, line);
     return;
   }
   light_at(in, work, look, span, span->x1 / (double)DOT, line, light);
@@ -288,14 +326,31 @@ sg_cover_light(const sg_shaded *in, sg_shading_work *work, const sg_span *span,
 /* Whole dots, those whose middles are in the span. */
 static void
 add_middles(sg_dot_row *cover, const sg_shaded *in, sg_shading_work *work,
-            sg_span span, int32_t y, double line)
+            sg_span span, double line)
 {
   int32_t from, to = sg_span_dots(&span, &from);
 
   span.x1 = from * DOT;
   span.x2 = to * DOT;
   if (from < to) {
-    add_span(cover, in, work, &span, y, line);
+    const sheet_span sheet = {&span, span.x1, span.x2};
+    add_span(cover, in, work, &sheet, line);
+  }
+}
+
+static void
+add_spans(sg_dot_row *cover, const sg_shaded *in, sg_shading_work *work,
+          const sg_spans *spans, double line)
+{
+  for (size_t i = 0; i < spans->n; i++) {
+    const sg_span *span = &spans->span[i];
+
+    if (in->middles) {
+      add_middles(cover, in, work, *span, line);
+    } else {
+      const sheet_span sheet = sheet_of(spans, i);
+      add_span(cover, in, work, &sheet, line);
+    }
   }
 }
 
@@ -325,13 +380,7 @@ sg_cover_row(sg_dot_row *cover, const sg_shaded *in, sg_shading_work *work,
     } else {
       return false;
     }
-    for (size_t i = 0; i < here->n; i++) {
-      if (in->middles) {
-        add_middles(cover, in, work, here->span[i], y, line);
-      } else {
-        add_span(cover, in, work, &here->span[i], y, line);
-      }
-    }
+    add_spans(cover, in, work, here, line);
   }
   return (!in->edges || sg_face_edges(cover, in, work, y)) &&
          !sg_shading_work_failed(work);

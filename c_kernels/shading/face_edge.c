@@ -28,24 +28,41 @@ typedef struct lines {
 } lines;
 
 static bool
+is_plane(const sg_shading *s, const sg_span *span)
+{
+  return s->surface.item[span->surface].kind == SG_IS_PLANE;
+}
+
+static bool
 goes_on(const sg_shading *s, const sg_span *p, const sg_span *q)
 {
   const sg_shading_surface *a = &s->surface.item[p->surface];
   const sg_shading_surface *b = &s->surface.item[q->surface];
 
-  if (p->root != q->root || a->kind != SG_IS_PLANE || b->kind != SG_IS_PLANE) {
+  if (p->root != q->root || !is_plane(s, p) || !is_plane(s, q)) {
     return p->root == q->root && p->surface == q->surface &&
-           sg_quartic_side(p->sense) == sg_quartic_side(q->sense);
+           (a->kind == SG_IS_RING
+                ? sg_quartic_enters(p->sense) == sg_quartic_enters(q->sense)
+                : p->sense == q->sense);
   }
   return p->surface == q->surface ||
          (p->leaf == q->leaf &&
           (p->face == q->face || sg_dot(a->normal, b->normal) > GOES_ON));
 }
 
-/* Whether a line is between what is seen at x, in 1/256 dot, on two lines, or
- * at both sides of x on one. Null: nothing is. */
+/* Whether two spans show one torus, by other roots. */
 static bool
-differs(const lines *l, const sg_span *p, const sg_span *q, double x, double y)
+may_be_behind(const lines *l, const sg_span *p, const sg_span *q)
+{
+  return p && q && p->surface == q->surface && p->sense != q->sense &&
+         l->in->scene->surface.item[p->surface].kind == SG_IS_RING;
+}
+
+/* Whether a line is between what is seen at p_at and at q_at, in dots. Null:
+ * nothing is. */
+static bool
+differs(const lines *l, const sg_span *p, const double p_at[2],
+        const sg_span *q, const double q_at[2])
 {
   const sg_shading *s = l->in->scene;
   double depth[2], normal[2][3];
@@ -56,13 +73,14 @@ differs(const lines *l, const sg_span *p, const sg_span *q, double x, double y)
   if (!goes_on(s, p, q)) {
     return true;
   }
-  if (p->surface == q->surface &&
-      s->surface.item[p->surface].kind == SG_IS_PLANE) {
-    return false;
+  if (p->surface == q->surface) {
+    return may_be_behind(l, p, q) &&
+           sg_ring_gap(s, p->surface, p->sense, p_at, q->sense, q_at) > BEHIND;
   }
-  sg_shading_point(s, p, x / DOT, y, &depth[0], normal[0]);
-  sg_shading_point(s, q, x / DOT, y, &depth[1], normal[1]);
-  return fabs(depth[0] - depth[1]) > BEHIND && p->surface != q->surface;
+  double x = (p_at[0] + q_at[0]) / 2, y = (p_at[1] + q_at[1]) / 2;
+  sg_shading_point(s, p, x, y, &depth[0], normal[0]);
+  sg_shading_point(s, q, x, y, &depth[1], normal[1]);
+  return fabs(depth[0] - depth[1]) > BEHIND;
 }
 
 static void
@@ -90,16 +108,19 @@ strips_of_ends(lines *l, const sg_spans *line, double y)
       p = NULL;
     }
     int32_t x = q ? q->x1 : p->x2;
-    if (differs(l, p, q, x, y)) {
+    const double left[2] = {(x - 1) / (double)DOT, y};
+    const double right[2] = {(x + 1) / (double)DOT, y};
+    if (differs(l, p, left, q, right)) {
       add_strip(l, x - HALF, x + HALF);
     }
   }
 }
 
-/* Where two lines show other things; y is between them. */
+/* Where two lines show other things. */
 static void
-strips_between(lines *l, const sg_spans *a, const sg_spans *b, double y)
+strips_between(lines *l, int upper, int lower)
 {
+  const sg_spans *a = &l->line[upper], *b = &l->line[lower];
   int32_t end = sg_shading_frame_of(l->in->scene)->width * DOT;
   size_t i = 0, j = 0;
 
@@ -118,7 +139,12 @@ strips_between(lines *l, const sg_spans *a, const sg_spans *b, double y)
     x2 = next_p < next_q ? next_p : next_q;
     p = p && p->x1 <= x1 ? p : NULL;
     q = q && q->x1 <= x1 ? q : NULL;
-    if (differs(l, p, q, ((double)x1 + x2) / 2, y)) {
+    if (may_be_behind(l, p, q) && x2 - x1 > DOT) {
+      x2 = x1 + DOT;
+    }
+    double x = ((double)x1 + x2) / 2 / DOT;
+    if (differs(l, p, (double[]){x, l->y[upper]}, q,
+                (double[]){x, l->y[lower]})) {
       add_strip(l, x1, x2);
     }
   }
@@ -193,9 +219,9 @@ sg_face_edges(sg_dot_row *cover, const sg_shaded *in, sg_shading_work *work,
   }
   for (int i = far; i < far + n && !l.failed; i++) {
     strips_of_ends(&l, &l.line[i], l.y[i]);
-    strips_between(&l, &l.line[i - far], &l.line[i], l.y[i]);
+    strips_between(&l, i - far, i);
     if (n > 1) {
-      strips_between(&l, &l.line[i], &l.line[i + far], l.y[i]);
+      strips_between(&l, i, i + far);
     }
     add_strips(&l, cover->line);
   }

@@ -236,6 +236,28 @@ sg_quartic_place(const double c[5], sg_quartic_root root)
   return -place((const double[]){c[0], -c[1], c[2], -c[3], c[4]}, behind[root]);
 }
 
+/* The two that meet are about the bottom, or the ridge, nearest to 0. */
+sg_quartic_root
+sg_quartic_before(const double c[5], sg_quartic_root root)
+{
+  wells w = wells_of(c);
+  bool first = root == SG_ROOT_FIRST;
+
+  if (w.two) {
+    double near = fabs(value(c, 4, near_bottom(&w)));
+    double far = fabs(value(c, 4, far_bottom(&w)));
+    double between = fabs(value(c, 4, ridge(&w)));
+
+    if (near < far && near < between) {
+      return first ? SG_ROOT_FAR_IN : SG_ROOT_FAR_OUT;
+    }
+    if (far < between) {
+      return first ? SG_ROOT_NEAR_IN : SG_ROOT_NEAR_OUT;
+    }
+  }
+  return first ? SG_ROOT_NEAR_IN : SG_ROOT_FAR_OUT;
+}
+
 /* ---- the discriminant ---- */
 
 double

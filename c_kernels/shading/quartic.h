@@ -26,20 +26,28 @@ typedef enum sg_quartic_root {
   SG_ROOT_FAR_OUT
 } sg_quartic_root;
 
-/* The first root of two goes on as that of four where more are behind it, and
- * the last one where more are before it; what is no such root is as it is. */
-static inline int32_t
-sg_quartic_side(int32_t root)
+/* Whether it is one of four. */
+static inline bool
+sg_quartic_of_four(int32_t root)
 {
-  return root == SG_ROOT_NEAR_IN   ? (int32_t)SG_ROOT_FIRST
-         : root == SG_ROOT_FAR_OUT ? (int32_t)SG_ROOT_LAST
-                                   : root;
+  return root > (int32_t)SG_ROOT_LAST;
+}
+
+/* Whether the torus begins there. */
+static inline bool
+sg_quartic_enters(int32_t root)
+{
+  return root % 2 == 0;
 }
 
 /* How many there are: 0, 2 or 4. */
 int sg_quartic_count(const double c[5]);
 
 double sg_quartic_place(const double c[5], sg_quartic_root root);
+
+/* Where two neighbours of four roots meet, and beyond it there are two roots:
+ * which one of the four goes on as `root`, SG_ROOT_FIRST or SG_ROOT_LAST. */
+sg_quartic_root sg_quartic_before(const double c[5], sg_quartic_root root);
 
 /* A place between low and high where c[0] + .. + c[n] z^n changes its sign, as
  * `rising` says; if it does not, the end that is nearer to one. */

@@ -268,19 +268,13 @@ discriminant_between(places *all, double low, double high, sg_polynomial *out)
 
 /* ---- slices ---- */
 
-/* Root i of so many. */
-static sg_quartic_root
-root_of(int i, int count)
-{
-  return (sg_quartic_root)(i + (count == 4 ? SG_ROOT_NEAR_IN : SG_ROOT_FIRST));
-}
-
 static bool
-add_roots(sg_shading_work *w, sg_slice *slice, int count)
+add_roots(sg_shading_work *w, sg_slice *slice, const sg_ring_sheets *sheets)
 {
-  for (int i = 0; i < count; i++) {
-    slice->arc = (int8_t)root_of(i, count);
+  for (int i = 0; i < sheets->count; i++) {
+    slice->arc = (int8_t)sg_ring_root(i, sheets->count);
     slice->sense = i % 2 == 0 ? 1 : -1;
+    slice->sheet = sheets->of[i];
     if (!SG_PUSH(w->slice, *slice)) {
       w->failed = true;
       return false;
@@ -307,7 +301,7 @@ sg_ring_over(sg_shading_work *w, const sg_shading_body *body, double x,
   sg_ring_quartic(&line, (x - line.x) / line.size, c);
   for (int i = 0, count = sg_quartic_count(c); i < count; i++) {
     slice.sense = i % 2 == 0 ? 1 : -1;
-    slice.a = line.z + line.size * sg_quartic_place(c, root_of(i, count));
+    slice.a = line.z + line.size * sg_quartic_place(c, sg_ring_root(i, count));
     if (!SG_PUSH(w->slice, slice)) {
       w->failed = true;
       return false;
@@ -323,6 +317,7 @@ sg_ring_slices(sg_shading_work *w, const sg_shading_body *body, double y)
   uint32_t torus = s->surface.item[body->surface].of;
   sg_ring_line *line = &w->line[torus];
   places all = {.line = line};
+  sg_ring_sheets sheets = {0};
   sg_polynomial p;
 
   *line = sg_ring_line_of(&s->torus.item[torus], y);
@@ -344,13 +339,13 @@ sg_ring_slices(sg_shading_work *w, const sg_shading_body *body, double y)
                       .line = line,
                       .e = all.at[i],
                       .f = all.at[i + 1]};
-    double c[5];
+    double from[5], c[5];
 
-    if (slice.x1 < slice.x2) {
-      sg_ring_quartic(line, (slice.e + slice.f) / 2, c);
-      if (!add_roots(w, &slice, sg_quartic_count(c))) {
-        return false;
-      }
+    sg_ring_quartic(line, slice.e, from);
+    sg_ring_quartic(line, (slice.e + slice.f) / 2, c);
+    sg_ring_sheets_change(&sheets, from, sg_quartic_count(c));
+    if (slice.x1 < slice.x2 && !add_roots(w, &slice, &sheets)) {
+      return false;
     }
   }
   return true;

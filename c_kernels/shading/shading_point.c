@@ -120,8 +120,7 @@ ring_point(const sg_shading *scene, const sg_span *span, double x, double y,
       &scene->torus.item[scene->surface.item[span->surface].of];
   sg_ring_line line = sg_ring_line_of(torus, y);
   sg_quartic_root root = (sg_quartic_root)span->sense;
-  bool enters = root == SG_ROOT_FIRST || root == SG_ROOT_NEAR_IN ||
-                root == SG_ROOT_FAR_IN;
+  bool enters = sg_quartic_enters(root);
   double t = (x - line.x) / line.size, c[5], plane[4];
 
   sg_ring_quartic(&line, t, c);

@@ -151,10 +151,11 @@ typedef struct sg_slice {
   int32_t x1, x2;
   uint32_t leaf, surface;
   int32_t face;
-  int8_t sense; /* 1 enters, -1 leaves */
-  int8_t arc;   /* 0: straight; 1, -1: the sign of the root; more: which
-                   root, sg_quartic_root */
-  bool round;   /* of a round leaf: its slices do not cross */
+  int8_t sense;  /* 1 enters, -1 leaves */
+  int8_t arc;    /* 0: straight; 1, -1: the sign of the root; more: which
+                    root, sg_quartic_root */
+  uint8_t sheet; /* of a torus: of a span */
+  bool round;    /* of a round leaf: its slices do not cross */
   union {
     double x0;
     const sg_ring_line *line; /* borrowed of the work */
@@ -211,9 +212,33 @@ void sg_ring_along(const sg_ring_line *line, const double from[2],
 double sg_ring_depth(const sg_slice *s, double x);
 bool sg_ring_slices(sg_shading_work *work, const sg_shading_body *body,
                     double y);
+
+/* ring_sheet.c: which root on a line is of which sheet. */
+typedef struct sg_ring_sheets {
+  int count; /* of roots */
+  uint8_t of[4], last;
+} sg_ring_sheets;
+
+/* Beyond a place where c is the quartic there are so many roots. */
+void sg_ring_sheets_change(sg_ring_sheets *sheets, const double c[5],
+                           int count);
+
+/* Root i of so many. */
+static inline sg_quartic_root
+sg_ring_root(int i, int count)
+{
+  return (sg_quartic_root)(i + (count == 4 ? SG_ROOT_NEAR_IN : SG_ROOT_FIRST));
+}
+
 /* The same at one place of it alone: straight slices there. */
 bool sg_ring_over(sg_shading_work *work, const sg_shading_body *body, double x,
                   double y);
+
+/* ring_sheet.c: how far behind one another, in dots of depth, two sheets of one
+ * torus are where one is seen at p and the other at q, near to p, roots that
+ * both enter it or both leave it; 0: they are one sheet. */
+double sg_ring_gap(const sg_shading *s, uint32_t surface, int32_t root_p,
+                   const double p[2], int32_t root_q, const double q[2]);
 
 static inline bool
 sg_slice_is_ring(const sg_slice *s)

@@ -352,6 +352,9 @@ sg_door_shading_spans(sg_call *call, sg_shading *scene, double y,
   bool good = work && (sg_shading_line(scene, work, y, &spans) ||
                        sg_call_no_memory(call));
 
+  if (good) {
+    sg_spans_join(&spans);
+  }
   for (size_t i = 0; good && i < spans.n; i++) {
     good = sg_shading_span_list_add(call, out, spans.span[i]);
   }
@@ -377,6 +380,9 @@ sg_door_shading_layers(sg_call *call, sg_shading *scene, double y,
   bool good = work && (sg_shading_line(scene, work, y, &spans) ||
                        sg_call_no_memory(call));
 
+  if (good) {
+    sg_spans_join(&spans);
+  }
   for (size_t i = 0; good && i < spans.n; i++) {
     const sg_span *s = &spans.span[i];
     good = sg_shading_layer_list_add(

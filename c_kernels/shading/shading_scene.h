@@ -174,6 +174,11 @@ bool sg_shading_line_part(const sg_shading *scene, sg_shading_work *work,
 void sg_shading_point(const sg_shading *scene, const sg_span *span, double x,
                       double y, double *depth, double normal[3]);
 
+/* Whether what of a span is seen at `own`, a place of it, and by its root at
+ * `at`, near to it, is one sheet; of what is no torus it is. */
+bool sg_shading_sees_same(const sg_shading *scene, const sg_span *span,
+                          const double own[2], const double at[2]);
+
 /* The point of the model that is seen at a point of the picture. */
 void sg_shading_place(const sg_shading *scene, const double seen[3],
                       double out[3]);

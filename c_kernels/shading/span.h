@@ -18,8 +18,10 @@ typedef struct sg_span {
   int32_t leaf;     /* number of the leaf whose face it is, 1.. */
   int32_t face;     /* of that leaf */
   uint32_t surface; /* of the scene: private */
-  int32_t sense;    /* 1: the line of sight enters the leaf; -1: it leaves;
+  int16_t sense;    /* 1: the line of sight enters the leaf; -1: it leaves;
                        more: which root of a torus, sg_quartic_root */
+  uint16_t sheet;   /* of a torus on this line, 1 ..: what goes on has one
+                       number, also where the root becomes another; else 0 */
   uint32_t part;    /* of the light there, 1 .. SG_OPAQUE: its own */
 } sg_span;
 
@@ -30,6 +32,18 @@ typedef struct sg_spans {
   sg_span *span; /* [n] */
   size_t n, room;
 } sg_spans;
+
+/* Whether q goes on where p ends, as the same sheet. */
+static inline bool
+sg_span_goes_on(const sg_span *p, const sg_span *q)
+{
+  return p->x2 == q->x1 && p->root == q->root && p->leaf == q->leaf &&
+         p->face == q->face && p->surface == q->surface && p->part == q->part &&
+         p->sheet == q->sheet;
+}
+
+/* sweep.c: what goes on becomes one span, of the sense that it begins with. */
+void sg_spans_join(sg_spans *line);
 
 /* The dots whose middles are in a span: from *x up to, not with, the result. */
 static inline int32_t

@@ -80,11 +80,30 @@ sg_shading_work_close(sg_shading_work *w)
 static bool
 continues(const sg_shading *s, const sg_span *last, const sg_span *next)
 {
-  return last->x2 == next->x1 && last->root == next->root &&
-         last->leaf == next->leaf && last->face == next->face &&
-         last->surface == next->surface && last->part == next->part &&
+  return sg_span_goes_on(last, next) &&
          (s->surface.item[last->surface].kind == SG_IS_PLANE ||
-          sg_quartic_side(last->sense) == sg_quartic_side(next->sense));
+          last->sense == next->sense);
+}
+
+void
+sg_spans_join(sg_spans *line)
+{
+  size_t n = 0;
+
+  for (size_t i = 0; i < line->n; i++) {
+    sg_span span = line->span[i];
+    size_t k = span.sheet > 0 ? n : 0;
+
+    while (k > 0 && !sg_span_goes_on(&line->span[k - 1], &span)) {
+      k--;
+    }
+    if (k > 0) {
+      line->span[k - 1].x2 = span.x2;
+    } else {
+      line->span[n++] = span;
+    }
+  }
+  line->n = n;
 }
 
 /* Of the layer `depth`, 0 the nearest. */
@@ -102,17 +121,16 @@ add_span(sg_shading_work *w, size_t depth, int32_t x1, int32_t x2,
                   .leaf = leaf->number,
                   .face = slice->face,
                   .surface = slice->surface,
-                  .sense = slice->arc == 0           ? slice->sense
-                           : sg_slice_is_ring(slice) ? slice->arc
-                                                     : -slice->arc,
+                  .sense = (int16_t)(slice->arc == 0           ? slice->sense
+                                     : sg_slice_is_ring(slice) ? slice->arc
+                                                               : -slice->arc),
+                  .sheet = slice->sheet,
                   .part = layer->part};
 
   if (depth < w->open.n) {
     sg_span *last = &out->span[w->open.item[depth]];
     if (continues(s, last, &span)) {
       last->x2 = x2;
-      last->sense = last->sense == span.sense ? last->sense
-                                              : sg_quartic_side(last->sense);
       return true;
     }
     w->open.item[depth] = out->n;
