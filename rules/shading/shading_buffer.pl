@@ -21,8 +21,8 @@ first.
 %
 %   Write to the stream Out what is seen of Scene. Kind is
 %
-%     - depth: PFM, in the middle of each dot: units of the model from the eye
-%       along its line of sight, in a parallel picture from the origin; infinite
+%     - depth: PFM, in the middle of each dot: units of the model the way the
+%       eye looks, from it, in a parallel picture from the origin; infinite
 %       where nothing is
 %     - normal: PFM, a unit vector of the model, 0 0 0 where nothing is
 %     - tone: PGM, in the middle of each dot how light it is, 255 the lightest;

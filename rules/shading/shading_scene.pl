@@ -527,7 +527,7 @@ scene_tolerance(scene(_, _, sight(Tolerance,_,_)), Tolerance).
 %!  scene_depth(+Scene, -Plane) is det.
 %
 %   Plane is [A, B, C, D]: a point of the model is A*X + B*Y + C*Z + D from the
-%   eye along its line of sight, in a parallel picture from the origin.
+%   eye the way that it looks, in a parallel picture from the origin.
 
 scene_depth(scene(_, _, sight(_,Plane,_)), Plane).
 
