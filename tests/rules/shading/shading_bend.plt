@@ -1,5 +1,6 @@
 /* Normals of what was divided before: smooth(true). */
 :- module(test_shading_bend, []).
+:- use_module(library(aggregate)).
 :- use_module(library(apply)).
 :- use_module(library(lists)).
 :- use_module(library(plunit)).
@@ -65,6 +66,58 @@ test(placed, [ forall(member(Steps, [[mirror(x)],[scale(-1,1,1)],
     normals(at(Steps,prism(outline(Corners),height(2),slices(3),smooth(true))),
             80.5, Xs, Normals),
     off(3.0, 2.0, Xs, Normals, Off).
+
+%   A turning of a half circle in N parts, from cap to cap as in OpenSCAD, looks
+%   as the sphere or, stretched, the ellipsoid does; of one in few parts as its
+%   cones do.
+rings(N, R, [[0,Low]|Outline]) :-
+    findall([X,Z],
+            ( between(1, N, I), A is (2*I-1)*pi/(2*N),
+              X is R*sin(A), Z is -R*cos(A) ),
+            Corners),
+    Corners = [[_,Low]|_],
+    High is -Low,
+    append(Corners, [[0,High]], Outline).
+
+test(a_turned_sphere, [ forall(member(A-N-Smooth,
+                                      [1-15-true,1.5-15-true,1-5-false])),
+                        true(Smooth-Off == Smooth-small) ]) :-
+    rings(N, 3.0, Outline),
+    numlist(-12, 12, Steps),
+    maplist([T,X]>>(X is T/5.0+0.013), Steps, Xs),
+    normals(at([scale(A,1,1)],
+               turning(outline(Outline),facets(30),smooth(true))),
+            80.5, Xs, Normals),
+    Z is 5-80.5/20,
+    findall(Off0,
+            ( nth1(I, Xs, X), nth1(I, Normals, vector(U,V,W)),
+              Y is -sqrt(9 - X*X/(A*A) - Z*Z),
+              NX is X/(A*A),
+              Cosine is (NX*U + Y*V + Z*W) / sqrt(NX*NX + Y*Y + Z*Z),
+              Off0 is acos(min(1.0, Cosine))*180/pi ),
+            Offs),
+    max_list(Offs, Most),
+    (   Smooth == true
+    ->  ( Most < 0.6 -> Off = small ; Off = Most )
+    ;   ( Most > 5 -> Off = small ; Off = Most )
+    ).
+
+%   A circle that is turned looks as the torus does, but where this hides itself.
+test(a_turned_circle, true(N < 5)) :-
+    findall([X,Z],
+            ( between(1, 24, I), X is 3+cos(pi*I/12), Z is sin(pi*I/12) ),
+            Outline),
+    numlist(-130, 130, Steps),
+    maplist([T,X]>>(X is T/40.0), Steps, Xs),
+    normals(at([rotate(x,60)],
+               turning(outline(Outline),facets(48),smooth(true))),
+            80.5, Xs, Normals),
+    normals(at([rotate(x,60)], torus(radius(3),tube(1))), 80.5, Xs, Round),
+    aggregate_all(count,
+                  ( nth1(I, Normals, U), nth1(I, Round, V),
+                    jump(U, V, Off),
+                    Off > 4 ),
+                  N).
 
 %   What bends by more than 30 degrees stays an edge: both sides look as their
 %   facets do.
