@@ -15,7 +15,7 @@
 :- use_module('../decision', [decision_is_default/1]).
 :- use_module('../shading/shaded_picture',
               [ shaded_picture/4, empty_picture/3, picture_image/3,
-                shade_has_shadows/1, solid_box/2 ]).
+                scene_shows/1, shade_has_shadows/1, solid_box/2 ]).
 :- use_module('../shading/shading_buffer', [write_buffer/3]).
 :- use_module('../shading/shading_facets', [faceted_model/2, facets_off/2]).
 :- use_module('../shading/shading_leaf', [bent_faces/2]).
@@ -110,7 +110,8 @@ shaded_scene_of(Options, Wanted, Scene) :-
     placed(Options, Roots, Turned, Model0, Model1, Away, Eye),
     sections_cut(Options, Model0, Away, Eye, Model1, Model),
     (   shaded_picture(Model, Eye, Wanted, Scene)
-    ->  facets_told(Wanted, Scene),
+    ->  window_told(Wanted, Scene),
+        facets_told(Wanted, Scene),
         see_through_told(Wanted, Scene)
     ;   print_message(warning, sanggwan(nothing_seen)),
         empty_picture(Eye, Wanted, Scene)
@@ -126,6 +127,15 @@ surfaces_wanted(Wanted, Model0, Model) :-
 
 %   facets_told(Wanted, Scene): files have facets. By more than a dot that is
 %   told.
+
+%   window_told(Wanted, Scene): a window beside all that is seen is told.
+
+window_told(Wanted, Scene) :-
+    (   option(window(_), Wanted),
+        \+ scene_shows(Scene)
+    ->  print_message(warning, sanggwan(nothing_in_window))
+    ;   true
+    ).
 
 facets_told(Wanted, Scene) :-
     (   \+ option(surface(facets), Wanted),

@@ -328,6 +328,9 @@ notice_en(points_in_vain) -->
 notice_en(nothing_seen) -->
     [ 'nothing is seen: the picture is its background alone', nl,
       '  The model has no solid, or what it takes away is all of it.' ].
+notice_en(nothing_in_window) -->
+    [ 'nothing is seen in the window: the picture is its background alone', nl,
+      '  Give another --window; without it what is seen fills the picture.' ].
 notice_en(not_shaded(S, cells)) -->
     !,
     [ 'segment ~p is not in the picture: it is cells without their operands'-

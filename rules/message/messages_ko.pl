@@ -315,6 +315,9 @@ notice_ko(points_in_vain) -->
 notice_ko(nothing_seen) -->
     [ '보이는 것이 없습니다. 그림은 바탕뿐입니다', nl,
       '  모델에 입체가 없거나 모두 빼 버렸습니다.' ].
+notice_ko(nothing_in_window) -->
+    [ '창 안에 보이는 것이 없습니다. 그림은 바탕뿐입니다', nl,
+      '  --window 값을 바꾸십시오. 빼면 보이는 것이 그림을 채웁니다.' ].
 notice_ko(not_shaded(S, cells)) -->
     !,
     [ '세그먼트 ~p은(는) 그림에 없습니다. 피연산자가 없는 셀입니다'-[S], nl,

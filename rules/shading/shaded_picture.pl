@@ -3,6 +3,7 @@
             world_scene/2,              % +Options, -Scene
             picture_place/5,            % +Model, +Eye, +Options, -Size, -Place
             empty_picture/3,            % +Eye, +Options, -Scene
+            scene_shows/1,              % +Scene
             solid_box/2,                % +Model, -Box
             picture_image/3,            % +Scene, +Options, -Image
             picture_image/5,            % +Scene, +KernelLooks, +Leaves,
@@ -113,6 +114,14 @@ frame_place(b(X1,Y1,X2,Y2), Width-Height, Margin, place(Scale,Left,Top)) :-
 empty_picture(Eye, Options, Scene) :-
     option(size(Size), Options, 1260-888),
     shaded_scene(model([],[],[]), Eye, place(1.0,0.0,0.0), Size, Scene).
+
+%!  scene_shows(+Scene) is semidet.
+%
+%   True when something is seen on the lines in the middle of dots of Scene.
+
+scene_shows(Scene) :-
+    scene_handle(Scene, Handle),
+    image_extent(Handle, _).
 
 %!  solid_box(+Model, -Box) is semidet.
 %

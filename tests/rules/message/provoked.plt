@@ -176,6 +176,8 @@ command(nothing_drawn, [draw, @('wire.pl'), '--lines', penetration,
                         '--sheet', 'A4', '-o', @('a.svg')]).
 command(nothing_seen, [render, @('empty.pl'), '--size', '9x9',
                        '-o', @('a.png')]).
+command(nothing_in_window, [render, @('cube.pl'), '--size', '9x9',
+                            '--window=50,50,60,60', '-o', @('a.png')]).
 command(not_shaded(_,_), [render, @('curve.pl'), '--size', '9x9',
                           '-o', @('a.png')]).
 command(points_in_vain, [draw, @('cube.pl'), '--points', '4',
