@@ -74,6 +74,7 @@ render_run(Files, Options) :-
     load_model(Files, [evaluate(false),rows(false)|Options]),
     looks_read(Options),
     stage(shade, sg_verbs_render:shaded_scene_of(Options, Wanted, Scene)),
+    window_told(Wanted, Scene),
     maplist(buffer_written(Scene), Buffers),
     maplist(scan_line_written(Scene), ScanLines),
     spans_scanned(Outputs, Spans, Wanted, Scene),
@@ -110,8 +111,7 @@ shaded_scene_of(Options, Wanted, Scene) :-
     placed(Options, Roots, Turned, Model0, Model1, Away, Eye),
     sections_cut(Options, Model0, Away, Eye, Model1, Model),
     (   shaded_picture(Model, Eye, Wanted, Scene)
-    ->  window_told(Wanted, Scene),
-        facets_told(Wanted, Scene),
+    ->  facets_told(Wanted, Scene),
         see_through_told(Wanted, Scene)
     ;   print_message(warning, sanggwan(nothing_seen)),
         empty_picture(Eye, Wanted, Scene)
@@ -132,6 +132,7 @@ surfaces_wanted(Wanted, Model0, Model) :-
 
 window_told(Wanted, Scene) :-
     (   option(window(_), Wanted),
+        scene_leaf(Scene, _),
         \+ scene_shows(Scene)
     ->  print_message(warning, sanggwan(nothing_in_window))
     ;   true

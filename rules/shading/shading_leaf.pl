@@ -19,7 +19,7 @@
 :- use_module('../store',
               [assert_fact/1, facts_transaction/1, segment/3, t/6]).
 :- use_module(shading_bend, [bent_polygons/5]).
-:- use_module(shading_turned, [turned_surface/2]).
+:- use_module(shading_circle, [circle_surface/2]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [append/2, append/3, last/2, member/2, nth1/3]).
@@ -131,7 +131,7 @@ term_leaf(Term0, [flat(Points,Surfaces,Polygons)], leaf, Faces) :-
     maplist(chain_loops, Chains, Loops),
     face_polygons(Whats, Loops, face(1,0,none), 1, Runs, Polygons0, Faces),
     primitive_parts(Term, Parts, _),
-    (   turned_surface(Term0, Surface)
+    (   circle_surface(Term0, Surface)
     ->  Surfaces = [Surface],
         maplist(stands_for_it, Polygons0, Polygons)
     ;   Surfaces0 == [],

@@ -1,6 +1,6 @@
-/* Buffers of a shaded picture, parallel and central, against rays that know each
-   solid in closed form, and share nothing with slices: depths, normals, and what
-   is seen. */
+/* Buffers of a shaded picture, parallel and central, against rays that know
+   each solid in closed form, and share nothing with slices: depths, normals,
+   and what is seen. */
 % covers: depth_buffer
 :- module(test_buffer_rays, []).
 :- use_module(library(apply)).

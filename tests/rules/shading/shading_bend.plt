@@ -102,7 +102,8 @@ test(a_turned_sphere, [ forall(member(A-N-Smooth,
     ;   ( Most > 5 -> Off = small ; Off = Most )
     ).
 
-%   A circle that is turned looks as the torus does, but where this hides itself.
+%   A circle that is turned looks as the torus does, but where this hides
+%   itself.
 test(a_turned_circle, true(N < 5)) :-
     findall([X,Z],
             ( between(1, 24, I), X is 3+cos(pi*I/12), Z is sin(pi*I/12) ),

@@ -1,17 +1,17 @@
-:- module(sg_shading_turned,
-          [ turned_surface/2            % +Term, -Surface
+:- module(sg_shading_circle,
+          [ circle_surface/2            % +Term, -Surface
           ]).
 :- use_module('../csg/known_surface', [plain_surface/2]).
 :- use_module('../primitive/primitive', [primitive_parts/3]).
 :- use_module(library(apply), [foldl/4]).
 :- use_module(library(lists), [append/3, last/2, member/2]).
 /** <module> Turnings whose outline is a divided circle: they are smooth as the
-sphere or the torus is, inside of which they lie. So are the spheres of OpenSCAD,
-which have no poles.
+sphere or the torus is, inside of which they lie. So are the spheres of
+OpenSCAD, which have no poles.
 */
 
-%   So many corners a turn, or sides of half a turn, bend by 30 degrees, which is
-%   no crease.
+%   So many corners a turn, or sides of half a turn, bend by 30 degrees, which
+%   is no crease.
 
 most_bend(12).
 most_bend_of_half(6).
@@ -20,13 +20,13 @@ most_bend_of_half(6).
 
 on_circle(1.0e-9).
 
-%!  turned_surface(+Term, -Surface) is semidet.
+%!  circle_surface(+Term, -Surface) is semidet.
 %
 %   True when the primitive Term, placed, is a turning that says `smooth(true)`,
 %   and Surface, as of plain_surface/2, is that of the sphere or the torus on
 %   which all its corners lie.
 
-turned_surface(Term, Surface) :-
+circle_surface(Term, Surface) :-
     round_term(Term, Round),
     primitive_parts(Round, _, [_-Surface0]),
     once(plain_surface(Surface0, Surface)).
@@ -52,8 +52,8 @@ round_term(Term, at([translate(0,0,Z)],Round)) :-
     ),
     round_outline(Outline, Z, Round).
 
-%   round_outline(Outline, Z, Round): of half a circle about [0, Z], from pole to
-%   pole or from cap to cap; or of a whole one.
+%   round_outline(Outline, Z, Round): of half a circle about [0, Z], from pole
+%   to pole or from cap to cap; or of a whole one.
 
 round_outline(Outline, Z, sphere(radius(R))) :-
     Outline = [[X1,Low]|Outline1],
@@ -92,8 +92,8 @@ all_on_circle(Corners, A, Z, R) :-
     \+ ( member([X,Y], Corners),
          abs(sqrt((X-A)*(X-A) + (Y-Z)*(Y-Z)) - R) > Most ).
 
-%   is_end(Y, Corner, Z, R): on the axis at Y there is a pole, or a cap that ends
-%   in Corner.
+%   is_end(Y, Corner, Z, R): on the axis at Y there is a pole, or a cap that
+%   ends in Corner.
 
 is_end(Y, [_,CapY], Z, R) :-
     on_circle(Part),
