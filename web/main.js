@@ -17,11 +17,22 @@ const FORMATS = {
   model: ["stl", "obj", "off", "ply", "pl"],
   page: ["html"],
 };
+const LOOKS = {
+  projection: ["parallel", "central"],
+  hidden: ["dashed", "removed", "shown"],
+  lines: ["feature", "all", "penetration"],
+};
 const VERBS = { drawing: "draw", shaded: "render", pattern: "unfold", model: "convert" };
 
 class Studio {
   constructor() {
+    const link = location.hash.slice(1).split("&");
+    const given = link.find((part) => !part.includes("="));
+    this.link = new URLSearchParams(link.filter((part) => part.includes("=")).join("&"));
     this.looks = JSON.parse(localStorage.getItem("looks") || "{}");
+    for (const [key, values] of Object.entries(LOOKS)) {
+      if (values.includes(this.link.get(key))) this.looks[key] = this.link.get(key);
+    }
     this.segments = [];
     this.models = [];
     this.formats = Object.entries(FORMATS);
@@ -40,8 +51,11 @@ class Studio {
     reworded(document);
     document.addEventListener("reworded", () => this.reworded());
     document.addEventListener("keydown", (event) => this.keyed(event));
-    const token = location.hash.slice(1) || sessionStorage.getItem("secret") || "";
+    const token = given || sessionStorage.getItem("secret") || "";
     if (token) sessionStorage.setItem("secret", token);
+    // The address says what is seen: behind the secret, if it has that.
+    this.linked = calm(300, () => history.replaceState(null, "", "#" + [given, ...this.seenWords()].filter(Boolean).join("&")));
+    window.addEventListener("hashchange", () => location.reload());
     this.record = recordOf();
     const which = new URLSearchParams(location.search).get("half");
     if (which) this.half(which);
@@ -166,19 +180,18 @@ class Studio {
   }
 
   viewMenu() {
-    const choice = (key, word, values) => {
+    const choice = (key) => {
       const select = h("select", { onchange: () => { this.looks[key] = select.value; this.looked(); } },
-        ...values.map((value) => h("option", { value }, w(value))));
-      select.value = this.looks[key] || values[0];
-      return h("label", {}, w(word), select);
+        ...LOOKS[key].map((value) => h("option", { value }, w(value))));
+      select.value = this.looks[key] || LOOKS[key][0];
+      return h("label", {}, w(key), select);
     };
     const central = h("input", { type: "checkbox", checked: this.looks.projection === "central",
       onchange: () => { this.looks.projection = central.checked ? "central" : "parallel"; this.looked(); } });
     const count = h("select", { onchange: () => this.ports.many(Number(count.value)) },
       ...[1, 2, 3, 4, 5, 6].map((value) => h("option", { value }, String(value))));
     count.value = this.ports.ports.length;
-    return [choice("hidden", "hidden", ["dashed", "removed", "shown"]),
-      choice("lines", "lines", ["feature", "all", "penetration"]),
+    return [choice("hidden"), choice("lines"),
       h("label", {}, w("central"), central), h("label", {}, w("ports"), count),
       ...(this.record ? [] : [h("button", { onclick: () => this.halved() }, w("two_windows"))])];
   }
@@ -192,10 +205,18 @@ class Studio {
   looked() {
     localStorage.setItem("looks", JSON.stringify(this.looks));
     this.ports.refresh();
+    this.linked();
   }
 
   keep() {
     this.ports.kept();
+    this.linked();
+  }
+
+  seenWords() {
+    const looks = Object.keys(LOOKS).map((key) => [key, this.looks[key]]);
+    return [["ports", this.ports.ports.map((port) => port.link()).join(";")], ...looks, ["chosen", this.names?.join(",")]]
+      .filter(([, value]) => value).map(([key, value]) => `${key}=${value}`);
   }
 
   reworded() {
@@ -289,6 +310,9 @@ class Studio {
       else if (head.replayed) this.banner("replayed", null, 6000, head.replayed);
       await this.revised(head);
       if (this.text.dirty) this.text.done();
+      const names = this.link.get("chosen");
+      this.link.delete("chosen");
+      if (names) await this.chosen(names.split(","));
     } catch (error) {
       this.failed(error, error.head && error.head.error.code === "request_error.journal_of_another"
         ? [["recover", () => this.recovered(file)], ["forget", () => this.opened(file, null, { replay: false })]] : []);
@@ -504,12 +528,14 @@ class Studio {
     this.names = names;
     this.from = port || this.from;
     this.light("chosen", names);
+    this.linked();
     this.other?.postMessage({ chosen: names });
     return this.why.show(names, this.from, role);
   }
 
   async askAbout(name) {
     const { head } = await this.wire.ask("select", { names: [name] });
+    this.paneTo("asking");
     this.asking.set(head.selected[0].goal);
   }
 

@@ -11,7 +11,9 @@ const USUAL = { projection: "parallel", up: "z", lines: "feature" };
 const SLOW = 40;          // ms: exact pictures that take longer do not turn well
 
 class Port {
-  constructor(studio, kind, place) {
+  // `said` is what link() made, or a kind alone.
+  constructor(studio, said, place) {
+    const [kind, angles] = said.split("@");
     this.studio = studio;
     this.name = "p" + place;
     this.picture = new Picture();
@@ -33,7 +35,8 @@ class Port {
     this.kind = KINDS.includes(kind) ? kind : "iso";
     this.choice.value = this.kind;
     this.tooled();
-    this.angles = [...PICTORIAL];
+    this.angles = angles?.split(",").map(Number) || [];
+    if (this.angles.length !== 2 || !this.angles.every(Number.isFinite)) this.angles = [...PICTORIAL];
     this.scale = null;
     this.turning = null;
     this.took = 0;
@@ -46,6 +49,7 @@ class Port {
     canvas.addEventListener("pointermove", (event) => this.moved(event));
     canvas.addEventListener("pointerup", (event) => this.released(event));
     canvas.addEventListener("pointercancel", () => { clearTimeout(this.held); this.fingers.clear(); this.drag = null; });
+    canvas.addEventListener("touchend", (event) => this.lifted(event));
     canvas.addEventListener("pointerleave", () => this.pointAt(null));
     canvas.addEventListener("wheel", (event) => this.wheeled(event), { passive: false });
     canvas.addEventListener("dblclick", (event) => this.doubled(event));
@@ -65,6 +69,11 @@ class Port {
 
   get slow() {
     return Boolean(kindOf(this.kind).slow);
+  }
+
+  link() {
+    return this.turns && String(this.angles) !== String(PICTORIAL)
+      ? `${this.kind}@${this.angles.map((angle) => Number(angle.toFixed(2)))}` : this.kind;
   }
 
   turnTo(kind) {
@@ -179,7 +188,10 @@ class Port {
     this.took = head.ms ?? 0;
     const { fits } = kindOf(this.kind);
     if (fits && !this.zoomed) this.picture.fit(fits === "bar" ? fits : null);
-    if (this.zoomed) this.picture.look(...this.zoomed);
+    if (this.zoomed) {
+      this.stays();
+      this.picture.look(...this.zoomed);
+    }
     const [lines, hidden] = this.picture.counts();
     this.describe(w("drawing", w(this.kind), lines, hidden));
     this.remark.textContent = this.said || head.called || (head.ms === undefined ? "" : w("ms", head.ms < 10 ? head.ms.toFixed(1) : Math.round(head.ms)));
@@ -252,7 +264,14 @@ class Port {
     const found = !this.drag?.moved && this.fingers.size === 1 && this.kind !== "taught" && this.near(event, 22);
     if (!found) return;
     this.drag = null;
+    this.asked = true;
     this.studio.askAbout(found.name);
+  }
+
+  // Else the keyboard came back here with the mouse that a finger stands for.
+  lifted(event) {
+    if (this.asked) event.preventDefault();
+    this.asked = false;
   }
 
   moved(event) {
@@ -310,15 +329,34 @@ class Port {
     if (!this.turns) return;
     this.angles = [(this.angles[0] + theta + 720) % 360,
       Math.max(0, Math.min(180, this.angles[1] + phi))];
+    this.studio.linked();
     if (this.kind === "folded") {
       this.redraw();
       return;
     }
-    const { shown } = this.picture;
-    if (!this.scale && shown && shown.place && this.kind !== "section") this.scale = shown.place[0] / 1000;
+    this.keepScale();
     if (this.turnedByCard()) return;
     this.refresh();
     this.settled();
+  }
+
+  // A port fills itself until it is turned, or looked at closer.
+  keepScale() {
+    const { shown } = this.picture;
+    if (!this.scale && shown?.place && this.kind !== "section") this.scale = shown.place[0] / 1000;
+  }
+
+  // What was looked at closer stays where it is when the model is another one.
+  stays() {
+    const [was, now] = [this.before?.place, this.picture.shown.place];
+    const seen = [this.kind, ...this.angles].join();
+    const same = seen === this.seen;
+    this.seen = seen;
+    if (!same || !was || !now || Math.abs(was[0] - now[0]) > 1e-6 * now[0]) return;
+    const origin = ([scale, x, y, left, top]) => [left - x * scale, top + y * scale];
+    const [from, to] = [origin(was), origin(now)];
+    this.zoomed[0] += to[0] - from[0];
+    this.zoomed[1] += to[1] - from[1];
   }
 
   // Large models are turned by the graphics card, if it can.
@@ -361,6 +399,8 @@ class Port {
   }
 
   zoom(...box) {
+    if (!this.zoomed) this.seen = [this.kind, ...this.angles].join();
+    this.keepScale();
     this.zoomed = box;
     this.picture.look(...box);
   }
@@ -432,7 +472,7 @@ export class Ports {
   constructor(studio, element) {
     this.studio = studio;
     this.element = element;
-    this.make(JSON.parse(localStorage.getItem("ports") || "null")
+    this.make(studio.link.get("ports")?.split(";").slice(0, 6) || JSON.parse(localStorage.getItem("ports") || "null")
       || ["iso", "unfold", "top", "front", "right"]);
   }
 
@@ -441,6 +481,7 @@ export class Ports {
     this.element.replaceChildren(...this.ports.map((port) => port.element));
     this.element.dataset.count = this.ports.length;
     this.element.classList.remove("one");
+    reworded(this.element);
   }
 
   // As many ports: the first of those that are there, then kinds that are not.

@@ -126,6 +126,17 @@ class Browser:
             {"type": "pointer", "id": "mouse", "actions": actions,
              "parameters": {"pointerType": "mouse"}}]})
 
+    def touch(self, x, y, seconds=0):
+        """A finger that stays so long."""
+        self.ask("POST", "/actions", {"actions": [
+            {"type": "pointer", "id": "finger",
+             "parameters": {"pointerType": "touch"}, "actions": [
+                 {"type": "pointerMove", "duration": 0, "x": round(x),
+                  "y": round(y)},
+                 {"type": "pointerDown", "button": 0},
+                 {"type": "pause", "duration": round(1000 * seconds)},
+                 {"type": "pointerUp", "button": 0}]}]})
+
     def picture(self, path):
         with open(path, "wb") as out:
             out.write(base64.b64decode(self.ask("GET", "/screenshot")))
