@@ -38,6 +38,7 @@ class Studio {
     this.formats = Object.entries(FORMATS);
     this.rev = 0;
     this.warning = "";
+    this.waiting = [];
     this.tree = new Tree(this);
     this.text = new Text(this);
     this.rules = new Rules(this);
@@ -60,7 +61,11 @@ class Studio {
     const which = new URLSearchParams(location.search).get("half");
     if (which) this.half(which);
     this.wire = this.record ? new Kept(this.record) : new Wire(token);
-    this.wire.addEventListener("hello", (event) => this.greeted(event.detail));
+    this.wire.addEventListener("hello", async (event) => {
+      await this.greeted(event.detail);
+      this.here = true;
+      for (const done of this.waiting.splice(0)) done();
+    });
     this.wire.addEventListener("away", this.away);
     this.wire.addEventListener("refused", () => this.banner("no_secret"));
     this.wire.addEventListener("restarted", () => this.opened(this.file, "restarted"));
@@ -246,8 +251,8 @@ class Studio {
     this.teaches = head.shows === "all";
     if (this.teaches) for (const port of this.ports.ports) port.tooled();
     this.taught(head.shows === "seen");
-    if (head.rev && this.file === file && this.ready) this.revised(head);
-    else if (file) this.opened(file);
+    if (head.rev && this.file === file && this.ready) await this.revised(head);
+    else if (file) await this.opened(file);
     else if (!head.class) this.banner("open", this.openMenu());
   }
 
@@ -287,6 +292,7 @@ class Studio {
   }
 
   away = () => {
+    this.here = false;
     clearTimeout(this.awayTimer);
     this.awayTimer = setTimeout(() => this.banner("away"), 800);
   };
@@ -302,7 +308,7 @@ class Studio {
     try {
       const { head } = await this.wire.ask("open", { file, ...keys });
       this.segments = head.segments;
-      this.tree.sets = [];
+      this.tree.sets = this.tree.sets.filter(({ rev }) => rev === undefined);
       this.ready = true;
       this.changes = head.replayed;
       $("banner").hidden = true;
@@ -367,10 +373,14 @@ class Studio {
     $("state").className = this.changes ? "changed" : "";
   }
 
-  // One change after the other.
+  // One change after the other; those that were not sent wait for the program.
   inLine(change) {
-    this.line = (this.line || Promise.resolve()).then(change);
+    this.line = (this.line || Promise.resolve()).then(() => this.there()).then(change);
     return this.line;
+  }
+
+  async there() {
+    while (!this.here) await new Promise((done) => { this.waiting.push(done); });
   }
 
   // The panes show what the last of several made.

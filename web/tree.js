@@ -290,9 +290,14 @@ export class Tree {
       this.studio.segments = head.segments;
       this.studio.edited(head);
     } catch (error) {
+      if (error instanceof Lost) {
+        await this.studio.there();
+        return this.sent(one);
+      }
       this.sets = this.sets.filter((other) => other !== one);
       this.studio.failed(error);
       if (!this.sets.length) this.refresh();
     }
+    return null;
   }
 }

@@ -188,6 +188,14 @@ for language in ("en", "ko"):
         "return document.activeElement === document.querySelector("
         "'.form input[type=range]')"))
     browser.script("delete studio.wire.heard")
+    # Nor is lost what is done while the program does not hear.
+    browser.script("[...studio.ports.ports[0].knobs.querySelectorAll('.knob')]"
+                   ".find((k) => k.dataset.name === 'height').focus()")
+    was = float(re.search(r"height\((4.\d*)\), facets\(24", text()).group(1))
+    browser.script("studio.wire.wait = 1500; studio.wire.socket.close()")
+    browser.keys(UP * 3)
+    check("it waits for the program", browser.wait(QUIET) and
+          "height(%g), facets(24" % (was + 0.3) in text(), (was, text()))
     browser.script("[...studio.ports.ports[0].knobs.querySelectorAll('.knob')]"
                    ".find((k) => k.dataset.name === 'height').focus()")
     # Ctrl-K.
