@@ -2,11 +2,13 @@
  * (regions_private.h).
  *
  * Each part lies in one zone of any other. A walk over a point of each (in the
- * middle of a triangle or a wire, so that it is on no other part) passes
- * triangles, and knows of each part in which of its zones it is: what it leaves
- * counts one less, what it enters one more. Those parts of which it is not in
- * the outer zone go round it, in each other; so the n-th of them is the one
- * that n others go round, and the sum of what counts at that depth is the zone.
+ * middle of a triangle or a wire, so that it is on no other part where two
+ * zones meet; or, as the walk is shifted by less than anything, just inside a
+ * part that lies on others all over) passes triangles, and knows of each part
+ * in which of its zones it is: what it leaves counts one less, what it enters
+ * one more. Those parts of which it is not in the outer zone go round it, in
+ * each other; so the n-th of them is the one that n others go round, and the
+ * sum of what counts at that depth is the zone.
  */
 #include "regions_private.h"
 
@@ -16,16 +18,23 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { TRIED = 8 };
-
 typedef struct part {
   uint32_t element; /* of its outer zone */
   uint32_t piece;   /* its root, or SG_NOWHERE */
   uint32_t number;  /* of the piece's triangles; the wire; the vertex */
   uint32_t depth;
-  bool on; /* on another one */
+  bool on;     /* on another one */
+  bool moved;  /* it has another point */
+  bool inside; /* the point, shifted, is inside it: then it may be on others */
   sg_point at;
 } part;
+
+/* The middle of a triangle of a part. */
+typedef struct middle {
+  uint32_t part;
+  bool on, inside;
+  sg_point at;
+} middle;
 
 typedef struct walk {
   sg_regions_maker *m;
@@ -42,6 +51,8 @@ typedef struct walk {
   uint32_t *depth;  /* [polygons] of the piece */
   int64_t *sum;     /* [parts + 1] by depth; null: depths are not known */
   uint32_t *parent; /* [parts] the zone, SG_NOWHERE: outside of all */
+  middle *middle;   /* [middles] of parts whose own point is on others */
+  size_t middles;
 } walk;
 
 /* ---- parts ---- */
@@ -75,6 +86,28 @@ add_part(walk *w, uint32_t element, uint32_t piece, uint32_t number)
 {
   w->part[w->parts++] =
       (part){.element = element, .piece = piece, .number = number};
+}
+
+static void
+middle_of_triangle(const sg_regions_maker *m, uint32_t t, sg_point *out)
+{
+  middle_of(m->d, m->d->corner[t], 3, out);
+}
+
+static void
+choose_point(const sg_regions_maker *m, part *one)
+{
+  const sg_dense *d = m->d;
+
+  if (one->piece != SG_NOWHERE) {
+    uint32_t first = m->triangle_begin[one->piece];
+    middle_of_triangle(m, m->triangle[first], &one->at);
+  } else if (one->element < sg_element_of_lone(m, 0)) {
+    uint32_t e = m->wire_edge[one->number];
+    middle_of(d, (int32_t[2]){d->from[e], d->to[e]}, 2, &one->at);
+  } else {
+    sg_point_set(&one->at, d->at[m->lone_at[one->number]]);
+  }
 }
 
 /* Wires that hang together where no face is lie in one zone. */
@@ -131,43 +164,10 @@ list_parts(walk *w)
   for (uint32_t i = 0; i < m->lone; i++) {
     add_part(w, sg_element_of_lone(m, i), SG_NOWHERE, i);
   }
+  for (size_t i = 0; i < w->parts; i++) {
+    choose_point(w->m, &w->part[i]);
+  }
   return true;
-}
-
-/* The polygon of a piece that comes n after its root. */
-static uint32_t
-polygon_after(const sg_regions_maker *m, uint32_t root, int n)
-{
-  uint32_t p = root;
-
-  for (; n > 0; n--) {
-    do {
-      p = p + 1 < m->d->polygons ? p + 1 : 0;
-    } while (!m->is_face[p] || sg_disjoint_root(m->piece, p) != root);
-  }
-  return p;
-}
-
-/* Try number n of where part i is: each time in another face. */
-static void
-choose_point(walk *w, part *one, int n)
-{
-  const sg_regions_maker *m = w->m;
-  const sg_dense *d = m->d;
-
-  sg_point_clear(&one->at);
-  if (one->piece != SG_NOWHERE) {
-    uint32_t p = polygon_after(m, one->piece, n);
-    uint32_t first = m->triangle_begin[p];
-    uint32_t count = m->triangle_begin[p + 1] - first;
-    const int32_t *v = d->corner[m->triangle[first + (uint32_t)n % count]];
-    middle_of(d, v, 3, &one->at);
-  } else if (one->element < sg_element_of_lone(m, 0)) {
-    uint32_t e = m->wire_edge[one->number];
-    middle_of(d, (int32_t[2]){d->from[e], d->to[e]}, 2, &one->at);
-  } else {
-    sg_point_set(&one->at, d->at[m->lone_at[one->number]]);
-  }
 }
 
 /* ---- the tree ---- */
@@ -243,14 +243,32 @@ pass(void *data, uint32_t item, int turns)
   }
 }
 
+/* Whether a triangle is of another part, and has that in two zones. */
+static bool
+is_between(const walk *w, uint32_t item, const part *one)
+{
+  const sg_regions_maker *m = w->m;
+  uint32_t p = (uint32_t)m->d->polygon_of[w->item[item]];
+
+  return sg_disjoint_root(m->piece, p) != one->piece &&
+         sg_disjoint_root(m->zone, 2 * p) !=
+             sg_disjoint_root(m->zone, 2 * p + 1);
+}
+
 static void
 lies_on(void *data, size_t i, uint32_t item)
 {
   walk *w = data;
-  uint32_t p = (uint32_t)w->m->d->polygon_of[w->item[item]];
   part *one = &w->part[w->stop[i]];
 
-  one->on = one->on || sg_disjoint_root(w->m->piece, p) != one->piece;
+  one->on = one->on || (!one->inside && is_between(w, item, one));
+}
+
+/* How many of its own outer zone it is not in. */
+static int64_t
+own_away(const walk *w, const part *one)
+{
+  return one->piece == SG_NOWHERE ? 0 : -w->count[one->element];
 }
 
 static void
@@ -258,10 +276,9 @@ arrive(void *data, size_t i)
 {
   walk *w = data;
   part *one = &w->part[w->stop[i]];
-  int64_t own = one->piece == SG_NOWHERE ? 0 : -w->count[one->element];
 
   if (!w->sum) {
-    int64_t depth = w->away - own;
+    int64_t depth = w->away - own_away(w, one);
     one->depth = depth > 0 ? (uint32_t)depth : 0;
   } else if (one->depth > 0) {
     int64_t zone = w->sum[one->depth - 1] - 1;
@@ -272,35 +289,146 @@ arrive(void *data, size_t i)
   }
 }
 
-/* Goes to all parts, or to those that were on another one at the last try. */
 static bool
-go(walk *w, const sg_bvh *tree, bool again, int try)
+is_near(const walk *w, const sg_point *at)
 {
-  sg_tour way = {tree, w, corners_of, pass, lies_on, arrive};
+  sg_box here = sg_box_none();
 
-  w->stops = 0;
+  sg_box_add(&here, at->p);
+  return sg_box_overlap(&here, &w->all, 0);
+}
+
+static bool
+toured(walk *w, const sg_tour *way)
+{
   w->away = 0;
   memset(w->count, 0, 2 * w->m->d->polygons * sizeof *w->count);
+  return w->stops == 0 || sg_tour_over(way, w->at, w->stops, w->m->cancel) ||
+         (sg_regions_asked(w->m) && sg_regions_no_memory(w->m));
+}
+
+/* Goes to all parts, or to those that have another point. */
+static bool
+go(walk *w, const sg_bvh *tree, bool again)
+{
+  const sg_tour way = {tree, w, corners_of, pass, lies_on, arrive};
+
+  w->stops = 0;
   for (uint32_t i = 0; i < w->parts; i++) {
     part *one = &w->part[i];
 
-    if (again && !one->on) {
+    if (again && !one->moved) {
       continue;
     }
-    if (!w->sum) {
-      choose_point(w, one, try);
-      one->on = false;
-    }
-    sg_box here = sg_box_none();
-    sg_box_add(&here, one->at.p);
-    if (sg_box_overlap(&here, &w->all, 0)) {
+    one->on = one->on && w->sum;
+    if (is_near(w, &one->at)) {
       w->stop[w->stops] = i;
       w->at[w->stops++] = &one->at;
     }
   }
-  if (w->stops > 0 && !sg_tour_over(&way, w->at, w->stops, w->m->cancel)) {
-    return sg_regions_asked(w->m) && sg_regions_no_memory(w->m);
+  return toured(w, &way);
+}
+
+/* ---- another point ---- */
+
+static void
+middle_on(void *data, size_t i, uint32_t item)
+{
+  walk *w = data;
+  middle *at = &w->middle[w->stop[i]];
+
+  at->on = at->on || is_between(w, item, &w->part[at->part]);
+}
+
+static void
+middle_there(void *data, size_t i)
+{
+  walk *w = data;
+  middle *at = &w->middle[w->stop[i]];
+
+  at->inside = own_away(w, &w->part[at->part]) != 0;
+}
+
+/* Of each root the part that is on another one, or SG_NOWHERE. */
+static void
+list_doubtful(const walk *w, uint32_t *of)
+{
+  memset(of, 0xff, w->m->d->polygons * sizeof *of);
+  for (uint32_t i = 0; i < w->parts; i++) {
+    if (w->part[i].on && w->part[i].piece != SG_NOWHERE) {
+      of[w->part[i].piece] = i;
+    }
   }
+}
+
+/* The middles of all their triangles. */
+static void
+list_middles(walk *w, const uint32_t *of)
+{
+  const sg_regions_maker *m = w->m;
+
+  for (uint32_t t = 0; t < m->d->triangles; t++) {
+    uint32_t p = (uint32_t)m->d->polygon_of[t];
+    middle *one = &w->middle[w->middles];
+
+    if (m->is_face[p] &&
+        (one->part = of[sg_disjoint_root(m->piece, p)]) != SG_NOWHERE) {
+      middle_of_triangle(m, t, &one->at);
+      w->middles++;
+    }
+  }
+}
+
+/* Of each part the first that is on no other one, or else that is just inside
+ * of it. */
+static void
+choose_middles(walk *w, bool inside)
+{
+  for (size_t i = 0; i < w->middles; i++) {
+    const middle *at = &w->middle[i];
+    part *one = &w->part[at->part];
+
+    if (!one->moved && (inside ? at->inside : !at->on)) {
+      sg_point_clear(&one->at);
+      sg_point_copy(&one->at, &at->at);
+      one->moved = true;
+      one->inside = inside;
+    }
+  }
+}
+
+/* Gives parts whose point is on another one a better point. */
+static bool
+move_points(walk *w, const sg_bvh *tree)
+{
+  const sg_tour way = {tree, w, corners_of, pass, middle_on, middle_there};
+  size_t n = w->m->d->triangles + w->parts + 1;
+  uint32_t *of = malloc((w->m->d->polygons + 1) * sizeof *of);
+
+  free(w->stop);
+  free(w->at);
+  w->stop = malloc(n * sizeof *w->stop);
+  w->at = malloc(n * sizeof *w->at);
+  w->middle = calloc(n, sizeof *w->middle);
+  if (!of || !w->stop || !w->at || !w->middle) {
+    free(of);
+    return sg_regions_no_memory(w->m);
+  }
+  list_doubtful(w, of);
+  list_middles(w, of);
+  free(of);
+  w->stops = 0;
+  for (uint32_t i = 0; i < w->middles; i++) {
+    if (is_near(w, &w->middle[i].at)) {
+      w->stop[w->stops] = i;
+      w->at[w->stops++] = &w->middle[i].at;
+    }
+  }
+  if (!toured(w, &way)) {
+    return false;
+  }
+  choose_middles(w, false);
+  choose_middles(w, true);
   return true;
 }
 
@@ -319,15 +447,12 @@ static bool
 visit(walk *w, const sg_bvh *tree)
 {
   sg_regions_maker *m = w->m;
-  bool good = go(w, tree, false, 0);
+  bool good = go(w, tree, false) &&
+              (!any_on(w) || (move_points(w, tree) && go(w, tree, true)));
 
-  for (int n = 1; n < TRIED && good && any_on(w); n++) {
-    good = go(w, tree, true, n);
-  }
   uint32_t deepest = 0;
   for (size_t i = 0; good && i < w->parts; i++) {
     const part *one = &w->part[i];
-    m->out->doubtful += one->on;
     deepest = one->depth > deepest ? one->depth : deepest;
     if (one->piece != SG_NOWHERE) {
       w->depth[one->piece] = one->depth;
@@ -335,7 +460,10 @@ visit(walk *w, const sg_bvh *tree)
   }
   if (good && deepest > 0) {
     w->sum = calloc((size_t)deepest + 1, sizeof *w->sum);
-    good = w->sum ? go(w, tree, false, 0) : sg_regions_no_memory(m);
+    good = w->sum ? go(w, tree, false) : sg_regions_no_memory(m);
+  }
+  for (size_t i = 0; i < w->parts; i++) {
+    m->out->doubtful += w->part[i].on;
   }
   return good;
 }
@@ -383,6 +511,10 @@ clear(walk *w)
   for (size_t i = 0; i < w->parts; i++) {
     sg_point_clear(&w->part[i].at);
   }
+  for (size_t i = 0; i < w->middles; i++) {
+    sg_point_clear(&w->middle[i].at);
+  }
+  free(w->middle);
   free(w->part);
   free(w->stop);
   free(w->at);

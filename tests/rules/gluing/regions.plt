@@ -7,6 +7,7 @@
 :- use_module(library(yall)).
 :- use_module(rules(gluing/regions)).
 :- use_module(rules(model/integrity)).
+:- use_module(rules(polygon/triangulation), [complete_segments/0]).
 :- use_module(rules(primitive/primitive_rows)).
 :- use_module(rules(store)).
 :- use_module(tests(rules/gluing/face_soup)).
@@ -314,6 +315,91 @@ test(sheet_on_a_face, Faults == [unsure_part-1]) :-
     square(1, 1, Sheet),
     in_new_world(( made_soup([[Sheet]|Box], []), regions_made(1, Report) )),
     findall(Fault-N, law_fault(Report, Fault, N), Faults).
+
+%   On both sides of what it lies on is one region: so it is in that.
+
+test(sheet_on_a_laminar_face, N == [14,19,8,8,2,2,3,0]) :-
+    box4(1, Box),
+    Flange = [[[2,2,1],[2,2,3],[-2,2,3],[-2,2,1]]],
+    Sheet = [[[1,2,1.5],[1,2,2.5],[-1,2,2.5],[-1,2,1.5]]],
+    faces_counts([Sheet,Flange|Box], N).
+
+%   Nine cells on a box: nine of their faces lie in that of the box, the tenth
+%   does not.
+
+test(plate_on_a_face, N == [40,76,48,48,2,11,12,0]) :-
+    box4(1, Box),
+    findall([X,Y,1],
+            ( member(X, [-1.5,-0.5,0.5]), member(Y, [-1.5,-0.5,0.5]) ), Lows),
+    cubes_faces(Lows, Faces0),
+    partition(low, Faces0, Low, Others),
+    append([Low,Others,Box], Faces),
+    faces_counts(Faces, N).
+
+low([Loop]) :-
+    forall(member([_,_,Z], Loop), Z =:= 1).
+
+%   A cube between six walls, each with vertices of its own: all of its faces lie
+%   on theirs.
+
+test(filled_room, Faults-N == []-[56,84,42,42,7,8,14,0]) :-
+    scaled_cube(3, Cube),
+    in_new_world(( made_soup(Cube, []),
+                   forall(wall(Size, At),
+                          ( scaled_cube(1, Wall0),
+                            maplist(wall_face(Size, At), Wall0, Wall),
+                            own_rows(Wall) )),
+                   regions_report(1, Report) )),
+    findall(Fault-Count, law_fault(Report, Fault, Count), Faults),
+    report_counts(Report, N).
+
+wall([5,5,1], [0,0,Z]) :-
+    member(Z, [-2,2]).
+wall([1,5,3], [X,0,0]) :-
+    member(X, [-2,2]).
+wall([3,1,3], [0,Y,0]) :-
+    member(Y, [-2,2]).
+
+wall_face(Size, At, Face0, Face) :-
+    maplist(maplist(maplist([By,To,C0,C]>>( C is By*C0+To ), Size, At)),
+            Face0, Face).
+
+%   Of two that are equal each would be inside the other one.
+
+test(equal_parts, true(Faults \== [])) :-
+    scaled_cube(2, Cube),
+    in_new_world(( made_soup(Cube, []),
+                   own_rows(Cube),
+                   regions_report(1, Report) )),
+    findall(Fault-Count, law_fault(Report, Fault, Count), Faults).
+
+%   own_rows(Faces): faces with vertices and edges that no others have.
+
+own_rows(Faces) :-
+    fresh_id(v, 1, Least),
+    forall(member([Loop], Faces), own_face(Least, Loop)),
+    complete_segments.
+
+own_face(Least, Loop) :-
+    maplist(own_vertex(Least), Loop, Vs),
+    Vs = [First|Rest],
+    append(Rest, [First], Ends),
+    maplist(own_edge, Vs, Ends, Es),
+    fresh_id(p, 1, P),
+    assert_fact(p(1, P, Es)).
+
+own_vertex(Least, Point, V) :-
+    maplist([C0,C]>>( C is float(C0)+0.0 ), Point, [X,Y,Z]),
+    (   v(1, V, X, Y, Z),
+        V >= Least
+    ->  true
+    ;   fresh_id(v, 1, V),
+        assert_fact(v(1, V, X, Y, Z))
+    ).
+
+own_edge(A, B, E) :-
+    fresh_id(e, 1, E),
+    assert_fact(e(1, E, A, B, 1)).
 
 test(edge_in_a_face, N == [14,21,11,12,1,3,3,0]) :-
     walls(4, Walls),
