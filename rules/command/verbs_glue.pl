@@ -7,6 +7,7 @@
 :- use_module('../csg/csg', [glue_operands/2, node/4, root_segment/1]).
 :- use_module('../csg/csg_roots', [roots_alone/0]).
 :- use_module('../gluing/exploded', [cells_parted/1]).
+:- use_module('../gluing/gap', [gap_reach/2]).
 :- use_module('../gluing/glue_choice', [choice_made/1]).
 :- use_module('../gluing/regions', [regions_made/2, regions_report/2]).
 :- use_module('../gluing/unglue',
@@ -29,7 +30,7 @@
               ]).
 :- use_module(verbs_cells, [print_cells/3, print_totals/3]).
 :- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
-:- use_module(library(lists), [member/2, nth1/3]).
+:- use_module(library(lists), [max_list/2, member/2, nth1/3]).
 :- use_module(library(option), [option/2]).
 :- use_module(library(ordsets), [list_to_ord_set/2, ord_memberchk/2]).
 /** <module> The verbs glue and unglue.
@@ -67,7 +68,7 @@ glue_run(Files, Options, 0) :-
 report(S, Options, Report) :-
     glue_report(S, Report0),
     mended_warned(S),
-    forall(member(Region, Report0.regions), overlap_warned(S, Region)),
+    overlaps_warned(S, Report0),
     operand_counts(S, Before),
     contact_counts(S, Contacts),
     Report1 = Report0.put(_{ segment:S, name:"glue", faults:_{},
@@ -141,9 +142,43 @@ overlaps_warned(S) :-
         from_r(S, R, S2, _),
         S1 < S2
     ->  glue_report(S, Report),
-        forall(member(Region, Report.regions), overlap_warned(S, Region))
+        overlaps_warned(S, Report)
     ;   true
     ).
+
+%   overlaps_warned(S, Report): of those that are so thin that noise may have
+%   made them, it is said what to give.
+
+overlaps_warned(S, Report) :-
+    findall(Region,
+            ( member(Region, Report.regions), Region.inside = [_,_|_] ),
+            Overlaps),
+    forall(( nth1(I, Overlaps, Region), I =< 3 ), overlap_warned(S, Region)),
+    length(Overlaps, N),
+    More is N-3,
+    (   More > 0
+    ->  print_message(warning, sanggwan(glue_overlaps(S, More)))
+    ;   true
+    ),
+    findall(Thickness,
+            ( member(Region, Overlaps), thin(S, Region, Thickness) ),
+            Thin),
+    (   max_list(Thin, Most)
+    ->  length(Thin, Many),
+        print_message(warning, sanggwan(glue_thin(S, Many, Most)))
+    ;   true
+    ).
+
+overlap_warned(S, Region) :-
+    Region.inside = [S1,S2|_],
+    print_message(warning,
+                  sanggwan(glue_overlap(S, S1, S2, Region.region,
+                                        Region.volume))).
+
+thin(S, Region, Thickness) :-
+    gap_reach(S, Reach),
+    Thickness is 2*Region.volume/Region.area,
+    Thickness =< Reach.
 
 misses_warned(S, Misses) :-
     forall(( nth1(I, Misses, miss(S1-_,S2-_,Gap,End-_)), I =< 3 ),
@@ -153,14 +188,6 @@ misses_warned(S, Misses) :-
     More is N-3,
     (   More > 0
     ->  print_message(warning, sanggwan(glue_gaps(S, More)))
-    ;   true
-    ).
-
-overlap_warned(S, Region) :-
-    (   Region.inside = [S1,S2|_]
-    ->  print_message(warning,
-                      sanggwan(glue_overlap(S, S1, S2, Region.region,
-                                            Region.volume)))
     ;   true
     ).
 

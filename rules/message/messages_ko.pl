@@ -457,6 +457,12 @@ notice_ko(glue_overlap(S, S1, S2, R, Volume)) -->
        둘 다의 안입니다'-[S, S1, S2, Volume, R] ].
 notice_ko(glue_apart(S)) -->
     [ '세그먼트 ~d: 피연산자들이 아무 데서도 닿지 않습니다'-[S] ].
+notice_ko(glue_overlaps(S, N)) -->
+    [ '세그먼트 ~d: 여러 피연산자의 안인 영역이 ~D개 더 있습니다'-[S, N] ].
+notice_ko(glue_thin(S, N, Most)) -->
+    [ '세그먼트 ~d: 피연산자가 겹치는 영역 가운데 ~D개가 얇습니다. 두께는 \c
+       ~6g 이하입니다'-[S, N, Most], nl,
+      '  그곳에서 면이 닿아야 한다면 그 몇 배의 --tolerance를 주십시오.' ].
 notice_ko(glue_gap(S, S1, S2, Gap, p(X,Y,Z))) -->
     [ '세그먼트 ~d: 피연산자 ~d번과 ~d번이 ~6g ~6g ~6g에서 ~6g 떨어져 있어 \c
        붙지 않았습니다'-[S, S1, S2, X, Y, Z, Gap] ].

@@ -59,6 +59,11 @@ file('unseen.obj', "o a\u202Eb\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n\c
                     f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n").
 file('sheet.pl', "segment(1, surface, rectangle(size(1,1))).
 segment(2, solid, at([translate(0,0,-2)], box(size(1,1,2)))).\n").
+file('row.pl', "segment(1, solid, box(size(1,1,1))).
+segment(2, solid, at([translate(0.9999,0,0)], box(size(1,1,1)))).
+segment(3, solid, at([translate(1.9998,0,0)], box(size(1,1,1)))).
+segment(4, solid, at([translate(2.9997,0,0)], box(size(1,1,1)))).
+segment(5, solid, at([translate(3.9996,0,0)], box(size(1,1,1)))).\n").
 file('united.pl', "segment(1, surface, rectangle(size(4,4))).
 segment(2, solid, box(size(1,1,1))).
 segment(3, surface, union([1,2])).\n").
@@ -149,6 +154,8 @@ file('role.pl', "edge_role(_, _, _, _, crease).\n").
 command(do_not_meet, [penetrate, @('far.pl')]).
 command(cells_apart(_,_,_,_), [cells, @('crossing.pl')]).
 command(glue_overlap(_,_,_,_,_), [glue, @('cross.pl')]).
+command(glue_overlaps(_,1), [glue, @('row.pl')]).
+command(glue_thin(_,4,_), [glue, @('row.pl')]).
 command(glue_apart(_), [glue, @('far.pl')]).
 command(cityjson_open(_,_), [check, @('open.json')]).
 command(cityjson_left_out(_,_), [check, @('open.json')]).
