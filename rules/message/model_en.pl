@@ -282,6 +282,8 @@ cityjson_en(nesting) -->
     [ 'lists or objects are not nested as the type wants it' ].
 cityjson_en(triple) -->
     [ 'three numbers are wanted' ].
+cityjson_en(too_far) -->
+    [ 'a coordinate is farther out than 1e90' ].
 cityjson_en(index(Index)) -->
     [ 'an index of a vertex is wanted, not ~p'-[Index] ].
 cityjson_en(index(Index, Count)) -->

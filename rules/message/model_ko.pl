@@ -274,6 +274,8 @@ cityjson_ko(nesting) -->
     [ '목록이나 객체의 중첩이 그 종류에 맞지 않습니다' ].
 cityjson_ko(triple) -->
     [ '수 세 개가 있어야 합니다' ].
+cityjson_ko(too_far) -->
+    [ '좌표가 1e90보다 멉니다' ].
 cityjson_ko(index(Index)) -->
     [ '꼭짓점 번호가 있어야 하는데 ~p입니다'-[Index] ].
 cityjson_ko(index(Index, Count)) -->

@@ -124,7 +124,9 @@ city_read(Json, Options, Counts) :-
     ).
 
 needed(Key, Dict, Path, Value) :-
-    (   get_dict(Key, Dict, Value)
+    (   \+ is_dict(Dict)
+    ->  fault(Path, nesting)
+    ;   get_dict(Key, Dict, Value)
     ->  true
     ;   fault(Path, missing(Key))
     ).
@@ -171,11 +173,18 @@ placed_vertex(transform(Scale,Translate), Triple, p(X,Y,Z), I, I1) :-
     ;   format(atom(Path), '/vertices/~d', [I]),
         fault(Path, triple)
     ),
+    (   abs(X) =< 1.0e90,
+        abs(Y) =< 1.0e90,
+        abs(Z) =< 1.0e90
+    ->  true
+    ;   format(atom(Far), '/vertices/~d', [I]),
+        fault(Far, too_far)
+    ),
     I1 is I+1.
 
 placed(N, Scale, [Move|Moves]-[X|Xs], Moves-Xs) :-
     exact(N, Exact),
-    X is float(Exact*Scale+Move)+0.0.
+    catch(X is float(Exact*Scale+Move)+0.0, error(_, _), X = inf).
 
 
                 /*******************************
@@ -371,7 +380,7 @@ surface_read(Name, Vertices, Path, Surfaces, Counts0, Counts) :-
 %   holes.
 
 surfaces_rings(Numbered, Vertices, Faces, Flat) :-
-    functor(Vertices, _, Count),
+    compound_name_arity(Vertices, _, Count),
     findall(Rings,
             ( member(Path-Surface, Numbered),
               (   Surface == []
@@ -507,7 +516,7 @@ edges_written([A|As], [B|Bs], S, E0, E, [E0|Es]) :-
     edges_written(As, Bs, S, E1, E, Es).
 
 curve_read(Name, Vertices, Path, Lines) :-
-    functor(Vertices, _, Count),
+    compound_name_arity(Vertices, _, Count),
     forall(nth0(I, Lines, Line),
            ( item_path(Path, I, At), indices_there(Line, At, Count) )),
     fresh_id(segment, 0, S),

@@ -137,6 +137,7 @@ moments draw draw "$work/ball0.obj" "$work/ball1.obj" -o "$to/a.svg" \
   -o "$to/a.pdf"
 all=$times
 times=${SIGNAL_TIMES:-1}
+moments glue glue "$work/ball0.obj" "$work/ball1.obj" -o "$to/a.pl"
 moments unfold unfold "$work/ball0.obj" -o "$to/a.svg"
 moments convert convert "$work/ball0.obj" -o "$to/a.pl"
 moments penetrate penetrate "$work/ball0.obj" "$work/ball1.obj" -o "$to/a.csv"

@@ -57,7 +57,7 @@ model(sheet(into), [box(2,[0,0,0]),Sheet], c(14,19,8,9,1,2,2,0)) :-
 model(sheet(out_of_three), [box(2,[0,0,0]),Sheet], c(16,23,9,9,1,2,2,0)) :-
     Sheet = square([[0,0,-1],[0,2,-1],[0,2,3],[0,0,3]]).
 model(book(K), Pages, c(V,E,K,K,1,1,1,0)) :-
-    member(K, [1,2,3,8,64]),
+    member(K, [1,2,3,8,64,1024]),
     findall(Page, book_page(K, Page), Pages),
     V is 2+2*K,
     E is 1+3*K.
@@ -187,6 +187,7 @@ model(moebius, Faces, c(7,14,7,7,1,1,1,1)) :-
             ( between(0, 6, I),
               maplist(border_point(I), [0,1,2], [A,B,C]) ),
             Faces).
+model(sheet(square), [flat(1,1,0)], c(4,4,1,1,1,1,1,0)).
 model(against, [triangle([[0,0,0],[1,0,0],[0,1,0]]),
                 triangle([[0,0,0],[1,0,0],[0,0,1]])],
       c(4,5,2,2,1,1,1,0)).

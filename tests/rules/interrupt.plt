@@ -3,6 +3,7 @@
 :- use_module(library(apply)).
 :- use_module(library(time)).
 :- use_module(rules(solid/boolean)).
+:- use_module(rules(solid/csg_evaluate)).
 :- use_module(rules(command/verbs)).
 :- use_module(rules(model/mesh)).
 :- use_module(rules(model/model)).
@@ -186,6 +187,27 @@ test(penetrating, Bad-Again == []-yes) :-
     ->  Again = yes
     ;   Again = Lines-Lines1
     ).
+%   Of a glue nothing is there then: neither its rows nor its regions.
+
+test(gluing, Bad == []) :-
+    files(Files),
+    new_world(World),
+    in_world(World,
+             ( load_model(Files),
+               assert_fact(segment(3, cells, glue([1,2]))),
+               seconds_of(facts_snapshot(evaluate(3)), Whole),
+               rows(Before),
+               findall(late(Seconds, Took),
+                       ( member(I, [1,2,3,4]),
+                         Seconds is Whole*I/5,
+                         Tolerance is 1.0e-9*(1+Seconds),
+                         interrupted(evaluate(3, [tolerance(Tolerance)]),
+                                     Seconds, Took),
+                         rows(After),
+                         Took \== done,
+                         ( Took > 0.2 -> true ; Before \== After ) ),
+                       Bad) )).
+
 %   Each time with another tolerance, so that no piece is kept from the last.
 
 test(combining, Bad-Faces == []-[N]) :-

@@ -6,6 +6,7 @@
 :- use_module(library(plunit)).
 :- use_module(library(random)).
 :- use_module(rules(gluing/cycle)).
+:- use_module(rules(polygon/triangulation), [complete_segments/0]).
 :- use_module(rules(solid/part_glue)).
 :- use_module(rules(gluing/regions)).
 :- use_module(rules(store)).
@@ -202,15 +203,41 @@ test(faces_apart, error(geometry_error(part_glue(not_glued(1, p(1), p(2),
 %   each other get an edge in common, nothing tells which is on which side.
 
 test(face_by_face, C-N == [27,54,36,36,1,9,9,0]-12) :-
+    in_new_world(( eight_cubes, all_glued(0, N0), N = N0, counts(C) )).
+
+eight_cubes :-
     findall(Faces,
             ( member(X, [0,1]), member(Y, [0,1]), member(Z, [0,1]),
               cube_faces([X,Y,Z], Faces) ),
             [First|Rest]),
-    in_new_world(( two(false, First, []),
-                   maplist(added, Rest),
-                   all_glued(0, N0),
-                   N = N0,
-                   counts(C) )).
+    two(false, First, []),
+    maplist(added, Rest).
+
+%   The paper glues vertices, then edges, then faces, each of which makes one
+%   less of them: here a face comes with its border, in the order of the
+%   dimensions. What it does in all is the same: two cubes take four vertices,
+%   four edges and a face, eight cubes 37, 42 and 12. What follows, C R S G and
+%   the counts between, has the laws.
+
+test(events, Less-Then == [4,4,1]-[12,20,11,11,1,3,3,0]) :-
+    cube_faces([0,0,0], One),
+    cube_faces([1,0,0], Two),
+    in_new_world(( two(false, One, Two),
+                   events(all_glued(0, 1), Less, Then) )).
+test(events_of_eight, Less-Then == [37,42,12]-[27,54,36,36,1,9,9,0]) :-
+    in_new_world(( eight_cubes, events(all_glued(0, _), Less, Then) )).
+
+:- meta_predicate events(0, -, -).
+
+events(Goal, Less, Then) :-
+    complete_segments,
+    counts(Before),
+    call(Goal),
+    counts(Then),
+    findall(Fewer,
+            ( member(I, [1,2,3]), nth1(I, Before, N0), nth1(I, Then, N),
+              Fewer is N0-N ),
+            Less).
 
 all_glued(N0, N) :-
     findall(Places-P, ( p(1, P, _), polygon_places(P, Places) ), Pairs0),

@@ -11,6 +11,7 @@
 :- use_module(rules(primitive/primitive_rows)).
 :- use_module(rules(store)).
 :- use_module(tests(rules/gluing/face_soup)).
+:- use_module(tests(rules/gluing/turned_soup)).
 :- use_module(tests(rules/polyhedron), [in_new_world/1]).
 
 :- dynamic hearing/0, dropped/1.
@@ -239,8 +240,15 @@ border_point(I, More, [X,Y,Z]) :-
     Y is (2+cos(S/2))*sin(S),
     Z is sin(S/2).
 
-test(sheets, [forall(sheet(_, Faces, Counts)), true(N == Counts)]) :-
-    faces_counts(Faces, N).
+test(sheets, [forall(( sheet(_, Faces, Counts),
+                       member(Turned, [false,true]) )),
+              true(N == Counts)]) :-
+    placed(Turned, Faces, Placed),
+    faces_counts(Placed, N).
+
+placed(false, Faces, Faces).
+placed(true, Faces, Placed) :-
+    turned_faces(Faces, Placed).
 
 %   Cubes round a room.
 

@@ -4,6 +4,7 @@
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
 :- use_module(library(lists)).
+:- use_module(library(http/json)).
 :- use_module(library(plunit)).
 :- use_module(rules(gluing/regions)).
 :- use_module(rules(limits)).
@@ -203,6 +204,10 @@ faulty("{\"type\":\"CityJSON\",\"version\":\"2.0\",\"CityObjects\":{},\c
 faulty("{\"type\":\"CityJSON\",\"version\":\"2.0\",\"CityObjects\":{},\c
         \"vertices\":[],\"transform\":{\"scale\":[1,1]}}", '/transform',
        missing(translate)).
+faulty("{\"type\":\"CityJSON\",\"version\":\"2.0\",\"CityObjects\":{},\c
+        \"vertices\":[[0,0,0],[0,1e300,0]]}", '/vertices/1', too_far).
+faulty("{\"type\":\"CityJSON\",\"version\":\"2.0\",\"CityObjects\":{},\c
+        \"vertices\":[],\"transform\":null}", '/transform', nesting).
 faulty(Text, '/CityObjects/one/geometry/0/boundaries/0/0/1',
        index(12, 12)) :-
     one('MultiSurface', "[[[0,12,2]]]", Text).
@@ -236,6 +241,63 @@ test(nothing_loaded, N == 0) :-
 left_after(N, File) :-
     catch(load_model(File), error(model_error(_), _), true),
     aggregate_all(count, v(_, _, _, _, _), N).
+
+%   Whatever stands in the place of any value: the file is read, or refused with
+%   a path, and then nothing of it is there.
+
+test(values, [ setup(asserta(( user:message_hook(_, _, _) :- true ), Ref)),
+               cleanup(erase(Ref)),
+               Wrong == [] ]) :-
+    low(Low),
+    format(string(Shells), "[[~w]]", [Low]),
+    geometry('Solid', "2", Shells, Geometry),
+    city(Geometry, Text),
+    atom_json_dict(Text, City, []),
+    findall(Path-Value-Why,
+            ( place(City, Path, _),
+              other_value(Value),
+              in_place(Path, Value, City, Other),
+              with_output_to(string(Text1), json_write_dict(current_output,
+                                                            Other)),
+              with_text(Text1, read_or_refused(Why)),
+              Why \== fine ),
+            Wrong).
+
+place(_, [], _).
+place(Dict, [Key|Path], Value) :-
+    is_dict(Dict),
+    get_dict(Key, Dict, Below),
+    place(Below, Path, Value).
+place(List, [I|Path], Value) :-
+    is_list(List),
+    nth0(I, List, Below),
+    I < 2,
+    place(Below, Path, Value).
+
+in_place([], Value, _, Value).
+in_place([Key|Path], Value, Dict0, Dict) :-
+    is_dict(Dict0),
+    !,
+    in_place(Path, Value, Dict0.Key, Below),
+    Dict = Dict0.put(Key, Below).
+in_place([I|Path], Value, List0, List) :-
+    nth0(I, List0, Below0, Others),
+    in_place(Path, Value, Below0, Below),
+    nth0(I, List, Below, Others).
+
+other_value(Value) :-
+    member(Value, [null,-1,1.5,1.0e300,"word",[],[[]],_{},true]).
+
+read_or_refused(Why, File) :-
+    catch(( load_model(File), Error = none ), Error, true),
+    (   Error == none
+    ->  Why = fine
+    ;   Error = error(model_error(_), _),
+        \+ v(_, _, _, _, _),
+        \+ segment(_, _, _)
+    ->  Why = fine
+    ;   Why = Error
+    ).
 
 test(no_lod, error(model_error(cityjson('/CityObjects', no_lod('9'))))) :-
     one('MultiSurface', "[[[0,1,2]]]", Text),

@@ -108,6 +108,17 @@ test(materials, Insides-Wires == [[1],[1],[2],[2],[]]-2) :-
     last(Report.regions, Outside),
     Wires = Outside.wires.
 
+%   Each is half of its prism of twelve facets.
+
+test(halves, Volumes == [3.0,3.0,3.75,3.75]) :-
+    in_new_world(( load_model('facts/figures/glue_materials.pl'),
+                   glue_report(6, Report) )),
+    findall(Volume,
+            ( member(Region, Report.regions), Region.role == cell,
+              Volume is round(Region.volume*1.0e9)/1.0e9 ),
+            Volumes0),
+    msort(Volumes0, Volumes).
+
 %   Figure 6: the order of the five pages, by the right hand.
 
 test(pages, Ss == [1,2,3,4,5]) :-
@@ -162,20 +173,28 @@ noisy(N0, N) :-
 %   many as K planes can make, if all of them meet inside; and so many if all go
 %   through one point.
 
-test(cake, [ forall(nth1(K, [2,4,8,15,26,42], Cells)), N == Cells ]) :-
-    findall(Sheet, general_sheet(K, 1, Sheet), Sheets),
-    cells_inside([box(4,[0,0,-2])|Sheets], N).
-test(one_point, [ forall(member(K, [1,2,3,4])), N == Cells ]) :-
-    findall(Sheet, general_sheet(K, 0, Sheet), Sheets),
-    cells_inside([box(4,[0,0,-2])|Sheets], N),
+test(cake, [ forall(( nth1(K, [2,4,8,15,26,42], Cells),
+                      member(Seed, [0,7]) )),
+             N == Cells ]) :-
+    sheets_inside(K, 1, Seed, N).
+test(one_point, [ forall(( member(K, [1,2,3,4]), member(Seed, [0,7]) )),
+                  N == Cells ]) :-
+    sheets_inside(K, 0, Seed, N),
     Cells is K*K-K+2.
 
-cells_inside(Parts, N) :-
-    in_new_world(( glue_made(Parts, [], S),
+sheets_inside(K, Off, Seed, N) :-
+    findall(Sheet, general_sheet(K, Off, Sheet), Sheets),
+    steps(Seed, Steps),
+    in_new_world(( glue_made([box(4,[0,0,-2])|Sheets], Steps, S),
                    glue_report(S, Report) )),
     aggregate_all(count,
                   ( member(Region, Report.regions), Region.inside == [1] ),
                   N).
+
+steps(0, []) :-
+    !.
+steps(Seed, Steps) :-
+    turned(Seed, Steps).
 
 %   general_sheet(K, Off, Sheet): A*X + B*Y + C*Z = Off*D.
 
@@ -243,6 +262,25 @@ test(shared, Froms == [[1-1,2-(-1)]]) :-
                              Pairs = [_,_|_] ),
                            Froms0) )),
     Froms0 = Froms.
+
+%   Each edge of it has three pages: it, and one of either box.
+
+test(shared_edges, [ forall(member(Seed, [0,1,2])), Lengths == [3,3,3,3] ]) :-
+    model(fig7, Parts, _),
+    steps(Seed, Steps),
+    in_new_world(( glue_made(Parts, Steps, S),
+                   from_p(S, P, 1, _, Sense1),
+                   from_p(S, P, 2, _, Sense2),
+                   p(S, P, Es),
+                   findall(N, ( member(E, Es), edge_pages(S, E, N) ),
+                           Lengths) )),
+    Sense1 =:= -Sense2.
+
+edge_pages(S, E, N) :-
+    e(S, E, V, W, _),
+    msort([V,W], [A,B]),
+    radial_cycle(S, A, B, Pages),
+    length(Pages, N).
 
 %   The edge of the paper's figure 6: its pages on each part of it.
 
