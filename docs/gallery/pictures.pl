@@ -347,6 +347,11 @@ picture(glue_vertex, '1996, figure 4',
         'Vertex glue: three pyramids with one apex, one in another, a wire. \c
          The formulas that the paper prints here are mended in docs/rules.md.',
         ['facts/figures/glue_vertex.pl']).
+picture(glue_relations, '1996, figure 5',
+        'How disks at a vertex lie to each other: A apart, B together all of \c
+         space, C and D one in the other, E and F crossing. What the paper \c
+         prints of it is mended in docs/rules.md.',
+        ['facts/figures/glue_relations.pl','--view',top]).
 picture(glue_crossing, '1996, figure 5, where one plane fails',
         'Seen in the plane z = 0 one pyramid is inside the other, in the \c
          plane y = 0 the other way round: they cross, and are cut first.',

@@ -1,10 +1,10 @@
 :- module(sg_oracle_gap,
           [ segments_gap/3              % +S1, +S2, -Gap
           ]).
-:- use_module(rules(gluing/triangle_corners),
+:- use_module('../../rules/gluing/triangle_corners',
               [triangle_corners/5, vertex_place/3]).
-:- use_module(rules(store), [e/5, t/6]).
-:- use_module(rules(vector),
+:- use_module('../../rules/store', [e/5, t/6]).
+:- use_module('../../rules/vector',
               [ cross_product/3, difference/3, dot_product/3, left_of/4,
                 scaled/3, vector_sum/3 ]).
 :- use_module(library(aggregate), [aggregate_all/3]).
