@@ -1,10 +1,10 @@
 % The six ways in which two disks of edges lie to each other round a vertex, as
-% a plane through it shows them: D1, the large one, goes from 0 to t1, D2 from t2
-% to t3, counter-clockwise. A: apart, t1 <= t2 <= t3. B: together all of space,
-% t3 <= t2 <= t1. C: D1 is in D2, t1 <= t3 <= t2. D: D2 is in D1, t2 <= t3 <= t1.
-% E and F: they cross, t2 < t1 < t3 and t3 < t1 < t2. The paper prints < in all;
-% a direction equal to that at 0 is 0 or a whole turn, whichever does not cross
-% (docs/rules.md, docs/plane_rules.pl).
+% a plane through it shows them: D1, the large one, goes from 0 to t1, D2 from
+% t2 to t3, counter-clockwise. A: apart, t1 <= t2 <= t3. B: together all of
+% space, t3 <= t2 <= t1. C: D1 is in D2, t1 <= t3 <= t2. D: D2 is in D1,
+% t2 <= t3 <= t1. E and F: they cross, t2 < t1 < t3 and t3 < t1 < t2. The paper
+% prints < in all; a direction equal to that at 0 is 0 or a whole turn,
+% whichever does not cross (docs/rules.md, docs/plane_rules.pl).
 %
 % Source: S.-H. Park, A Study on Geometrical Glue Operation between Non-manifold
 %         Models, 1996, Fig. 5; angles chosen for this file.

@@ -452,8 +452,8 @@ notice_en(glue_overlaps(S, N)) -->
 notice_en(glue_thin(S, N, Most)) -->
     [ 'segment ~d: of the regions in which operands overlap ~D are thin, \c
        ~6g at most'-[S, N, Most], nl,
-      '  If faces are meant to touch there, give a --tolerance of several times \c
-       that.' ].
+      '  If faces are meant to touch there, give a --tolerance of several \c
+       times that.' ].
 notice_en(glue_gap(S, S1, S2, Gap, p(X,Y,Z))) -->
     [ 'segment ~d: operands ~d and ~d are ~6g apart at ~6g ~6g ~6g, and were \c
        not glued'-[S, S1, S2, Gap, X, Y, Z] ].

@@ -2,10 +2,13 @@
           [ face_border/4,              % +S, +P, -Loops, -Seams
             face_points/3,              % +S, +P, -Vs
             face_shapes/3,              % +S, +P, -Shapes
+            face_flat/2,                % +S, +P
             region_shells/3             % +S, +R, -Shells
           ]).
+:- use_module('../near', [tolerance/2]).
 :- use_module('../store', [v/5, e/5, p/3, t/6, sides/4, lies_in/3]).
-:- use_module('../vector', [cross_product/3, difference/3, left_of/4]).
+:- use_module('../vector',
+              [cross_product/3, difference/3, dot_product/3, left_of/4]).
 :- use_module('../vocabulary', [edge_loops/2]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [foldl/4, maplist/3, partition/4]).
@@ -44,12 +47,14 @@ face_points(S, P, Vs) :-
 
 %!  face_shapes(+S, +P, -Shapes:list) is det.
 %
-%   Polygon P as shape(Vs, Points): one if it is a loop that goes through no
-%   vertex twice, else its triangles. Points are the vertices that lie inside.
+%   Polygon P as shape(Vs, Points): one if it is flat, and a loop that goes
+%   through no vertex twice, else its triangles. Points are the vertices that
+%   lie inside.
 
 face_shapes(S, P, Shapes) :-
     face_points(S, P, Points),
-    (   face_border(S, P, [Loop], []),
+    (   face_flat(S, P),
+        face_border(S, P, [Loop], []),
         sort(Loop, Set),
         length(Loop, N),
         length(Set, N)
@@ -57,6 +62,31 @@ face_shapes(S, P, Shapes) :-
     ;   findall([A,B,C], t(S, P, _, A, B, C), Triangles),
         shapes(Triangles, S, Points, Shapes)
     ).
+
+%!  face_flat(+S, +P) is semidet.
+%
+%   True when the corners of polygon P are in one plane, up to rounding: what
+%   was measured, and has few digits, need not be. Others compute with the plane
+%   of some of them.
+
+face_flat(S, P) :-
+    t(S, P, _, V1, V2, V3),
+    !,
+    maplist(exact_place(S), [V1,V2,V3], [A,B,C]),
+    difference(B, A, U),
+    difference(C, A, W),
+    cross_product(U, W, N),
+    dot_product(N, N, Square),
+    dot_product(U, U, UU),
+    dot_product(W, W, WW),
+    tolerance(rounding, Near),
+    Most is Near*sqrt(float(Square))*sqrt(float(max(UU, WW))),
+    p(S, P, Es),
+    forall(( member(E, Es), e(S, E, V, _, _) ),
+           ( exact_place(S, V, Point),
+             difference(Point, A, From),
+             dot_product(From, N, Off),
+             abs(float(Off)) =< Most )).
 
 %   shapes(Triangles, S, Points, Shapes): each point goes to the first triangle
 %   that it is in.

@@ -4,7 +4,8 @@
           ]).
 :- use_module(cells_city, [write_city/5]).
 :- use_module(cells_face,
-              [face_border/4, face_points/3, face_shapes/3, region_shells/3]).
+              [ face_border/4, face_flat/2, face_points/3, face_shapes/3,
+                region_shells/3 ]).
 :- use_module('../gluing/region_point', [region_point/3]).
 :- use_module('../output', [writing/3]).
 :- use_module('../store',
@@ -12,7 +13,8 @@
                 edge_polygon/3 ]).
 :- use_module(library(apply), [foldl/4, maplist/3, maplist/4]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
-:- use_module(library(lists), [append/3, member/2, nth1/3]).
+:- use_module(library(lists), [append/3, member/2, nextto/3, nth1/3]).
+:- use_module(library(pairs), [group_pairs_by_key/2]).
 :- use_module(library(yall), [(>>)/4]).
 /** <module> Regions in files of other programs.
 
@@ -158,21 +160,34 @@ points_of(Role, Cells, Points) :-
                 *******************************/
 
 %   geo_written(Parts, Out): edges are numbered once, whichever way faces run
-%   along them; a surface is numbered by its place in Faces.
+%   along them. A face is a surface, or, if it is not flat, one for each of its
+%   triangles: bent(S, P, Shape).
 
 geo_written(parts(Names, Vertices, Faces, Cells), Out) :-
     forall(nth1(N, Names, S-V),
            ( once(v(S, V, X, Y, Z)),
              format(Out, "Point(~d) = {~w, ~w, ~w};~n", [N, X, Y, Z]) )),
-    findall(A-B, file_edge(Vertices, A, B), Edges0),
+    findall(Surface,
+            ( member(Face, Faces), geo_surface(Face, Surface) ),
+            Surfaces),
+    findall(A-B,
+            ( file_edge(Vertices, A, B)
+            ; side_of_bent(Surfaces, Vertices, A, B)
+            ),
+            Edges0),
     sort(Edges0, Edges),
     findall(Edge-N, nth1(N, Edges, Edge), EdgePairs),
     list_to_assoc(EdgePairs, EdgeNumbers),
     forall(member((A-B)-N, EdgePairs),
            format(Out, "Line(~d) = {~d, ~d};~n", [N, A, B])),
-    findall(Face-N, nth1(N, Faces, Face), FacePairs),
+    findall(Surface-N, nth1(N, Surfaces, Surface), SurfacePairs),
+    foldl(geo_face(Out, Vertices, EdgeNumbers), SurfacePairs, 1, _),
+    findall((S-P)-N,
+            ( member(Surface-N, SurfacePairs), surface_face(Surface, S-P) ),
+            FacePairs0),
+    keysort(FacePairs0, FacePairs1),
+    group_pairs_by_key(FacePairs1, FacePairs),
     list_to_assoc(FacePairs, FaceNumbers),
-    foldl(geo_face(Out, Vertices, EdgeNumbers), FacePairs, 1, _),
     foldl(geo_cell(Out, Vertices, EdgeNumbers, FaceNumbers), Cells, 1-1, _).
 
 file_edge(Vertices, A, B) :-
@@ -181,6 +196,30 @@ file_edge(Vertices, A, B) :-
     numbers_of(Vertices, S, [V1,V2], Ns),
     msort(Ns, [A,B]).
 
+geo_surface(S-P, Surface) :-
+    (   face_flat(S, P)
+    ->  Surface = S-P
+    ;   face_shapes(S, P, Shapes),
+        member(Shape, Shapes),
+        Surface = bent(S,P,Shape)
+    ).
+
+surface_face(S-P, S-P).
+surface_face(bent(S,P,_), S-P).
+
+side_of_bent(Surfaces, Vertices, A, B) :-
+    member(bent(S,_,shape(Vs,_)), Surfaces),
+    numbers_of(Vertices, S, Vs, Ns),
+    Ns = [First|_],
+    append(Ns, [First], Round),
+    nextto(N1, N2, Round),
+    msort([N1,N2], [A,B]).
+
+geo_face(Out, Vertices, Edges, bent(S,_,shape(Vs,Points))-N, Loop0, Loop) :-
+    !,
+    geo_loop(Out, Vertices, Edges, S, Vs, Loop0, Loop),
+    format(Out, "Plane Surface(~d) = {~d};~n", [N, Loop0]),
+    geo_points(Out, Vertices, S, Points, N).
 geo_face(Out, Vertices, Edges, (S-P)-N, Loop0, Loop) :-
     face_border(S, P, Loops, Seams),
     foldl(geo_loop(Out, Vertices, Edges, S), Loops, Loop0, Loop),
@@ -193,6 +232,9 @@ geo_face(Out, Vertices, Edges, (S-P)-N, Loop0, Loop) :-
              Line is abs(E),
              format(Out, "Curve{~d} In Surface{~d};~n", [Line, N]) )),
     face_points(S, P, Points),
+    geo_points(Out, Vertices, S, Points, N).
+
+geo_points(Out, Vertices, S, Points, N) :-
     forall(( member(V, Points), number_of(Vertices, S, V, Point) ),
            format(Out, "Point{~d} In Surface{~d};~n", [Point, N])).
 
@@ -225,7 +267,7 @@ geo_cell(Out, Vertices, Edges, Faces, cell(S,R,cell), N0-Loop0, N-Loop) :-
     findall(K, between(Loop0, Last, K), Ks),
     listed(Ks, List),
     format(Out, "Volume(~d) = {~w};~n", [N0, List]),
-    forall(( sides(S, P, R, R), get_assoc(S-P, Faces, Face) ),
+    forall(( sides(S, P, R, R), get_assoc(S-P, Faces, Ns), member(Face, Ns) ),
            format(Out, "Surface{~d} In Volume{~d};~n", [Face, N0])),
     findall(Line, inner_line(Vertices, Edges, S, R, Line), Lines0),
     sort(Lines0, Lines),
@@ -237,7 +279,8 @@ geo_cell(Out, Vertices, Edges, Faces, cell(S,R,cell), N0-Loop0, N-Loop) :-
 geo_shell(Out, Faces, S, Uses, Loop0, Loop) :-
     findall(Surface,
             ( member(use(P,Side), Uses),
-              get_assoc(S-P, Faces, Face),
+              get_assoc(S-P, Faces, Ns),
+              member(Face, Ns),
               Surface is Side*Face ),
             Surfaces),
     listed(Surfaces, List),

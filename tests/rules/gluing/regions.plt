@@ -347,8 +347,8 @@ test(plate_on_a_face, N == [40,76,48,48,2,11,12,0]) :-
 low([Loop]) :-
     forall(member([_,_,Z], Loop), Z =:= 1).
 
-%   A cube between six walls, each with vertices of its own: all of its faces lie
-%   on theirs.
+%   A cube between six walls, each with vertices of its own: all of its faces
+%   lie on theirs.
 
 test(filled_room, Faults-N == []-[56,84,42,42,7,8,14,0]) :-
     scaled_cube(3, Cube),
