@@ -90,15 +90,37 @@ on_one_line(const sg_work *work, int32_t v1, int32_t v2,
   return in != 0;
 }
 
-/* Do they share an end, and turn there? Then that is all they share. */
+/* Whether v is between the two others along an axis: mostly a line goes on
+ * nearly straight there, and no turn has to be found. */
+static bool
+goes_on(const sg_work *work, int32_t a, int32_t v, int32_t b)
+{
+  const double *p = work->vertex[a].at, *q = work->vertex[b].at;
+  const double *at = work->vertex[v].at;
+
+  for (int k = 0; k < 2; k++) {
+    if ((p[k] < at[k] && at[k] < q[k]) || (p[k] > at[k] && at[k] > q[k])) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/* Do they share an end, and part there? Then that is all they share. */
 static bool
 turn_apart(const sg_work *work, int32_t v1, int32_t v2, int32_t a, int32_t b)
 {
   if (v1 == a || v1 == b) {
-    return sg_work_turn(work, v1, v2, v1 == a ? b : a) != 0;
+    int32_t other = v1 == a ? b : a;
+    return goes_on(work, v2, v1, other) ||
+           sg_work_turn(work, v1, v2, other) != 0;
   }
-  return (v2 == a || v2 == b) &&
-         sg_work_turn(work, v1, v2, v2 == a ? b : a) != 0;
+  if (v2 == a || v2 == b) {
+    int32_t other = v2 == a ? b : a;
+    return goes_on(work, v1, v2, other) ||
+           sg_work_turn(work, v1, v2, other) != 0;
+  }
+  return false;
 }
 
 /* False: they do not meet, or only in a shared end. */

@@ -240,6 +240,15 @@ Foreign predicates; see kernel.pl.
 %
 %   @error domain_error(joint, Point)
 
+%!  cut_merge_near(+Set:cut_set, +Joints:list(piece_joint),
+%!                 +Works:list(entered_polygon)) is det.
+%
+%   Joints of cut_joints/3 that are nearly straight, one by one, become one
+%   piece, and one edge pair in the polygons of Works (work(S, P, Work)): where
+%   that meets no other edge of both polygons.
+%
+%   @error domain_error(joint, Joints)
+
 %!  cut_settle(+Set:cut_set) is det.
 %
 %   After joints and before cut_polygons/2: forgets the points that were joined

@@ -6,7 +6,8 @@
 :- use_module(rules(penetration/chain)).
 :- use_module(rules(kernel),
               [ cut_set_open/2, cut_set_close/1, cut_find/1, cut_seal/1,
-                cut_polygons/2, cut_entering/4, cut_enter_free/4,
+                cut_polygons/2, cut_joints/3, cut_merge_near/3,
+                cut_entering/4, cut_enter_free/4,
                 cut_queue/2, cut_enter_queued/2, cut_work/4,
                 work_edge/6, work_close/1
               ]).
@@ -14,6 +15,7 @@
 :- use_module(rules(penetration/penetration)).
 :- use_module(rules(polygon/triangulation)).
 :- use_module(tests('oracle/cut')).
+:- use_module(tests('oracle/near_joints')).
 
 /* The fused kernels of a penetration against their rules: seeded random solids
    on a coarse grid, where most contacts are degenerate, and in between. */
@@ -148,6 +150,44 @@ same_works([], Rest, Set) :-
     ;   true
     ).
 
+%   merged_near(+Seed, :Merge, -Edges, -N): the edges of the polygons of turned
+%   spheres when their N nearly straight joints were merged so.
+
+:- meta_predicate merged_near(+, 3, -, -).
+
+merged_near(Seed, Merge, Edges, N) :-
+    set_random(seed(Seed)),
+    new_world(World),
+    in_world(World,
+             ( forall(between(1, 3, I), add_sphere(I)),
+               complete_segments,
+               segment_pairs(Pairs),
+               setup_call_cleanup(
+                   cut_set_open(Pairs, Set),
+                   merged_in(Set, Merge, Edges, N),
+                   cut_set_close(Set)) )).
+
+add_sphere(I) :-
+    random(0.0, 360.0, Angle),
+    random(0.0, 0.3, Y),
+    X is 0.7*I,
+    add_primitive(at([rotate(axis(1,2,3), Angle), translate(X,Y,0)],
+                     sphere(radius(0.6), facets(12), bands(6))), _).
+
+merged_in(Set, Merge, Edges, N) :-
+    cut_find(Set),
+    cut_seal(Set),
+    cut_polygons(Set, Polygons),
+    sg_entering:enter_all(Set, Polygons, Works),
+    cut_joints(Set, near, Joints),
+    length(Joints, N),
+    call(Merge, Set, Joints, Works),
+    findall(S-P-Es,
+            ( member(work(S, P, Work), Works),
+              findall(E, work_row(Work, E), Es) ),
+            Edges),
+    maplist(sg_entering:close_work, Works).
+
 written_by_rule(Set, Works) :-
     maplist(sg_cut_rows:write_polygon_by_rule(Set), Works).
 
@@ -217,6 +257,22 @@ test(enter_many, Bad-true == []-Enough) :-
     findall(N, member(_-alike(N), All), Ns),
     sum_list(Ns, Sum),
     (   Sum > 300
+    ->  Enough = true
+    ;   Enough = Sum
+    ).
+
+% Joints that are nearly straight: the kernel and the rule leave the same edges.
+test(near_joints, Bad-true == []-Enough) :-
+    findall(Seed-Kernel-Rule-N,
+            ( between(1, 20, Seed),
+              merged_near(Seed, cut_merge_near, Kernel, N),
+              merged_near(Seed, merge_near_by_rule, Rule, N)
+            ),
+            All),
+    findall(Seed, ( member(Seed-Kernel-Rule-_, All), Kernel \== Rule ), Bad),
+    findall(N, member(_-_-_-N, All), Ns),
+    sum_list(Ns, Sum),
+    (   Sum > 100
     ->  Enough = true
     ;   Enough = Sum
     ).
