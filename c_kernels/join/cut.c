@@ -211,17 +211,18 @@ seen(const interval *in, int order_of_both, const mark *far)
 static bool
 meet(const interval *a, const interval *b, sg_cut *out)
 {
-  if (order(&a->start, &b->end) > 0 || order(&a->end, &b->start) < 0) {
+  int first = order(&a->start, &b->end), last;
+
+  if (first > 0 || (last = order(&a->end, &b->start)) < 0) {
     return false;
   }
   int starts = order(&a->start, &b->start), ends = order(&a->end, &b->end);
 
-  out->end[0] = (sg_cut_end){
-      {starts >= 0 ? a->start.f : seen(a, order(&a->end, &b->start), &a->end),
-       starts <= 0 ? b->start.f : seen(b, order(&a->start, &b->end), &b->end)}};
-  out->end[1] = (sg_cut_end){
-      {ends <= 0 ? a->end.f : seen(a, order(&a->start, &b->end), &a->start),
-       ends >= 0 ? b->end.f : seen(b, order(&a->end, &b->start), &b->start)}};
+  out->end[0] =
+      (sg_cut_end){{starts >= 0 ? a->start.f : seen(a, last, &a->end),
+                    starts <= 0 ? b->start.f : seen(b, first, &b->end)}};
+  out->end[1] = (sg_cut_end){{ends <= 0 ? a->end.f : seen(a, first, &a->start),
+                              ends >= 0 ? b->end.f : seen(b, last, &b->start)}};
   return true;
 }
 

@@ -34,6 +34,8 @@ sg_resolve_clear(sg_resolve *r)
   sg_key_table_clear(&r->place_number);
   free(r->group.item);
   free(r->inexact.item);
+  free(r->contacts.item);
+  free(r->contact.item);
   free(r->node.item);
   free(r->touch.item);
   free(r->near.item);
@@ -103,8 +105,14 @@ sg_resolve_see(sg_resolve *r, const sg_resolve_leaf *a,
   bool inexact = false;
   int n = sg_contacts(a->at, b->at, r->here, contact);
 
+  if (!SG_PUSH(r->contacts, (uint8_t)n)) {
+    return false;
+  }
   for (int i = 0; i < n; i++) {
     inexact = inexact || !contact[i].exact;
+    if (!SG_PUSH(r->contact, contact[i])) {
+      return false;
+    }
   }
   return n == 0 || group(r, a->s, b->s, inexact);
 }
@@ -380,13 +388,12 @@ shortest_side(const sg_resolve_leaf *leaf)
   return shortest;
 }
 
-bool
-sg_resolve_pair(sg_resolve *r, const sg_resolve_leaf *a,
-                const sg_resolve_leaf *b)
+/* Keeps n contacts of a pair. */
+static bool
+keep_all(sg_resolve *r, const sg_resolve_leaf *a, const sg_resolve_leaf *b,
+         const sg_contact *contact, int n)
 {
   const sg_resolve_leaf *leaf[2] = {a, b};
-  sg_contact contact[SG_CONTACT_MAX];
-  int n = is_wanted(r, a->s) ? sg_contacts(a->at, b->at, r->here, contact) : 0;
 
   r->side = n > 0 ? fmin(shortest_side(a), shortest_side(b)) : 0;
   for (int i = 0; i < n; i++) {
@@ -402,6 +409,27 @@ sg_resolve_pair(sg_resolve *r, const sg_resolve_leaf *a,
     }
   }
   return true;
+}
+
+bool
+sg_resolve_pair(sg_resolve *r, const sg_resolve_leaf *a,
+                const sg_resolve_leaf *b)
+{
+  sg_contact contact[SG_CONTACT_MAX];
+  int n = is_wanted(r, a->s) ? sg_contacts(a->at, b->at, r->here, contact) : 0;
+
+  return keep_all(r, a, b, contact, n);
+}
+
+bool
+sg_resolve_seen_pair(sg_resolve *r, const sg_resolve_leaf *a,
+                     const sg_resolve_leaf *b)
+{
+  int n = r->contacts.item[r->pairs_kept++];
+  const sg_contact *contact = r->contact.item + r->contacts_kept;
+
+  r->contacts_kept += (size_t)n;
+  return keep_all(r, a, b, contact, is_wanted(r, a->s) ? n : 0);
 }
 
 bool

@@ -113,9 +113,12 @@ typedef struct sg_resolve {
   bool stopped;   /* by cancel */
   sg_is_real_side *is_real;
   void *data;
-  sg_key_table segment;       /* s -> number */
-  SG_LIST_OF(uint32_t) group; /* [segments]: those in contact: union-find */
-  SG_LIST_OF(bool) inexact;   /* [segments], at the root: to be resolved */
+  sg_key_table segment;           /* s -> number */
+  SG_LIST_OF(uint32_t) group;     /* [segments]: those in contact: union-find */
+  SG_LIST_OF(bool) inexact;       /* [segments], at the root: to be resolved */
+  SG_LIST_OF(uint8_t) contacts;   /* [pairs seen]: how many each has */
+  SG_LIST_OF(sg_contact) contact; /* theirs */
+  size_t pairs_kept, contacts_kept; /* of those, by sg_resolve_seen_pair() */
   SG_LIST_OF(sg_resolve_node) node;
   SG_LIST_OF(sg_resolve_touch) touch;
   SG_LIST_OF(sg_resolve_near) near;
@@ -155,6 +158,10 @@ bool sg_resolve_is_needed(const sg_resolve *r);
 /* Keeps the contacts of a pair. False: no memory. */
 bool sg_resolve_pair(sg_resolve *r, const sg_resolve_leaf *a,
                      const sg_resolve_leaf *b);
+/* The same for a pair that was seen, all of them in the same order: its
+ * contacts need not be found again. */
+bool sg_resolve_seen_pair(sg_resolve *r, const sg_resolve_leaf *a,
+                          const sg_resolve_leaf *b);
 /* Keeps the contact of node i, where two edges pass, with a leaf of a third
  * segment (of any other segment: nothing is kept). False: no memory. */
 bool sg_resolve_crossing(sg_resolve *r, uint32_t i,

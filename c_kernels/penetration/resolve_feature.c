@@ -265,10 +265,11 @@ each_point(const measuring *m, const sg_leaf_tree *tree, bool itself,
     uint32_t a = hits->hit[i].a, point = place[points->item[a]].point;
     bool of = place[points->item[a]].of;
 
-    *all = (near){.point = m->r->point.item[point].at,
-                  .within = m->r->reach,
-                  .reach = m->reach[point],
-                  .itself = itself};
+    all->point = m->r->point.item[point].at;
+    all->within = m->r->reach;
+    all->reach = m->reach[point];
+    all->itself = itself;
+    all->n = 0; /* its items are written before they are read */
     for (; i < hits->n && hits->hit[i].a == a; i++) {
       if (all->n < MANY) {
         add(all, tree, m->views, tree->boxes->item[hits->hit[i].b]);

@@ -352,7 +352,7 @@ resolve(sg_call *call, sg_resolving *job, const sg_resolved_polygon **stuck)
     return true;
   }
   bool done =
-      each_pair(call, job, sg_resolve_pair, sg_resolve_pair) &&
+      each_pair(call, job, sg_resolve_seen_pair, sg_resolve_pair) &&
       each_crossing(call, job) && finish(call, job) && name_places(call, job) &&
       (job->r.wide ||
        (sg_resolving_want(call, job) && make_polygons(call, job, stuck)));

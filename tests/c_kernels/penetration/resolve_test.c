@@ -135,7 +135,7 @@ resolve_faces(sg_resolve *r, sg_resolved_polygon polygon[2],
               const sg_cancel *cancel, outcome *out)
 {
   out->end = SG_RESOLVE_NO_MEMORY;
-  if (!each_pair(r, sg_resolve_see) || !each_pair(r, sg_resolve_pair)) {
+  if (!each_pair(r, sg_resolve_see) || !each_pair(r, sg_resolve_seen_pair)) {
     return;
   }
   out->end = sg_resolve_finish(r);
