@@ -83,6 +83,69 @@ joins(sg_cut_handle *set)
   CHECK("there is none", after.n == 0);
 }
 
+/* The polygon with the pieces that enter it. */
+static sg_work *
+entered_work(sg_cut_handle *set, int32_t s, int32_t p)
+{
+  sg_entering_piece_list pieces = {0};
+  sg_work *work = NULL;
+  int32_t e;
+
+  CHECK("work", sg_door_cut_work(&call, set, s, p, &work) &&
+                    sg_door_cut_entering(&call, set, s, p, &pieces));
+  for (size_t i = 0; i < pieces.n; i++) {
+    int32_t v1 = pieces.at[i].v1, v2 = pieces.at[i].v2;
+    CHECK("pair", sg_door_work_add(&call, work, v1, v2, 1, -1, &e) &&
+                      sg_door_work_add(&call, work, v2, v1, 1, -1, &e));
+  }
+  return work;
+}
+
+static size_t
+all_edges(const sg_entered_polygon_list *all)
+{
+  size_t n = 0;
+
+  for (size_t i = 0; i < all->n; i++) {
+    n += sg_work_edges(all->at[i].work);
+  }
+  return n;
+}
+
+/* Joints in the polygons that pieces have entered. These cubes were not made to
+ * touch, so lines have several vertices in one place: new edges would meet
+ * others, and all stays. (penetration_kernels.plt merges some.) */
+static void
+merges(sg_cut_handle *set)
+{
+  sg_piece_joint_list joints = {0}, after = {0};
+  sg_segment_polygon_list polygons = {0};
+  sg_entered_polygon_list entered = {0};
+
+  CHECK("joints",
+        sg_door_cut_joints(&call, set, SG_JOINT_HOW_STRAIGHT, &joints) &&
+            sg_door_cut_polygons(&call, set, &polygons));
+  for (size_t i = 0; i < polygons.n; i++) {
+    int32_t s = polygons.at[i].s, p = polygons.at[i].p;
+    CHECK("entered",
+          sg_entered_polygon_list_add(
+              &call, &entered, (sg_entered){s, p, entered_work(set, s, p)}));
+  }
+  size_t before = all_edges(&entered);
+
+  CHECK("merge", sg_door_cut_merge_near(&call, set, &joints, &entered));
+  CHECK("all are left",
+        sg_door_cut_joints(&call, set, SG_JOINT_HOW_STRAIGHT, &after) &&
+            after.n == joints.n && all_edges(&entered) == before);
+  joints.at[0].point = 9999;
+  CHECK("no such point",
+        !sg_door_cut_merge_near(&call, set, &joints, &entered) &&
+            is_refused(SG_REFUSED_EXISTENCE, "cut_point", 2));
+  for (size_t i = 0; i < entered.n; i++) {
+    sg_work_close(entered.at[i].work);
+  }
+}
+
 /* The rows of v/5 that are new; the line goes round where they are. */
 static void
 lines(sg_cut_handle *set)
@@ -246,6 +309,10 @@ main(void)
             add_cube_at(world, SECOND, 0, (double[3]){0.25, 0.375, 0.75}) &&
             add_curve(world));
   curves();
+  set = opened(FIRST, SECOND);
+  enters(set);
+  merges(set);
+  sg_cut_set_let_go(set);
   set = opened(FIRST, SECOND);
   enters(set);
   joins(set);

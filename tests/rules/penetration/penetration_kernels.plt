@@ -151,7 +151,7 @@ same_works([], Rest, Set) :-
     ).
 
 %   merged_near(+Seed, :Merge, -Edges, -N): the edges of the polygons of turned
-%   spheres when their N nearly straight joints were merged so.
+%   spheres when N of their nearly straight joints were merged so.
 
 :- meta_predicate merged_near(+, 3, -, -).
 
@@ -180,8 +180,10 @@ merged_in(Set, Merge, Edges, N) :-
     cut_polygons(Set, Polygons),
     sg_entering:enter_all(Set, Polygons, Works),
     cut_joints(Set, near, Joints),
-    length(Joints, N),
     call(Merge, Set, Joints, Works),
+    cut_joints(Set, near, Left),
+    maplist(length, [Joints,Left], [N0,N1]),
+    N is N0-N1,
     findall(S-P-Es,
             ( member(work(S, P, Work), Works),
               findall(E, work_row(Work, E), Es) ),
