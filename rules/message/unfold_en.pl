@@ -229,6 +229,10 @@ unfold_en(not_developable(S, Kind, N)) -->
     [ 'segment ~d: --true does not unroll a ~w, which is not developable: ~D \c
        facets of it are laid flat as they are'-[S, Kind, N], nl,
       '  More of them, facets(...) in the model, are closer to it.' ].
+unfold_en(nearly_touching(S, By)) -->
+    [ 'segment ~d nearly touches segment ~d by its side: how their lines meet \c
+       there was decided by facets, and may be wrong'-[S, By], nl,
+      '  A smaller --chord makes them finer.' ].
 unfold_en(nothing_unrolled) -->
     [ 'nothing was unrolled: the model has no cylinder, cone, transition or \c
        sphere; what has flat faces is flat already'-[], nl,

@@ -180,6 +180,10 @@ unfold_ko(not_developable(S, Kind, N)) -->
     [ '세그먼트 ~d: ~w 면은 전개할 수 없어 --true로 펴지 않습니다. 그 조각 ~D개를 \c
        있는 그대로 평면에 놓습니다'-[S, Word, N], nl,
       '  모델에서 facets(...)를 늘리면 더 가까워집니다.' ].
+unfold_ko(nearly_touching(S, By)) -->
+    [ '세그먼트 ~d의 옆면이 세그먼트 ~d에 거의 접합니다. 거기서 선이 어떻게 만나는지는 작은 \c
+       면으로 정했으므로 틀릴 수 있습니다'-[S, By], nl,
+      '  --chord를 줄이면 작은 면이 더 촘촘해집니다.' ].
 unfold_ko(nothing_unrolled) -->
     [ '편 것이 없습니다. 모델에 원기둥, 원뿔, 변환관, 구가 없고 평면은 이미 \c
        펴져 있습니다'-[], nl,

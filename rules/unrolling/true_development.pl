@@ -28,6 +28,7 @@
 :- use_module(true_spike, [spikes_cut/3]).
 :- use_module(true_sweep, [facets_swept/6]).
 :- use_module(true_tip, [tips_moved/4]).
+:- use_module(true_touch, [touches_told/4]).
 :- use_module(library(apply), [foldl/4, foldl/5, foldl/6, maplist/3]).
 :- use_module(library(assoc), [assoc_to_values/2]).
 :- use_module(library(error), [must_be/2]).
@@ -143,6 +144,7 @@ unrolled(S, Part, Options, Pattern) :-
 unrolled(S, Part, Options,
          pattern(S, Bends, Facets, Points, Curves, Marks)) :-
     part_facets(S, Part, Facets0, Shape0),
+    Shape0 = shape(Surface, _, _),
     check_options(Shape0, S-Part, Options),
     (   is_flat(Shape0)
     ->  Bends = bent
@@ -151,7 +153,8 @@ unrolled(S, Part, Options,
     facets_sense(Facets0, Shape0, Sense),
     (   facets_swept(S, Part, Sense, Shape0, Facets2, Shape4)
     ->  true
-    ;   tips_moved(Facets0, Facets3, Shape0, Shape3),
+    ;   touches_told(S, Part, Surface, Options),
+        tips_moved(Facets0, Facets3, Shape0, Shape3),
         rims_kept(Facets3, Facets4, Shape3, Shape2),
         spikes_cut(Facets4, Shape2, Facets5),
         plate_layer(Options, Layer),

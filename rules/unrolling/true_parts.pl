@@ -4,7 +4,9 @@
             drawn_wanted/4,             % +S1, +S, +Wanted, -Wanted1
             drawn_borders/2,            % +Leaf, -Directions
             pieces_as_drawn/3,          % +S, +Facets0, -Facets
-            facets_as_drawn/4           % +S, +Facets0, +Shape, -Facets
+            facets_as_drawn/4,          % +S, +Facets0, +Shape, -Facets
+            facet_chord/3,              % +Options, +Surface, -Chord
+            surface_radius/2            % +Surface, -Radius
           ]).
 :- use_module('../csg/csg', [is_node/1]).
 :- use_module('../csg/placed_surface',
@@ -346,6 +348,14 @@ finer(Options, S, Finer) :-
         )
     ).
 
+%!  facet_chord(+Options, +Surface, -Chord) is det.
+%
+%   How far facets of Surface may be from it, of Options chord(Tolerance).
+
+facet_chord(Options, Surface, Chord) :-
+    surface_radius(Surface, Radius),
+    chord(Options, Radius, Chord).
+
 %   chord(Options, Radius, Chord): as for rims of flat faces, but no less than
 %   720 facets go round.
 
@@ -354,6 +364,10 @@ chord(Options, Radius, Chord) :-
     option(chord(Chord0), Options, Usual),
     Least is Radius*(1.0 - cos(pi/720.0)),
     Chord is min(Radius, max(Least, Chord0)).
+
+%!  surface_radius(+Surface, -Radius) is semidet.
+%
+%   Radius is the largest of a round Surface; of a torus that of its centre.
 
 surface_radius(Surface, Radius) :-
     Surface =.. [Kind,_,vector(A,B,C),vector(D,E,F)|More],

@@ -14,7 +14,7 @@
           ]).
 :- use_module('../near',
               [ same_angle/2, before_angle/2, same_part/2,
-                less_part/2, is_rounding/2
+                less_part/2
               ]).
 :- use_module('../kernel', [surface_place/4, surfaces_meet/4]).
 :- use_module('../csg/placed_surface',
@@ -465,19 +465,20 @@ shifted_key(Turns, k(Id, Turn0), k(Id, Turn)) :-
 %!  facets_sense(+Facets, +Shape, -Sense) is det.
 %
 %   Sense is 1 if Facets run counter-clockwise with T to the right and H up, or
-%   else -1: by twice the area of the first that has one.
+%   else -1: by the area of all. A single one may have been turned over where
+%   its vertices went to the true surfaces.
 
 facets_sense(Facets, shape(_, _, Nodes), Sense) :-
-    member(Facet, Facets),
-    Facet = facet(_, _, _, Halves),
-    facet_middle(Facet, Middle),
-    foldl(half_area(Nodes, Middle), Halves, 0.0, Area),
-    \+ is_rounding(Area, 1.0),
-    !,
+    foldl(facet_area(Nodes), Facets, 0.0, Area),
     (   Area > 0.0
     ->  Sense = 1
     ;   Sense = -1
     ).
+
+facet_area(Nodes, Facet, Area0, Area) :-
+    Facet = facet(_, _, _, Halves),
+    facet_middle(Facet, Middle),
+    foldl(half_area(Nodes, Middle), Halves, Area0, Area).
 
 half_area(Nodes, Middle, half(K1, K2, _), Area0, Area) :-
     place_near(Nodes, K1, Middle, T1, H1),

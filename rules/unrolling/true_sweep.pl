@@ -1,6 +1,7 @@
 :- module(sg_true_sweep,
-          [ facets_swept/6              % +S, +Part, +Sense, +Shape0, -Facets,
+          [ facets_swept/6,             % +S, +Part, +Sense, +Shape0, -Facets,
                                         % -Shape
+            nearly_touched/3            % +Surface, +Others, -OtherSurface
           ]).
 :- use_module('../csg/placed_surface',
               [placed_face/3, placed_surface/3, placed_term/2]).
@@ -83,6 +84,16 @@ other_pipe(Surface, Other, OtherSurface-Pipe) :-
     solid_kind(Other, Kind),
     placed_surface(Other, _, OtherSurface),
     pipe_met(Kind, Surface, OtherSurface, Pipe).
+
+%!  nearly_touched(+Surface, +Others, -OtherSurface) is nondet.
+%
+%   OtherSurface is Other-That, the surface of one of the segments Others, whose
+%   side that of Surface nearly touches, as far as a closed form tells.
+
+nearly_touched(Surface, Others, Other-OtherSurface) :-
+    member(Other, Others),
+    other_pipe(Surface, Other, OtherSurface-Pipe),
+    pipe_near_touching(Pipe).
 
 %   drawn_facets(S, Part, Name, Drawn): drawn(P, T1, T2) in order, all round:
 %   the facets of what is drawn, with the first polygon of S that stands for

@@ -136,6 +136,9 @@ file('saw.pl', "segment(1, solid, cone(radius(40), height(200), facets(40))).
 file('double.off', "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n\c
 3 0 1 2\n3 0 1 3\n3 0 1 4\n").
 file('ring.pl', "segment(1, solid, torus(radius(28), tube(9), facets(12))).\n").
+file('touching.pl', "segment(1, solid, torus(radius(60), tube(20))).
+segment(2, solid, at([rotate(y,90), translate(40,0,10)],
+                     cylinder(radius(10), height(80)))).\n").
 file('house.pl', "segment(1, solid, named(case, box(size(200,300,40)))).\n").
 file('pipes.pl', "segment(1, solid,
         cylinder(radius(2), height(8), facets(24))).
@@ -275,6 +278,9 @@ command(unfold(several_sheets(_)), [unfold, @('house.pl'), '--page', 'A4',
                                     '-o', -, '--format', svg]).
 command(unfold(attached(_,_,_)), [unfold, @('two_welds.pl')]).
 command(unfold(not_developable(_,_,_)), [unfold, @('ring.pl'), '--true']).
+command(unfold(nearly_touching(_,_)),
+        [unfold, @('touching.pl'), '--true', '--trim', outside, '--only', 2,
+         '--no-lines']).
 command(unfold(no_sphere(_)), [unfold, @('pipes.pl'), '--true', '--gores', '8',
                                '--no-lines']).
 command(unfold(no_bend(_)),
