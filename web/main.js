@@ -202,8 +202,12 @@ class Studio {
   }
 
   // The picture that questions are about: that of the first port which has one.
+  pictured() {
+    return this.ports.ports.find(({ kind, slow }) => !slow && !["section", "shaded", "apart"].includes(kind));
+  }
+
   seen() {
-    const port = this.ports.ports.find(({ kind, slow }) => !slow && !["section", "shaded", "apart"].includes(kind));
+    const port = this.pictured();
     return { ...this.looks, view: port ? (port.turns ? port.angles : port.kind) : "isometric" };
   }
 
@@ -536,7 +540,7 @@ class Studio {
   // `role` is that of the line in `port`, where it was chosen.
   chosen(names, port, role) {
     this.names = names;
-    this.from = port || this.from;
+    this.from = port || this.from || this.pictured();
     this.light("chosen", names);
     this.linked();
     this.other?.postMessage({ chosen: names });

@@ -125,6 +125,7 @@ def heard():
 
 def kept_scale():
     """What was looked at closer stays where it is when a size changes."""
+    browser.wait("document.getElementById('banner').hidden")
     browser.script("studio.ports.ports[2].canvas.focus()")
     browser.keys("++")
     browser.wait(DRAWN)
@@ -217,6 +218,18 @@ for language in ("en", "ko"):
     check(language + ": each port says what it shows", browser.script(
         "return [...document.querySelectorAll('.port option')].every((one) => "
         "one.textContent)"))
+    # A name that was chosen in no picture: why, in the first one.
+    browser.script("studio.ports.ports[0].angles = [120, 130]; "
+                   "studio.chosen(['s1e3'])")
+    head, body = page.ask("explain", item="hidden(1,3)", lang=language,
+                          options=["--view", "120,130"])
+    check(language + ": why, in the first picture", browser.wait(
+        "document.querySelector('.why pre')?.textContent === arguments[0]",
+        body[:head["stdout"]].decode().rstrip(), seconds=20),
+          browser.script("return document.querySelector('.why pre')"
+                         ".textContent"))
+    browser.script("studio.ports.ports[0].turnTo('iso'); studio.chosen([])")
+    browser.wait(DRAWN)
     asked_at("double click")
     asked_at("long press")
     heard()
