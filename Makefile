@@ -337,13 +337,20 @@ check-vg: $(B)/sanggwan.so $(C_TESTS)
 # tools/cppcheck.supp says what is not asked, and why.
 FORMATTED := $(wildcard engine/*.[ch] c_kernels/*.[ch] c_kernels/*/*.[ch] \
                tests/*.h tests/*/*.[ch] tests/*/*/*.[ch] bench/*.c docs/*.c)
-lint: $(B)/sanggwan.so
-	@clang-format --dry-run -Werror $(FORMATTED)
+# clang and cppcheck read again only what changed since they found nothing.
+CLANGED := $(patsubst %.c,$(B)/lint/%.ok,$(filter %.c,$(FORMATTED)))
+$(CLANGED): $(B)/lint/%.ok: %.c $(B)/deps.mk | $(B)/doors.made
+	@mkdir -p $(@D)
 	@clang -fsyntax-only $(CFLAGS) $(WARN) -Wno-sign-conversion $(PL_CFLAGS) \
-	  -Iengine $(filter %.c,$(FORMATTED))
+	  -Iengine -MMD -MP -MF $(@:.ok=.d) -MT $@ $<
+	@touch $@
+-include $(if $(filter lint,$(MAKECMDGOALS)),$(CLANGED:.ok=.d))
+lint: $(B)/sanggwan.so $(CLANGED)
+	@clang-format --dry-run -Werror $(FORMATTED)
+	@mkdir -p $(B)/lint/cppcheck
 	@cppcheck -q -j 2 --enable=warning,portability,performance --std=c11 \
 	  --suppressions-list=tools/cppcheck.supp --error-exitcode=1 \
-	  -I. -Ic_kernels \
+	  --cppcheck-build-dir=$(B)/lint/cppcheck -I. -Ic_kernels \
 	  engine c_kernels tests
 	@swipl -f none tools/check_layers.pl
 	@swipl -f none tools/house.pl -- check docs/architecture.svg
