@@ -171,7 +171,7 @@ text_limits(Limits) :-
 
 term_of_text(Text0, Term, Options) :-
     format(string(Text), "~w", [Text0]),
-    (   text_beyond(goal, Text, What, _, _)
+    (   text_beyond(program, Text, What, _, _)
     ->  throw(error(syntax_error(What), _))
     ;   term_string(Term, Text, Options),
         nothing_after(Text, Options)

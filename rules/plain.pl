@@ -6,7 +6,6 @@
             plain_json/2                % +Out, :Goal
           ]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
-:- use_module(library(lists), [append/3, member/2]).
 /** <module> What comes from files, as it may be shown to people.
 
 Names in files may hold what moves the cursor, sets a title or turns writing
@@ -63,11 +62,6 @@ hidden_range(0xfeff, 0xfeff).
 hidden_range(0xfff9, 0xfffb).
 hidden_range(0xe0000, 0xe007f).
 
-is_plain(Text) :-
-    atom_codes(Text, Codes),
-    \+ ( member(Code, Codes),
-         \+ plain_code(Code, Code) ).
-
 %!  shown_text(+Text, -Shown) is det.
 %
 %   Shown is Text, or on a terminal plain_text/2 of it.
@@ -122,87 +116,84 @@ json_code(Last, Code, Codes, Rest) :-
 
 %!  plain_term(+Term, -Plain) is det.
 %
-%   Plain is Term with texts as in plain_text/2; what is deeper than 12, longer
-%   than 100 elements or 2000 characters is `...` there.
+%   Plain is Term with texts as in plain_text/2. It is written in 2000
+%   characters at most: what is deep or wide is `...` there, and of a long text
+%   or number both ends are shown.
 
 plain_term(Term, Plain) :-
-    plain_term(Term, 12, Plain).
+    shown_of_term(Most),
+    plain_term(Term, Most, Plain),
+    write_length(Plain, _, [quoted(true),max_length(2000)]),
+    !.
 
-plain_term(Term, _, Plain) :-
-    ( atom(Term) ; string(Term) ),
+%   shown_of_term(Most): Most is most(Depth, Elements, Characters). The first
+%   shows what people write, the last one of no term too much.
+
+shown_of_term(most(12, 100, 500)).
+shown_of_term(most(6, 20, 80)).
+shown_of_term(most(3, 6, 40)).
+
+plain_term(Term, most(_, _, Characters), Plain) :-
+    ( atom(Term) ; string(Term) ; rational(Term) ),
     !,
-    short_text(Term, Text),
-    (   is_plain(Text)
-    ->  Plain = Text
-    ;   plain_text(Text, String),
-        (   atom(Term)
-        ->  atom_string(Plain, String)
-        ;   Plain = String
-        )
-    ).
+    short_text(Term, Characters, Short),
+    plain_kind(Term, Short, Plain).
 plain_term(Term, _, Plain) :-
     \+ compound(Term),
     !,
     Plain = Term.
-plain_term(_, 0, ...) :-
+plain_term(_, most(0, _, _), ...) :-
     !.
-plain_term(Term, Depth, Plain) :-
-    Term = [_|_],
-    !,
-    plain_list(Term, 100, Depth, Plain).
-plain_term(Term, Depth, Plain) :-
-    compound_name_arguments(Term, Name0, Arguments0),
-    (   atom(Name0)
-    ->  plain_term(Name0, Depth, Name)
-    ;   Name = Name0
-    ),
+plain_term(Term, most(Depth, Elements, Characters), Plain) :-
     Depth1 is Depth-1,
-    length(Arguments0, Arity),
-    (   Arity =< 100
-    ->  Some = Arguments0
-    ;   length(Some0, 100),
-        append(Some0, _, Arguments0),
-        append(Some0, [...], Some)
-    ),
-    plain_terms(Some, Depth1, Arguments),
-    compound_name_arguments(Plain, Name, Arguments).
+    Most = most(Depth1, Elements, Characters),
+    (   Term = [_|_]
+    ->  plain_list(Term, Elements, Most, Plain)
+    ;   compound_name_arguments(Term, Name0, Arguments0),
+        plain_term(Name0, Most, Name),
+        plain_list(Arguments0, Elements, Most, Arguments),
+        compound_name_arguments(Plain, Name, Arguments)
+    ).
 
-plain_terms([], _, []).
-plain_terms([Term0|Terms0], Depth, [Term|Terms]) :-
-    plain_term(Term0, Depth, Term),
-    plain_terms(Terms0, Depth, Terms).
-
-%   Lists of codes are texts, for ~s; of numbers there are more.
-
-plain_list(List0, N, Depth, List) :-
+plain_list(List0, N, Most, List) :-
     (   nonvar(List0),
         List0 = [Term0|Terms0]
-    ->  (   N =< 0,
-            \+ integer(Term0)
+    ->  (   N =:= 0
         ->  List = [...]
-        ;   N < -2000
-        ->  List = []
         ;   List = [Term|Terms],
-            Depth1 is Depth-1,
-            plain_term(Term0, Depth1, Term),
+            plain_term(Term0, Most, Term),
             N1 is N-1,
-            plain_list(Terms0, N1, Depth, Terms)
+            plain_list(Terms0, N1, Most, Terms)
         )
     ;   List0 == []
     ->  List = []
-    ;   Depth1 is Depth-1,
-        plain_term(List0, Depth1, List)
+    ;   plain_term(List0, Most, List)
     ).
 
-short_text(Text, Short) :-
-    atom_length(Text, Length),
-    (   Length =< 2000
-    ->  Short = Text
-    ;   sub_string(Text, 0, 1000, _, Before),
-        atom(Text)
-    ->  atom_concat(Before, ..., Short)
-    ;   sub_string(Text, 0, 1000, _, Before),
-        string_concat(Before, "...", Short)
+%   short_text(Value, Most, Short): Short is Value, or the text of its ends, if
+%   that of Value has more than Most characters.
+
+short_text(Value, Most, Short) :-
+    (   write_length(Value, _, [max_length(Most)])
+    ->  Short = Value
+    ;   After is Most//4,
+        Before is Most-After-3,
+        format(string(Text), "~w", [Value]),
+        sub_string(Text, 0, Before, _, First),
+        sub_string(Text, _, After, 0, Last),
+        format(string(Short), "~w...~w", [First,Last])
+    ).
+
+%   plain_kind(Value, Short, Plain): Value, if that is what is shown; else a
+%   string of a string, and an atom of all others.
+
+plain_kind(Value, Short, Plain) :-
+    plain_text(Short, Text),
+    (   atom_string(Value, Text)
+    ->  Plain = Value
+    ;   string(Value)
+    ->  Plain = Text
+    ;   atom_string(Plain, Text)
     ).
 
 %!  plain_lines(+Kind, +Lines, -Plain) is det.

@@ -135,6 +135,8 @@ cannot_read(File, error(Formal, _)) :-
     ->  Why = io
     ;   Formal = representation_error(max_symbolic_links)
     ->  Why = links
+    ;   Formal = representation_error(max_path_length)
+    ->  Why = long_name
     ;   Why = Formal
     ),
     throw(error(model_error(cannot_read(Why)), location(File, 0, 0))).

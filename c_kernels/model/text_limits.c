@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { GOAL_WORDS = 8 };
+enum { PROGRAM_WORDS = 8 };
 
 const char *
 sg_text_fault_name(sg_text_fault fault)
@@ -92,9 +92,9 @@ static void
 count_word(sg_text_scan *s)
 {
   uint64_t most =
-      s->kind == SG_TEXT_GOAL ? GOAL_WORDS * s->most.depth : s->most.depth;
+      (s->kind == SG_TEXT_PROGRAM ? PROGRAM_WORDS : 1) * s->most.depth;
 
-  if (s->kind >= SG_TEXT_PROGRAM) {
+  if (s->kind == SG_TEXT_JSON) {
     return;
   }
   *(s->n ? &s->level[s->n - 1].words : &s->top) += 1;
@@ -213,7 +213,7 @@ begin(sg_text_scan *s, uint32_t c)
 static void
 longer(sg_text_scan *s, uint64_t most, sg_text_fault fault)
 {
-  if (++s->word > most && s->kind != SG_TEXT_PROGRAM) {
+  if (++s->word > most) {
     faulty(s, fault);
   }
 }
@@ -452,7 +452,7 @@ character(sg_text_scan *s, uint32_t c)
   if (s->fault) {
     return;
   }
-  if (s->in_fact && ++s->fact > s->most.fact && s->kind <= SG_TEXT_GOAL) {
+  if (s->in_fact && ++s->fact > s->most.fact && s->kind != SG_TEXT_JSON) {
     faulty(s, SG_TEXT_FACT);
   } else if (c == '\n') {
     s->line++;

@@ -23,9 +23,8 @@
 
 typedef enum sg_text_kind {
   SG_TEXT_FACTS,   /* Prolog terms, data */
-  SG_TEXT_GOAL,    /* a goal: its commas are no depth up to eight times it */
-  SG_TEXT_PROGRAM, /* clauses: of depth only the brackets count, and what is
-                      long is no fault */
+  SG_TEXT_PROGRAM, /* goals and clauses: a conjunction of many goals is no
+                      deep term, so words may be eight times as many */
   SG_TEXT_JSON     /* one value: of depth only the brackets count. After what
                       is no JSON anything may be thought: nobody reads on */
 } sg_text_kind;

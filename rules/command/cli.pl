@@ -186,7 +186,18 @@ ended(Strict, Work, Status) :-
     flag(sg_cli_warnings, _, 0),
     catch(strictly_ended(Strict, Work, Status0), Error,
           failed_status(Error, Status0)),
+    more_warnings_said,
     strict_status(Strict, Status0, Status).
+
+more_warnings_said :-
+    flag(sg_cli_warnings, Count, 0),
+    most_warnings(Most),
+    (   Count > Most
+    ->  More is Count-Most,
+        print_message(warning, sanggwan(more_warnings(More)))
+    ;   true
+    ),
+    flag(sg_cli_warnings, _, Count).
 
 %   nothing_told: no verb has said anything yet.
 
@@ -576,6 +587,12 @@ shown(_, _, []) :-
 shown(error, Term, Lines) :-
     message_said(error, Term),
     print_prefixed(user_error, '', Term, Lines).
+shown(warning, _, _) :-
+    flag(sg_cli_warnings, N, N),
+    most_warnings(Most),
+    N >= Most,
+    !,
+    flag(sg_cli_warnings, _, N+1).
 shown(warning, Term, Lines) :-
     language(Language),
     warning_word(Language, Word),
@@ -595,6 +612,10 @@ shown(informational, Term, Lines) :-
     ;   message_said(informational, Term),
         print_prefixed(user_error, '', Term, Lines)
     ).
+
+%   most_warnings(Most): what a command warns of more often is counted.
+
+most_warnings(100).
 
 warning_word(en, 'warning: ').
 warning_word(ko, '경고: ').

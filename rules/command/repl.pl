@@ -136,7 +136,7 @@ stopped(Signal) :-
 
 looked_through(Text) :-
     (   atom_string(Text, String),
-        text_beyond(goal, String, What, _, _)
+        text_beyond(program, String, What, _, _)
     ->  print_message(error, error(usage_error(bad_goal('', What)), _)),
         fail
     ;   catch(term_of_text(Text, Goal, []), error(_, _), Goal = true),

@@ -3,7 +3,7 @@
           ]).
 :- use_module(batch_en, [batch_usage_en//1]).
 :- use_module(message_parts, [meant_en//1, syntax_words//1]).
-:- use_module(model_en, [limit_en//1]).
+:- use_module(model_en, [limit_en//1, model_en//1]).
 :- use_module(parameter_en, [parameter_en//1]).
 :- use_module(pattern_en, [pattern_fault_en//1]).
 :- use_module(sheet_en, [sheet_en//1]).
@@ -160,6 +160,10 @@ command_en(cannot_write(File, Why)) -->
 command_en(no_segment(S, Known)) -->
     { atomic_list_concat(Known, ', ', All) },
     [ 'there is no segment ~w, only ~w'-[S, All] ].
+command_en(parameter(setting(Text, limit(Name, Most)))) -->
+    !,
+    [ '--set ~w: '-[Text] ],
+    model_en(limit(Name, Most)).
 command_en(parameter(What)) -->
     parameter_en(What).
 command_en(pattern(What)) -->

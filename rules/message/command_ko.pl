@@ -6,7 +6,7 @@
 :- use_module(batch_ko, [batch_usage_ko//1]).
 :- use_module(message_parts, [meant_ko//1]).
 :- use_module(prolog_ko, [korean_syntax//1]).
-:- use_module(model_ko, [limit_ko//1]).
+:- use_module(model_ko, [limit_ko//1, model_ko//1]).
 :- use_module(parameter_ko, [parameter_ko//1]).
 :- use_module(pattern_ko, [pattern_fault_ko//1]).
 :- use_module(sheet_ko, [sheet_ko//1]).
@@ -166,6 +166,10 @@ command_ko(cannot_write(File, Why)) -->
 command_ko(no_segment(S, Known)) -->
     { atomic_list_concat(Known, ', ', All) },
     [ '세그먼트 ~w: 없습니다. 있는 것: ~w'-[S, All] ].
+command_ko(parameter(setting(Text, limit(Name, Most)))) -->
+    !,
+    [ '--set ~w: '-[Text] ],
+    model_ko(limit(Name, Most)).
 command_ko(parameter(What)) -->
     parameter_ko(What).
 command_ko(pattern(What)) -->

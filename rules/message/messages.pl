@@ -72,6 +72,9 @@ english(error(existence_error(directory, Folder), context(Writer, _))) -->
 english(error(representation_error(What), _)) -->
     { What == float32 },
     mesh_en(no_float32).
+english(error(representation_error(What), _)) -->
+    { What == max_path_length },
+    model_en(cannot_read(long_name)).
 english(error(resource_error(What), _)) -->
     { What == memory },
     notice_en(no_memory).
@@ -194,6 +197,8 @@ notice_en(uncaught(What)) -->
       '  Catch it there, or throw error(Formal, Context).' ].
 notice_en(no_answer) -->
     [ 'no' ].
+notice_en(more_warnings(N)) -->
+    [ '~D more, not shown'-[N] ].
 notice_en(warnings_are_errors(N)) -->
     counted(N, warning, warnings),
     [ ', and --strict was given' ].

@@ -72,6 +72,9 @@ korean(error(existence_error(directory, Folder), context(Writer, _))) -->
 korean(error(representation_error(What), _)) -->
     { What == float32 },
     mesh_ko(no_float32).
+korean(error(representation_error(What), _)) -->
+    { What == max_path_length },
+    model_ko(cannot_read(long_name)).
 korean(error(resource_error(What), _)) -->
     { What == memory },
     notice_ko(no_memory).
@@ -193,6 +196,8 @@ notice_ko(uncaught(What)) -->
       '  거기에서 잡거나 error(Formal, Context)를 던지십시오.' ].
 notice_ko(no_answer) -->
     [ '답이 없습니다' ].
+notice_ko(more_warnings(N)) -->
+    [ '보이지 않은 것이 ~D개 더 있습니다'-[N] ].
 notice_ko(warnings_are_errors(N)) -->
     [ '경고 ~d개, --strict 옵션이 주어졌습니다'-[N] ].
 notice_ko(nothing_written(N)) -->

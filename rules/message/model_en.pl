@@ -37,8 +37,12 @@ model_en(cannot_read(io)) -->
 model_en(cannot_read(links)) -->
     [ 'links lead from one to the next without end', nl,
       '  Name a file, or correct the links (ls -l).' ].
+model_en(cannot_read(long_name)) -->
+    [ 'the name is too long for a file', nl,
+      '  Most systems take 255 bytes, and 4,095 with the folders.' ].
 model_en(cannot_read(Why)) -->
-    { \+ memberchk(Why, [missing, directory, permission, io, links]) },
+    { \+ memberchk(Why, [missing, directory, permission, io, links,
+                         long_name]) },
     [ 'the file cannot be read: ~p'-[Why] ].
 model_en(cityjson(Path, Why)) -->
     [ 'CityJSON, at ~w: '-[Path] ],
@@ -248,7 +252,7 @@ polygon_en(no_edge(V)) -->
 %   What the limit Name (limits.pl) is of.
 
 limit_en(depth) -->
-    [ 'levels of terms and lists in one another' ].
+    [ 'levels of terms, lists and operators in one another' ].
 limit_en(blocks) -->
     [ 'levels of blocks in one another in a .csg file' ].
 limit_en(digits) -->

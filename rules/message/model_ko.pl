@@ -38,8 +38,12 @@ model_ko(cannot_read(io)) -->
 model_ko(cannot_read(links)) -->
     [ '링크가 서로를 끝없이 가리킵니다', nl,
       '  파일을 지정하거나 링크를 바로잡으십시오(ls -l).' ].
+model_ko(cannot_read(long_name)) -->
+    [ '파일 이름이 너무 깁니다', nl,
+      '  대부분의 시스템에서 255바이트, 폴더를 합해 4,095바이트까지입니다.' ].
 model_ko(cannot_read(Why)) -->
-    { \+ memberchk(Why, [missing, directory, permission, io, links]) },
+    { \+ memberchk(Why, [missing, directory, permission, io, links,
+                         long_name]) },
     [ '파일을 읽을 수 없습니다: ~p'-[Why] ].
 model_ko(cityjson(Path, Why)) -->
     [ 'CityJSON의 ~w: '-[Path] ],
@@ -240,7 +244,7 @@ polygon_ko(no_edge(V)) -->
 %   What the limit Name (limits.pl) is of.
 
 limit_ko(depth) -->
-    [ '겹쳐 있는 항과 리스트의 깊이' ].
+    [ '겹쳐 있는 항, 리스트, 연산자의 깊이' ].
 limit_ko(blocks) -->
     [ '.csg 파일에서 겹쳐 있는 블록' ].
 limit_ko(digits) -->

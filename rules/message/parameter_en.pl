@@ -34,6 +34,7 @@ parameter_en(set_twice(Name)) -->
     [ 'the parameter ~w is set twice'-[Name], nl,
       '  Give it one value.' ].
 parameter_en(setting(Text, What)) -->
+    { What \= limit(_, _) },
     [ '--set ~w: '-[Text] ],
     setting_en(What).
 parameter_en(unused(Name)) -->

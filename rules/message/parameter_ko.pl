@@ -35,6 +35,7 @@ parameter_ko(set_twice(Name)) -->
     [ '매개변수의 값이 두 번 주어졌습니다: ~w'-[Name], nl,
       '  값을 하나만 주십시오.' ].
 parameter_ko(setting(Text, What)) -->
+    { What \= limit(_, _) },
     [ '--set ~w: '-[Text] ],
     setting_ko(What).
 parameter_ko(unused(Name)) -->

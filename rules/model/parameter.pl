@@ -8,7 +8,7 @@
 :- use_module('../formula',
               [ formula_parameter/2, formula_value/3, has_formula/1,
                 is_formula/1 ]).
-:- use_module('../limits', [term_of_text/3]).
+:- use_module('../limits', [term_of_text/3, text_beyond/5]).
 :- use_module('../spelling', [near_words/3]).
 :- use_module(model_text, [model_float/2, place_error/2, place_error/3]).
 :- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
@@ -28,7 +28,8 @@ parameter of the file. A setting takes the place of a default.
 %   parameters(List), each Name=Value.
 %
 %   @error usage_error(parameter(What)): setting(Text, Why), Why one of form,
-%   comma(Point), unit(Unit), number, formula(What, Formula); set_twice(Name).
+%   comma(Point), unit(Unit), number, formula(What, Formula), limit(Name, Most);
+%   set_twice(Name).
 %   type_error(float, Value)
 
 settings_of(Options, Settings) :-
@@ -45,12 +46,14 @@ text_setting(Text, Name-Value) :-
         Before > 0
     ->  sub_atom(Text, 0, Before, _, Name0),
         Start is Before+1,
-        sub_atom(Text, Start, _, 0, Number),
+        sub_string(Text, Start, _, 0, Number),
         split_string(Name0, "", " ", [NameText]),
         atom_string(Name, NameText)
     ;   setting_error(Text, form)
     ),
-    (   decimal_number(Number, Value),
+    (   text_beyond(facts, Number, Limit, _, _)
+    ->  setting_error(Text, Limit)
+    ;   decimal_number(Number, Value),
         model_float(Value, _)
     ->  true
     ;   comma_meant(Number, Point)
@@ -119,22 +122,23 @@ points_for_commas([], []).
 %   unit_meant(Text, Unit): Text is a number with letters or a sign behind it.
 
 unit_meant(Text, Unit) :-
-    sub_atom(Text, Before, _, 0, Unit0),
-    Before > 0,
-    split_string(Unit0, "", " ", [UnitText]),
-    unit(UnitText),
-    sub_atom(Text, 0, Before, _, Number),
+    split_string(Text, "", " ", [Trimmed]),
+    string_chars(Trimmed, Chars),
+    reverse(Chars, Backwards),
+    unit_chars(Backwards, [], UnitChars, Rest),
+    UnitChars = [_|_],
+    reverse(Rest, Digits),
+    string_chars(Number, Digits),
     decimal_number(Number, _),
-    !,
-    atom_string(Unit, UnitText).
+    atom_chars(Unit, UnitChars).
 
-unit(Text) :-
-    string_chars(Text, Chars),
-    Chars = [_|_],
-    forall(member(Char, Chars),
-           ( char_type(Char, alpha)
-           ; memberchk(Char, ['%','"','\'','\u00B0'])
-           )).
+unit_chars([Char|Chars], Unit0, Unit, Rest) :-
+    (   char_type(Char, alpha)
+    ;   memberchk(Char, ['%','"','\'','\u00B0'])
+    ),
+    !,
+    unit_chars(Chars, [Char|Unit0], Unit, Rest).
+unit_chars(Rest, Unit, Unit, Rest).
 
 given_setting(Setting, Name-Value) :-
     (   nonvar(Setting),

@@ -11,10 +11,10 @@
 :- use_module('../part', [whole_program_for/1]).
 :- use_module('../plain', [plain_json/2, plain_text/2, shown_text/2]).
 :- use_module(library(apply),
-              [exclude/3, foldl/4, include/3, maplist/3, maplist/4]).
+              [foldl/4, maplist/2, maplist/3, maplist/4]).
 :- use_module(library(lists), [member/2]).
 :- use_module(library(option), [option/3]).
-:- use_module(library(pairs), [pairs_keys_values/3]).
+:- use_module(library(pairs), [pairs_keys_values/3, pairs_values/2]).
 :- use_module(library(solution_sequences), [limit/2]).
 /** <module> All answers of a goal, as a table, CSV, JSON or Prolog.
 */
@@ -40,11 +40,9 @@ read_goal(Text, Goal, Bindings) :-
     whole_program_for(Goal),
     findall_named(Names, Named),
     answered(Goal, Answered, []),
-    include(is_answered(Answered), Named, Bindings).
-
-is_answered(Answered, _-Variable) :-
-    term_variables(Answered, Variables),
-    one_of(Variables, Variable).
+    pairs_values(Named, Variables),
+    places_in(Answered, Variables, Places),
+    chosen(Places, in, Named, Bindings).
 
 %   answered(Goal)//: the parts of Goal whose variables an answer may bind.
 
@@ -90,9 +88,9 @@ collecting(bagof(Template, Goal, All), Free) :-
 
 free_in(Template, Goal0, All, All-Free) :-
     before_hats(Goal0, Template, Bound, Goal),
-    term_variables(Bound, Bounds),
     term_variables(Goal, Variables),
-    exclude(one_of(Bounds), Variables, Free).
+    places_in(Bound, Variables, Places),
+    chosen(Places, out, Variables, Free).
 
 before_hats(Goal, Bound, Bound, Goal) :-
     var(Goal),
@@ -102,10 +100,31 @@ before_hats(V^Goal0, Bound0, Bound, Goal) :-
     before_hats(Goal0, Bound0-V, Bound, Goal).
 before_hats(Goal, Bound, Bound, Goal).
 
-one_of(Variables, Variable) :-
-    member(Other, Variables),
-    Other == Variable,
-    !.
+%   places_in(Term, Variables, Places): `in` for each of Variables that Term
+%   has, `out` for the others.
+
+places_in(Term, Variables, Places) :-
+    term_variables(Term, Within),
+    findall(Places0,
+            ( maplist(=(in), Within),
+              maplist(place, Variables, Places0) ),
+            [Places]).
+
+place(Variable, Place) :-
+    (   var(Variable)
+    ->  Place = out
+    ;   Place = in
+    ).
+
+%   chosen(Places, Place, Items, Chosen): those of Items at that Place.
+
+chosen([], _, [], []).
+chosen([Place1|Places], Place, [Item|Items], Chosen) :-
+    (   Place1 == Place
+    ->  Chosen = [Item|Chosen1]
+    ;   Chosen = Chosen1
+    ),
+    chosen(Places, Place, Items, Chosen1).
 
 bad_goal(Text, Why) :-
     throw(error(usage_error(bad_goal(Text, Why)), _)).

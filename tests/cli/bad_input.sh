@@ -53,7 +53,7 @@ refused text pl 'solid cube.\n' 'no Prolog text' '1:'
 refused primitive pl 'segment(1, solid, cone(radius(-1), height(1))).' \
   'should be radius(a length above 0)' '1:19: '
 refused nested pl "segment(1,solid,$(printf '[%.0s' {1..20000})$(
-  printf ']%.0s' {1..20000}))." 'levels of terms and lists in one another'
+  printf ']%.0s' {1..20000}))." 'levels of terms, lists and operators in one another'
 
 # Bytes that are not UTF-8: one warning, in the file that was named.
 printf "segment(1, solid, '\xff').\nv(1,1,0,0,'\xff').\n" >"$work/in/bytes.pl"

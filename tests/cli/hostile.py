@@ -22,6 +22,8 @@ write('depth.prefix.pl', 'v(1,1,' + '- ' * deep + '1,0,0).\n')
 write('depth.infix.pl', 'v(1,1,' + '1+' * deep + '1,0,0).\n')
 write('depth.comma.pl', 'v(1,1,(' + '1,' * deep + '1),0,0).\n')
 write('depth.brace.pl', 'v(1,1,' + '{' * deep + '}' * deep + ',0,0).\n')
+write('depth.not.pl', 'a :- ' + '\\+ ' * deep + 'b.\n')
+write('depth.body.pl', 'a :- ' + 'b, ' * deep + 'b.\n')
 write('depth.tree.pl', 'segment(1,solid,' + 'union([' * deep
       + 'box(size(1,1,1))' + '])' * deep + ').\n')
 write('depth.hidden.pl', "v(1,1,0'(,0,0). /* ' */ p(1,1," + '[' * deep)

@@ -101,8 +101,11 @@ for name in depth.small.pl depth.prefix.pl digits.pl name.quoted.pl; do
   refused "title.$name" "$limit" draw facts/cube.pl --sheet A4 \
     --title-block "$work/h/$name" -o "$work/a.svg"
 done
-for name in depth.small.pl depth.list.pl depth.brace.pl; do
-  refused "rules.$name" depth check facts/cube.pl --rules "$work/h/$name"
+for name in depth.small.pl depth.list.pl depth.brace.pl depth.prefix.pl \
+  depth.infix.pl depth.comma.pl depth.not.pl depth.body.pl digits.pl \
+  name.quoted.pl; do
+  refused "rules.$name" "${name%%.*}" check facts/cube.pl \
+    --rules "$work/h/$name"
 done
 mkfifo "$work/rules.pl"
 cat "$work/h/depth.list.pl" >"$work/rules.pl" 2>/dev/null &
@@ -123,6 +126,35 @@ check repl-goes-on has after "$work/out"
 bounded explain facts/cube.pl "line($deep"
 check explain-goal status_is 2
 check explain-goal-short short
+
+# Values of options: each is looked through too, and what a message repeats of
+# one is short.
+brief() { [ "$(wc -c <"$work/err")" -lt 2500 ]; }
+for piece in '(' '- ' '1,' '1+' '1 ' '[' 'f(' '5.' 9 a; do
+  bounded check facts/cube.pl --set "a=$(printf "%.0s$piece" $(seq 20000))"
+  check "set.$piece" status_is 2
+  check "set.$piece.brief" brief
+done
+long=$(printf 'a%.0s' $(seq 50000))
+for option in "--$long" --set="$long" --set="$long"=3 --set=a="$long" \
+  --limits="$long" --lang="$long" --tolerance="$long" --strict="$long" \
+  --model="$long"; do
+  bounded check facts/cube.pl "$option"
+  check "long.${option:0:9}" status_is 2
+  check "long.${option:0:9}.brief" brief
+done
+for path in "$long.pl" "$(printf 'a/%.0s' $(seq 3000))b.pl"; do
+  bounded check "$path"
+  check path.said has 'too long for a file'
+  check path.brief brief
+done
+bounded "$long"
+check verb.brief brief
+printf '%s\n' "$(for n in $(seq 500); do echo "a(1). b(1)."; done)" \
+  >"$work/apart.pl"
+bounded check facts/cube.pl --rules "$work/apart.pl"
+check warnings.status status_is 3
+check warnings.counted has 'warning: 898 more, not shown'
 
 # What is large but allowed, or allowed by an option, takes no long time.
 bounded eval "$work/h/chain.pl"

@@ -241,6 +241,52 @@ terms_shown(N, Shown) :-
 test(arguments_shown, Shown == [100,101-'...',101-'...']) :-
     findall(S, ( member(N, [100,101,102]), shown_of(N, S) ), Shown).
 
+% Whatever a term is, what is shown of it is short, and has both ends of a text.
+test(shown_is_short, Wrong == []) :-
+    numlist(1, 30, Few),
+    numlist(1, 5000, Many),
+    foldl([_,T,f(T,T)]>>true, [1,2,3,4,5,6,7,8,9,10,11,12,13,14,15], x, Bushy),
+    foldl([_,T,[T]]>>true, Many, x, Deep),
+    length(Square, 30),
+    maplist(=(Few), Square),
+    length(Codes, 50000),
+    maplist(=(0'a), Codes),
+    atom_codes(Atom, Codes),
+    string_codes(String, Codes),
+    Number is 3**50000,
+    Fraction is 1 rdiv Number,
+    compound_name_arguments(Wide, f, Many),
+    compound_name_arguments(Named, Atom, [x]),
+    findall(Term,
+            ( member(Term, [ Bushy,Deep,Square,Atom,String,Number,Fraction,
+                             Codes,Wide,Named,[Atom|Many],Many-String ]),
+              plain_term(Term, Plain),
+              format(string(Shown), "~p", [Plain]),
+              string_length(Shown, Length),
+              \+ ( Length =< 2000, sub_string(Shown, _, _, _, "...") )
+            ), Wrong).
+test(both_ends, [ forall(member(Kind, [atom_string,string])), true ]) :-
+    length(As, 400),
+    length(Bs, 400),
+    maplist(=(a), As),
+    maplist(=(b), Bs),
+    append(As, Bs, Letters),
+    atomic_list_concat(Letters, Atom),
+    (   Kind == string
+    ->  atom_string(Atom, Text)
+    ;   Text = Atom
+    ),
+    plain_term(Text, Plain),
+    atom_length(Plain, 500),
+    sub_atom(Plain, 0, 372, _, First),
+    sub_atom(Plain, _, 128, 0, Last),
+    sub_atom(First, _, 2, 0, aa),
+    sub_atom(Last, 0, 4, _, '...b').
+test(as_it_is, Terms == Plain) :-
+    Terms = [ [],'[]',"[]",'',"",1,-2.5,1r3,a+b,f(),'a b'("c",X,X),{a},
+              [a|_],point{x:1} ],
+    maplist(plain_term, Terms, Plain).
+
 shown_of(N, Shown) :-
     terms_shown(N, Count),
     (   Count =:= N, N =< 100

@@ -93,10 +93,14 @@ main(void)
   CHECK("two numbers", facts("f(0x1.5).") == 4);
   CHECK("no stop within a sign", facts("f(=. f(a)).") > 3);
   CHECK("no stop within a number", facts("f(1.5, a). f(1. g(a)).") == 2);
-  CHECK("goals may be long", depth(SG_TEXT_GOAL, "a,b,c,d,e,f,g,h.") == 2);
-  CHECK("programs too",
-        depth(SG_TEXT_PROGRAM, "a:-b,c,d,(e,f,g,h,i,j,k,l).") == 1);
+  CHECK("goals may be long", depth(SG_TEXT_PROGRAM, "a,b,c,d,e,f,g,h.") == 2);
+  CHECK("bodies too",
+        depth(SG_TEXT_PROGRAM, "a:-b,c,d,(e,f,g,h,i,j,k,l).") == 3);
   CHECK("but not their brackets", depth(SG_TEXT_PROGRAM, "a:-f(g([b])).") == 3);
+  CHECK("nor their operators",
+        depth(SG_TEXT_PROGRAM, "a:- - - - - - - - - - - - - - - b.") == 3);
+  CHECK("a number in a program",
+        fed(SG_TEXT_PROGRAM, "a(12345678901).", 9, 100) == SG_TEXT_DIGITS);
   CHECK("digits", fault("f(12345.7890).") == SG_TEXT_GOOD);
   CHECK("too many digits", fault("f(12345.67890).") == SG_TEXT_DIGITS);
   CHECK("name", fault("f(abcdefghijkl).") == SG_TEXT_GOOD);

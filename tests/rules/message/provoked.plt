@@ -105,6 +105,9 @@ file('narrow.pl',
      "param(w, 1). segment(1, solid, box(size(param(w),1,1))).\n").
 file('comma.pl',
      "segment(1, solid, cylinder(radius(57,15), height(9))).\n").
+file('apart.pl', Text) :-
+    findall("a(1). b(1).\n", between(1, 60, _), Lines),
+    atomics_to_string(Lines, Text).
 file('ball.pl', "segment(1, solid, sphere(radius(1),facets(12))).\n").
 file('wire.pl', "v(1,1,0,0,0). v(1,2,1,0,0). e(1,1,1,2,1).
 segment(1, curve, wire).\n").
@@ -211,6 +214,7 @@ command(look_in_vain(_), [render, @('cube.pl'), '--look', @('looks.pl'),
 command(style_in_vain(_), [draw, @('cube.pl'), '--style', @('style.pl'),
                            '-o', @('a.svg')]).
 command(empty_result(_,_), [eval, @('empty.pl')]).
+command(more_warnings(18), [check, @('cube.pl'), '--rules', @('apart.pl')]).
 command(warnings_are_errors(1), [eval, @('empty.pl'), '--strict']).
 command(nothing_written(1), [eval, @('empty.pl'), '--strict',
                              '-o', @('a.stl')]).

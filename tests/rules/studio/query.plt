@@ -6,6 +6,17 @@
 
 foo(_, _, _).
 
+%   reading_of(Around, N, Steps): of a goal with N variables.
+
+reading_of(Around, N, Steps) :-
+    findall(V, ( between(1, N, I), format(atom(V), "V~d", [I]) ), Vs),
+    atomic_list_concat(Vs, ', ', Text),
+    format(string(Goal), Around, [Text]),
+    statistics(inferences, Before),
+    read_goal(Goal, _, _),
+    statistics(inferences, After),
+    Steps is After-Before.
+
 row(1, a, "text").
 row(2.5, 'B c', [1,2]).
 row(-3, 'x,"y"', f(_)).
@@ -56,6 +67,13 @@ test(nothing, T == "") :-
 test(no_answer, fail) :-
     read_goal("row(7,_,_)", G, B),
     query(test_query:G, [bindings(B)]).
+% Twice as many variables take twice as long, not four times.
+test(many_variables) :-
+    forall(member(Around, ["X = f(~w)","findall(x, f(~w), X)",
+                           "bagof(x, f(~w), X)"]),
+           ( reading_of(Around, 2000, Few),
+             reading_of(Around, 16000, Many),
+             assertion(Many < 20*Few) )).
 test(order_of_text, Names == ['B', 'A']) :-
     read_goal("foo(B,A,B,_X,_)", _, Bindings),
     pairs_keys(Bindings, Names).
