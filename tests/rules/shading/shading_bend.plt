@@ -1,4 +1,7 @@
-/* Normals of what was divided before: smooth(true). */
+/* Normals of what was divided before: smooth(true).
+
+% covers: shading_circle
+*/
 :- module(test_shading_bend, []).
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
