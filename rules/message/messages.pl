@@ -453,7 +453,7 @@ notice_en(glue_overlap(S, S1, S2, R, Volume)) -->
 notice_en(glue_apart(S)) -->
     [ 'segment ~d: the operands touch nowhere'-[S] ].
 notice_en(glue_overlaps(S, N)) -->
-    [ 'segment ~d: ~D more regions are inside several operands'-[S, N] ].
+    [ 'segment ~d: regions inside several operands: ~D more'-[S, N] ].
 notice_en(glue_thin(S, N, Most)) -->
     [ 'segment ~d: of the regions in which operands overlap ~D are thin, \c
        ~6g at most'-[S, N, Most], nl,
