@@ -1,7 +1,7 @@
 #!/bin/bash
 # studio.sh -- the studio: its front is asked as pages ask it, its guard is
 # attacked, and it is killed. What a page does in a browser: studio_page.sh,
-# studio_flows.sh.
+# studio_handles.sh, studio_flows.sh, studio_matrix.sh.
 # covers: front, guard, visitor, visitor_path, visitor_upload, page_file, model_tree
 # covers: answer_name, studio_words, visitor_answer, ask_problem
 . "$(dirname "$0")/harness.bash"
