@@ -53,7 +53,7 @@ glue_run(Files, Options, 0) :-
     no_model_replaced(Files, Outputs),
     operands_loaded(glue, Files, Options, Sources),
     once(root_segment(S)),
-    forall(option(only(What), Options), assert_fact(gluing(S, only(What)))),
+    forall(wished(Options, Wish), assert_fact(gluing(S, Wish))),
     facts_snapshot(( operands_evaluated(Sources, Options),
                      report(S, Options, Report) )),
     (   option('dry-run'(true), Options)
@@ -62,6 +62,11 @@ glue_run(Files, Options, 0) :-
         summary_sent_told(Outputs, [pl]),
         maplist(output_written(save_model), Outputs)
     ).
+
+wished(Options, only(What)) :-
+    option(only(What), Options).
+wished(Options, tolerance(T)) :-
+    option(tolerance(T), Options).
 
 %   report(S, Options, Report): of the glue S, which is the only root.
 

@@ -4,6 +4,7 @@
             root_segments_after/2,      % +Last, -Roots
             operand_segment/2,          % ?S, ?N
             glue_operands/2,            % +S, -Operands
+            glue_tolerance/3,           % +Given, +S, -Tolerance
             is_node/1,                  % +S
             is_helper/1,                % +S
             complete_tree/1,            % +Nodes
@@ -24,13 +25,13 @@
 :- use_module(operand_name, [fault_named/2, note_unnumbered/3]).
 :- use_module('../primitive/primitive', [is_primitive/1]).
 :- use_module('../store',
-              [ v/5, p/3, t/6, segment/3, origin/3, assert_fact/1,
+              [ v/5, p/3, t/6, segment/3, origin/3, gluing/2, assert_fact/1,
                 retractall_facts/1, facts_transaction/1, fresh_id/3
               ]).
 :- use_module(library(apply), [exclude/3, foldl/4, foldl/5, maplist/4]).
 :- use_module(library(assoc), [empty_assoc/1, get_assoc/3, put_assoc/4]).
 :- use_module(library(lists),
-              [append/3, list_to_set/2, member/2, reverse/2]).
+              [append/3, list_to_set/2, max_list/2, member/2, reverse/2]).
 :- use_module(library(ordsets), [ord_memberchk/2, ord_subtract/3]).
 /** <module> The CSG tree: nodes, operands, roots.
 
@@ -94,6 +95,43 @@ glue_operands_([S|Ss], [Kind|Kinds]) -->
     ;   [S]
     ),
     glue_operands_(Ss, Kinds).
+
+%!  glue_tolerance(+Given, +S, -Tolerance) is det.
+%
+%   Tolerance is Given or, if that is `default`, what gluing(S, tolerance(T))
+%   says of the glue S, or else the largest that the glues among its operands
+%   say; or `default`.
+%
+%   @error geometry_error(part_glue(wish(S, tolerance(T)))): T is no number, or
+%          less than 0
+
+glue_tolerance(default, S, Tolerance) :-
+    gluing(_, tolerance(_)),
+    !,
+    (   gluing(S, tolerance(T))
+    ->  tolerance_checked(S, T),
+        Tolerance = T
+    ;   findall(T, inner_tolerance(S, T), Ts),
+        (   max_list(Ts, Most)
+        ->  Tolerance = Most
+        ;   Tolerance = default
+        )
+    ).
+glue_tolerance(Given, _, Given).
+
+tolerance_checked(S, T) :-
+    (   number(T),
+        T >= 0
+    ->  true
+    ;   throw(error(geometry_error(part_glue(wish(S, tolerance(T)))), _))
+    ).
+
+inner_tolerance(S, T) :-
+    node(S, glue, Children, _),
+    member(Child, Children),
+    integer(Child),
+    glue_tolerance(default, Child, T),
+    number(T).
 
 %!  is_node(+S) is semidet.
 

@@ -225,7 +225,8 @@ apart(S, S1-P1, S2-P2, kept_apart(By)) :-
     !,
     (   gluing(S, Wish),
         Wish \= glued(_, _),
-        Wish \= dissolve(_, _)
+        Wish \= dissolve(_, _),
+        Wish \= tolerance(_)
     ->  format(atom(By), '~q', [gluing(S, Wish)])
     ;   By = 'may_glue/3'
     ).

@@ -24,6 +24,7 @@
     glued(S1-Item1, S2-Item2) these are glued, whatever else is said
     dissolve(R1, R2)          the faces between these regions go; by number, or
                               better by lasting name (region_name.pl)
+    tolerance(T)              what is nearer than T touches (glue_tolerance/3)
 
 Contacts are as of glue_contact.pl. Where one is not glued the operands are cut
 all the same, and stay apart. */
@@ -42,7 +43,8 @@ may_glue(_, _, _).
 %   Of the glue S it is not so that all is glued.
 
 choice_made(S) :-
-    (   gluing(S, _)
+    (   gluing(S, Wish),
+        Wish \= tolerance(_)
     ->  true
     ;   \+ decision_is_default(may_glue/3)
     ).
@@ -155,6 +157,7 @@ glue_wish(glued(Place1, Place2)) :-
     maplist(is_place, [Place1,Place2]).
 glue_wish(dissolve(R1, R2)) :-
     maplist(is_region_name, [R1,R2]).
+glue_wish(tolerance(_)).                % looked at before: glue_tolerance/3
 
 is_place(S-Item) :-
     integer(S),

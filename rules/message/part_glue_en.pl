@@ -28,9 +28,10 @@ part_glue_en(euler_change(S, Operation, Change)) -->
 part_glue_en(wish(S, Wish)) -->
     [ 'gluing(~d, ~p) names nothing of the glue ~d'-[S, Wish, S], nl,
       '  Write only(vertices), only(edges), only(faces), apart(S1, S2), \c
-       apart(S1-Item), glued(S1-Item1, S2-Item2) or dissolve(R1, R2): Item is \c
-       v(V), e(A,B) or p(P) of an operand, R1 and R2 are bounded regions side \c
-       by side, numbers or region(Operands).' ].
+       apart(S1-Item), glued(S1-Item1, S2-Item2), dissolve(R1, R2) or \c
+       tolerance(T): Item is v(V), e(A,B) or p(P) of an operand, R1 and R2 \c
+       are bounded regions side by side, numbers or region(Operands), T is 0 \c
+       or more.' ].
 part_glue_en(no_side(S)) -->
     [ 'segment ~d: what stays apart lies on faces, and on which side of them \c
        cannot be told'-[S], nl,

@@ -30,9 +30,10 @@ part_glue_ko(wish(S, Wish)) -->
     [ 'gluing(~d, ~p)은(는) 붙인 것 ~d에 있는 것을 가리키지 않습니다'-
       [S, Wish, S], nl,
       '  only(vertices), only(edges), only(faces), apart(S1, S2), \c
-       apart(S1-Item), glued(S1-Item1, S2-Item2), dissolve(R1, R2) 가운데 \c
-       하나를 쓰십시오. Item은 피연산자의 v(V), e(A,B), p(P)이고, R1과 R2는 \c
-       맞닿은 유한한 영역으로, 번호나 region(피연산자들)로 씁니다.' ].
+       apart(S1-Item), glued(S1-Item1, S2-Item2), dissolve(R1, R2), \c
+       tolerance(T) 가운데 하나를 쓰십시오. Item은 피연산자의 v(V), e(A,B), \c
+       p(P)이고, R1과 R2는 맞닿은 유한한 영역으로, 번호나 \c
+       region(피연산자들)로 쓰며, T는 0 이상입니다.' ].
 part_glue_ko(no_side(S)) -->
     [ '세그먼트 ~d: 떨어져 있는 것이 면 위에 놓여 있어 그 면의 어느 쪽인지 알 \c
        수 없습니다'-[S], nl,

@@ -9,8 +9,8 @@
 :- use_module(arrangement, [pieces_statistics/1]).
 :- use_module(boolean, [boolean/3]).
 :- use_module('../csg/csg',
-              [ node/4, root_segment/1, glue_operands/2, is_node/1,
-                complete_tree/1, complete_tree/2
+              [ node/4, root_segment/1, glue_operands/2, glue_tolerance/3,
+                is_node/1, complete_tree/1, complete_tree/2
               ]).
 :- use_module(csg_flat,
               [ flat_expression/2, flat_leaves/2, helpers/1, is_half/1,
@@ -72,7 +72,8 @@ coincides once (glue.pl); under another operation it is the union of its solids.
 %
 %     - tolerance(Tolerance)
 %       What is nearer than this (model units) is made to touch first. Default:
-%       as segments_tolerance/3 sees the leaves of a node.
+%       as segments_tolerance/3 sees the leaves of a node, or as a glue says
+%       itself (glue_tolerance/3).
 %
 %   @error existence_error(segment, S); model_error(What) of csg_term.pl;
 %   geometry_error(What) where the geometry cannot be done
@@ -106,7 +107,8 @@ all_evaluated(Ss0, Tolerance) :-
     ;   all_made(Ss, Tolerance)
     ).
 
-only_grown(Tolerance, S) :-
+only_grown(Tolerance0, S) :-
+    glue_tolerance(Tolerance0, S, Tolerance),
     glue_grown(S, Tolerance),
     counted(around).
 
@@ -164,9 +166,10 @@ made_from(S, _, From) :-
     rounded_matrix(Matrix0, Matrix),
     segment_stamps(Children, Stamps),
     From = join(Stamps, Matrix).
-made_from(S, Tolerance, From) :-
+made_from(S, Tolerance0, From) :-
     node(S, glue, _, _),
     !,
+    glue_tolerance(Tolerance0, S, Tolerance),
     glue_operands(S, Operands),
     findall(Wish, gluing(S, Wish), Wishes),
     From = glue(Operands, Tolerance, Wishes).

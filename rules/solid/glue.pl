@@ -334,6 +334,7 @@ unglue(S) :-
 unglued(S) :-
     drop_record(S),
     drop_boundary(S),
+    retractall_facts(gluing(S, _)),
     retractall_facts(segment(S, _, _)).
 
 

@@ -19,7 +19,8 @@
 :- use_module('../primitive/primitive', [is_primitive/1]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
-              [segment/3, origin/3, segment_stamp/2, facts_transaction/1]).
+              [ segment/3, origin/3, gluing/2, segment_stamp/2,
+                facts_transaction/1 ]).
 :- use_module(library(apply), [exclude/3, foldl/4, maplist/2]).
 :- use_module(library(lists), [same_length/2]).
 :- use_module(library(ordsets), [ord_union/3]).
@@ -45,8 +46,10 @@ too. In all other cases the glue is made anew.
 
 glue_grown(S, Tolerance) :-
     segment(S, cells, glue(Operands)),
-    origin(S, node(S), evaluated(made(glue(Known, Tolerance0, []), Stamp))),
-    Tolerance0 == Tolerance,
+    findall(Wish, gluing(S, Wish), Wishes),
+    From = glue(Known, Tolerance0, Wishes0),
+    origin(S, node(S), evaluated(made(From, Stamp))),
+    Tolerance0-Wishes0 == Tolerance-Wishes,
     segment_stamp(S, Stamp),
     operands_compared(Known, Operands, Stayed, Gone, News0),
     changed_leaves(Stayed, Stamp, Others),
@@ -62,7 +65,7 @@ glue_grown(S, Tolerance) :-
     \+ was_cut(S),
     sort(0, @>=, Stayed, [Last|_]),
     facts_transaction(sg_glue_grown:grown(S, Last, Leaving, News, Tolerance)),
-    record(S, evaluated(glue(Operands, Tolerance, []))).
+    record(S, evaluated(glue(Operands, Tolerance, Wishes))).
 
 %   operands_compared(Known, Operands, Stayed, Gone, News): as sets. Mostly they
 %   differ in few places, and both are in order.

@@ -40,6 +40,30 @@ check "and not written" absent "$work/no_gap.off"
 run union "$work/gap.pl" --strict -o "$work/gap.off"
 check "left open it needs no word" status_is 0
 
+# A glue that is written keeps the tolerance that it was asked for.
+run glue "$work/gap.pl" -q --tolerance 0.001 -o "$work/glued.pl"
+check "a glue that closes a gap" has "1 part, 3 regions" "$work/out"
+check "has its tolerance in its file" has "gluing(3, tolerance(0.001))." \
+  "$work/glued.pl"
+run cells "$work/glued.pl" -q
+check "read again it is closed" has "1 part, 3 regions" "$work/out"
+run check "$work/glued.pl"
+check "for check, too" has "12 vertices, 20 edges, 11 polygons" "$work/out"
+run glue "$work/glued.pl" -q -o "$work/again.pl"
+check "in a glue of it, too" has "1 part, 3 regions" "$work/out"
+run cells "$work/again.pl" -q
+check "and in the file of that" has "1 part, 3 regions" "$work/out"
+run glue "$work/glued.pl" -q --tolerance 0
+check "unless another one is given" has "2 parts, 3 regions" "$work/out"
+run unglue "$work/glued.pl" -o "$work/parts.pl"
+check "what is taken apart has none" hasnt tolerance "$work/parts.pl"
+sed 's/tolerance(0.001)/tolerance(-1)/' "$work/glued.pl" >"$work/less.pl"
+run cells "$work/less.pl"
+check "one below 0 is refused" status_is 4
+check "with its place" has "less.pl:"
+run glue "$work/gap.pl" -q -o "$work/open.pl"
+check "without it nothing is kept" hasnt tolerance "$work/open.pl"
+
 run eval "$work/step.pl" --strict -o "$work/step.off"
 check "without it all is done" status_is 0
 check "a file says what it holds" has "# precision 0" "$work/step.off"

@@ -115,6 +115,28 @@ grown(ring_closed, Terms, 7) :-
               X1 is X+8, cube([], X1-Y-0, Cube) ),
             Terms).
 
+%   The same with a tolerance of its own, which stays.
+
+test(own_tolerance, Rows-N == AtOnce-7) :-
+    cubes(2, [], Terms),
+    csg_statistics_reset,
+    in_new_world(( own_tolerance,
+                   append([First], Others, Terms),
+                   operand(1, First),
+                   glued(1),
+                   foldl(one_more, Others, 1, _),
+                   rows(Rows) )),
+    csg_statistics(Statistics),
+    N = Statistics.around,
+    in_new_world(( own_tolerance,
+                   forall(nth1(S, Terms, Term), operand(S, Term)),
+                   glued(8),
+                   rows(AtOnce) )).
+
+own_tolerance :-
+    glue(S),
+    assert_fact(gluing(S, tolerance(0.01))).
+
 test(permuted, Different-Few == []-false) :-
     cubes(3, [], Terms),
     findall(Seed-N,
