@@ -1,12 +1,12 @@
 :- module(sg_cells_city,
           [ write_city/5          % +Out, +Names, +Vertices, +Faces, +Cells
           ]).
-:- use_module(cells_face, [face_border/4, region_shells/3]).
+:- use_module(cells_face, [face_border/4, face_flat/2, region_shells/3]).
 :- use_module('../disjoint_sets', [set_root/3, sets_joined/4]).
 :- use_module('../gluing/exploded', [wire_seam/4]).
 :- use_module('../json_layout', [json_laid_out/3]).
 :- use_module('../store',
-              [v/5, e/5, segment/3, sides/4, edge_polygon/3]).
+              [v/5, e/5, t/6, segment/3, sides/4, edge_polygon/3]).
 :- use_module('../vector', [doubled_area/2, dot_product/3, vector_sum/3]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [foldl/4, maplist/3, partition/4]).
@@ -183,25 +183,34 @@ solid_boundary(Vertices, S-R, Boundary) :-
                       Surfaces) ),
             Boundary).
 
-%   face_rings(Vertices, S, P, Side, Rings): a hole that touches another ring is
-%   one of its own, so that no ring has a vertex twice: unless the face would be
-%   several then.
+%   face_rings(Vertices, S, P, Side, Rings) is nondet: of a face that is not
+%   flat each triangle.
 
 face_rings(Vertices, S, P, Side, Rings) :-
-    face_border(S, P, Loops0, _),
-    maplist(rings_of, Loops0, Lists),
-    append(Lists, Simple),
-    (   length(Simple, N),
-        \+ length(Loops0, N),
-        one_outer(S, Simple, Loops)
-    ->  true
-    ;   Loops = Loops0
+    (   face_flat(S, P)
+    ->  flat_loops(S, P, Loops)
+    ;   t(S, P, _, A, B, C),
+        Loops = [[A,B,C]]
     ),
     findall(Ring,
             ( member(Loop, Loops),
               maplist(index_of(Vertices, S), Loop, Ring0),
               turned(Side, Ring0, Ring) ),
             Rings).
+
+%   flat_loops(S, P, Loops): a hole that touches another ring is one of its own,
+%   so that no ring has a vertex twice: unless the face would be several then.
+
+flat_loops(S, P, Loops) :-
+    face_border(S, P, Loops0, _),
+    maplist(rings_of, Loops0, Lists),
+    append(Lists, Simple),
+    (   length(Simple, N),
+        \+ length(Loops0, N),
+        one_outer(S, Simple, Loops1)
+    ->  Loops = Loops1
+    ;   Loops = Loops0
+    ).
 
 %   rings_of(Loop, Rings): parted where a vertex comes again.
 

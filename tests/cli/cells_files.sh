@@ -103,7 +103,7 @@ done
 
 # CityJSON is right by another program, which sees each fault planted here.
 city() { python3 "$here/city_checker.py" "$@"; }
-for name in materials vertex crossing face mixed room inner touching; do
+for name in materials vertex crossing face mixed room inner touching bent; do
   check "$name: CityJSON written" \
     cells "$TMP/$name.pl" -o "$TMP/$name.city.json"
   check "$name: CityJSON is right" city "$TMP/$name.city.json" \
@@ -145,7 +145,7 @@ city_again() { # NAME
     "$SANGGWAN" glue -q --json "$TMP/$1.city.json" >"$TMP/$1.again" &&
     volumes "$TMP/$1.json" report "$TMP/$1.again"
 }
-for name in materials vertex crossing face mixed room inner touching; do
+for name in materials vertex crossing face mixed room inner touching bent; do
   check "$name: CityJSON glued again" city_again "$name"
 done
 
