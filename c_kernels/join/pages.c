@@ -52,14 +52,20 @@ quarter(const hinge *h, const double p[3])
 }
 
 static int
+compare_angles(const hinge *h, const sg_page_at_edge *a,
+               const sg_page_at_edge *b)
+{
+  return a->quarter != b->quarter ? a->quarter - b->quarter
+         : a->quarter == 1 || a->quarter == 3
+             ? -sg_orient3d(h->u, h->w, a->beside, b->beside)
+             : 0;
+}
+
+static int
 compare(const void *x, const void *y, void *data)
 {
   const sg_page_at_edge *a = x, *b = y;
-  const hinge *h = data;
-  int order = a->quarter != b->quarter ? a->quarter - b->quarter
-              : a->quarter == 1 || a->quarter == 3
-                  ? -sg_orient3d(h->u, h->w, a->beside, b->beside)
-                  : 0;
+  int order = compare_angles(data, a, b);
 
   return order ? order : (a->rank > b->rank) - (a->rank < b->rank);
 }
@@ -84,6 +90,7 @@ sg_pages_order(const double u[3], const double w[3], sg_page_at_edge *page,
   }
   for (size_t i = 0; i < n; i++) {
     alternating &= page[i].forward != page[(i + 1) % n].forward;
+    page[i].on_last = i > 0 && compare_angles(&h, &page[i - 1], &page[i]) == 0;
   }
   return alternating;
 }

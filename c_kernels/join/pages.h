@@ -18,7 +18,8 @@ typedef struct sg_page_at_edge {
   bool forward; /* from u to w */
   int64_t rank;
   double beside[3];
-  int quarter; /* private */
+  bool on_last; /* out: it lies on the page before it */
+  int quarter;  /* private */
 } sg_page_at_edge;
 
 /* Puts n pages in order round the edge, beginning with the first, or what lies
