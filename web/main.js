@@ -383,8 +383,9 @@ class Studio {
     return this.line;
   }
 
+  // A socket that is being closed is not open, and nobody was told of it yet.
   async there() {
-    while (!this.here) await new Promise((done) => { this.waiting.push(done); });
+    while (!this.here || !this.wire.open) await new Promise((done) => { this.waiting.push(done); });
   }
 
   // The panes show what the last of several made.

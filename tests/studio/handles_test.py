@@ -192,8 +192,9 @@ for language in ("en", "ko"):
     browser.script("[...studio.ports.ports[0].knobs.querySelectorAll('.knob')]"
                    ".find((k) => k.dataset.name === 'height').focus()")
     was = float(re.search(r"height\((4.\d*)\), facets\(24", text()).group(1))
-    browser.script("studio.wire.wait = 1500; studio.wire.socket.close()")
-    browser.keys(UP * 3)
+    browser.script("""studio.wire.wait = 1500; studio.wire.socket.close();
+      for (let i = 0; i < 3; i++) document.activeElement.dispatchEvent(
+        new KeyboardEvent('keydown', {key: 'ArrowUp', bubbles: true}));""")
     check("it waits for the program", browser.wait(QUIET) and
           "height(%g), facets(24" % (was + 0.3) in text(), (was, text()))
     browser.script("[...studio.ports.ports[0].knobs.querySelectorAll('.knob')]"
