@@ -138,6 +138,41 @@ moments draw draw "$work/ball0.obj" "$work/ball1.obj" -o "$to/a.svg" \
 all=$times
 times=${SIGNAL_TIMES:-1}
 moments glue glue "$work/ball0.obj" "$work/ball1.obj" -o "$to/a.pl"
+
+# SIGKILL leaves no time to tidy up: the file is as it was all the same, also
+# while another one is written, which is hidden; and the next run makes it.
+killed() { # NAME, WHEN: a command that waits, ARGUMENT...
+  local name=$1 when=$2 pid
+  shift 2
+  echo old >"$to/a.pl"
+  "$sanggwan" "$@" >"$work/out" 2>"$work/err" </dev/null &
+  pid=$!
+  $when $pid
+  kill -KILL $pid 2>/dev/null
+  wait $pid 2>/dev/null
+  status=$?
+  check "$name: its number" status_is 137
+  check "$name: as it was" is "$(cat "$to/a.pl")" old
+  check "$name: nothing else is to be seen" is "$(ls "$to")" "$(printf \
+    '%s\n' a.off a.pl)"
+}
+for_half_a_second() { sleep 0.5; }
+until_it_writes() { # PID
+  while kill -0 "$1" 2>/dev/null &&
+        ! compgen -G "$to/.sanggwan-*" >/dev/null; do
+    sleep 0.01
+  done
+}
+killed 'glue, killed' for_half_a_second \
+  glue "$work/ball0.obj" "$work/ball1.obj" -o "$to/a.pl"
+killed 'glue, killed while it writes' until_it_writes \
+  glue "$work/ball0.obj" "$work/ball1.obj" -o "$to/a.pl"
+run glue -q "$work/ball0.obj" "$work/ball1.obj" -o "$to/a.pl"
+check 'glue, after that: done' status_is 0
+check 'glue, after that: whole' has 'segment(3, cells, glue([1, 2])).' \
+  "$to/a.pl"
+find "$to" -type f ! -name a.off -delete
+
 moments unfold unfold "$work/ball0.obj" -o "$to/a.svg"
 moments convert convert "$work/ball0.obj" -o "$to/a.pl"
 moments penetrate penetrate "$work/ball0.obj" "$work/ball1.obj" -o "$to/a.csv"
