@@ -66,6 +66,7 @@ family(ball,       twice, [5000,10000,20000,40000]).
 family(overlap,    union, [500,1000,2000,4000]).
 family(nested,     check, [1000,2000,4000,8000]).
 family(nested,     union, [1000,2000,4000,8000]).
+family(copies,     eval,  [400,800,1600,3200]).
 family(cylinder,   check, [1000,2000,4000]).
 family(cylinder,   union, [1000,2000,4000]).
 family(cylinder,   draw,  [1000,2000,4000]).
@@ -134,6 +135,8 @@ verb_arguments(union, File, [union,'-q',File,Far,'-o',Out], [Far,Out]) :-
     format(Stream, "segment(1, solid, at([translate(-9,-9,-9)], \c
                     box(size(1,1,1)))).~n", []),
     close(Stream).
+verb_arguments(eval, File, [eval,'-q',File,'-o',Out], [Out]) :-
+    output(off, Out).
 verb_arguments(draw, File, [draw,'-q',File,'-o',Out], [Out]) :-
     output(svg, Out).
 verb_arguments(penetrate, File, [penetrate,'-q',File,'-o',Out], [Out]) :-
@@ -274,6 +277,13 @@ segments(boxes, N, Stream) :-
                     "segment(~d, solid, at([translate(~w,~w,0)], \c
                      box(size(1,1,1)))).~n",
                     [I,X,Y]) )).
+%   One box N times, each a leaf of one tree.
+segments(copies, N, Stream) :-
+    forall(between(1, N, I),
+           format(Stream, "segment(~d, solid, box(size(1,1,1))).~n", [I])),
+    numlist(1, N, Is),
+    Union is N+1,
+    format(Stream, "segment(~d, solid, union(~w)).~n", [Union,Is]).
 %   A cylinder on N corners, long and askew.
 segments(cylinder, N, Stream) :-
     format(Stream, "segment(1, solid, at([rotate(x,35), rotate(y,40)], \c

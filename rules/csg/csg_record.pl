@@ -6,8 +6,8 @@
             not_kept/2,                 % +Ss, -Others
             segments_of_kind/3,         % +Kind, +Ss, -Those
             drop_record/1,              % +S
-            record_pieces/2,            % +S, +Numbers
-            recorded_pieces/2,          % +S, -Numbers
+            record_pieces/2,            % +S, +Pieces
+            recorded_pieces/2,          % +S, -Pieces
             joined_segment/1,           % ?S
             record_joined/1               % +S
           ]).
@@ -23,7 +23,7 @@
     origin(S, node(S), helper(made(From, Stamp)))        a helper (csg.pl)
     origin(S, node(S), leaf(made(primitive(Term), Stamp)))
     origin(S, node(S), join)                             was a join (below)
-    origin(S, node(pieces), pieces(Numbers))             beside evaluated(_)
+    origin(S, node(pieces), pieces(Pieces))             beside evaluated(_)
 
 From is a ground term with the stamps of what the rows were made from; Stamp
 is that of the rows themselves. A glue may have many operands and needs no
@@ -123,18 +123,18 @@ drop_record(S) :-
     retractall_facts(origin(S, node(S), _)),
     retractall_facts(origin(S, node(pieces), _)).
 
-%!  record_pieces(+S, +Numbers) is det.
+%!  record_pieces(+S, +Pieces) is det.
 %
 %   Remember of segment S, whose record is there, that its rows were made from
-%   the pieces with these Numbers: option pieces(Numbers) of boolean/3.
+%   these Pieces: option pieces(Pieces) of boolean/3.
 
-record_pieces(S, Numbers) :-
-    assert_fact(origin(S, node(pieces), pieces(Numbers))).
+record_pieces(S, Pieces) :-
+    assert_fact(origin(S, node(pieces), pieces(Pieces))).
 
-%!  recorded_pieces(+S, -Numbers) is semidet.
+%!  recorded_pieces(+S, -Pieces) is semidet.
 
-recorded_pieces(S, Numbers) :-
-    origin(S, node(pieces), pieces(Numbers)),
+recorded_pieces(S, Pieces) :-
+    origin(S, node(pieces), pieces(Pieces)),
     !.
 
 %!  joined_segment(?S) is nondet.

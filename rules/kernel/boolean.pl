@@ -106,6 +106,16 @@ Foreign predicates; see kernel.pl.
 %   Origins are Item-Origin of all origin(S, Item, Origin) with an Item node(_),
 %   in the order of their rows.
 
+/* - - - leaf_copy_rows.c - - - */
+
+%!  leaf_copies(+Ss:set(id), +Most:count, -Copies:list(id_pair)) is det.
+%
+%   Of those of Ss that are one thing several times the first Most are left, 1
+%   at least; Copies are the others, ascending, as S-First. They are of one kind
+%   and from as fine a source, with the same vertices, edges, polygons and
+%   triangles in the same places, in the same order. What was cut is equal to
+%   none. Exact.
+
 /* - - - solid_rows.c - - - */
 
 %!  solid_take(+Segments:set(id), -Solid:solid) is det.

@@ -16,7 +16,7 @@
 :- use_module('../decision', [decision/2, decision_is_default/1]).
 :- use_module(faces, [faces_merged/2, region_faces_merged/3]).
 :- use_module('../kernel',
-              [ solid_close/1, solid_is_closed/1, solid_region/3,
+              [ leaf_copies/3, solid_close/1, solid_is_closed/1, solid_region/3,
                 solid_write/2, solid_write_over/2, solid_write_region/3,
                 region_leaves/2, region_close/1, segments_tolerance/3
               ]).
@@ -34,8 +34,11 @@
               [ domain_error/2, existence_error/2, instantiation_error/1,
                 type_error/2
               ]).
-:- use_module(library(lists), [member/2]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
+:- use_module(library(lists), [list_to_set/2, member/2]).
 :- use_module(library(option), [option/2, option/3]).
+:- use_module(library(ordsets), [ord_subtract/3]).
+:- use_module(library(pairs), [pairs_keys/2]).
 /** <module> Union, intersection, difference: what stays of the pieces.
 
 An expression is the number of a segment, or union(Es), intersection(Es) or
@@ -63,13 +66,14 @@ that two operands have in common stays or goes by how it looks in each.
 %     - over(Bool)
 %     Rows that S has are those of an earlier boundary: what of them is the same
 %     stays, with its ids. Default: `false`, S must have none.
-%     - earlier(Numbers)
+%     - earlier(Pieces)
 %     With over(true): that boundary was of this Expression too, with these
-%     options, made from the pieces with these Numbers.
-%     - pieces(-Numbers)
-%     Numbers are those of the pieces of this one (pieces_numbers/2); `unknown`
-%     if more than pieces decided what it is: a rule file, or what was tried
-%     because the result were open else.
+%     options, made from these Pieces.
+%     - pieces(-Pieces)
+%     Pieces are those of this one, of(Copies, Numbers): of all leaves but
+%     Copies (leaf_copies/3) the pieces_numbers/2. `unknown` if more than pieces
+%     decided what it is: a rule file, or what was tried because the result were
+%     open else.
 %     - made(-How)
 %     How is `around`: only around what had changed since the earlier one; or
 %     `whole`.
@@ -86,23 +90,67 @@ that two operands have in common stays or goes by how it looks in each.
 boolean(Expression, S) :-
     boolean(Expression, S, []).
 
-boolean(Expression, S, Options0) :-
+boolean(Expression0, S, Options0) :-
     new_segments_complete,
-    expression_leaves(Expression, Leaves),
+    expression_leaves(Expression0, Leaves0),
+    copies_replaced(Expression0, Leaves0, Expression, Leaves, Copies),
     boolean_tolerance(Leaves, Options0, Options),
-    (   made_around_changes(Expression, Leaves, S, Options, Numbers)
+    (   made_around_changes(Expression, Leaves, Copies, S, Options, Numbers)
     ->  How = around
     ;   How = whole,
         made(Expression, Leaves, Options, Solid, Contacts, Numbers),
         setup_call_cleanup(
             true,
-            facts_transaction(sg_boolean:written(Solid, S, Expression, Contacts,
-                                                 Options)),
+            facts_transaction(sg_boolean:written(Solid, S, Expression0,
+                                                 Contacts, Options)),
             solid_close(Solid))
     ),
     source_kept(Leaves, 1, S),
-    option(pieces(Numbers), Options0, _),
+    (   Numbers == unknown
+    ->  Pieces = unknown
+    ;   Pieces = of(Copies, Numbers)
+    ),
+    option(pieces(Pieces), Options0, _),
     option(made(How), Options0, _).
+
+%   copies_replaced(+Expression0, +Leaves0, -Expression, -Leaves, -Copies):
+%   a leaf that is another one once more has the same inside, and nothing of it
+%   stays but what is there already. Of many such the first stands for all but a
+%   few, which stay so that what they touch is named as ever. A decision of the
+%   user's is asked of each.
+
+copies_replaced(Expression0, Leaves0, Expression, Leaves, Copies) :-
+    decision_is_default(stays/3),
+    leaf_copies(Leaves0, 8, Copies),
+    Copies = [_|_],
+    !,
+    list_to_assoc(Copies, FirstOf),
+    replaced(FirstOf, Expression0, Expression),
+    pairs_keys(Copies, Gone),
+    ord_subtract(Leaves0, Gone, Leaves).
+copies_replaced(Expression, Leaves, Expression, Leaves, []).
+
+replaced(FirstOf, S, First) :-
+    integer(S),
+    !,
+    (   get_assoc(S, FirstOf, First0)
+    ->  First = First0
+    ;   First = S
+    ).
+replaced(FirstOf, difference([E0|Es0]), difference([E|Es])) :-
+    !,
+    replaced(FirstOf, E0, E),
+    all_replaced(FirstOf, Es0, Es).
+replaced(FirstOf, Expression0, Expression) :-
+    Expression0 =.. [Operation,Es0],
+    all_replaced(FirstOf, Es0, Es),
+    Expression =.. [Operation,Es].
+
+%   all_replaced(FirstOf, Es0, Es): each once.
+
+all_replaced(FirstOf, Es0, Es) :-
+    maplist(replaced(FirstOf), Es0, Es1),
+    list_to_set(Es1, Es).
 
 %!  boolean_tolerance(+Leaves:list, +Options0:list, -Options:list) is det.
 %
@@ -227,16 +275,16 @@ rows_written(Solid, S, Options) :-
                 *    AROUND WHAT HAS CHANGED   *
                 *******************************/
 
-%   made_around_changes(+Expression, +Leaves, +S, +Options, -Numbers) is
-%   semidet: the boundary is made anew where leaves have other pieces than it
+%   made_around_changes(+Expression, +Leaves, +Copies, +S, +Options, -Numbers)
+%   is semidet: the boundary is made anew where leaves have other pieces than it
 %   was made from, and near these. There faces do not depend on what is
 %   farther away: they are chosen and merged together with their neighbours,
 %   which stay as they are. Fails where that cannot be said, or is not worth
 %   it.
 
-made_around_changes(Expression, Leaves, S, Options, Numbers) :-
-    option(earlier(Earlier), Options),
-    Earlier \== unknown,
+made_around_changes(Expression, Leaves, Copies, S, Options, Numbers) :-
+    option(earlier(of(Copies0, Earlier)), Options),
+    Copies0 == Copies,
     decision_is_default(stays/3),
     decision_is_default(merge_faces/2),
     segments_of_kind(surface, Leaves, []),

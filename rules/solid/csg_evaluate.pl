@@ -185,11 +185,11 @@ made_from(S, Tolerance, From) :-
 renewed(S, From) :-
     earlier(S, Earlier),
     drop_record(S),
-    made(From, Earlier, S, Numbers, How),
+    made(From, Earlier, S, Pieces, How),
     record(S, evaluated(From)),
-    (   Numbers == []
+    (   Pieces == []
     ->  true
-    ;   record_pieces(S, Numbers)
+    ;   record_pieces(S, Pieces)
     ),
     counted(How).
 
@@ -197,25 +197,24 @@ renewed(S, From) :-
 %
 %     - none
 %     - from(From)             it is a Boolean's, of operands that were checked
-%     - over(From, Numbers)    the same, with the numbers of the pieces it was
-%                              made from; nobody changed it since, and it has
-%                              no lines
+%     - over(From, Pieces)     the same, with the pieces it was made from;
+%                              nobody changed it since, and it has no lines
 
 earlier(S, Earlier) :-
     (   recorded(S, evaluated(From)),
         From = of(_, _, _)
     ->  (   up_to_date(S, From),
             \+ was_cut(S),
-            recorded_pieces(S, Numbers)
-        ->  Earlier = over(From, Numbers)
+            recorded_pieces(S, Pieces)
+        ->  Earlier = over(From, Pieces)
         ;   Earlier = from(From)
         )
     ;   Earlier = none
     ).
 
-%   made(From, Earlier, S, Numbers, How): a segment alone is copied if it does
-%   not go through itself, nothing is nothing. Numbers are those of the pieces
-%   it was made from, How is `whole` or `around` (boolean/3).
+%   made(From, Earlier, S, Pieces, How): a segment alone is copied if it does
+%   not go through itself, nothing is nothing. Pieces it was made
+%   from, and How, `whole` or `around`: as of boolean/3.
 
 made(join(Stamps, Matrix), _, S, [], whole) :-
     drop_boundary(S),
@@ -226,23 +225,23 @@ made(glue(Operands, Tolerance, _), _, S, [], whole) :-
     sort(Operands, Leaves),
     tolerance_options(Tolerance, Leaves, Options),
     glued_boundary(Operands, S, Options).
-made(of(Expression, Stamps, Tolerance), Earlier, S, Numbers, How) :-
+made(of(Expression, Stamps, Tolerance), Earlier, S, Pieces, How) :-
     (   integer(Expression),
         \+ meets_itself(Expression)
     ->  drop_boundary(S),
         rounded_identity(Identity),
         copy_segments([Expression], Identity, S),
-        Numbers-How = []-whole
+        Pieces-How = []-whole
     ;   Expression == union([])
     ->  drop_boundary(S),
-        Numbers-How = []-whole
+        Pieces-How = []-whole
     ;   new_leaves(Earlier, Stamps, Leaves),
         exclude(is_surface, Leaves, Solids),
         maplist(checked_operand, Solids),
         pairs_keys(Stamps, Known),
         tolerance_options(Tolerance, Known, Options),
         boolean_made(Earlier, Expression, Tolerance, S,
-                     [pieces(Numbers),made(How)|Options])
+                     [pieces(Pieces),made(How)|Options])
     ).
 
 %   new_leaves(Earlier, Stamps, Leaves): those that were not checked before.
@@ -255,12 +254,12 @@ new_leaves(Earlier, Stamps, Leaves) :-
     ),
     pairs_keys(New, Leaves).
 
-boolean_made(over(From, Numbers), Expression, Tolerance, S, Options) :-
+boolean_made(over(From, Pieces), Expression, Tolerance, S, Options) :-
     !,
     drop_pictures(S),
     (   From = of(Expression0, _, Tolerance0),
         Expression0-Tolerance0 == Expression-Tolerance
-    ->  boolean(Expression, S, [over(true),earlier(Numbers)|Options])
+    ->  boolean(Expression, S, [over(true),earlier(Pieces)|Options])
     ;   boolean(Expression, S, [over(true)|Options])
     ).
 boolean_made(_, Expression, _, S, Options) :-

@@ -10,6 +10,7 @@
 :- use_module(rules(picture/view)).
 :- use_module(rules(polygon/triangulation), [complete_segments/0]).
 :- use_module(rules(primitive/primitive_rows)).
+:- use_module(rules(solid/csg_evaluate)).
 :- use_module(rules(store)).
 :- use_module(tests('rules/boolean_case'), [result/2]).
 :- use_module(tests('rules/solid/grown')).
@@ -23,6 +24,7 @@
 case(check(base),       400, 8).
 case(penetrate(curves), 400, 8).
 case(picture(wedges),   800, 10).
+case(evaluate(copies),  200, 8).
 
 :- meta_predicate least_time(0, -).
 
@@ -54,6 +56,13 @@ model(curves, N) :-
     forall(between(1, N, I),
            ( A is 2*pi*I/N, X is cos(A), Y is sin(A),
              add_primitive(line(from(0,0,0), to(X,Y,1)), _) )).
+%   One box N times, each a leaf of one tree.
+model(copies, N) :-
+    !,
+    findall(S, ( between(1, N, _), add_primitive(box(size(1,1,1)), S) ), Ss),
+    fresh_id(segment, 0, Union),
+    assert_fact(segment(Union, solid, union(Ss))),
+    complete_segments.
 model(Family, N) :-
     tmp_file_stream(File, Stream, [extension(off)]),
     close(Stream),
@@ -66,6 +75,8 @@ done(check) :-
     check_report(_).
 done(penetrate) :-
     penetrate.
+done(evaluate) :-
+    evaluate.
 done(picture) :-
     penetrate(all, [themselves(true),shown(true)]),
     set_view(300, 60, 0),

@@ -1,6 +1,6 @@
 /* boolean_rows_test.c -- what Booleans ask and change of rows through the
- * functions of the doors, without Prolog: csg_rows.c, shell_copy_rows.c,
- * sewing_rows.c and operand_border_rows.c.
+ * functions of the doors, without Prolog: csg_rows.c, leaf_copy_rows.c,
+ * shell_copy_rows.c, sewing_rows.c and operand_border_rows.c.
  */
 #include "doors/boolean.h"
 #include "engine/term.h"
@@ -122,6 +122,35 @@ copies(void)
   sg_world_let_go(world);
 }
 
+/* ---- leaf_copy_rows.c ---- */
+
+/* In a world of its own: cubes 1, 3, 5 and 6, and two cubes in one place. */
+static void
+equal_leaves(void)
+{
+  sg_world *world = sg_world_open();
+  int32_t s[] = {1, 2, 3, 5, 6};
+  const sg_int_list all = {s, 5, 5}, one = {s, 1, 1};
+  sg_id_pair_list found = {0};
+
+  sg_call_open(&call, NULL, NULL);
+  call.world = world;
+  CHECK("cubes", world && add_cube(world, 1) && add_cube(world, TWICE) &&
+                     add_cube_again(world, TWICE, 1) && add_cube(world, 3) &&
+                     add_cube(world, 5) && add_cube(world, 6));
+  CHECK("one", sg_door_leaf_copies(&call, &one, 1, &found) && found.n == 0);
+  CHECK("equal", sg_door_leaf_copies(&call, &all, 1, &found) && found.n == 3);
+  CHECK("the first", found.n == 3 && found.at[0].a == 3 && found.at[0].b == 1 &&
+                         found.at[2].a == 6 && found.at[2].b == 1);
+  found = (sg_id_pair_list){0};
+  CHECK("but two", sg_door_leaf_copies(&call, &all, 2, &found) &&
+                       found.n == 2 && found.at[0].a == 5);
+  found = (sg_id_pair_list){0};
+  CHECK("but all", sg_door_leaf_copies(&call, &all, 4, &found) && found.n == 0);
+  sg_call_close(&call);
+  sg_world_let_go(world);
+}
+
 /* ---- sewing_rows.c ---- */
 
 static void
@@ -144,6 +173,7 @@ int
 main(void)
 {
   copies();
+  equal_leaves();
   sg_call_open(&call, NULL, NULL);
   call.world = sg_world_open();
   CHECK("cubes", call.world && add_cube(call.world, CUBE) &&
