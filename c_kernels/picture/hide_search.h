@@ -117,7 +117,14 @@ typedef struct sg_stretch {
 } sg_stretch;
 
 /* Lines that lie on one another have nearly one direction: each class of
- * directions has a grid of its own. */
+ * directions has a grid of its own.
+ *
+ * The part that two lines have in common ends, both ways, at an end of one of
+ * them. So of a class of long lines, each in many cells, only those cells are
+ * looked at where an end is: `from`, the end that more of them have, or `to`.
+ * Where `from` is one place for two, the other end of what they have in common
+ * is elsewhere: however many lines leave one point, they are not asked there.
+ */
 enum { SG_LINE_CLASSES = 32 };
 
 typedef struct sg_line_grid {
@@ -130,6 +137,8 @@ typedef struct sg_line_grid {
   sg_stretch *stretch;               /* [n] as order[] */
   double way[SG_LINE_CLASSES][2];    /* along most of a class: the x of, */
   sg_grid grid[SG_LINE_CLASSES];     /* of its stretches */
+  sg_grid tip[SG_LINE_CLASSES];      /* of a class of long ones, which are
+                                        sorted by `from`: of each `to` */
 } sg_line_grid;
 
 /* As sg_mask_grid_init(), of some lines; line[] stays the caller's. */

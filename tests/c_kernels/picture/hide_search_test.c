@@ -42,6 +42,25 @@ random_boxes(model *m, bool coarse, int n)
   }
 }
 
+/* Long thin triangles along x, many of them from a few points. */
+static void
+random_fans(model *m, bool coarse, int n)
+{
+  double height = coarse ? 0.0625 : 0.03;
+
+  model_segment(m, false);
+  for (int i = 0; i < n; i++) {
+    int32_t v[3] = {
+        model_vertex(m, rand() % 3 - 1, height * (rand() % 2), rand() % 2)};
+
+    for (int k = 1; k < 3; k++) {
+      double x = coordinate(coarse) * 3, y = height * coordinate(coarse);
+      v[k] = model_vertex(m, x, y, coordinate(coarse));
+    }
+    model_polygon(m, 3, v);
+  }
+}
+
 static double
 bumps(double x, double y)
 {
@@ -146,6 +165,7 @@ all_overlaps(const sg_line_grid *lines, size_t line, sg_seen *seen,
 }
 
 static size_t left_out; /* masks that need not be asked */
+static size_t tipped;   /* classes of long lines */
 static size_t sorted; /* cells whose masks were sorted by how near they come */
 
 static size_t
@@ -187,6 +207,9 @@ finds_all(const sg_scene *scene, size_t *answers)
     good = good && enough_masks(&masks, k, &seen_masks, &hiddens, &left_out);
   }
   sorted += sorted_cells(&masks);
+  for (size_t c = 0; c < SG_LINE_CLASSES; c++) {
+    tipped += lines.tip[c].start != NULL;
+  }
   sg_mask_grid_clear(&masks);
   sg_line_grid_clear(&lines);
   sg_seen_clear(&seen_masks);
@@ -219,7 +242,7 @@ shear(model *m)
 
 /* How many of these scenes are answered wrongly. */
 static size_t
-wrong_scenes(unsigned from, unsigned to, int triangles, int boxes,
+wrong_scenes(unsigned from, unsigned to, int triangles, int boxes, int fans,
              size_t *answers)
 {
   size_t wrong = 0;
@@ -233,6 +256,7 @@ wrong_scenes(unsigned from, unsigned to, int triangles, int boxes,
     srand(seed);
     random_triangles(m, coarse, triangles);
     random_boxes(m, coarse, boxes);
+    random_fans(m, coarse, fans);
     if (seed % 3 == 0) {
       shear(m);
     }
@@ -259,12 +283,17 @@ random_scenes(void)
 {
   size_t answers = 0;
 
-  CHECK("joins find all", wrong_scenes(1, 200, 40, 6, &answers) == 0);
+  CHECK("joins find all", wrong_scenes(1, 200, 40, 6, 0, &answers) == 0);
   CHECK("and there was something to find", answers > 10000);
   sorted = 0;
   CHECK("also where very many lie behind one another",
-        wrong_scenes(201, 212, 500, 20, &answers) == 0);
+        wrong_scenes(201, 212, 500, 20, 0, &answers) == 0);
   CHECK("which are sorted cell by cell", sorted > 100);
+  tipped = 0;
+  answers = 0;
+  CHECK("also of long lines from a few points",
+        wrong_scenes(301, 308, 0, 2, 250, &answers) == 0);
+  CHECK("which are asked at their ends", tipped > 5 && answers > 10000);
 }
 
 /* The parts of a scene, drawn by a thread pool. */
