@@ -109,6 +109,13 @@ test(farther, Pairs == []) :-
                     [1-1.0e-3-0, 0-0-0, 0.5-0-1],
                     [2-0-0, 1-1.0e-3-0, 1.5-0-1] ],
                   ( attached(_), partners(Pairs) )).
+test(length_whose_square_is_0, Ls == [3.0e-200,4.0e-200,5.0e-200]) :-
+    new_world(World),
+    in_world(World,
+             ( assert_fact(segment(1, surface, raw)),
+               polygon(shared, [0-0-0, 3.0e-200-0-0, 0-4.0e-200-0], 1-1-1, _),
+               findall(L, ( e(1, E, _, _, _), edge_length(1, E, L) ), Ls0),
+               msort(Ls0, Ls) )).
 test(world_only_in_snapshot, Before == After) :-
     figure5(Polygons),
     with_polygons(apart, Polygons,
