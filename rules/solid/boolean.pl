@@ -29,7 +29,7 @@
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
               [v/5, segment/3, assert_fact/1, facts_transaction/1]).
-:- use_module(library(apply), [convlist/3, maplist/2]).
+:- use_module(library(apply), [convlist/3, maplist/2, maplist/3]).
 :- use_module(library(error),
               [ domain_error/2, existence_error/2, instantiation_error/1,
                 type_error/2
