@@ -141,11 +141,16 @@ at(S, V, at(X, Y, Z)) :-
     v(S, V, X, Y, Z),
     !.
 
-%   distance(A, B, Distance): also where squares of it are no more than 0.
+%   Squares of lengths from here on have all their digits.
+
+squared_from(1.0e-140).
+
+%   distance(A, B, Distance): also where its square would be 0.
 
 distance(at(X1, Y1, Z1), at(X2, Y2, Z2), Distance) :-
     Most is max(abs(X2-X1), max(abs(Y2-Y1), abs(Z2-Z1))),
-    (   0 < Most, Most < 1.0e-140
+    (   squared_from(Least),
+        0 < Most, Most < Least
     ->  Distance is Most*sqrt(((X2-X1)/Most)**2 + ((Y2-Y1)/Most)**2 +
                               ((Z2-Z1)/Most)**2)
     ;   Distance is sqrt((X2-X1)**2 + (Y2-Y1)**2 + (Z2-Z1)**2)
