@@ -1,16 +1,15 @@
-/* Rules under which no line is drawn where operands of a union are tangent. See
-   docs/rules.md.
+/* Rules under which there is a thin line where operands of a union are tangent.
+   See docs/rules.md.
 
        sanggwan draw docs/capsule.pl --rules docs/tangent_rules.pl
 */
 
 edge_role(S, E, Look, Crease, Role) :-
     default(edge_role(S, E, Look, Crease, Role0)),
-    (   Role0 == penetration,
-        arg(7, Look, false),            % its surfaces are tangent
+    (   memberchk(Role0, [smooth,mesh]),
         e(S, E, A, B, _),
         of_operands(S, A, B)
-    ->  Role = smooth
+    ->  Role = curve
     ;   Role = Role0
     ).
 

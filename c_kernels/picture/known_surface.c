@@ -355,11 +355,12 @@ sg_known_surfaces_bend(const sg_known_surfaces *surfaces,
   int32_t of[2] = {sg_known_surface_of(surfaces, m->polygon[0]),
                    sg_known_surface_of(surfaces, m->polygon[1])};
   bool named = of[0] != SG_NOT_KNOWN && of[1] != SG_NOT_KNOWN;
-  sg_bend bend = {sg_smaller(m->bend, SG_FACET_BEND), false};
+  sg_bend bend = {.degrees = sg_smaller(m->bend, SG_FACET_BEND)};
   side x[2];
 
   if (of[0] < 0 && of[1] < 0 && !(named && of[0] == of[1])) {
-    return (sg_bend){m->bend, named && m->bend > SG_FLAT_BEND};
+    return (sg_bend){.degrees = m->bend,
+                     .edge = named && m->bend > SG_FLAT_BEND};
   }
   if (of[0] != of[1]) {
     make_side(surfaces, m, 0, &x[0]);
@@ -369,6 +370,7 @@ sg_known_surfaces_bend(const sg_known_surfaces *surfaces,
           bend.degrees, sg_angle(x[0].normal[end], x[1].normal[end]) * DEGREES);
     }
     bend.edge = named && m->bend > 0.0 && is_edge(m, x);
+    bend.tangent = named && known_bend(x, m->bend) <= SG_FLAT_BEND;
   }
   return bend;
 }

@@ -141,7 +141,9 @@ sg_known_surface_of(const sg_known_surfaces *surfaces, int32_t polygon)
 /* How two polygons bend where they meet. */
 typedef struct sg_bend {
   double degrees;
-  bool edge; /* different surfaces or named faces meet there, not tangent */
+  bool edge;    /* different surfaces or named faces meet there, not tangent */
+  bool tangent; /* a surface and another one, or a named face, meet there and
+                   are tangent */
 } sg_bend;
 
 /* Degrees by which the surfaces of two polygons bend: not at all if they are

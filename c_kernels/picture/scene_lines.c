@@ -290,6 +290,7 @@ make_bend(sg_scene_builder *b, size_t k)
         sg_bend known = surface_bend(b, &m->line[k], &use[i], &use[h], bend);
         bend = known.degrees;
         look->edge |= known.edge;
+        b->tangent[k] = known.tangent && n == 2;
       }
       look->bend = sg_larger(look->bend, bend);
     }
@@ -302,6 +303,10 @@ make_bends(sg_scene_builder *b)
 {
   sg_scene_model *m = b->model;
 
+  b->tangent = calloc(m->lines + 1, sizeof *b->tangent);
+  if (!b->tangent) {
+    return false;
+  }
   if (m->surfaces.of) {
     m->facet_bend = calloc(m->lines + 1, sizeof *m->facet_bend);
     if (!m->facet_bend) {
@@ -312,6 +317,76 @@ make_bends(sg_scene_builder *b)
     make_bend(b, k);
   }
   return !b->stopped;
+}
+
+/* ---------------------------------------------------------------- cuts */
+
+/* What meets along a piece of a penetration line. */
+typedef enum parties {
+  UNKNOWN,  /* a segment and one that is not in the model */
+  OPERANDS, /* those of one Boolean: the line is an edge of its result */
+  COPIES    /* two segments, or two places of one */
+} parties;
+
+static parties
+parties_of(const sg_scene_cut *c)
+{
+  if (c->a2 < 0 || c->b2 < 0) {
+    return UNKNOWN;
+  }
+  return c->a == c->a2 && c->b == c->b2 ? OPERANDS : COPIES;
+}
+
+/* The line of a piece, NO_LINE: it has none. */
+static uint32_t
+line_of_cut(const joined *j, const sg_scene_cut *c)
+{
+  sg_edge_group group;
+
+  return find_group(j, c->a, c->b, &group)
+             ? j->first[sg_disjoint_root(j->set, (uint32_t)group.begin)]
+             : NO_LINE;
+}
+
+/* Where operands are tangent their surfaces go on in each other: there is no
+ * line. False: no memory. */
+static bool
+leave_out_tangent(sg_scene_builder *b, const joined *j)
+{
+  sg_scene_model *m = b->model;
+  uint8_t *met = calloc(m->lines + 1, 1);
+
+  for (size_t i = 0; met && i < b->cuts && !sg_scene_stop(b, i); i++) {
+    uint32_t line = line_of_cut(j, &b->cut[i]);
+    uint8_t here = (uint8_t)parties_of(&b->cut[i]);
+    if (line != NO_LINE && here > met[line]) {
+      met[line] = here;
+    }
+  }
+  for (size_t k = 0; met && k < m->lines; k++) {
+    m->line[k].look.cut &= met[k] != OPERANDS || !b->tangent[k];
+  }
+  free(met);
+  return met != NULL;
+}
+
+/* False: no memory. */
+static bool
+keep_cuts(sg_scene_builder *b, const joined *j)
+{
+  sg_scene_model *m = b->model;
+
+  m->cut = malloc((b->cuts + 1) * sizeof *m->cut);
+  for (size_t i = 0; m->cut && i < b->cuts && !sg_scene_stop(b, i); i++) {
+    const sg_scene_cut *c = &b->cut[i];
+    uint32_t line = line_of_cut(j, c);
+    if (c->a >= 0 && c->b >= 0 && c->a != c->b &&
+        (line == NO_LINE || m->line[line].look.cut)) {
+      m->cut[m->cuts][0] = (uint32_t)c->a;
+      m->cut[m->cuts++][1] = (uint32_t)c->b;
+    }
+  }
+  return m->cut != NULL;
 }
 
 bool
@@ -335,8 +410,8 @@ sg_scene_make_lines(sg_scene_builder *b)
            (b->cuts == 0 || make_uses(b, j.copy_of, &m->copy_begin, &m->copy));
   }
   if (done) {
-    done = sg_scene_find_bent(b) && make_bends(b) &&
-           sg_scene_find_solids(b, &j.pairs);
+    done = sg_scene_find_bent(b) && make_bends(b) && leave_out_tangent(b, &j) &&
+           keep_cuts(b, &j) && sg_scene_find_solids(b, &j.pairs);
   }
   joined_clear(&j);
   return done;

@@ -118,23 +118,6 @@ tell_lines(sg_scene_builder *b)
   }
 }
 
-/* False: no memory. */
-static bool
-keep_cuts(sg_scene_builder *b)
-{
-  sg_scene_model *m = b->model;
-
-  m->cut = malloc((b->cuts + 1) * sizeof *m->cut);
-  for (size_t i = 0; m->cut && i < b->cuts; i++) {
-    const sg_scene_cut *c = &b->cut[i];
-    if (c->a >= 0 && c->b >= 0 && c->a != c->b) {
-      m->cut[m->cuts][0] = (uint32_t)c->a;
-      m->cut[m->cuts++][1] = (uint32_t)c->b;
-    }
-  }
-  return m->cut != NULL;
-}
-
 sg_scene_model *
 sg_scene_model_open(sg_dense *dense, sg_known_surfaces *surfaces, bool *solid,
                     const sg_scene_cut *cut, size_t cuts,
@@ -160,12 +143,12 @@ sg_scene_model_open(sg_dense *dense, sg_known_surfaces *surfaces, bool *solid,
   b.model->solid = solid;
   *dense = (sg_dense){0};
   *surfaces = (sg_known_surfaces){0};
-  done = make_normals(&b) && find_flat(&b) && keep_cuts(&b) &&
-         sg_scene_make_lines(&b);
+  done = make_normals(&b) && find_flat(&b) && sg_scene_make_lines(&b);
   if (done) {
     tell_lines(&b);
   }
   free(b.normal);
+  free(b.tangent);
   if (!done || b.stopped) {
     *memory = b.stopped;
     sg_scene_model_close(b.model);

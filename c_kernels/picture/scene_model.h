@@ -29,7 +29,8 @@ typedef struct sg_look {
                               tangent; in a scene also where a crease of a
                               mesh goes on (crease.h) */
   bool solid;              /* nobody sees the backs of its segment's faces */
-  bool cut;                /* it is (part of) a penetration line */
+  bool cut;                /* it is (part of) a penetration line, but for one
+                              along which operands are tangent */
   bool inside;             /* it lies inside a curved sheet (smooth.h), whose
                               outline does not run along its edges */
   bool speck;              /* it bends, but is a speck (crease.h) */
@@ -59,7 +60,7 @@ typedef struct sg_scene_model {
   uint32_t *same; /* [vertices] the first of those that penetration lines say
                      are one point */
   sg_known_surfaces surfaces; /* that its polygons stand for */
-  uint32_t (*cut)[2];         /* [cuts] places of the ends of all pieces of
+  uint32_t (*cut)[2];         /* [cuts] places of the ends of all such pieces of
                                  penetration lines, copies too */
   size_t cuts;
   size_t lines;
@@ -77,7 +78,8 @@ typedef struct sg_scene_model {
 } sg_scene_model;
 
 /* A penetration line runs from vertex a to b. Where it is the second copy of a
- * line, a2 and b2 are that one's ends; else -1. Places. */
+ * line, a2 and b2 are that one's ends, the same ones if it is an edge of what a
+ * Boolean made of its operands; else -1. Places. */
 typedef struct sg_scene_cut {
   int32_t a, b;
   int32_t a2, b2;

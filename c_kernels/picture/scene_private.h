@@ -19,6 +19,7 @@ typedef struct sg_scene_builder {
   const sg_cancel *cancel;
   double (
       *normal)[3]; /* [polygons] the sum of its triangles' normals, scaled */
+  bool *tangent;   /* [lines] it has two faces, whose surfaces are tangent */
   bool stopped;
 } sg_scene_builder;
 
@@ -41,8 +42,9 @@ sg_cross_at(const double a[3], const double b[3], const double c[3],
   out[2] = u[0] * w[1] - u[1] * w[0];
 }
 
-/* The lines of the model, with their uses and bends, and which segments are
- * solid. False: no memory, or (b->stopped) stopped by the cancellation. */
+/* The lines of the model, with their uses and bends, its pieces of penetration
+ * lines, and which segments are solid. False: no memory, or (b->stopped)
+ * stopped by the cancellation. */
 bool sg_scene_make_lines(sg_scene_builder *b);
 
 /* The triangles that have the lines of polygons that are not flat, from the

@@ -5,6 +5,7 @@
 :- use_module('../csg/csg', [root_segment/1]).
 :- use_module('../csg/csg_roots', [aside_segments/1, with_operand_lines/2]).
 :- use_module('../picture/view', [current_view/4, with_up/2]).
+:- use_module('../picture/operand_line', [crossing_lines/2]).
 :- use_module('../sheet/line_point', [line_points/2, points_added/5]).
 :- use_module('../sheet/sheet', [sheet_strokes/5]).
 :- use_module('../sheet/sheet_construction', [centres_added/4]).
@@ -76,7 +77,8 @@ mark_added(centre_lines, seen(Up,Picture0), _, _, Place, Drawing0, Drawing) :-
     with_up(Up, view_centres(view('',Theta,Phi,plain), Picture, Centres)),
     centres_added(Centres, Place, Drawing0, Drawing).
 mark_added(points(Most), _, Lines, Options0, Place, Drawing0, Drawing) :-
-    with_operand_lines(Lines, line_points(Most, Points)),
+    crossing_lines(Lines, Crossing),
+    with_operand_lines(Crossing, line_points(Most, Points)),
     option(hidden(Hidden), Options0, dashed),
     points_added(Hidden, Points, Place, Drawing0, Drawing).
 

@@ -62,7 +62,7 @@ roots_alone :-
 %   from one operand to another (operand_borders/2). From when they are added,
 %   or while Goal runs, once, they are line/9 of these segments with
 %   themselves, as far as their edges are there: so they are drawn as
-%   penetration lines, however little they bend.
+%   penetration lines, however little they bend, but where they are tangent.
 
 operand_lines(Lines) :-
     root_nodes(Nodes),

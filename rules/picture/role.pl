@@ -31,7 +31,8 @@ scene_edge/5 reports it, decides its role:
     there though it bends less (c_kernels/picture/crease.h)
   - Solid: `true` if the segment is a solid whose shells are closed, are not
     inside out and do not go through themselves: its backs cannot be seen
-  - Cut: `true` if it is part of a penetration line
+  - Cut: `true` if it is part of a penetration line; not of one along which
+    operands of a tree are tangent
   - Inside: `true` if it lies inside a smooth surface whose outline runs through
     its triangles (contour.pl), not along their edges
 

@@ -9,6 +9,7 @@
 :- use_module(seen_stroke,
               [placed_point/3, region_millimetres/3, seen_strokes/5]).
 :- use_module('../csg/csg_roots', [with_operand_lines/2]).
+:- use_module('../picture/operand_line', [crossing_lines/2]).
 :- use_module(line_point, [line_points/2, points_seen/4]).
 :- use_module(sheet_construction,
               [ centre_views/6, construction_view/7, item_place/5,
@@ -91,7 +92,8 @@ views_drawing(Request, Lines, Module:cuts(First,Again), Drawing, Placed) :-
 
 request_points(Request, Lines, Points) :-
     (   option(points(Most), Request)
-    ->  with_operand_lines(Lines, line_points(Most, Points))
+    ->  crossing_lines(Lines, Crossing),
+        with_operand_lines(Crossing, line_points(Most, Points))
     ;   Points = []
     ).
 
