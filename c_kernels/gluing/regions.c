@@ -1,6 +1,8 @@
 /* regions.c -- see regions.h. */
 #include "regions_private.h"
 
+#include "polygon/flatness.h"
+
 #include <stdlib.h>
 
 bool
@@ -17,6 +19,19 @@ sg_regions_asked(sg_regions_maker *m)
     m->end = SG_REGIONS_STOPPED;
   }
   return m->end != SG_REGIONS_STOPPED;
+}
+
+/* What turning and moving rounds, or the source. */
+static double
+touch_of(const sg_dense *d)
+{
+  sg_flatness model;
+
+  sg_flatness_init(&model, d->segments > 0 && d->grain ? d->grain[0] : 0);
+  for (size_t v = 0; v < d->vertices; v++) {
+    sg_flatness_see(&model, d->at[v]);
+  }
+  return sg_flatness_touch(&model);
 }
 
 static void
@@ -57,6 +72,7 @@ sg_regions_make(const sg_dense *dense, const sg_point_loop *point_loop,
                         .point_loops = n,
                         .told = told,
                         .cancel = cancel,
+                        .near = touch_of(dense),
                         .out = out};
   uint32_t outside = SG_NOWHERE;
 

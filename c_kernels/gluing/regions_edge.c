@@ -1,15 +1,12 @@
 /* regions_edge.c -- the pages round each edge, in order, and what is between
  * them (regions_private.h).
  *
- * With one or two pages no arithmetic is needed. Which of two pages that lie on
- * each other comes first no sign says: a region does that is beside one of them
- * at another edge too. Where none does, numbers of polygons do, at all edges
- * alike.
+ * With one or two pages no arithmetic is needed. Where pages lie on each other,
+ * within rounding, see regions_order.c.
  */
 #include "regions_private.h"
 
 #include "engine/list.h"
-#include "join/pages.h"
 #include "rows/disjoint.h"
 #include "rows/edge_pairs.h"
 
@@ -18,12 +15,6 @@
 
 enum { ASKED = 1 << 12 };
 
-/* Pages at one edge some of which lie on each other. */
-typedef struct crowd {
-  size_t begin, n;
-  bool settled;
-} crowd;
-
 typedef struct binding {
   sg_regions_maker *m;
   size_t n;
@@ -31,8 +22,7 @@ typedef struct binding {
   uint32_t *what;     /* [n] an entry, or entries + a place of dense edges */
   sg_page_at_edge *page;
   size_t room;
-  SG_LIST_OF(crowd) crowds;
-  SG_LIST_OF(sg_page_at_edge) crowded;
+  sg_regions_crowds crowds;
 } binding;
 
 /* ---- edges ---- */
@@ -91,28 +81,16 @@ corner_at(const sg_regions_maker *m, const sg_page_at_edge *page, bool low)
   return page->forward == low ? page->edge : m->next[page->edge];
 }
 
-/* The side of a page that is after it, or before it, round the edge. */
-static uint32_t
-side_of(const sg_page_at_edge *page, bool after)
-{
-  return page->forward != after;
-}
-
-static uint32_t
-zone_beside(const sg_regions_maker *m, const sg_page_at_edge *page, bool after)
-{
-  return 2 * m->polygon[page->edge] + side_of(page, after);
-}
-
 /* What is between a page and the next one is one, at both ends. */
 static void
 join_wedge(sg_regions_maker *m, const sg_page_at_edge *a,
            const sg_page_at_edge *b)
 {
-  uint32_t after = side_of(a, true), before = side_of(b, false);
-  uint32_t one = zone_beside(m, a, true);
+  uint32_t after = sg_regions_side_of(a, true),
+           before = sg_regions_side_of(b, false);
+  uint32_t one = sg_regions_zone_beside(m, a, true);
 
-  sg_disjoint_join(m->zone, one, zone_beside(m, b, false));
+  sg_disjoint_join(m->zone, one, sg_regions_zone_beside(m, b, false));
   m->euler[one]--;
   for (int low = 0; low < 2; low++) {
     sg_disjoint_join(m->cycle, 2 * corner_at(m, a, low) + after,
@@ -120,8 +98,9 @@ join_wedge(sg_regions_maker *m, const sg_page_at_edge *a,
   }
 }
 
-static void
-join_wedges(sg_regions_maker *m, const sg_page_at_edge *page, size_t n)
+void
+sg_regions_join_wedges(sg_regions_maker *m, const sg_page_at_edge *page,
+                       size_t n)
 {
   for (size_t i = 0; i < n; i++) {
     join_wedge(m, &page[i], &page[(i + 1) % n]);
@@ -144,116 +123,7 @@ put_in_order(binding *b, size_t n, const sg_edge_group *group)
   sg_pages_order(m->d->at[group->low], m->d->at[group->high], b->page, n);
 }
 
-/* ---- pages that lie on each other ---- */
-
-/* It is known that one region is after page a and before page b. */
-static bool
-meet(const sg_regions_maker *m, const sg_page_at_edge *a,
-     const sg_page_at_edge *b)
-{
-  return sg_disjoint_root(m->zone, zone_beside(m, a, true)) ==
-         sg_disjoint_root(m->zone, zone_beside(m, b, false));
-}
-
-/* How well page `first` and then `second` fit in places i and i + 1: in the
- * places beside them may be two pages either of which may be the nearer one. */
-static int
-fit(const sg_regions_maker *m, const sg_page_at_edge *page, size_t n, size_t i,
-    const sg_page_at_edge *first, const sg_page_at_edge *second)
-{
-  const sg_page_at_edge *last = &page[(i + n - 1) % n];
-  const sg_page_at_edge *next = &page[(i + 2) % n];
-  const sg_page_at_edge *last2 = last->on_last ? last - 1 : last;
-  const sg_page_at_edge *next2 = &page[(i + 3) % n];
-
-  next2 = next2->on_last ? next2 : next;
-  return meet(m, first, second) +
-         (meet(m, last, first) || meet(m, last2, first)) +
-         (meet(m, second, next) || meet(m, second, next2));
-}
-
-/* Puts each two pages that lie on each other in the order that fits what is
- * known; of more they stay as they are. False: some are not known. */
-static bool
-put_twins(const sg_regions_maker *m, sg_page_at_edge *page, size_t n)
-{
-  bool known = true;
-
-  for (size_t i = 0; i + 1 < n; i++) {
-    sg_page_at_edge a = page[i], b = page[i + 1];
-
-    if (!a.on_last && b.on_last && (i + 2 == n || !page[i + 2].on_last)) {
-      int better = fit(m, page, n, i, &b, &a) - fit(m, page, n, i, &a, &b);
-
-      if (better > 0) {
-        page[i] = b;
-        page[i + 1] = a;
-        page[i].on_last = false;
-        page[i + 1].on_last = true;
-      }
-      known = known && better != 0;
-    }
-  }
-  return known;
-}
-
-static bool
-keep_crowd(binding *b, size_t n)
-{
-  size_t begin = b->crowded.n;
-
-  for (size_t i = 0; i < n; i++) {
-    if (!SG_PUSH(b->crowded, b->page[i])) {
-      return sg_regions_no_memory(b->m);
-    }
-  }
-  return SG_PUSH(b->crowds, (crowd){.begin = begin, .n = n}) ||
-         sg_regions_no_memory(b->m);
-}
-
-/* How many crowds were settled; `all`: also those that are not known. */
-static size_t
-settle(binding *b, bool all)
-{
-  size_t count = 0;
-
-  for (size_t i = 0; i < b->crowds.n; i++) {
-    crowd *one = &b->crowds.item[i];
-    sg_page_at_edge *page = &b->crowded.item[one->begin];
-
-    if (!one->settled && (put_twins(b->m, page, one->n) || all)) {
-      join_wedges(b->m, page, one->n);
-      one->settled = true;
-      count++;
-    }
-  }
-  return count;
-}
-
-static bool
-settle_crowds(binding *b)
-{
-  while (settle(b, false) > 0) {
-    if (!sg_regions_asked(b->m)) {
-      return false;
-    }
-  }
-  settle(b, true);
-  return true;
-}
-
 /* ---- edge by edge ---- */
-
-static bool
-are_crowded(const sg_page_at_edge *page, size_t n)
-{
-  for (size_t i = 0; i < n; i++) {
-    if (page[i].on_last) {
-      return true;
-    }
-  }
-  return false;
-}
 
 static bool
 add_group(binding *b, const sg_edge_pairs *pairs, const sg_edge_group *group)
@@ -279,9 +149,9 @@ add_group(binding *b, const sg_edge_pairs *pairs, const sg_edge_group *group)
   if (n > 2) {
     put_in_order(b, n, group);
   }
-  if (!are_crowded(b->page, n)) {
-    join_wedges(m, b->page, n);
-  } else if (!keep_crowd(b, n)) {
+  if (n < 3 || !sg_regions_are_crowded(m, group, b->page, n)) {
+    sg_regions_join_wedges(m, b->page, n);
+  } else if (!sg_regions_keep_crowd(&b->crowds, m, b->page, n)) {
     return false;
   }
   for (size_t i = 1; i < n; i++) {
@@ -347,13 +217,12 @@ sg_regions_edges(sg_regions_maker *m)
   while (good && sg_edge_group_next(&pairs, &group)) {
     good = add_group(&b, &pairs, &group);
   }
-  good = good && settle_crowds(&b);
+  good = good && sg_regions_settle_crowds(&b.crowds, m);
   sg_edge_pairs_clear(&pairs);
   free(b.from);
   free(b.to);
   free(b.what);
   free(b.page);
-  free(b.crowds.item);
-  free(b.crowded.item);
+  sg_regions_crowds_clear(&b.crowds);
   return good;
 }

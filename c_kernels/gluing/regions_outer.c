@@ -2,11 +2,13 @@
  * (regions_private.h).
  *
  * Its volume is minus that of all others, so it is the one that is negative.
- * Where doubles cannot tell, rationals do; a zone that has no volume at all is
- * a slit.
+ * Where doubles cannot tell, rationals do. A zone that has no volume at all is
+ * a slit; so is what is between faces with the same corners, each two of which
+ * lie on each other within what rounds, as rounding has bent them.
  */
 #include "regions_private.h"
 
+#include "number/vector.h"
 #include "rows/disjoint.h"
 
 #include <gmp.h>
@@ -165,6 +167,87 @@ compare_volumes(const measures *x, uint32_t a, uint32_t b)
   return (x->volume[a] > x->volume[b]) - (x->volume[a] < x->volume[b]);
 }
 
+/* ---- slits ---- */
+
+/* The same of all faces with the same corners. */
+static uint64_t
+print_of(const sg_regions_maker *m, uint32_t p)
+{
+  const sg_dense *d = m->d;
+  uint64_t sum = 0;
+
+  for (uint32_t i = d->list_begin[p]; i < d->list_begin[p + 1]; i++) {
+    uint64_t v = (uint64_t)d->from[d->list[i]] + 1;
+
+    v = (v ^ v >> 30) * 0xbf58476d1ce4e5b9u;
+    v = (v ^ v >> 27) * 0x94d049bb133111ebu;
+    sum += v ^ v >> 31;
+  }
+  return sum;
+}
+
+static double
+area_of(const sg_dense *d, size_t t)
+{
+  const int32_t *c = d->corner[t];
+  double u[3], w[3], normal[3];
+
+  sg_minus(d->at[c[1]], d->at[c[0]], u);
+  sg_minus(d->at[c[2]], d->at[c[0]], w);
+  sg_cross(u, w, normal);
+  return sg_any_length(normal) / 2;
+}
+
+/* Of the zones of unsure pieces: twins[c], what is left of the prints of faces
+ * of which each has a twin; area[c]. */
+static void
+see_slits(const measures *x, uint64_t *twins, double *area)
+{
+  const sg_regions_maker *m = x->m;
+
+  for (uint32_t p = 0; p < m->d->polygons; p++) {
+    for (uint32_t side = 0; side < 2 && is_unsure(x, p); side++) {
+      twins[sg_disjoint_root(m->zone, 2 * p + side)] ^= print_of(m, p);
+    }
+  }
+  for (size_t t = 0; t < m->d->triangles; t++) {
+    uint32_t p = (uint32_t)m->d->polygon_of[t];
+
+    for (uint32_t side = 0; side < 2 && is_unsure(x, p); side++) {
+      area[sg_disjoint_root(m->zone, 2 * p + side)] += area_of(m->d, t);
+    }
+  }
+}
+
+static bool
+find_slits(measures *x)
+{
+  sg_regions_maker *m = x->m;
+  size_t n = 2 * m->d->polygons;
+  uint64_t *twins = calloc(n + 1, sizeof *twins);
+  double *area = calloc(n + 1, sizeof *area);
+  bool good = twins && area;
+
+  if (good) {
+    see_slits(x, twins, area);
+  }
+  for (uint32_t c = 0; good && c < n; c++) {
+    if (m->zone[c] == c && is_unsure(x, c / 2) &&
+        m->outer[sg_disjoint_root(m->piece, c / 2)] != c) {
+      mpq_srcptr volume = x->exact[x->count[c]];
+
+      m->slit[c] =
+          mpq_sgn(volume) == 0 ||
+          (twins[c] == 0 && fabs(mpq_get_d(volume)) / 6 <= m->near * area[c]);
+    }
+  }
+  free(twins);
+  free(area);
+  return good || sg_regions_no_memory(m);
+}
+
+/* ---- the least, of each piece ---- */
+
 static void
 choose_outer(measures *x)
 {
@@ -178,11 +261,6 @@ choose_outer(measures *x)
                    ? c
                    : *outer;
     }
-  }
-  for (uint32_t c = 0; c < 2 * m->d->polygons; c++) {
-    m->slit[c] = m->zone[c] == c && is_unsure(x, c / 2) &&
-                 mpq_sgn(x->exact[x->count[c]]) == 0 &&
-                 m->outer[sg_disjoint_root(m->piece, c / 2)] != c;
   }
 }
 
@@ -232,6 +310,7 @@ sg_regions_outer(sg_regions_maker *m)
   }
   if (good) {
     choose_outer(&x);
+    good = x.exacts == 0 || find_slits(&x);
   }
   for (size_t i = 0; i < x.exacts; i++) {
     mpq_clear(x.exact[i]);

@@ -11,6 +11,10 @@
 
 #include "regions.h"
 
+#include "engine/list.h"
+#include "join/pages.h"
+#include "rows/edge_pairs.h"
+
 #define SG_NOWHERE UINT32_MAX
 
 /* Elements of `zone` and `shell`: the sides of polygons, then wires, then lone
@@ -21,6 +25,7 @@ typedef struct sg_regions_maker {
   size_t point_loops;
   const sg_zones_told *told; /* NULL: sphere maps say it */
   const sg_cancel *cancel;
+  double near; /* what is no farther apart may be meant to be in one place */
   sg_regions *out;
   sg_regions_end end; /* what went wrong */
   size_t bad;
@@ -80,6 +85,44 @@ sg_element_of_lone(const sg_regions_maker *m, size_t i)
 /* All of these: false: m->end says why. */
 bool sg_regions_no_memory(sg_regions_maker *m);
 bool sg_regions_asked(sg_regions_maker *m); /* the cancellation */
+
+/* Pages at one edge, some of which lie on each other. */
+typedef struct sg_regions_crowd {
+  size_t begin, n;
+  bool settled;
+} sg_regions_crowd;
+
+typedef struct sg_regions_crowds {
+  SG_LIST_OF(sg_regions_crowd) crowd;
+  SG_LIST_OF(sg_page_at_edge) page;
+} sg_regions_crowds;
+
+/* Marks which of n > 2 pages, in order, lie on the page before them; one that
+ * does not comes first, if there is one. Are there any? */
+bool sg_regions_are_crowded(const sg_regions_maker *m,
+                            const sg_edge_group *group, sg_page_at_edge *page,
+                            size_t n);
+bool sg_regions_keep_crowd(sg_regions_crowds *crowds, sg_regions_maker *m,
+                           const sg_page_at_edge *page, size_t n);
+bool sg_regions_settle_crowds(sg_regions_crowds *crowds, sg_regions_maker *m);
+void sg_regions_crowds_clear(sg_regions_crowds *crowds);
+/* What is between each page and the next one is one. */
+void sg_regions_join_wedges(sg_regions_maker *m, const sg_page_at_edge *page,
+                            size_t n);
+
+/* The side of a page that is after it, or before it, round the edge. */
+static inline uint32_t
+sg_regions_side_of(const sg_page_at_edge *page, bool after)
+{
+  return page->forward != after;
+}
+
+static inline uint32_t
+sg_regions_zone_beside(const sg_regions_maker *m, const sg_page_at_edge *page,
+                       bool after)
+{
+  return 2 * m->polygon[page->edge] + sg_regions_side_of(page, after);
+}
 
 bool sg_regions_corners(sg_regions_maker *m);
 bool sg_regions_edges(sg_regions_maker *m);

@@ -1,5 +1,5 @@
 /* regions_where.c -- parts that hang together by edges, in each other
- * (regions_private.h).
+ * (regions_walk.h).
  *
  * Each part lies in one zone of any other. A walk over a point of each (in the
  * middle of a triangle or a wire, so that it is on no other part where two
@@ -10,50 +10,12 @@
  * each other; so the n-th of them is the one that n others go round, and the
  * sum of what counts at that depth is the zone.
  */
-#include "regions_private.h"
+#include "regions_walk.h"
 
-#include "join/tour.h"
 #include "rows/disjoint.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-typedef struct part {
-  uint32_t element; /* of its outer zone */
-  uint32_t piece;   /* its root, or SG_NOWHERE */
-  uint32_t number;  /* of the piece's triangles; the wire; the vertex */
-  uint32_t depth;
-  bool on;     /* on another one */
-  bool moved;  /* it has another point */
-  bool inside; /* the point, shifted, is inside it: then it may be on others */
-  sg_point at;
-} part;
-
-/* The middle of a triangle of a part. */
-typedef struct middle {
-  uint32_t part;
-  bool on, inside;
-  sg_point at;
-} middle;
-
-typedef struct walk {
-  sg_regions_maker *m;
-  part *part;
-  size_t parts;
-  uint32_t *stop; /* [stops] parts */
-  const sg_point **at;
-  size_t stops;
-  uint32_t *item; /* [items] triangles of the tree */
-  size_t items;
-  sg_box all;
-  int *count;       /* [2 * polygons] of outer zones */
-  int64_t away;     /* of how many parts it is not outside */
-  uint32_t *depth;  /* [polygons] of the piece */
-  int64_t *sum;     /* [parts + 1] by depth; null: depths are not known */
-  uint32_t *parent; /* [parts] the zone, SG_NOWHERE: outside of all */
-  middle *middle;   /* [middles] of parts whose own point is on others */
-  size_t middles;
-} walk;
 
 /* ---- parts ---- */
 
@@ -82,26 +44,26 @@ middle_of(const sg_dense *d, const int32_t *v, int n, sg_point *out)
 }
 
 static void
-add_part(walk *w, uint32_t element, uint32_t piece, uint32_t number)
+add_part(sg_walk *w, uint32_t element, uint32_t piece, uint32_t number)
 {
   w->part[w->parts++] =
-      (part){.element = element, .piece = piece, .number = number};
+      (sg_walk_part){.element = element, .piece = piece, .number = number};
 }
 
-static void
-middle_of_triangle(const sg_regions_maker *m, uint32_t t, sg_point *out)
+void
+sg_walk_middle_of(const sg_regions_maker *m, uint32_t t, sg_point *out)
 {
   middle_of(m->d, m->d->corner[t], 3, out);
 }
 
 static void
-choose_point(const sg_regions_maker *m, part *one)
+choose_point(const sg_regions_maker *m, sg_walk_part *one)
 {
   const sg_dense *d = m->d;
 
   if (one->piece != SG_NOWHERE) {
     uint32_t first = m->triangle_begin[one->piece];
-    middle_of_triangle(m, m->triangle[first], &one->at);
+    sg_walk_middle_of(m, m->triangle[first], &one->at);
   } else if (one->element < sg_element_of_lone(m, 0)) {
     uint32_t e = m->wire_edge[one->number];
     middle_of(d, (int32_t[2]){d->from[e], d->to[e]}, 2, &one->at);
@@ -142,7 +104,7 @@ join_wires(sg_regions_maker *m)
 }
 
 static bool
-list_parts(walk *w)
+list_parts(sg_walk *w)
 {
   sg_regions_maker *m = w->m;
   size_t n = m->d->polygons + m->wires + m->lone + 1;
@@ -172,10 +134,10 @@ list_parts(walk *w)
 
 /* ---- the tree ---- */
 
-static void
-corners_of(const void *data, uint32_t item, double out[3][3])
+void
+sg_walk_corners(const void *data, uint32_t item, double out[3][3])
 {
-  const walk *w = data;
+  const sg_walk *w = data;
   const sg_dense *d = w->m->d;
 
   for (int k = 0; k < 3; k++) {
@@ -185,7 +147,7 @@ corners_of(const void *data, uint32_t item, double out[3][3])
 
 /* Of the pieces that have several zones. */
 static sg_bvh *
-plant(walk *w)
+plant(sg_walk *w)
 {
   sg_regions_maker *m = w->m;
   const sg_dense *d = m->d;
@@ -201,7 +163,7 @@ plant(walk *w)
       continue;
     }
     w->item[w->items] = t;
-    corners_of(w, (uint32_t)w->items, at);
+    sg_walk_corners(w, (uint32_t)w->items, at);
     box[w->items] = sg_box_none();
     for (int k = 0; k < 3; k++) {
       sg_box_add(&box[w->items], at[k]);
@@ -217,22 +179,23 @@ plant(walk *w)
 /* ---- on the way ---- */
 
 static void
-step(walk *w, uint32_t zone, int by)
+step(sg_walk *w, uint32_t zone, int by)
 {
   uint32_t piece = sg_disjoint_root(w->m->piece, zone / 2);
 
   if (zone == w->m->outer[piece]) {
     w->count[zone] += by;
     w->away -= by;
+    w->around -= by * ((int64_t)zone + 1);
   } else if (w->sum) {
     w->sum[w->depth[piece]] += by * ((int64_t)zone + 1);
   }
 }
 
-static void
-pass(void *data, uint32_t item, int turns)
+void
+sg_walk_pass(void *data, uint32_t item, int turns)
 {
-  walk *w = data;
+  sg_walk *w = data;
   uint32_t p = (uint32_t)w->m->d->polygon_of[w->item[item]];
   uint32_t below = sg_disjoint_root(w->m->zone, 2 * p);
   uint32_t above = sg_disjoint_root(w->m->zone, 2 * p + 1);
@@ -243,9 +206,8 @@ pass(void *data, uint32_t item, int turns)
   }
 }
 
-/* Whether a triangle is of another part, and has that in two zones. */
-static bool
-is_between(const walk *w, uint32_t item, const part *one)
+bool
+sg_walk_is_between(const sg_walk *w, uint32_t item, const sg_walk_part *one)
 {
   const sg_regions_maker *m = w->m;
   uint32_t p = (uint32_t)m->d->polygon_of[w->item[item]];
@@ -258,15 +220,16 @@ is_between(const walk *w, uint32_t item, const part *one)
 static void
 lies_on(void *data, size_t i, uint32_t item)
 {
-  walk *w = data;
-  part *one = &w->part[w->stop[i]];
+  sg_walk *w = data;
+  sg_walk_part *one = &w->part[w->stop[i]];
 
-  one->on = one->on || (!one->inside && is_between(w, item, one));
+  if (!one->inside && sg_walk_is_between(w, item, one)) {
+    *(w->nearly ? &one->nearly : &one->on) = true;
+  }
 }
 
-/* How many of its own outer zone it is not in. */
-static int64_t
-own_away(const walk *w, const part *one)
+int64_t
+sg_walk_own_away(const sg_walk *w, const sg_walk_part *one)
 {
   return one->piece == SG_NOWHERE ? 0 : -w->count[one->element];
 }
@@ -274,11 +237,11 @@ own_away(const walk *w, const part *one)
 static void
 arrive(void *data, size_t i)
 {
-  walk *w = data;
-  part *one = &w->part[w->stop[i]];
+  sg_walk *w = data;
+  sg_walk_part *one = &w->part[w->stop[i]];
 
   if (!w->sum) {
-    int64_t depth = w->away - own_away(w, one);
+    int64_t depth = w->away - sg_walk_own_away(w, one);
     one->depth = depth > 0 ? (uint32_t)depth : 0;
   } else if (one->depth > 0) {
     int64_t zone = w->sum[one->depth - 1] - 1;
@@ -289,19 +252,22 @@ arrive(void *data, size_t i)
   }
 }
 
-static bool
-is_near(const walk *w, const sg_point *at)
+void
+sg_walk_stop(sg_walk *w, uint32_t number, const sg_point *at)
 {
   sg_box here = sg_box_none();
 
   sg_box_add(&here, at->p);
-  return sg_box_overlap(&here, &w->all, 0);
+  if (sg_box_overlap(&here, &w->all, 0)) {
+    w->stop[w->stops] = number;
+    w->at[w->stops++] = at;
+  }
 }
 
-static bool
-toured(walk *w, const sg_tour *way)
+bool
+sg_walk_over(sg_walk *w, const sg_tour *way)
 {
-  w->away = 0;
+  w->away = w->around = 0;
   memset(w->count, 0, 2 * w->m->d->polygons * sizeof *w->count);
   return w->stops == 0 || sg_tour_over(way, w->at, w->stops, w->m->cancel) ||
          (sg_regions_asked(w->m) && sg_regions_no_memory(w->m));
@@ -309,150 +275,45 @@ toured(walk *w, const sg_tour *way)
 
 /* Goes to all parts, or to those that have another point. */
 static bool
-go(walk *w, const sg_bvh *tree, bool again)
+go(sg_walk *w, const sg_bvh *tree, bool again)
 {
-  const sg_tour way = {tree, w, corners_of, pass, lies_on, arrive};
+  const sg_tour way = {tree, w, sg_walk_corners, sg_walk_pass, lies_on, arrive};
 
   w->stops = 0;
   for (uint32_t i = 0; i < w->parts; i++) {
-    part *one = &w->part[i];
+    sg_walk_part *one = &w->part[i];
 
     if (again && !one->moved) {
       continue;
     }
     one->on = one->on && w->sum;
-    if (is_near(w, &one->at)) {
-      w->stop[w->stops] = i;
-      w->at[w->stops++] = &one->at;
-    }
+    sg_walk_stop(w, i, &one->at);
   }
-  return toured(w, &way);
-}
-
-/* ---- another point ---- */
-
-static void
-middle_on(void *data, size_t i, uint32_t item)
-{
-  walk *w = data;
-  middle *at = &w->middle[w->stop[i]];
-
-  at->on = at->on || is_between(w, item, &w->part[at->part]);
-}
-
-static void
-middle_there(void *data, size_t i)
-{
-  walk *w = data;
-  middle *at = &w->middle[w->stop[i]];
-
-  at->inside = own_away(w, &w->part[at->part]) != 0;
-}
-
-/* Of each root the part that is on another one, or SG_NOWHERE. */
-static void
-list_doubtful(const walk *w, uint32_t *of)
-{
-  memset(of, 0xff, w->m->d->polygons * sizeof *of);
-  for (uint32_t i = 0; i < w->parts; i++) {
-    if (w->part[i].on && w->part[i].piece != SG_NOWHERE) {
-      of[w->part[i].piece] = i;
-    }
-  }
-}
-
-/* The middles of all their triangles. */
-static void
-list_middles(walk *w, const uint32_t *of)
-{
-  const sg_regions_maker *m = w->m;
-
-  for (uint32_t t = 0; t < m->d->triangles; t++) {
-    uint32_t p = (uint32_t)m->d->polygon_of[t];
-    middle *one = &w->middle[w->middles];
-
-    if (m->is_face[p] &&
-        (one->part = of[sg_disjoint_root(m->piece, p)]) != SG_NOWHERE) {
-      middle_of_triangle(m, t, &one->at);
-      w->middles++;
-    }
-  }
-}
-
-/* Of each part the first that is on no other one, or else that is just inside
- * of it. */
-static void
-choose_middles(walk *w, bool inside)
-{
-  for (size_t i = 0; i < w->middles; i++) {
-    const middle *at = &w->middle[i];
-    part *one = &w->part[at->part];
-
-    if (!one->moved && (inside ? at->inside : !at->on)) {
-      sg_point_clear(&one->at);
-      sg_point_copy(&one->at, &at->at);
-      one->moved = true;
-      one->inside = inside;
-    }
-  }
-}
-
-/* Gives parts whose point is on another one a better point. */
-static bool
-move_points(walk *w, const sg_bvh *tree)
-{
-  const sg_tour way = {tree, w, corners_of, pass, middle_on, middle_there};
-  size_t n = w->m->d->triangles + w->parts + 1;
-  uint32_t *of = malloc((w->m->d->polygons + 1) * sizeof *of);
-
-  free(w->stop);
-  free(w->at);
-  w->stop = malloc(n * sizeof *w->stop);
-  w->at = malloc(n * sizeof *w->at);
-  w->middle = calloc(n, sizeof *w->middle);
-  if (!of || !w->stop || !w->at || !w->middle) {
-    free(of);
-    return sg_regions_no_memory(w->m);
-  }
-  list_doubtful(w, of);
-  list_middles(w, of);
-  free(of);
-  w->stops = 0;
-  for (uint32_t i = 0; i < w->middles; i++) {
-    if (is_near(w, &w->middle[i].at)) {
-      w->stop[w->stops] = i;
-      w->at[w->stops++] = &w->middle[i].at;
-    }
-  }
-  if (!toured(w, &way)) {
-    return false;
-  }
-  choose_middles(w, false);
-  choose_middles(w, true);
-  return true;
+  return sg_walk_over(w, &way) && (again || w->sum || sg_walk_nearly(w, &way));
 }
 
 static bool
-any_on(const walk *w)
+any_on(const sg_walk *w)
 {
   bool any = false;
 
   for (size_t i = 0; i < w->parts; i++) {
-    any = any || w->part[i].on;
+    any = any || w->part[i].on || w->part[i].nearly;
   }
   return any;
 }
 
 static bool
-visit(walk *w, const sg_bvh *tree)
+visit(sg_walk *w, const sg_bvh *tree)
 {
   sg_regions_maker *m = w->m;
-  bool good = go(w, tree, false) &&
-              (!any_on(w) || (move_points(w, tree) && go(w, tree, true)));
+  bool good =
+      go(w, tree, false) &&
+      (!any_on(w) || (sg_walk_move_points(w, tree) && go(w, tree, true)));
 
   uint32_t deepest = 0;
   for (size_t i = 0; good && i < w->parts; i++) {
-    const part *one = &w->part[i];
+    const sg_walk_part *one = &w->part[i];
     deepest = one->depth > deepest ? one->depth : deepest;
     if (one->piece != SG_NOWHERE) {
       w->depth[one->piece] = one->depth;
@@ -471,7 +332,7 @@ visit(walk *w, const sg_bvh *tree)
 /* ---- together ---- */
 
 static bool
-make_room(walk *w)
+make_room(sg_walk *w)
 {
   size_t n = w->parts + 1, p = w->m->d->polygons + 1;
 
@@ -488,7 +349,7 @@ make_room(walk *w)
 }
 
 static uint32_t
-join_parts(walk *w)
+join_parts(sg_walk *w)
 {
   sg_regions_maker *m = w->m;
   uint32_t outside = SG_NOWHERE;
@@ -506,15 +367,12 @@ join_parts(walk *w)
 }
 
 static void
-clear(walk *w)
+clear(sg_walk *w)
 {
   for (size_t i = 0; i < w->parts; i++) {
     sg_point_clear(&w->part[i].at);
   }
-  for (size_t i = 0; i < w->middles; i++) {
-    sg_point_clear(&w->middle[i].at);
-  }
-  free(w->middle);
+  sg_walk_clear_middles(w);
   free(w->part);
   free(w->stop);
   free(w->at);
@@ -528,7 +386,7 @@ clear(walk *w)
 bool
 sg_regions_locate(sg_regions_maker *m, uint32_t *outside)
 {
-  walk w = {.m = m};
+  sg_walk w = {.m = m};
   sg_bvh *tree = NULL;
   bool good = list_parts(&w) && make_room(&w);
 

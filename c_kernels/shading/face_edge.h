@@ -3,9 +3,7 @@
  * Layer: kernel. A place is on such a line if half a dot from it, to the left,
  * to the right, above or below, something else is seen: another face, nothing,
  * or the same face farther away. Faces that go on in each other, in one plane
- * or, of a mesh, nearly so, have no line between them. Where light comes
- * through what is see-through, layer is compared with layer, and a line has as
- * much of the light as comes to its layer.
+ * or, of a mesh, nearly so, have no line between them.
  */
 #ifndef SG_FACE_EDGE_H
 #define SG_FACE_EDGE_H

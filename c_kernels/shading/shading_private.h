@@ -187,8 +187,7 @@ struct sg_shading_work {
   bool *held;                    /* [roots]: it was there before a group */
   bool *noted;                   /* [nodes]: what it was: walk.c */
   SG_LIST_OF(sg_layer) layer;
-  SG_LIST_OF(size_t) open;     /* of a layer the last span */
-  SG_LIST_OF(size_t) layer_of; /* of a span of the last line, 0 the nearest */
+  SG_LIST_OF(size_t) open; /* of a layer the last span */
   SG_LIST_OF(sg_slice) slice;
   SG_LIST_OF(sg_slice) over;  /* a point: shadow.c */
   SG_LIST_OF(uint64_t) start; /* x1, then the place of the slice */

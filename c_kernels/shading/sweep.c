@@ -67,7 +67,6 @@ sg_shading_work_close(sg_shading_work *w)
     free(w->met.item);
     free(w->layer.item);
     free(w->open.item);
-    free(w->layer_of.item);
     free(w->held);
     free(w->noted);
     free(w->line);
@@ -139,8 +138,7 @@ add_span(sg_shading_work *w, size_t depth, int32_t x1, int32_t x2,
     w->failed = true;
     return false;
   }
-  if (!SG_PUSH(w->layer_of, depth) ||
-      !sg_list_grow(&out->span, out->n, &out->room, sizeof *out->span)) {
+  if (!sg_list_grow(&out->span, out->n, &out->room, sizeof *out->span)) {
     w->failed = true;
     return false;
   }
@@ -397,7 +395,6 @@ sg_shading_line_part(const sg_shading *scene, sg_shading_work *w, double y,
   w->scene = scene;
   out->n = 0;
   w->open.n = 0;
-  w->layer_of.n = 0;
   w->active.n = 0;
   w->between[0] = part->beyond ? part->from / 256.0 : INFINITY;
   w->between[1] = part->beyond ? part->to / 256.0 : -INFINITY;

@@ -3,6 +3,7 @@
             mixed_joined/4,             % +S, +Item1, +Item2, -Change
             edges_joined/4,             % +S, +Edge1, +Edge2, -Change
             not_glued/4,                % +S, +Item1, +Item2, +Why
+            vertex_inside/3,            % +S, +V, +P
             vertices_between/5          % +S, +A, +B, +Vs, -Inner
           ]).
 :- use_module(cells_edit,
@@ -133,20 +134,27 @@ edge_ends(S, E, A, B) :-
     ;   existence_error(edge, E)
     ).
 
-%   inside_polygon(S, V, P): V is in a triangle of P, within rounding, and is no
-%   corner of it.
-
 inside_polygon(S, V, P) :-
-    (   p(S, P, Es)
+    (   p(S, P, _)
     ->  true
     ;   existence_error(polygon, P)
     ),
-    (   \+ ( member(E, Es), e(S, E, V, _, _) ),
-        t(S, P, _, A, B, C),
-        in_triangle(S, V, A, B, C)
+    (   vertex_inside(S, V, P)
     ->  true
     ;   not_glued(S, v(V), p(P), beside)
     ).
+
+%!  vertex_inside(+S, +V, +P) is semidet.
+%
+%   Vertex V is in a triangle of polygon P, within rounding, and is no corner of
+%   the polygon.
+
+vertex_inside(S, V, P) :-
+    p(S, P, Es),
+    \+ ( member(E, Es), e(S, E, V, _, _) ),
+    t(S, P, _, A, B, C),
+    in_triangle(S, V, A, B, C),
+    !.
 
 in_triangle(S, V, A, B, C) :-
     place_of(S, V, PV),

@@ -6,7 +6,7 @@
 :- use_module('../gluing/cells_edit',
               [ cells_edited/3, edge_divided/4, polygon_gone/2,
                 polygon_there/3, vertices_renamed/3 ]).
-:- use_module('../gluing/contact_glue', [vertices_between/5]).
+:- use_module('../gluing/contact_glue', [vertex_inside/3, vertices_between/5]).
 :- use_module(glue, [glued_boundary/3]).
 :- use_module('../polygon/triangulation', [complete_segments/1]).
 :- use_module('../store',
@@ -14,7 +14,8 @@
                 retractall_facts/1, fresh_id/3 ]).
 :- use_module('../vocabulary', [facet_loops/2]).
 :- use_module(library(apply), [maplist/2, maplist/3]).
-:- use_module(library(lists), [member/2]).
+:- use_module(library(lists), [append/2, append/3, member/2]).
+:- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> Glue of two faces in one plane (NG-4).
 
 Each is cut by the other one, as surfaces are that are glued; what both have
@@ -47,10 +48,23 @@ faces_glued(S, P1, P2) :-
     polygons_vertices(S, [P1,P2], Own),
     findall(V3, v(S3, V3, _, _, _), Vs3),
     maplist(vertex_of(S, S3, Own), Vs3, Vs),
-    borders_divided(S, [P1,P2], Vs),
+    polygons_vertices(S, [P1,P2], Both),
+    findall(V,
+            ( p(S3, P3, _), piece_from(S3, P3, S1), piece_from(S3, P3, S2),
+              piece_loops(S, S3-P3, Vs, Both, Loops),
+              member(Loop, Loops), member(V, Loop) ),
+            Ends0),
+    one_each(S, Ends0, Ends),
+    borders_divided(S, [P1,P2], Vs, Ends),
+    findall(V, ( member(P0, [P1,P2]), lies_in(S, v(V), p(P0)) ), Points),
+    append(Points, Ends, Others),
+    maplist(known_vertices(S, Others), [S1-P1,S2-P2], Known),
     maplist(sources(S), [S1-P1,S2-P2], Sources),
     maplist(polygon_gone(S), [P1,P2]),
-    forall(p(S3, P3, _), piece_there(S, S3-P3, Vs, Sources)),
+    findall(P3, p(S3, P3, _), Ps3),
+    maplist(piece_there(S, S3, Vs-Known, Sources), Ps3, Pieces),
+    complete_segments([S]),
+    forall(member(V, Points), point_loop_again(S, Pieces, V)),
     maplist(dropped, [S3,S1,S2]).
 
 %   face_alone(S, P, S1): surface S1 has polygon P alone, with its numbers.
@@ -83,11 +97,22 @@ vertex_of(S, S3, Own, V3, V3-V) :-
         assert_fact(v(S, V, X, Y, Z))
     ).
 
-%   borders_divided(S, Ps, Vs): the edges of Ps are divided where vertices of Vs
-%   lie in them.
+%   one_each(S, Vs0, Vs): of those of Vs0 that are in one place one is left.
 
-borders_divided(S, Ps, Vs3) :-
-    findall(V, member(_-V, Vs3), Vs0),
+one_each(S, Vs0, Vs) :-
+    sort(Vs0, Vs1),
+    findall(p(X,Y,Z)-V, ( member(V, Vs1), v(S, V, X, Y, Z) ), Pairs0),
+    keysort(Pairs0, Pairs),
+    group_pairs_by_key(Pairs, Groups),
+    findall(V, member(_-[V|_], Groups), Vs),
+    forall(( member(_-[V|Others], Groups), member(W, Others) ),
+           vertices_renamed(S, W, V)).
+
+%   borders_divided(S, Ps, Vs3, Ends): the edges of Ps are divided where the
+%   vertices of Vs3, or Ends, lie in them.
+
+borders_divided(S, Ps, Vs3, Ends) :-
+    findall(V, ( member(_-V, Vs3) ; member(V, Ends) ), Vs0),
     sort(Vs0, Vs),
     findall(A-B,
             ( member(P, Ps), p(S, P, Es), member(E, Es), e(S, E, A0, B0, _),
@@ -106,9 +131,25 @@ divided(S, A, B, [V|Vs]) :-
 sources(S, S0-P, S0-From) :-
     findall(S1-P1-Sense, from_p(S, P, S1, P1, Sense), From).
 
-piece_there(S, S3-P3, Vs, Sources) :-
-    facet_loops(S3-P3, Loops3),
-    maplist(maplist(renamed(Vs)), Loops3, Loops),
+%   known_vertices(S, Others, S0-P, S0-Vs): those of P, and the Others.
+
+known_vertices(S, Others, S0-P, S0-Vs) :-
+    polygons_vertices(S, [P], Border),
+    append(Border, Others, Vs).
+
+piece_from(S3, P3, S0) :-
+    from_p(S3, P3, S0, _, _),
+    !.
+
+%   piece_there(S, S3, Vs-Known, Sources, P3, P): polygon P of S is P3 of S3.
+%   Its edges end at all vertices that were Known of what it comes from: for
+%   others a straight border may have some that a face alone does not need.
+
+piece_there(S, S3, Vs-Known, Sources, P3, P) :-
+    findall(V, ( member(S0-Known0, Known), piece_from(S3, P3, S0),
+                 member(V, Known0) ), Through0),
+    sort(Through0, Through),
+    piece_loops(S, S3-P3, Vs, Through, Loops),
     polygon_there(S, Loops, P),
     forall(lies_in(S3, v(V3), p(P3)),
            ( renamed(Vs, V3, V), assert_fact(lies_in(S, v(V), p(P))) )),
@@ -116,6 +157,35 @@ piece_there(S, S3-P3, Vs, Sources) :-
              member(S1-P1-Sense1, From) ),
            ( Sense is Sense0*Sense1,
              assert_fact(from_p(S, P, S1, P1, Sense)) )).
+
+%   piece_loops(S, S3-P3, Vs, Through, Loops): its loops in vertices of S, also
+%   those that they go Through.
+
+piece_loops(S, S3-P3, Vs, Through, Loops) :-
+    facet_loops(S3-P3, Loops3),
+    maplist(maplist(renamed(Vs)), Loops3, Loops0),
+    maplist(loop_through(S, Through), Loops0, Loops).
+
+loop_through(S, Known, [First|Vs], Loop) :-
+    append([First|Vs], [First], Path),
+    findall([A|Inner],
+            ( append(_, [A,B|_], Path),
+              vertices_between(S, A, B, Known, Inner) ),
+            Lists),
+    append(Lists, Loop).
+
+%   point_loop_again(S, Pieces, V): V, which was inside a face, is so again, or
+%   in the border of a piece.
+
+point_loop_again(S, Pieces, V) :-
+    (   member(P, Pieces),
+        vertex_inside(S, V, P)
+    ->  (   lies_in(S, v(V), p(P))
+        ->  true
+        ;   assert_fact(lies_in(S, v(V), p(P)))
+        )
+    ;   true
+    ).
 
 renamed(Vs, V3, V) :-
     memberchk(V3-V, Vs).

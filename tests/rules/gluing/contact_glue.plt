@@ -31,35 +31,7 @@ two(Turned, Faces0, Others0) :-
     ),
     made_soup(Faces, []),
     regions_made(1, _),
-    added(Others).
-
-%   added(Faces): with vertices of their own.
-
-added(Faces) :-
-    findall(Point, ( member(Loops, Faces), member(Loop, Loops),
-                     member(Point, Loop) ), Points0),
-    sort(Points0, Points),
-    findall(Point-V,
-            ( member(Point, Points), fresh_id(v, 1, V),
-              maplist(coordinate, Point, [X,Y,Z]),
-              assert_fact(v(1, V, X, Y, Z)) ),
-            Vs),
-    forall(member(Loops, Faces),
-           ( maplist(loop_added(Vs), Loops, Lists),
-             append(Lists, Es),
-             fresh_id(p, 1, P),
-             assert_fact(p(1, P, Es)) )).
-
-coordinate(X0, X) :-
-    X is float(X0)+0.0.
-
-loop_added(Vs, Loop, Es) :-
-    Loop = [First|_],
-    append(Loop, [First], Path),
-    findall(E,
-            ( append(_, [A,B|_], Path), memberchk(A-V, Vs), memberchk(B-W, Vs),
-              fresh_id(e, 1, E), assert_fact(e(1, E, V, W, 1)) ),
-            Es).
+    faces_added(Others).
 
 counts(Counts) :-
     regions_report(1, Report),
@@ -189,15 +161,6 @@ faces(whole, [1,1,1]-[0,0,0], [1,1,1]-[0,0,1], [12,20,11,11,1,3,3,0]).
 faces(inner, [4,4,1]-[0,0,0], [1,1,1]-[1,1,1], [16,24,12,13,1,3,3,0]).
 faces(border, [4,4,1]-[0,0,0], [1,1,1]-[3,1,1], [16,25,12,12,1,3,3,0]).
 
-box_faces(Size-Low, Faces) :-
-    cube_faces([0,0,0], Faces0),
-    maplist(maplist(maplist(scaled(Size, Low))), Faces0, Faces).
-
-scaled([], [], [], []).
-scaled([S|Ss], [L|Ls], [X0|Xs0], [X|Xs]) :-
-    X is L+S*X0,
-    scaled(Ss, Ls, Xs0, Xs).
-
 test(faces, [forall(( faces(_, One0, Two0, Wanted),
                       member(Turned, [false,true]) )),
              true(C == Wanted)]) :-
@@ -271,7 +234,7 @@ eight_cubes(Turn) :-
               maplist(maplist(maplist(turned(Turn))), Faces0, Faces) ),
             [First|Rest]),
     two(false, First, []),
-    maplist(added, Rest).
+    maplist(faces_added, Rest).
 
 turned([], Point, Point) :-
     !.

@@ -1,8 +1,10 @@
 :- module(sg_test_face_soup,
           [ made_soup/2,                % +Faces, +Wires
+            faces_added/1,              % +Faces
             soup_counts/3,              % +Faces, +Wires, -Counts
             report_counts/2,            % +Report, -Counts
             cube_faces/2,               % +Low, -Faces
+            box_faces/2,                % +Size-Low, -Faces
             cubes_faces/2,              % +Lows, -Faces
             tetrahedron_faces/2,        % +Points, -Faces
             once_each/2,                % +Faces0, -Faces
@@ -79,6 +81,33 @@ wire_made(Vs, Wire, E0, E) :-
     Path = [_|Ends],
     edges_made(Starts, Ends, E0, E, _).
 
+%!  faces_added(+Faces) is det.
+%
+%   The soup has these too, with vertices of their own.
+
+faces_added(Faces) :-
+    findall(Point, ( member(Loops, Faces), member(Loop, Loops),
+                     member(Point, Loop) ), Points0),
+    sort(Points0, Points),
+    findall(Point-V,
+            ( member(Point, Points), fresh_id(v, 1, V),
+              floats(Point, [X,Y,Z]),
+              assert_fact(v(1, V, X, Y, Z)) ),
+            Vs),
+    forall(member(Loops, Faces),
+           ( maplist(loop_added(Vs), Loops, Lists),
+             append(Lists, Es),
+             fresh_id(p, 1, P),
+             assert_fact(p(1, P, Es)) )).
+
+loop_added(Vs, Loop, Es) :-
+    Loop = [First|_],
+    append(Loop, [First], Path),
+    findall(E,
+            ( append(_, [A,B|_], Path), memberchk(A-V, Vs), memberchk(B-W, Vs),
+              fresh_id(e, 1, E), assert_fact(e(1, E, V, W, 1)) ),
+            Es).
+
 %!  soup_counts(+Faces, +Wires, -Counts) is det.
 %
 %   Counts is [V,E,F,L,C,R,S,G] of a world of its own with them, in which both
@@ -108,6 +137,17 @@ cube_faces([X,Y,Z], Faces) :-
               [[[X1,Y,Z],[X1,Y1,Z],[X1,Y1,Z1],[X1,Y,Z1]]],
               [[[X1,Y1,Z],[X,Y1,Z],[X,Y1,Z1],[X1,Y1,Z1]]],
               [[[X,Y1,Z],[X,Y,Z],[X,Y,Z1],[X,Y1,Z1]]] ].
+
+%!  box_faces(+Size-Low, -Faces) is det.
+
+box_faces(Size-Low, Faces) :-
+    cube_faces([0,0,0], Faces0),
+    maplist(maplist(maplist(scaled(Size, Low))), Faces0, Faces).
+
+scaled([], [], [], []).
+scaled([S|Ss], [L|Ls], [X0|Xs0], [X|Xs]) :-
+    X is L+S*X0,
+    scaled(Ss, Ls, Xs0, Xs).
 
 %!  cubes_faces(+Lows, -Faces) is det.
 %

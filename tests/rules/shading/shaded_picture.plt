@@ -215,6 +215,21 @@ white(rgb(255,255,255)).
 red(rgb(170,0,0)).
 blue(rgb(0,60,170)).
 
+% A piece of a torus, behind which on some lines another piece of it would be if
+% it were there: no line is in its face.
+test(no_line_in_a_face, Black == []) :-
+    in_model("segment(1, solid, intersection([torus(radius(3),tube(1)),
+                  at([translate(-0.6,-9,-9)], box(size(1.2,18,18)))])).
+              view(270, 80, 0).",
+             shaded_dots([size(60-100),window(b(-0.3,-1,0.3,0)),edges(true),
+                          smooth(1)], Dots)),
+    findall(Column-Row,
+            ( member(Column, [10,30,50]),
+              between(1, 98, Row),
+              I is Row*60+Column+1,
+              arg(I, Dots, rgb(R,G,B)),
+              R+G+B < 60 ),
+            Black).
 test(palette, Colours == [rgb(118,160,208),White]) :-
     white(White),
     flat_colours("", [], Colours).
