@@ -17,7 +17,11 @@
 /* Parts of a dot: a place is found no better. */
 #define PLACED 1e9
 
-enum { PLACES = 64, STEPS = 48 };
+enum { PLACES = 64, STEPS = 256, CHORDS = 4 };
+
+/* Of what is between two places the parts at whose ends roots are counted; how
+ * often their number may change in one of them. */
+enum { PARTS = 8, COUNTS = 3 };
 
 sg_ring_line
 sg_ring_line_of(const sg_shading_torus *torus, double y)
@@ -115,6 +119,7 @@ typedef struct places {
   const sg_ring_line *line;
   double at[PLACES], noise;
   int n;
+  bool unclear; /* somewhere the discriminant may be 0 or not */
 } places;
 
 static void
@@ -140,19 +145,27 @@ discriminant_at(const sg_ring_line *line, double t)
   return sg_quartic_discriminant(c);
 }
 
-/* The one place between two where the sign changes, by chords (Illinois). */
+/* The one place between two where the sign changes, by chords (Illinois); where
+ * some of these have left more than half, by half. */
 static double
-place_between(const sg_ring_line *line, double low, double high)
+place_between(places *all, double low, double high)
 {
+  const sg_ring_line *line = all->line;
   double f = discriminant_at(line, low), g = discriminant_at(line, high);
   double near = 1.0 / (line->size * PLACED);
+  double left = high - low;
   int side = 0;
 
   if ((f < 0) == (g < 0)) {
+    all->unclear = true;
     return fabs(f) < fabs(g) ? low : high;
   }
   for (int i = 0; i < STEPS && high - low > near; i++) {
     double t = low + (high - low) * (f / (f - g));
+    if (i % CHORDS == CHORDS - 1) {
+      t = high - low > left / 2 ? (low + high) / 2 : t;
+      left = high - low;
+    }
     t = t > low && t < high ? t : (low + high) / 2;
     double h = discriminant_at(line, t);
 
@@ -174,13 +187,16 @@ place_between(const sg_ring_line *line, double low, double high)
 /* How often the signs of the coefficients change, 2: at least; -1: all are
  * noise. */
 static int
-changes_of(const sg_polynomial *p, double noise)
+changes_of(places *all, const sg_polynomial *p)
 {
+  double noise = all->noise;
   int changes = -1, last = 0;
 
   for (int k = 0; k <= p->n; k++) {
     int sign = (p->c[k] > noise) - (p->c[k] < -noise);
-    if (sign != 0) {
+    if (sign == 0) {
+      all->unclear = true;
+    } else {
       changes += last == -sign || changes < 0;
       last = sign;
     }
@@ -204,14 +220,14 @@ halve(const sg_polynomial *p, sg_polynomial half[2])
 static void
 find_places(places *all, const sg_polynomial *p, double low, double high)
 {
-  int changes = changes_of(p, all->noise);
+  int changes = changes_of(all, p);
   double middle = (low + high) / 2;
 
   if (changes <= 0) {
     return;
   }
   if (changes == 1) {
-    add_place(all, place_between(all->line, low, high));
+    add_place(all, place_between(all, low, high));
   } else if ((high - low) * all->line->size * ONE_PLACE < 1.0) {
     add_place(all, middle);
   } else {
@@ -264,6 +280,93 @@ discriminant_between(places *all, double low, double high, sg_polynomial *out)
     }
   }
   sg_discriminant_along(c, out, &all->noise);
+}
+
+/* ---- where it is counted ---- */
+
+static int
+count_at(const sg_ring_line *line, double t)
+{
+  double c[5];
+
+  sg_ring_quartic(line, t, c);
+  return sg_quartic_count(c);
+}
+
+/* Between two places with other counts one where the count of the first one
+ * ends. */
+static double
+count_ends(const sg_ring_line *line, double low, double high)
+{
+  double near = 1.0 / (line->size * PLACED);
+  int count = count_at(line, low);
+
+  for (int i = 0; i < STEPS && high - low > near; i++) {
+    double middle = (low + high) / 2;
+    *(count_at(line, middle) == count ? &low : &high) = middle;
+  }
+  return high;
+}
+
+static void
+count_between(places *all, double low, double high)
+{
+  const sg_ring_line *line = all->line;
+  double apart = 1.0 / (line->size * ONE_PLACE);
+  double from = low + apart, part = (high - low - 2 * apart) / PARTS;
+  int count = part > 0 ? count_at(line, from) : 0;
+
+  for (int i = 1; i <= PARTS && part > 0; i++) {
+    double to = low + apart + i * part;
+    int next = count_at(line, to);
+    for (int k = 0; k < COUNTS && count != next; k++) {
+      from = count_ends(line, from, to);
+      add_place(all, from);
+      from = fmin(from + apart, to);
+      count = count_at(line, from);
+    }
+    from = to;
+    count = next;
+  }
+}
+
+/* Where the circle in the middle of the tube goes through the plane of the line
+ * at y, or comes nearest to it, it is inside. */
+static void
+add_inside(places *all, const sg_shading_torus *torus, double y)
+{
+  double form[3], square = 0.0;
+
+  for (int i = 0; i < 3; i++) {
+    const double *p = torus->circle[i];
+    form[i] = p[1] - (y - torus->at[1]) * p[2];
+  }
+  square = form[0] * form[0] + form[1] * form[1];
+  if (square > 0) {
+    double half = -form[2] / sqrt(square);
+    double other = sqrt(fmax(0.0, 1.0 - half * half));
+    half = fmax(-1.0, fmin(1.0, half));
+    for (int way = -1; way <= 1; way += 2) {
+      double c = (half * form[0] - way * other * form[1]) / sqrt(square);
+      double s = (half * form[1] + way * other * form[0]) / sqrt(square);
+      double x[2];
+      for (int k = 0; k < 2; k++) {
+        x[k] = c * torus->circle[0][2 * k] + s * torus->circle[1][2 * k] +
+               torus->circle[2][2 * k];
+      }
+      add_place(all, x[0] / x[1] / torus->size);
+    }
+  }
+}
+
+static void
+count_places(places *all, const sg_shading_torus *torus, double y)
+{
+  add_inside(all, torus, y);
+  sort_places(all);
+  for (int i = 0, n = all->n; i + 1 < n; i++) {
+    count_between(all, all->at[i], all->at[i + 1]);
+  }
 }
 
 /* ---- slices ---- */
@@ -327,6 +430,9 @@ sg_ring_slices(sg_shading_work *w, const sg_shading_body *body, double y)
   add_place(&all, low);
   find_places(&all, &p, low, high);
   add_place(&all, high);
+  if (all.unclear) {
+    count_places(&all, &s->torus.item[torus], y);
+  }
   sort_places(&all);
   for (int i = 0; i + 1 < all.n; i++) {
     sg_slice slice = {.x1 = sg_slice_end(w, line->x + line->size * all.at[i]),

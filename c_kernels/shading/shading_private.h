@@ -36,6 +36,10 @@ typedef struct sg_shading_quadric {
 typedef struct sg_shading_torus {
   double at[3], size; /* it ends nearer to `at` than `size` */
   double form[3][10];
+  double circle[3]
+               [3]; /* the middle of its tube: where c circle[0] + s circle[1]
+                       + circle[2] is seen, (x, y, w) from `at`; c and s the
+                       cosine and sine of an angle */
 } sg_shading_torus;
 
 /* A torus on a line: A, B and W, each f0 tt + f1 tz + f2 zz + f3 t + f4 z + f5,

@@ -115,6 +115,11 @@ sg_shading_add_ring(sg_shading *s, const sg_shading_ring *ring)
   sg_shading_reach(s, body.low, 0);
   sg_shading_reach(s, body.high, 0);
   fill_forms(&f, ring->k, &torus);
+  for (int i = 0; i < 3; i++) {
+    const double *column = f.column[i < 2 ? i : 3];
+    const double seen[3] = {column[0], column[1], column[3]};
+    memcpy(torus.circle[i], seen, sizeof seen);
+  }
   s->leaf.item[body.leaf].round = true;
   return SG_PUSH(s->torus, torus) && SG_PUSH(s->surface, surface) &&
                  SG_PUSH(s->body, body)
