@@ -25,8 +25,9 @@
 :- use_module('../gluing/regions',
               [regions_found/2, regions_report/2, law_fault/3]).
 :- use_module('../kernel',
-              [ contents_written/4, near_segments_of/3, segment_meetings/3,
-                solid_close/1, solid_coincident_faces/3, solid_write_cells/3
+              [ contents_written/4, leaf_copies/3, near_segments_of/3,
+                segment_meetings/3, solid_close/1, solid_coincident_faces/3,
+                solid_write_cells/3
               ]).
 :- use_module('../limits', [limit_value/2]).
 :- use_module(operand, [operand_faults/2]).
@@ -42,10 +43,11 @@
               [convlist/3, exclude/3, maplist/2, maplist/3]).
 :- use_module(library(assoc), [get_assoc/3, ord_list_to_assoc/2]).
 :- use_module(library(error), [existence_error/2, type_error/2]).
-:- use_module(library(lists), [member/2]).
+:- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(option), [option/2]).
 :- use_module(library(ordsets), [ord_subtract/3, ord_union/3]).
-:- use_module(library(pairs), [group_pairs_by_key/2, pairs_keys_values/3]).
+:- use_module(library(pairs),
+              [group_pairs_by_key/2, pairs_keys/2, pairs_keys_values/3]).
 /** <module> Glue: operands in one model, each thing once (NG-1 to NG-7).
 
 The operands are arranged as those of a Boolean are; but everything stays. Faces
@@ -139,9 +141,10 @@ faces_glued(Operands, Solids, S, Options, Reach, Apart) :-
     forall(member(V-P, Loops), assert_fact(lies_in(S, v(V), p(P)))),
     (   How == whole
     ->  true
-    ;   stage(join, points_in_faces(S, Meetings)),
+    ;   How = cut(Copies),
+        stage(join, points_in_faces(S, Meetings)),
         (   Meetings == []
-        ->  true
+        ->  copies_named(S, Copies)
         ;   merged_parts(S, Meetings, Pairs),
             ord_union(Apart, Pairs, More),
             More \== Apart
@@ -165,21 +168,59 @@ merged_parts(S, Meetings, Pairs) :-
             Pairs0),
     sort(Pairs0, Pairs).
 
-%   pieces(Operands, Solids, Reach, Options, Solid, Contacts, How): How is `cut`
-%   or, if there was nothing to cut, `whole`.
+%   pieces(Operands, Solids, Reach, Options, Solid, Contacts, How): How is
+%   cut(Copies), where of operands that are equal (leaf_copies/3) the first one
+%   was cut alone, or, if there was nothing to cut, `whole`.
 
 pieces(Operands0, Solids, Reach, _, Solid, [], whole) :-
     sort(Operands0, Operands),
     whole_pieces(Operands, Solids, Reach, Solid),
     !.
-pieces(Operands, Solids, Reach, Options, Solid, Contacts, cut) :-
+pieces(Operands0, Solids, Reach, Options, Solid, Contacts, cut(Copies)) :-
     maplist(closed_operand, Solids),
+    sort(Operands0, Operands1),
+    leaf_copies(Operands1, 1, Copies),
+    pairs_keys(Copies, Gone),
+    ord_subtract(Operands1, Gone, Operands),
     with_arrangement(Operands, Options,
                      sg_glue:everything(Solids, Solid0, Contacts)),
     (   catch(solid_coincident_faces(Solid0, Reach, _), Error,
               ( solid_close(Solid0), throw(Error) ))
     ->  Solid = Solid0
     ).
+
+%   copies_named(S, Copies): the polygons of S that come from a first operand
+%   come from those that are equal to it, too.
+
+copies_named(_, []) :-
+    !.
+copies_named(S, Copies) :-
+    findall(from_p(S, P, S0, P0, Sense), from_p(S, P, S0, P0, Sense), Known),
+    findall(First-Row,
+            ( member(Row, Known), Row = from_p(_, _, First, _, _) ), Pairs0),
+    keysort(Pairs0, Pairs),
+    group_pairs_by_key(Pairs, Groups),
+    ord_list_to_assoc(Groups, RowsOf),
+    findall(from_p(S, P, Copy, P0, Sense),
+            ( member(Copy-First, Copies),
+              get_assoc(First, RowsOf, Rows),
+              polygon_copies(First, Copy, CopyOf),
+              member(from_p(_, P, _, P1, Sense), Rows),
+              get_assoc(P1, CopyOf, P0) ),
+            New),
+    append(Known, New, All0),
+    sort(All0, All),
+    retractall_facts(from_p(S, _, _, _, _)),
+    maplist(assert_fact, All).
+
+polygon_copies(First, Copy, CopyOf) :-
+    maplist(polygons, [First,Copy], [Ps,CopiesOf]),
+    pairs_keys_values(Pairs, Ps, CopiesOf),
+    ord_list_to_assoc(Pairs, CopyOf).
+
+polygons(S, Ps) :-
+    findall(P, p(S, P, _), Ps0),
+    sort(Ps0, Ps).
 
 solids_among(Operands, Solids) :-
     segments_of_kind(solid, Operands, Solids0),

@@ -25,6 +25,7 @@ case(check(base),       400, 8).
 case(penetrate(curves), 400, 8).
 case(picture(wedges),   800, 10).
 case(evaluate(copies),  200, 8).
+case(evaluate(glued_copies), 200, 8).
 
 :- meta_predicate least_time(0, -).
 
@@ -62,6 +63,15 @@ model(copies, N) :-
     findall(S, ( between(1, N, _), add_primitive(box(size(1,1,1)), S) ), Ss),
     fresh_id(segment, 0, Union),
     assert_fact(segment(Union, solid, union(Ss))),
+    complete_segments.
+%   The same glued, with one that cuts them.
+model(glued_copies, N) :-
+    !,
+    findall(S, ( between(1, N, _), add_primitive(box(size(1,1,1)), S) ), Ss),
+    Askew = at([translate(0.5,0.5,0.5)], box(size(1,1,1))),
+    add_primitive(Askew, Other),
+    fresh_id(segment, 0, Glue),
+    assert_fact(segment(Glue, cells, glue([Other|Ss]))),
     complete_segments.
 model(Family, N) :-
     tmp_file_stream(File, Stream, [extension(off)]),
