@@ -42,7 +42,7 @@
 :- use_module(library(apply),
               [ foldl/4, include/3, maplist/2, maplist/3, maplist/4,
                 partition/4 ]).
-:- use_module(library(lists), [member/2]).
+:- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(option), [option/2, option/3]).
 :- use_module(library(solution_sequences), [distinct/2]).
 /** <module> The verb render: a shaded picture of solids.
@@ -391,11 +391,12 @@ whole(Text, N) :-
 window_box(Text, b(X1,Y1,X2,Y2)) :-
     (   split_string(Text, ",", " ", Parts),
         maplist(finite, Parts, [X1,Y1,X2,Y2]),
-        X1 < X2,
-        Y1 < Y2
+        X2-X1 >= 1.0e-90,
+        Y2-Y1 >= 1.0e-90
     ->  true
     ;   usage_error(bad_value('--window', Text,
-                              'X1,Y1,X2,Y2 (X1 < X2, Y1 < Y2)'))
+                              'X1,Y1,X2,Y2 (X1 < X2, Y1 < Y2; \c
+                               X2-X1, Y2-Y1: 1e-90..1e90)'))
     ).
 
 finite(Text, X) :-
@@ -458,8 +459,7 @@ per_metre(Options, PerMetre) :-
 looks_read(Options) :-
     (   option(look(File), Options)
     ->  look_file_added(File, InVain),
-        forall(member(Name, InVain),
-               print_message(informational, sanggwan(look_in_vain(Name))))
+        forall(member(Name, InVain), look_in_vain(Name))
     ;   true
     ),
     option('see-through'(Texts), Options, []),
@@ -473,6 +473,14 @@ looks_read(Options) :-
         assert_fact(light(1, Way))
     ;   true
     ).
+
+look_in_vain(Name) :-
+    segment_names(Names),
+    print_message(warning, sanggwan(look_in_vain(Name, Names))).
+
+segment_names(Names) :-
+    findall(Name, ( segment(_, _, Term), plain_name(Term, Name) ), Names0),
+    sort(Names0, Names).
 
 %   seen_through(Text): N or N=A; a segment or its name, and how opaque it is.
 
@@ -501,9 +509,14 @@ named_segments(Name, Ss) :-
         findall(S, ( segment(S, _, Term), plain_name(Term, Name) ), Ss0),
         Ss0 = [_|_]
     ->  Ss = Ss0
-    ;   see_through_form(Form),
+    ;   atom_number(Name, _)
+    ->  see_through_form(Form),
         segment_asked('--see-through', Form, Name, S),
         Ss = [S]
+    ;   findall(S, segment(S, _, _), Numbers),
+        segment_names(Names),
+        append(Numbers, Names, Known),
+        usage_error(no_segment(Name, Known))
     ).
 
 light_way(Text, picture(X,Y,Z)) :-

@@ -311,8 +311,14 @@ notice_en(sheet_tiny(N:M, How)) -->
     sheet_tiny_en(N, M, How).
 notice_en(nothing_drawn) -->
     [ 'there is nothing to draw' ].
-notice_en(look_in_vain(Name)) -->
-    [ 'the looks name ~p, and no segment of the model is called that'-[Name] ].
+notice_en(look_in_vain(Name, Names)) -->
+    [ 'the looks name ~p, and no segment of the model is called that'-[Name],
+      nl ],
+    (   { Names == [] }
+    ->  [ '  None has a name: write its number.' ]
+    ;   { atomic_list_concat(Names, ', ', All) },
+        [ '  These are names in it: ~w. Others are asked for by number.'-[All] ]
+    ).
 notice_en(pixel_colour_asked(Dots)) -->
     [ 'pixel_colour/4 is a rule: it is asked of each of ~D dots'-[Dots] ].
 notice_en(pixel_colour_in_vain) -->

@@ -299,8 +299,14 @@ notice_ko(sheet_tiny(N:M, How)) -->
     sheet_tiny_ko(N, M, How).
 notice_ko(nothing_drawn) -->
     [ '그릴 것이 없습니다' ].
-notice_ko(look_in_vain(Name)) -->
-    [ '모양 사실에 ~p이(가) 있지만 그런 이름의 세그먼트가 없습니다'-[Name] ].
+notice_ko(look_in_vain(Name, Names)) -->
+    [ '모양 사실에 ~p이(가) 있지만 그런 이름의 세그먼트가 없습니다'-[Name],
+      nl ],
+    (   { Names == [] }
+    ->  [ '  이름이 있는 세그먼트가 없습니다. 번호를 쓰십시오.' ]
+    ;   { atomic_list_concat(Names, ', ', All) },
+        [ '  모델에 있는 이름: ~w. 나머지는 번호로 가리킵니다.'-[All] ]
+    ).
 notice_ko(pixel_colour_asked(Dots)) -->
     [ 'pixel_colour/4의 규칙이 있습니다. 점 ~D개에 하나씩 묻습니다'-[Dots] ].
 notice_ko(pixel_colour_in_vain) -->

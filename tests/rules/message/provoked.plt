@@ -209,7 +209,7 @@ command(pixel_colour_in_vain, [render, @('cube.pl'), '--rules', @('dot.pl'),
 command(facets_off(_), [render, @('ball.pl'), '-o', @('a.png')]).
 command(shadows_in_vain, [render, @('cube.pl'), '--rules', @('tone.pl'),
                           '--shadows', '--size', '9x9', '-o', @('a.png')]).
-command(look_in_vain(_), [render, @('cube.pl'), '--look', @('looks.pl'),
+command(look_in_vain(_,_), [render, @('cube.pl'), '--look', @('looks.pl'),
                           '--size', '9x9', '-o', @('a.png')]).
 command(style_in_vain(_), [draw, @('cube.pl'), '--style', @('style.pl'),
                            '-o', @('a.svg')]).

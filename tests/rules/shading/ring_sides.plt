@@ -1,6 +1,6 @@
-/* Tori seen from their side, however they lie in the picture, and thin ones: both
-   walls end in one place there, so the discriminant of their quartic touches 0
-   and does not change its sign, or is 0 but for rounding. */
+/* Tori seen from their side, however they lie in the picture, and thin ones:
+   both walls end in one place there, so the discriminant of their quartic
+   touches 0 and does not change its sign, or is 0 but for rounding. */
 % covers: ring_slice, shading_ring
 :- module(test_ring_sides, []).
 :- use_module(library(aggregate)).
@@ -31,7 +31,8 @@ area(Steps, Tube, View, Area) :-
                              Sum) )),
     Area is Sum/256/4/100.
 
-%   line(Scene, Lines, From, To, I, Spans): of Lines in 90 dots those from From on.
+%   line(Scene, Lines, From, To, I, Spans): of Lines in 90 dots those from From
+%   on.
 line(Scene, Lines, From, To, I, Spans) :-
     scene_handle(Scene, Handle),
     Last is To-1,
