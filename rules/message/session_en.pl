@@ -87,8 +87,9 @@ session_en(edit(no_path(Path))) -->
 session_en(edit(no_number(Path))) -->
     [ 'what the fact has at the path ~p is not a number'-[Path] ].
 session_en(unsafe_goal(Goal)) -->
-    [ 'a goal of others than the owner may only read; this may do \c
-       more: ~p'-[Goal] ].
+    [ 'a question may only read; this may do more: ~p'-[Goal] ].
+session_en(thrown(Text)) -->
+    [ 'the goal raised ~s'-[Text] ].
 session_en(no_answers_left(Id)) -->
     [ 'no answers are left of the question ~p'-[Id] ].
 session_en(too_long(seconds, Most)) -->
@@ -120,6 +121,8 @@ session_en(owner_alone(show)) -->
 session_en(no_class) -->
     [ 'there is no class with problems here', nl,
       '  Start one: sanggwan serve --problems FILE' ].
+session_en(answers_inside(File)) -->
+    [ '~w has answers of this class: the teacher alone opens it'-[File] ].
 session_en(not_in_class) -->
     [ 'answers are of someone: say your name first' ].
 session_en(owner_alone(journal)) -->

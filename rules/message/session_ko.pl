@@ -83,8 +83,9 @@ session_ko(edit(no_path(Path))) -->
 session_ko(edit(no_number(Path))) -->
     [ '사실의 경로 ~p에 있는 것은 수가 아닙니다'-[Path] ].
 session_ko(unsafe_goal(Goal)) -->
-    [ '주인이 아닌 사람의 목표는 읽기만 할 수 있습니다. 그 밖의 일을 할 수 \c
-       있는 것: ~p'-[Goal] ].
+    [ '질문은 읽기만 할 수 있습니다. 그 밖의 일을 할 수 있는 것: ~p'-[Goal] ].
+session_ko(thrown(Text)) -->
+    [ '목표가 던진 예외: ~s'-[Text] ].
 session_ko(no_answers_left(Id)) -->
     [ '질문 ~p의 답이 남아 있지 않습니다'-[Id] ].
 session_ko(too_long(seconds, Most)) -->
@@ -116,6 +117,8 @@ session_ko(owner_alone(show)) -->
 session_ko(no_class) -->
     [ '여기에는 문제를 푸는 수업이 없습니다', nl,
       '  시작하십시오: sanggwan serve --problems FILE' ].
+session_ko(answers_inside(File)) -->
+    [ '~w에는 이 수업의 답이 들어 있어 선생님만 엽니다'-[File] ].
 session_ko(not_in_class) -->
     [ '누구의 답인지 알아야 합니다. 먼저 이름을 쓰십시오' ].
 session_ko(owner_alone(journal)) -->

@@ -7,6 +7,7 @@
 :- use_module('../space_limit', [with_stack_limit/2]).
 :- use_module('../store', [facts_snapshot/1]).
 :- use_module(ask_hidden, [asks_of_picture/1, hides/2]).
+:- use_module(goal_part, [data_error/2, unsafe_part/2]).
 :- use_module(query, [answer_json/2, read_goal/3]).
 :- use_module(answer_name, [shown_names/2]).
 :- use_module(request, [request_error/1]).
@@ -18,7 +19,7 @@
 /** <module> Questions to the document of a session, with limits.
 
 A goal of somebody is called if library(sandbox) finds that it can only read
-(sandbox.pl); that of the owner whatever it does. Either way the document is as
+(sandbox.pl), and it names nothing that goal_part.pl lists; that of the owner whatever it does. Either way the document is as
 before afterwards. All answers are of one revision: they are found at once, as
 many as there may be, and handed out in parts.
 */
@@ -92,11 +93,14 @@ question_module(Module) :-
     set_module(Module:class(temporary)),
     Module:import(sg_ask_hidden:hides/2).
 
-answers(Owner, Goal, Bindings, Names, Rows, Cut) :-
-    (   Owner == true
-    ->  true
-    ;   goal_is_safe(Goal)
-    ),
+answers(true, Goal, Bindings, Names, Rows, Cut) :-
+    answers(Goal, Bindings, Names, Rows, Cut).
+answers(false, Goal, Bindings, Names, Rows, Cut) :-
+    goal_is_safe(Goal),
+    catch(answers(Goal, Bindings, Names, Rows, Cut), Error0,
+          ( data_error(Error0, Error), throw(Error) )).
+
+answers(Goal, Bindings, Names, Rows, Cut) :-
     pairs_keys_values(Bindings, Names, Values),
     ask_limits(Seconds, Inferences, Octets, Most, _),
     Enough is Most+1,
@@ -123,8 +127,11 @@ row(Goal, Values, Row-Shown) :-
     maplist(answer_json, Values, Row),
     shown_names(Goal, Shown).
 
-goal_is_safe(Goal) :-
-    catch(safe_goal(Goal), error(Formal, _), unsafe(Formal)).
+goal_is_safe(Module:Goal) :-
+    (   unsafe_part(Goal, Part)
+    ->  unsafe(permission_error(call, sandboxed, Part))
+    ;   catch(safe_goal(Module:Goal), error(Formal, _), unsafe(Formal))
+    ).
 
 unsafe(permission_error(_, sandboxed, Culprit)) :-
     !,

@@ -142,6 +142,42 @@ for goal in ("shell(ls)", "evaluate", "assertz(user:a)", "open(a, write, _)",
              "assertz(sg_session:a)", "thread_self(X), thread_signal(X, halt)"):
     head, _ = s.ask("ask", goal=goal)
     check("may not: " + goal, code(head) != "", head)
+# What library(sandbox) follows, and calls all the same: another module, a file, the
+# words of a message.
+here = os.path.join(work, "was_here")
+with open(os.path.join(work, "evil.pl"), "w") as out:
+    out.write(":- open('%s', append, S), close(S).\n" % here)
+touch = "open('%s', append, S), close(S)" % here
+words = "format('~@', [(%s)])" % touch
+for goal, wanted in [
+        ("print_message(error, %s)" % words, "request_error.unsafe_goal"),
+        ("maplist(print_message, [error], [%s])" % words,
+         "request_error.unsafe_goal"),
+        ("message_to_string(%s, T)" % words, "request_error.unsafe_goal"),
+        ("throw(%s)" % words, "request_error.thrown"),
+        ("throw(error(%s, _))" % words, "request_error.thrown"),
+        ("throw(error(type_error(a, b), context(c/1, %s)))" % words,
+         "request_error.thrown"),
+        ("X = [0'~, 0'@], throw(format(X, [(%s)]))" % touch,
+         "request_error.thrown"),
+        ("throw('~0@'-[(%s)])" % touch, "request_error.thrown")] + [
+            (goal, "request_error.unsafe_goal") for goal in (
+                "use_module(evil)", "use_module('evil.pl')",
+                "call(use_module, evil)", "load_files(evil, [])",
+                "sg_document:trial_committed(\"may_cut(_, _) :- %s.\")" % touch,
+                "sg_document:trial_left", "sg_document:assertz(tried_(\"x\"))",
+                "sandbox:assertz(safe_primitive(system:shell(_)))",
+                "@(assertz(tried_(\"x\")), sg_document)",
+                "X =.. [:, sg_document, trial_left], X = Y",
+                "'$set_source_module'(_, sg_document)",
+                "facts_snapshot(sg_document:trial_left)")]:
+    head, _ = s.ask("ask", goal=goal)
+    check("may not: " + goal, code(head) == wanted, head)
+    check("did not: " + goal, not os.path.exists(here))
+for goal in ("throw(error(type_error(integer, a), _))", "throw(mine)"):
+    check("told: " + goal, code(s.ask("ask", goal=goal)[0]) in
+          ("type_error", "mine"), head)
+check("no rules are tried", s.ask("rules")[0]["tried"] is False)
 for goal, wanted in (("X = ", "usage_error.bad_goal"),
                      ("X is foo+1", "type_error"),
                      ("no_such_predicate(1)", "existence_error"),
