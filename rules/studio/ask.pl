@@ -7,7 +7,7 @@
 :- use_module('../space_limit', [with_stack_limit/2]).
 :- use_module('../store', [facts_snapshot/1]).
 :- use_module(ask_hidden, [asks_of_picture/1, hides/2]).
-:- use_module(goal_part, [data_error/2, unsafe_part/2]).
+:- use_module(question_part, [data_error/2, unsafe_part/2]).
 :- use_module(query, [answer_json/2, read_goal/3]).
 :- use_module(answer_name, [shown_names/2]).
 :- use_module(request, [request_error/1]).
@@ -19,7 +19,7 @@
 /** <module> Questions to the document of a session, with limits.
 
 A goal of somebody is called if library(sandbox) finds that it can only read
-(sandbox.pl), and it names nothing that goal_part.pl lists; that of the owner whatever it does. Either way the document is as
+(sandbox.pl), and it names nothing that question_part.pl lists; that of the owner whatever it does. Either way the document is as
 before afterwards. All answers are of one revision: they are found at once, as
 many as there may be, and handed out in parts.
 */

@@ -4,7 +4,8 @@
 :- use_module('../model/model', [model_format/2, model_there/1]).
 :- use_module('../problem/problem_file', [problems_read/3]).
 :- use_module('../version', [version/1]).
-:- use_module(visitor_answer, [class_begun/1, class_file/1, class_pupil/2]).
+:- use_module(visitor_answer,
+              [class_begun/2, class_file/1, class_opens/1, class_pupil/2]).
 :- use_module(front_socket, [called/2, front_socket/4, front_socket_gone/1]).
 :- use_module(guard,
               [ behind_begun/1, embed_begun/1, host_allowed/2, is_loopback/1,
@@ -94,7 +95,7 @@ front(Model, Options, 130) :-
     format(string(Address), "~w#~w", [Page, Token]),
     format("~w~n", [Address]),
     class_opened(Class, Page),
-    class_begun(Problems),
+    class_begun(Problems, Model),
     flush_output,
     opened_in_browser(Options, Address),
     setup_call_cleanup(true, watching,
@@ -439,7 +440,7 @@ welcomed(Socket, Visitor, front(_,_,Folder,Owner0), Model, Revision, Head) :-
     ->  File = null
     ;   file_base_name(Model, File)
     ),
-    models(Folder, Models),
+    models(Visitor, Folder, Models),
     uploads(Visitor, Uploads),
     class_told(Visitor, Class),
     may_show(Visitor, Shows),
@@ -474,16 +475,24 @@ class_told(Visitor, Class) :-
     ;   Class = _{teacher:false, name:null}
     ).
 
-%   models(Folder, Models): what may be opened, by name.
+%   models(Visitor, Folder, Models): what may be opened, by name.
 
-models(Folder, Models) :-
+models(Visitor, Folder, Models) :-
     catch(directory_files(Folder, Files), error(_, _), Files = []),
     findall(Name,
             ( member(File, Files),
               model_format(File, _),
+              may_open(Visitor, Folder, File),
               atom_string(File, Name) ),
             Names),
     sort(Names, Models).
+
+may_open(Visitor, Folder, File) :-
+    (   Visitor == owner
+    ->  true
+    ;   atomic_list_concat([Folder,/,File], Path),
+        class_opens(Path)
+    ).
 
 %   requests(WebSocket, Front, Socket): until the page closes it.
 

@@ -15,7 +15,7 @@
             security_header/2           % ?Name, ?Value
           ]).
 :- use_module('../model/model', [model_format/2]).
-:- use_module(visitor_answer, [class_file/1, class_pupil/2]).
+:- use_module(visitor_answer, [class_file/1, class_opens/1, class_pupil/2]).
 :- use_module(request, [request_error/1]).
 :- use_module(library(apply), [maplist/2]).
 :- use_module(library(lists), [append/3, member/2]).
@@ -256,6 +256,7 @@ security_header('Cache-Control', 'no-cache').
 %   visitors may run code.
 %
 %   @error request_error(not_offered(Do)), request_error(outside(File)),
+%   request_error(answers_inside(File)),
 %   request_error(owner_alone(rules)), request_error(bad_key(options, offered))
 
 request_allowed(Front, Head, Allowed) :-
@@ -323,6 +324,11 @@ looked_through("open", front(_,_,Folder,Owner), Head0, Head) :-
     name_of(Head0, Name),
     file_allowed(Folder, Name, Path),
     absolute_file_name(Path, Absolute, [relative_to(Folder)]),
+    (   Owner = pupil(_),
+        \+ class_opens(Absolute)
+    ->  request_error(answers_inside(Name))
+    ;   true
+    ),
     journal_of(Owner, Absolute, Journal, Code),
     Head = Head0.put(_{file:Path, journal:Journal, owner:Code}).
 looked_through("save", front(_,_,_,pupil(_)), _, _) :-

@@ -1,6 +1,7 @@
 :- module(sg_visitor_answer,
-          [ class_begun/1,              % +File
+          [ class_begun/2,              % +File, +Model
             class_file/1,               % -File
+            class_opens/1,              % +Path
             class_request/4,            % +Who, +Do, +Head, -Reply
             class_pupil/2,              % +Who, -Pupil
             answers_recorded/2          % +Who, +Reply
@@ -22,14 +23,18 @@ The secret of a pupil is not in it, only a digest.
 % others came before. done_(Digest, Problem, Number, Tries, Answers, Right,
 % Shown): Right is a list of true and false, of the last try; Shown is true if
 % the answer was shown before all was right.
-:- dynamic book_/2, pupil_/3, done_/7.
+% model_(Model): the model that is given beside the problems.
+:- dynamic book_/2, pupil_/3, done_/7, model_/1.
 
-%!  class_begun(+File) is det.
+%!  class_begun(+File, +Model) is det.
 %
 %   The class has the problems of File, an absolute path, or none, if File is
-%   `none`. What was answered before, to these, is there again.
+%   `none`, and beside them Model, or no model, if it is `none`. What was
+%   answered before, to these, is there again.
 
-class_begun(File) :-
+class_begun(File, Model) :-
+    retractall(model_(_)),
+    assertz(model_(Model)),
     retractall(book_(_, _)),
     retractall(pupil_(_, _, _)),
     retractall(done_(_, _, _, _, _, _, _)),
@@ -75,6 +80,19 @@ digest(Text, Digest) :-
 
 class_file(File) :-
     book_(File, _).
+
+%!  class_opens(+Path) is semidet.
+%
+%   A pupil may open the model Path. In a class with problems that is the one
+%   beside them alone: those of the problems have the answers.
+
+class_opens(Path) :-
+    (   book_(_, _)
+    ->  model_(Model),
+        Model \== none,
+        same_file(Path, Model)
+    ;   true
+    ).
 
 %   Lines that are not complete, or of another kind, were told to nobody.
 

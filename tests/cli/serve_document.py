@@ -1,7 +1,7 @@
 """serve_document.py PROGRAM FOLDER: the document of a session: pictures and
 explanations are those of the command line, questions have limits, changes go
 into the text and into the journal, and kill -9 loses nothing."""
-# covers: document_content, document_journal
+# covers: document_content, document_journal, question_part
 import hashlib
 import json
 import os

@@ -123,6 +123,11 @@ for keys_, wanted in ((dict(problem="none"), "request_error.bad_key"),
                        "request_error.bad_key")):
     check("refused: %s" % keys_, code(kim.ask("problem", **keys_)[0])
           == wanted)
+check("models of the class have the answers", [
+    code(kim.ask("open", file=name)[0]) for name in
+    ("fig10.pl", "./fig12.pl", os.path.join(models, "fig10.pl"))] ==
+    ["request_error.answers_inside"] * 3 and kim.hello["models"] == [] and
+    "fig10.pl" in teacher.hello["models"], kim.hello)
 check("not for pupils", code(kim.ask("class")[0])
       == "request_error.owner_alone")
 

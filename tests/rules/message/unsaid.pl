@@ -43,6 +43,7 @@ unsaid(session_en, session_en(owner_alone(class))).
 unsaid(session_en, session_en(owner_alone(show))).
 unsaid(session_en, session_en(no_class)).
 unsaid(session_en, session_en(not_in_class)).
+unsaid(session_en, session_en(answers_inside(_))).
 unsaid(session_en, session_en(too_many_sessions(_))).
 unsaid(session_en, wanted_en(offered)).
 unsaid(session_en, wanted_en(download)).

@@ -1,4 +1,4 @@
-:- module(sg_goal_part,
+:- module(sg_question_part,
           [ unsafe_part/2,              % +Goal, -Part
             data_error/2                % +Error0, -Error
           ]).
@@ -8,7 +8,7 @@
 library(sandbox) follows what a goal calls. Some of what it holds safe is not
 safe here. A goal M:G is called in the module M, where it finds what is no
 export, and where it may add facts; use_module/1 runs the directives of a file;
-a message of the form format(Format, Arguments) calls what Format says with `~@`.
+a message format(Format, Arguments) calls what Format says with `~@`.
 So none of these may stand in the goal of a stranger, at no depth, and not as an
 atom either, because a goal can be put together: call(use_module, file).
 */
@@ -52,8 +52,8 @@ unsafe(abolish_all_tables).
 
 %!  data_error(+Error0, -Error) is det.
 %
-%   Error is what a goal of a stranger raised; if the words of a message could
-%   call something, request_error(thrown(Text)): Text is Error0 as it is written.
+%   Error is what a goal of a stranger raised; if words of its message could call
+%   something, request_error(thrown(Text)): Text is Error0 as it is written.
 
 data_error(Error0, Error) :-
     (   sub_term(Part, Error0),
