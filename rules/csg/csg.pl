@@ -5,6 +5,8 @@
             operand_segment/2,          % ?S, ?N
             glue_operands/2,            % +S, -Operands
             glue_tolerance/3,           % +Given, +S, -Tolerance
+            tree_tolerance/2,           % +S, -Tolerance
+            tolerance_kept/2,           % +S, +Tolerance
             is_node/1,                  % +S
             is_helper/1,                % +S
             complete_tree/1,            % +Nodes
@@ -132,6 +134,39 @@ inner_tolerance(S, T) :-
     integer(Child),
     glue_tolerance(default, Child, T),
     number(T).
+
+%!  tree_tolerance(+S, -Tolerance) is semidet.
+%
+%   Tolerance is the largest that glues say (glue_tolerance/3) in the tree under
+%   the node S, of another operation.
+%
+%   @error as glue_tolerance/3
+
+tree_tolerance(S, Tolerance) :-
+    once(gluing(_, tolerance(_))),
+    findall(T, glue_below(S, T), Ts),
+    max_list(Ts, Tolerance).
+
+glue_below(S, T) :-
+    node(S, Operation, Children, _),
+    (   Operation == glue
+    ->  glue_tolerance(default, S, T),
+        number(T)
+    ;   member(Child, Children),
+        integer(Child),
+        glue_below(Child, T)
+    ).
+
+%!  tolerance_kept(+S, +Tolerance) is det.
+%
+%   The glue S says that this is its Tolerance, a number.
+
+tolerance_kept(S, Tolerance) :-
+    (   gluing(S, tolerance(Tolerance))
+    ->  true
+    ;   retractall_facts(gluing(S, tolerance(_))),
+        assert_fact(gluing(S, tolerance(Tolerance)))
+    ).
 
 %!  is_node(+S) is semidet.
 

@@ -10,7 +10,8 @@
 :- use_module(boolean, [boolean/3]).
 :- use_module('../csg/csg',
               [ node/4, root_segment/1, glue_operands/2, glue_tolerance/3,
-                is_node/1, complete_tree/1, complete_tree/2
+                tree_tolerance/2, tolerance_kept/2, is_node/1, complete_tree/1,
+                complete_tree/2
               ]).
 :- use_module(csg_flat,
               [ flat_expression/2, flat_leaves/2, helpers/1, is_half/1,
@@ -72,8 +73,10 @@ coincides once (glue.pl); under another operation it is the union of its solids.
 %
 %     - tolerance(Tolerance)
 %       What is nearer than this (model units) is made to touch first. Default:
-%       as segments_tolerance/3 sees the leaves of a node, or as a glue says
-%       itself (glue_tolerance/3).
+%       as segments_tolerance/3 sees the leaves of a node; as a glue says itself
+%       (glue_tolerance/3); or as a glue in the tree says, if that is more. A
+%       glue that is evaluated so keeps it, as gluing(S, tolerance(Tolerance)).
+%       Other nodes keep it until something of them changes.
 %
 %   @error existence_error(segment, S); model_error(What) of csg_term.pl;
 %   geometry_error(What) where the geometry cannot be done
@@ -100,6 +103,8 @@ evaluate(Which, Options) :-
           throw(error(model_error(What), _))).
 
 all_evaluated(Ss0, Tolerance) :-
+    forall(( Tolerance \== default, member(S, Ss0), node(S, glue, _, _) ),
+           tolerance_kept(S, Tolerance)),
     exclude(only_grown(Tolerance), Ss0, Ss),
     (   Ss == [],
         Ss0 \== []
@@ -173,14 +178,27 @@ made_from(S, Tolerance0, From) :-
     glue_operands(S, Operands),
     findall(Wish, gluing(S, Wish), Wishes),
     From = glue(Operands, Tolerance, Wishes).
-made_from(S, Tolerance, From) :-
+made_from(S, Tolerance0, From) :-
     flat_expression(S, Expression),
     (   Expression == S
     ->  recorded(S, evaluated(From))    % an instance: made already
     ;   flat_leaves(Expression, Leaves),
         segment_stamps(Leaves, Stamps),
+        coarser(Tolerance0, S, Leaves, Tolerance),
         From = of(Expression, Stamps, Tolerance)
     ).
+
+%   coarser(Tolerance0, S, Leaves, Tolerance): what a glue in the tree says
+%   counts for all of it, if it is more than what the Leaves say.
+
+coarser(default, S, Leaves, Tolerance) :-
+    tree_tolerance(S, Tolerance),
+    not_kept(Leaves, Others),
+    exclude(is_half, Others, Real),
+    segments_tolerance(Real, Reach, _),
+    Tolerance > Reach,
+    !.
+coarser(Tolerance, _, _, Tolerance).
 
 renewed(S, From) :-
     earlier(S, Earlier),

@@ -10,8 +10,9 @@
 :- use_module(rules(store)).
 :- use_module(tests('rules/boolean_case'), [in_scene/2]).
 
-%   glued(Terms, Change, Sources-(Counts-Regions)): of which polygons those of the
-%   glue of segments with these terms are, what is counted of it, and Role-Inside
+%   glued(Terms, Change, Sources-(Counts-Regions)): of which polygons those of
+%   the glue of segments with these terms are, what is counted of it, and
+%   Role-Inside
 %   of its regions.
 
 :- meta_predicate glued(+, 0, -).
