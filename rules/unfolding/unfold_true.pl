@@ -9,7 +9,7 @@
 :- use_module('../store',
               [e/5, p/3, origin/3, edge_polygon/3, facts_transaction/1]).
 :- use_module('../polygon/triangulation', [complete_segments/0]).
-:- use_module('../unrolling/sphere_facet', [has_sphere/1]).
+:- use_module('../unrolling/sphere_facet', [has_sphere/1, sphere_cut/2]).
 :- use_module('../unrolling/transition_facet', [takes_turns/1]).
 :- use_module('../unrolling/true_development',
               [true_development/4, developable_part/3]).
@@ -44,7 +44,9 @@
 %   what is flat. If the plate has a thickness, what is trimmed are the surfaces
 %   that touch (plate_parts/5). One transaction.
 %
-%   @error as plate_fits/2, plate_parts/5, trimmed/4 (of S)
+%   @error as plate_fits/2, plate_parts/5, trimmed/4 (of S);
+%   geometry_error(true(no_option(S, Option))): of a sphere half(true), and
+%   generators(N) of zones, say nothing
 
 true_patterns(S, Wanted, Options, Ds) :-
     asked_once(facts_transaction(
@@ -61,7 +63,7 @@ patterns(S, Wanted, Options0, Ds) :-
             ( true_part(T, Part), \+ part_removed(T, Part, Removed) ),
             Parts),
     option(cut(Cut), Manual, []),
-    maplist(unrolled(T, Cut, Options), Parts, Unrolled),
+    maplist(unrolled(S, T, Cut, Options), Parts, Unrolled),
     unrolled_polygons(T, Parts, Ps),
     ord_union(Removed, Ps, Done),
     findall(P, ( p(T, P, _), polygon_drawn(T, P, _, _) ), All0),
@@ -214,18 +216,31 @@ composed_of_plate(S, Options) :-
         once(( member(Leaf, Leaves), placed_surface(Leaf, _, _) ))
     ).
 
-%   unrolled(T, Cut, Options, Part, D): the seam is where an edge of it is to be
-%   cut, if nothing else is said.
+%   unrolled(S, T, Cut, Options, Part, D): the seam is where an edge of it is to
+%   be cut, if nothing else is said. Errors are those of S, of which T was made.
 
-unrolled(T, Cut, Options, Part, D) :-
+unrolled(S, T, Cut, Options, Part, D) :-
     (   sphere_part_polygon(T, Part, _)
-    ->  sphere_development(T, Part, Options, D)
+    ->  sphere_checked(S, Options),
+        sphere_development(T, Part, Options, D)
     ;   \+ option(seam(_), Options),
         member(E, Cut),
         generator_at(T, Part, E, Degrees)
     ->  true_development(T, Part, [seam(Degrees)|Options], D)
     ;   true_development(T, Part, Options, D)
     ).
+
+%   sphere_checked(S, Options): what would say nothing is refused.
+
+sphere_checked(S, Options) :-
+    sphere_cut(Options, Cut),
+    member(Option0, [half(true),generators(_)]),
+    memberchk(Option0, Options),
+    ( Option0 = half(_) ; Cut = zones(_) ),
+    !,
+    functor(Option0, Option, _),
+    throw(error(geometry_error(true(no_option(S, Option))), _)).
+sphere_checked(_, _).
 
 %   generator_at(T, Part, E, Degrees): edge E is between two facets of Part.
 

@@ -76,8 +76,8 @@ inner(outside, T, Inner) :- Inner is -float(T).
 %!  plate_fits(+S, +Options) is det.
 %
 %   The plate of segment S leaves a hollow: its inside is nearer to what is
-%   drawn than the axis is, at both ends, or than the middle of an outline. So
-%   it is of each leaf of a CSG tree that is plate.
+%   drawn than the axis is, at both ends, than the middle of a sphere, or of an
+%   outline. So it is of each leaf of a CSG tree that is plate.
 %
 %   @error geometry_error(true(too_thick(S, T, Most))): T is not less than Most
 
@@ -118,6 +118,10 @@ hollow_depth(S, Inner, Most) :-
 
 surface_hollow(cylinder(_, U, V, _), _, Most) :-
     least_radius(U, V, Most).
+surface_hollow(sphere(_, U, V, W), _, Most) :-
+    least_radius(U, V, R1),
+    least_radius(V, W, R2),
+    Most is min(R1, R2).
 surface_hollow(cone(C, U, V, W, K), Inner, Most) :-
     least_radius(U, V, R0),
     (   K > 0.0

@@ -93,14 +93,10 @@ part_leaf(T, Part, Leaf, Name) :-
 %   gores(N), zones(N) as sphere_cut/2 has them, generators(N): so many parts of
 %   the middle meridian of the first gore, 12 by default, and those of
 %   plate_layer/2.
-%
-%   @error geometry_error(true(no_option(Leaf, Option))): half(true), and
-%   generators(N) of zones, say nothing here
 
 sphere_development(T, Part, Options, D) :-
     part_leaf(T, Part, Leaf, Name),
     sphere_cut(Options, Cut),
-    options_checked(Options, Cut, Leaf),
     once(round_sphere(Leaf, Name, Surface)),
     plate_layer(Options, Layer),
     findall(facet(P, Ts, Ss, Es),
@@ -122,22 +118,6 @@ sphere_development(T, Part, Options, D) :-
         pattern_written(true_development(T, Part),
                         pattern(T, smooth, Sorted, Points, Curves, Marks),
                         D)).
-
-options_checked(Options, Cut, Leaf) :-
-    member(Option0, [half(true),generators(_)]),
-    memberchk(Option0, Options),
-    ( Option0 = half(_) ; Cut = zones(_) ),
-    !,
-    functor(Option0, Option, _),
-    drawn_leaf(Leaf, S),
-    throw(error(geometry_error(true(no_option(S, Option))), _)).
-options_checked(_, _, _).
-
-drawn_leaf(Leaf, S) :-
-    (   origin(Leaf, node(Leaf), plate(S0))
-    ->  S = S0
-    ;   S = Leaf
-    ).
 
 meetings(T, Leaf, Facets, Meets) :-
     findall(V,
@@ -447,10 +427,11 @@ moved_up(Gap, Unit, Points0, Points, Y0, Y1) :-
 %   the middle meridian, From and To are from there.
 
 marks(zones(_), _, _, _, _, _, []).
-marks(gores(_), Options, Surface-Layer, Low, [Facets|_], [Points|_], Marks) :-
+marks(gores(M), Options, Surface-Layer, Low, [Facets|_], [Points|_], Marks) :-
     option(generators(N), Options, 12),
     sphere_radius(Surface, R0),
     R is R0+Layer,
+    Half is 180.0/M,
     list_to_assoc(Points, Table),
     findall(P-Q,
             ( member(facet(_, _, _, Halves), Facets),
@@ -464,7 +445,7 @@ marks(gores(_), Options, Surface-Layer, Low, [Facets|_], [Points|_], Marks) :-
               Number is J+1,
               S is Low + (90.0-Low)*J/N,
               X is R*(S-Low)*pi/180.0,
-              spans(Sides, X, Spans),
+              spans(Sides, gore(R,Low,Half), X, Spans),
               member(From-To, Spans),
               \+ is_rounding(To-From, R),
               Y1 is From-Least,
@@ -475,19 +456,44 @@ least_y(Points, Least) :-
     findall(Y, member(_-(_-Y), Points), Ys),
     min_list(Ys, Least).
 
-%   spans(Sides, X, Spans): where the upright line at X is within them.
+%   spans(Sides, Gore, X, Spans): where the upright line at X is within them. A
+%   side along the meridian that bounds Gore stands for that, and not for a
+%   chord of it.
 
-spans(Sides, X, Spans) :-
+spans(Sides, Gore, X, Spans) :-
     findall(Y,
-            ( member((X1-Y1)-(X2-Y2), Sides),
-              (   X1 =< X
-              ->  X2 > X
-              ;   X2 =< X
-              ),
-              Y is Y1 + (Y2-Y1)*(X-X1)/(X2-X1) ),
+            ( member(P-Q, Sides),
+              side_crossed(P, Q, Gore, X, Y) ),
             Ys0),
     msort(Ys0, Ys),
     paired(Ys, Spans).
+
+side_crossed(P, Q, Gore, X, Y) :-
+    P = X1-Y1,
+    Q = X2-Y2,
+    (   X1 =< X
+    ->  X2 > X
+    ;   X2 =< X
+    ),
+    (   meridian_at(Gore, P, Y1),
+        meridian_at(Gore, Q, Y2)
+    ->  meridian_y(Gore, X, Y0),
+        Y is copysign(Y0, Y1+Y2)
+    ;   Y is Y1 + (Y2-Y1)*(X-X1)/(X2-X1)
+    ).
+
+%   meridian_y(gore(R, Low, Half), X, Y): Y above the middle is where the
+%   meridian Half degrees from it lies at X.
+
+meridian_y(gore(R,Low,Half), X, Y) :-
+    S is Low + X*180.0/(R*pi),
+    level_radius(S, Part),
+    Y is R*Half*pi/180.0*Part.
+
+meridian_at(Gore, X-_, Y) :-
+    meridian_y(Gore, X, Y0),
+    arg(1, Gore, R),
+    is_rounding(abs(Y)-Y0, R).
 
 paired([], []).
 paired([From,To|Ys], [From-To|Spans]) :-

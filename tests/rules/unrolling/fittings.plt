@@ -380,6 +380,9 @@ thickest(transition(base(rectangle(300, 200)), top(circle(60)), height(90)),
          [base,top], outside, 60).
 thickest(transition(base(rectangle(300, 90)), top(ellipse(80,60)),
                     height(90)), [base,top], outside, 45).
+thickest(hemisphere(radius(50), facets(12), bands(6)), [base], outside, 50).
+thickest(at([mirror(z)], hemisphere(radius(30), facets(12), bands(6))), [base],
+         middle, 60).
 
 test(too_thick, [ forall(thickest(Term, Removed, Size, Most)),
                   error(geometry_error(true(too_thick(1, T, Found)))) ]) :-

@@ -223,22 +223,40 @@ test(silo, true(Kinds == [development,true_development])) :-
                sort(Kinds0, Kinds),
                length(Ds, 2) )).
 
-%   The table says where to mark a gore: the widths of its parallels.
+%   The table says where to mark a gore: the widths of its parallels, which are
+%   those of the sphere and not of the chords of its outline.
 
-test(table, true(N =:= 11)) :-
-    patterns([sphere(radius(50))], [gores(8),generators(12)], [D],
+test(table, [ forall(member(Term-Options-R-N,
+                            [ sphere(radius(50))-[]-50-11,
+                              sphere(radius(7))-[thickness(1),size(outside)]-
+                                  6.5-11,
+                              hemisphere(radius(30))-[]-30-12 ])),
+              Wrong-Count == []-N ]) :-
+    patterns([Term], [gores(8),generators(12)|Options], [D|_],
              ( true_length_rows(D, Rows),
-               length(Rows, N),
-               forall(member(row(_, S, At, From, To, L, _, _, _), Rows),
-                      ( abs(At - 50*(S+90)*pi/180) < 1.0e-9,
-                        Exact is 100*pi*cos(S*pi/180)/8,
-                        abs(L-Exact) < 0.1,
-                        abs(From+To) < 1.0e-9 )) )).
+               length(Rows, Count),
+               findall(Row, ( member(Row, Rows), \+ row_right(R, Row) ),
+                       Wrong) )).
+
+row_right(R, row(_, S, _, From, To, L, _, _, _)) :-
+    Exact is pi*R*cos(S*pi/180)/4,
+    abs(L-Exact) < 1.0e-9*R,
+    abs(From+To) < 1.0e-9*R.
 
 test(half, error(geometry_error(true(no_option(1, half))))) :-
     patterns([sphere(radius(1))], [half(true)], _, true).
 test(generators_of_zones,
      error(geometry_error(true(no_option(1, generators))))) :-
     patterns([sphere(radius(1))], [zones(3),generators(8)], _, true).
+
+%   It is the segment of the user that is told of, not the leaf.
+test(half_of_a_tree, error(geometry_error(true(no_option(9, half))))) :-
+    new_world(World),
+    in_world(World,
+             ( assert_fact(segment(9, solid,
+                                   split(sphere(radius(50)), plane(0,0,1,0),
+                                         above))),
+               evaluate,
+               true_patterns(9, wanted(none, [], [], []), [half(true)], _) )).
 
 :- end_tests(true_sphere).
