@@ -78,9 +78,24 @@ has_formula(Term) :-
     !.
 has_formula(Term) :-
     compound(Term),
-    arg(_, Term, Argument),
-    has_formula(Argument),
-    !.
+    compound_name_arity(Term, _, N),
+    N > 0,
+    formula_from(1, N, Term).
+
+%   formula_from(I, N, Term): in the arguments I to N of Term. The last one is
+%   a last call, for it may be the rest of a long list.
+
+formula_from(N, N, Term) :-
+    !,
+    arg(N, Term, Argument),
+    has_formula(Argument).
+formula_from(I, N, Term) :-
+    arg(I, Term, Argument),
+    (   has_formula(Argument)
+    ->  true
+    ;   I1 is I+1,
+        formula_from(I1, N, Term)
+    ).
 
 %!  is_formula(@Term) is semidet.
 %
@@ -139,6 +154,8 @@ renamed_parameters(_, Term, Term).
 formed(Term0, Known, Term) :-
     (   is_formula(Term0)
     ->  formula_value(Term0, Known, Term)
+    ;   Term0 = [_|_]
+    ->  formed_each(Term0, Known, Term)
     ;   compound(Term0)
     ->  compound_name_arguments(Term0, Name, Arguments0),
         formed_each(Arguments0, Known, Arguments),
@@ -146,10 +163,13 @@ formed(Term0, Known, Term) :-
     ;   Term = Term0
     ).
 
-formed_each([], _, []).
-formed_each([Term0|Terms0], Known, [Term|Terms]) :-
-    formed(Term0, Known, Term),
-    formed_each(Terms0, Known, Terms).
+formed_each(Terms0, Known, Terms) :-
+    (   Terms0 = [Term0|Rest0]
+    ->  Terms = [Term|Rest],
+        formed(Term0, Known, Term),
+        formed_each(Rest0, Known, Rest)
+    ;   formed(Terms0, Known, Terms)
+    ).
 
 %!  formula_value(+Formula, :Known, -Value) is det.
 %

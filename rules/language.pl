@@ -6,6 +6,7 @@
             result_language/1,          % -Language
             with_result_language/2      % +Language, :Goal
           ]).
+:- use_module(environment, [environment/2]).
 :- use_module(library(lists), [member/2]).
 /** <module> The language that people are spoken to in.
 
@@ -32,8 +33,7 @@ language(Language) :-
 
 language_of_environment :-
     (   member(Variable, ['LC_ALL', 'LC_MESSAGES', 'LANG']),
-        getenv(Variable, Value),
-        Value \== ''
+        environment(Variable, Value)
     ->  atomic_list_concat([Language|_], '.', Value)
     ;   Language = en
     ),

@@ -38,7 +38,7 @@ limit_default(depth, 128).
 limit_default(blocks, 512).
 limit_default(digits, 2000).
 limit_default(name, 65_536).
-limit_default(fact, 64_000_000).
+limit_default(fact, 16_000_000).
 limit_default(file, 16_000_000).
 limit_default(text, 500_000_000).
 limit_default(facets, 1_000_000).

@@ -1,6 +1,7 @@
 :- module(sg_plain,
           [ plain_text/2,               % +Text, -Plain
             plain_term/2,               % +Term, -Plain
+            cut_term/2,                 % +Term, -Cut
             plain_lines/3,              % +Kind, +Lines, -Plain
             shown_text/2,               % +Text, -Shown
             plain_json/2                % +Out, :Goal
@@ -194,6 +195,42 @@ plain_kind(Value, Short, Plain) :-
     ;   string(Value)
     ->  Plain = Text
     ;   atom_string(Plain, Text)
+    ).
+
+%!  cut_term(+Term, -Cut) is det.
+%
+%   Cut is Term without most of the elements of its long lists: some more are
+%   left than plain_term/2 shows. An error that is raised is copied several
+%   times.
+
+cut_term(Term, Cut) :-
+    \+ compound(Term),
+    !,
+    Cut = Term.
+cut_term(Term, Cut) :-
+    left_of_list(Most),
+    (   Term = [_|_]
+    ->  cut_list(Term, Most, Cut)
+    ;   compound_name_arguments(Term, Name, Arguments0),
+        cut_list(Arguments0, Most, Arguments),
+        compound_name_arguments(Cut, Name, Arguments)
+    ).
+
+left_of_list(200).
+
+cut_list(List, N, Cut) :-
+    (   nonvar(List),
+        List = [Term0|Terms0]
+    ->  (   N > 0
+        ->  Cut = [Term|Terms],
+            cut_term(Term0, Term),
+            N1 is N-1,
+            cut_list(Terms0, N1, Terms)
+        ;   Cut = [...]
+        )
+    ;   List == []
+    ->  Cut = []
+    ;   cut_term(List, Cut)
     ).
 
 %!  plain_lines(+Kind, +Lines, -Plain) is det.

@@ -14,13 +14,20 @@
 %!  name_text(+Name, -Text:atom) is semidet.
 %
 %   Text is the term Name, an atom, a number or a compound of these, in one
-%   way: two names are equal if their texts are.
+%   way: two names are equal if their texts are. Fails also for what is too
+%   long for a name.
 
 name_text(Name, Text) :-
+    longest_name(Most),
+    write_length(Name, _, [quoted(true), max_length(Most)]),
     ground(Name),
     Name \== [],
     plain(Name),
     format(atom(Text), '~q', [Name]).
+
+%   longest_name(Most): characters; a file keeps 180 octets of them at most.
+
+longest_name(1000).
 
 plain(Name) :-
     (   atom(Name)

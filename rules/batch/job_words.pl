@@ -9,6 +9,7 @@
             input_option/2,             % ?Verb, ?Name
             text_of/2                   % +Value, -Text
           ]).
+:- use_module('../limits', [limit_value/2]).
 :- use_module(library(apply), [exclude/3, foldl/4, maplist/3, partition/4]).
 :- use_module(library(lists), [append/3, member/2, reverse/2]).
 :- use_module(library(pairs), [pairs_keys/2]).
@@ -29,7 +30,8 @@ limits: time_limit(Seconds), memory(Megabytes), cpu(Seconds).
 
 %!  option_pairs(+Terms, -Pairs) is det.
 %
-%   @error job_error(option(Term)): a term is no option
+%   @error job_error(option(Term)): a term is no option;
+%   job_error(limit(name, Most)): a value is too long
 
 option_pairs(Terms, Pairs) :-
     (   is_list(Terms)
@@ -52,14 +54,25 @@ option_pair(Term, Name-Value) :-
 
 option_value(set, [Name, Value0], Value) :-
     !,
+    short(Name=Value0),
     text_of(Name, Left),
     text_of(Value0, Right),
     atomic_list_concat([Left, =, Right], Value).
 option_value(_, [Argument|Arguments], Value) :-
+    short([Argument|Arguments]),
     (   Arguments == []
     ->  text_of(Argument, Value)
     ;   maplist(text_of, [Argument|Arguments], Texts),
         atomic_list_concat(Texts, ',', Value)
+    ).
+
+%   short(Value): its text has no more characters than a text in a file may.
+
+short(Value) :-
+    limit_value(name, Most),
+    (   write_length(Value, _, [max_length(Most)])
+    ->  true
+    ;   throw(job_error(limit(name, Most)))
     ).
 
 dashed(Name0, Name) :-
@@ -132,6 +145,7 @@ json_value(Name, Value, Pairs, [Name-Text|Pairs]) :-
 json_text(Name, Value, Text) :-
     (   ( string(Value) ; number(Value) ),
         !,
+        short(Value),
         format(atom(Text), '~w', [Value])
     ;   Term =.. [Name, Value],
         throw(job_error(option(Term)))

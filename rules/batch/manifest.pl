@@ -151,19 +151,12 @@ manifest_entry(manifest(Name, Path, Form, _, _), In, Entry, Place) :-
 
 next_entry(facts, Text, Entry, Place) :-
     next_term(Text, sg_manifest_syntax, Term, Names, Place),
-    place_forgotten,
     (   Term == end_of_file
     ->  Entry = end_of_file
     ;   Entry = entry(Term, Names)
     ).
 next_entry(json, Text, Entry, Place) :-
     next_object(Text, Entry, Place).
-
-%   place_forgotten: else messages about jobs would begin with the line of the
-%   manifest that was read last.
-
-place_forgotten :-
-    setup_call_cleanup(open_string("a. ", In), read(In, _), close(In)).
 
 %   next_object(Text, Entry, Place): a line of JSON; empty ones say nothing.
 
@@ -195,14 +188,21 @@ object(String, Dict) :-
 entry_error(Place, What) :-
     entry_error(Place, 0, What).
 
-entry_error(line(Name, Line), _, What) :-
-    !,
-    throw(error(model_error(manifest(What)), location(Name, Line, 1))).
-entry_error(Place, 0, What) :-
-    !,
-    place_error(Place, manifest(What)).
 entry_error(Place, Argument, What) :-
-    place_error(Place, Argument, manifest(What)).
+    (   What = limit(_, _)
+    ->  Fault = What
+    ;   Fault = manifest(What)
+    ),
+    fault_at(Place, Argument, Fault).
+
+fault_at(line(Name, Line), _, Fault) :-
+    !,
+    throw(error(model_error(Fault), location(Name, Line, 1))).
+fault_at(Place, 0, Fault) :-
+    !,
+    place_error(Place, Fault).
+fault_at(Place, Argument, Fault) :-
+    place_error(Place, Argument, Fault).
 
 
                 /*******************************
@@ -259,6 +259,7 @@ template_error(bound_twice(V), Names, Place) :-
     entry_error(Place, bound_twice(Name)).
 template_error(generator(G), Names, Place) :-
     maplist(variable_named, Names),
+    numbervars(G, 0, _, [singletons(true)]),
     source_text(G, Text),
     entry_error(Place, generator(Text)).
 
@@ -340,8 +341,10 @@ verb_specs(Verb, tools(Options, _, _), Place, Specs) :-
     ->  call(Options, Verb, Specs),
         assertz(specs(Verb, Specs))
     ;   findall(Known, batch_verb(Known), All),
-        text_of(Verb, Word),
-        near_words(Word, All, Near),
+        (   atom(Verb)
+        ->  near_words(Verb, All, Near)
+        ;   Near = []
+        ),
         entry_error(Place, 2, verb(Verb, Near, All))
     ).
 

@@ -20,7 +20,8 @@
 :- use_module('../message/messages_ko', []).
 :- use_module('../model/item_where', [error_placed/2]).
 :- use_module('../output', [files_together/1, output_waiting/0]).
-:- use_module('../message/spoken', [spoken_lines/4]).
+:- use_module('../message/spoken',
+              [loading_place/2, silent_warning/2, spoken_lines/4]).
 :- use_module('../part', [loaded_rule/2, whole_program/0]).
 :- use_module('../progress', [with_progress/1]).
 :- use_module('../model/solid_file', [output_statistics/1]).
@@ -576,6 +577,15 @@ user:message_hook(Term, Kind, Lines) :-
 
 :- public spoken/3.
 
+spoken(warning, Term, Lines) :-
+    flag(sg_cli_warnings, N, N),
+    most_warnings(Most),
+    N >= Most,
+    !,
+    (   silent_warning(Term, Lines)
+    ->  true
+    ;   flag(sg_cli_warnings, _, N+1)
+    ).
 spoken(Kind, Term, Lines0) :-
     spoken_lines(Kind, Term, Lines0, Lines),
     shown(Kind, Term, Lines).
@@ -587,12 +597,6 @@ shown(_, _, []) :-
 shown(error, Term, Lines) :-
     message_said(error, Term),
     print_prefixed(user_error, '', Term, Lines).
-shown(warning, _, _) :-
-    flag(sg_cli_warnings, N, N),
-    most_warnings(Most),
-    N >= Most,
-    !,
-    flag(sg_cli_warnings, _, N+1).
 shown(warning, Term, Lines) :-
     language(Language),
     warning_word(Language, Word),
@@ -632,7 +636,7 @@ names_place(sanggwan(comma(_, location(_, _, _)))).
 print_prefixed(Out, Word, Term, Lines) :-
     (   names_place(Term)
     ->  format(atom(Prefix), '~~N~w', [Word])
-    ;   source_location(File, Line)
+    ;   loading_place(File, Line)
     ->  format(atom(Prefix), '~~N~w:~d: ~w', [File, Line, Word])
     ;   format(atom(Prefix), '~~Nsanggwan: ~w', [Word])
     ),

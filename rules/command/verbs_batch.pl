@@ -1,6 +1,7 @@
 :- module(sg_verbs_batch,
           [ batch_run_verb/3            % +Files, +Options, -Status
           ]).
+:- use_module('../environment', [environment/2]).
 :- use_module(arguments, [parsed_arguments/4]).
 :- use_module('../batch/batch_merge', [reports_merged/2]).
 :- use_module('../batch/runner', [batch_run/4]).
@@ -176,7 +177,7 @@ shard_of(Text, I, N) :-
 
 slurm(What, N) :-
     slurm_variable(What, Variable, Default),
-    (   getenv(Variable, Text)
+    (   environment(Variable, Text)
     ->  atom_number(Text, N)
     ;   N = Default
     ),

@@ -3,6 +3,7 @@
           [ show/0,
             show/1                      % +Options
           ]).
+:- use_module('../environment', [environment/2]).
 :- use_module(dot_drawing, [picture_dots/4]).
 :- use_module('../picture/hidden_lines', [picture/1]).
 :- use_module('../store', [drawn/7]).
@@ -86,8 +87,7 @@ knows_utf8 :-
     current_output(Out),
     stream_property(Out, encoding(utf8)),
     member(Variable, ['LC_ALL','LC_CTYPE','LANG']),
-    getenv(Variable, Locale),
-    Locale \== '',
+    environment(Variable, Locale),
     !,
     downcase_atom(Locale, Lower),
     (   sub_atom(Lower, _, _, _, 'utf-8')

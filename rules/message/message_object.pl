@@ -5,7 +5,7 @@
             files_untold/1,             % :Goal
             message_said/2              % +Kind, +Term
           ]).
-:- use_module(spoken, [spoken_lines/4]).
+:- use_module(spoken, [loading_place/2, spoken_lines/4]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(lists), [last/2, member/2]).
 :- use_module(library(solution_sequences), [offset/2]).
@@ -57,7 +57,7 @@ placed(Term, error(Fault, _), File, Line, Column) :-
     known_number(Line0, Line),
     known_number(Column0, Column).
 placed(Term, Term, File, Line, null) :-
-    source_location(File0, Line),
+    loading_place(File0, Line),
     !,
     atom_string(File0, File).
 placed(Term, Term, null, null, null).

@@ -1,6 +1,8 @@
 :- encoding(utf8).
 :- module(sg_spoken,
-          [ spoken_lines/4              % +Kind, +Term, +Lines, -Spoken
+          [ spoken_lines/4,             % +Kind, +Term, +Lines, -Spoken
+            silent_warning/2,           % +Term, +Lines
+            loading_place/2             % -File, -Line
           ]).
 :- use_module('../about', [about/1]).
 :- use_module('../language', [language/1]).
@@ -35,6 +37,28 @@ spoken_lines(Kind, Term, Lines0, Lines) :-
     ),
     about_lines(Kind, Lines1, Lines2),
     plain_lines(Kind, Lines2, Lines).
+
+%!  silent_warning(+Term, +Lines) is semidet.
+%
+%   spoken_lines/4 says nothing of the warning Term, whose Lines are those that
+%   Prolog would print.
+
+silent_warning(Term, Lines) :-
+    (   nonvar(Term),
+        loading_warnings(Term, Whats)
+    ->  Whats == []
+    ;   Lines == []
+    ).
+
+%!  loading_place(-File, -Line) is semidet.
+%
+%   A file of rules is being loaded, and the clause that was read last begins
+%   there. A model that was read has no such place: source_location/2 has that
+%   of its last fact, whatever the message is about.
+
+loading_place(File, Line) :-
+    prolog_load_context(stream, _),
+    source_location(File, Line).
 
 %   about_lines(Kind, Lines0, Lines): after what it is about (about.pl).
 

@@ -15,6 +15,7 @@
           ]).
 :- use_module('../decimal', [decimal_comma/4]).
 :- use_module('../limits', [limit_value/2]).
+:- use_module('../plain', [cut_term/2]).
 :- use_module('../text_file', [with_text_again/3]).
 :- use_module('../formula', [formed/3, formula_parameter/2, has_formula/1]).
 :- use_module('../store',
@@ -151,11 +152,25 @@ next_term(Text, Syntax, Term, Names, Place) :-
                       var_prefix(false), syntax_errors(error)
                     ]),
           Error, syntax_failure(Error, Name, Stream)),
-    Place = place(Name, Path, Position),
+    (   is_long(Stream, Position)
+    ->  Place = place(Name, none, Position)
+    ;   Place = place(Name, Path, Position)
+    ),
     (   Term == end_of_file
     ->  at_real_end(Stream, Place)
     ;   true
     ).
+
+%   is_long(Stream, Position): the fact from Position on, which was read, is so
+%   long that it is not read a second time for the place of an argument.
+
+is_long(Stream, Position) :-
+    long_fact(Most),
+    character_count(Stream, End),
+    stream_position_data(char_count, Position, Start),
+    End-Start > Most.
+
+long_fact(1_000_000).
 
 syntax_failure(error(syntax_error(Message), Where), Name, Stream) :-
     !,
@@ -207,17 +222,20 @@ at_real_end(Stream, Place) :-
 %   Raise model_error(What) at the start of the fact, or at its Argument,
 %   counted from 1. A Place `none` is no place.
 
-place_error(Place, What) :-
+place_error(Place, What0) :-
+    cut_term(What0, What),
     Place = place(Name, _, Position),
     stream_position_data(line_count, Position, Line),
     stream_position_data(line_position, Position, Column0),
     Column is Column0+1,
     throw(error(model_error(What), location(Name, Line, Column))).
 
-place_error(none, _, What) :-
+place_error(none, _, What0) :-
     !,
+    cut_term(What0, What),
     throw(error(model_error(What), _)).
-place_error(Place, Argument, What) :-
+place_error(Place, Argument, What0) :-
+    cut_term(What0, What),
     place_location(Place, Argument, Location),
     throw(error(model_error(What), Location)).
 
@@ -237,10 +255,11 @@ place_location(Place, Argument, location(Name, Line, Column)) :-
         Column is Before+1
     ).
 
-%   The fact is read once more, now with the positions of its arguments; the
-%   characters up to the argument give line and column.
+%   The fact, if it is not long, is read once more, now with the positions of
+%   its arguments; the characters up to the argument give line and column.
 
 argument_location(place(_, Path, Position), Argument, Line, Column) :-
+    Path \== none,
     with_text_again(
         Path, Stream,
         ( set_stream_position(Stream, Position),

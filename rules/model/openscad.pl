@@ -2,6 +2,7 @@
           [ read_csg/2,                 % +File, -Term
             term_looks/2                % +Term, -Looks
           ]).
+:- use_module('../limits', [within_limit/3]).
 :- use_module(openscad_argument, [openscad_argument/4, openscad_error/2]).
 :- use_module(openscad_extrusion, [linear_extruded/3, rotate_extruded/3]).
 :- use_module(openscad_leaf, [openscad_leaf/2, leaf_made/2]).
@@ -45,12 +46,15 @@ with What as in openscad_text.pl and openscad_argument.pl, or
 %   Term is the model in the .csg File of OpenSCAD (`-`: standard input), as an
 %   operand of the CSG tree.
 %
-%   @error model_error(openscad(What)), see above
+%   @error model_error(openscad(What)), see above;
+%   model_error(limit(nodes, Leaves, Most))
 
 read_csg(File, Term) :-
     read_openscad(File, Nodes0),
     place_of(Nodes0, File, Place),
     model_nodes(Nodes0, Nodes),
+    foldl(node_leaves, Nodes, 0, Leaves),
+    within_limit(nodes, Leaves, location(File, 0, 0)),
     united(node([], group, [], Nodes, Place), Meaning),
     (   Meaning = solid(Term0)
     ->  Term = Term0
@@ -82,6 +86,22 @@ root_node(Nodes, Root) :-
     ;   root_node(Children, Root)
     ),
     !.
+
+%   node_leaves(Node, Count0, Count): Count is Count0 and how many leaves Node
+%   has, as written; what is extruded is one.
+
+node_leaves(Node, Count0, Count) :-
+    (   is_no_part(Node)
+    ->  Count = Count0
+    ;   Node = node(_, Name, _, Children, _),
+        is_inner(Name)
+    ->  foldl(node_leaves, Children, Count0, Count)
+    ;   Count is Count0+1
+    ).
+
+is_inner(Name) :-
+    inner_node(Name, Goal),
+    Goal \= extruded(_).
 
 is_no_part(node(Modifiers, _, _, _, _)) :-
     \+ memberchk(!, Modifiers),

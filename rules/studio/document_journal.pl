@@ -7,6 +7,7 @@
             first_steps/2,              % +Rules, -Steps
             save_step/3                 % +Rules, +Digest, -Step
           ]).
+:- use_module('../environment', [state_folder/1]).
 :- use_module('../model/model', [load_model/1]).
 :- use_module(document_content, [content/3, text_digest/2]).
 :- use_module(document_step, [step_rules/2]).
@@ -91,12 +92,7 @@ wanted_path(Head, File, Path) :-
 %   usual_path(File, Path): one for each file.
 
 usual_path(File, Path) :-
-    (   getenv('XDG_STATE_HOME', State),
-        State \== ''
-    ->  true
-    ;   getenv('HOME', Home),
-        atom_concat(Home, '/.local/state', State)
-    ),
+    state_folder(State),
     absolute_file_name(File, Absolute),
     text_digest(Absolute, Digest),
     sub_atom(Digest, 0, 16, _, Short),

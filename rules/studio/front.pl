@@ -1,6 +1,7 @@
 :- module(sg_front,
           [ front/3                     % +Model, +Options, -Status
           ]).
+:- use_module('../environment', [environment/2]).
 :- use_module('../model/model', [model_format/2, model_there/1]).
 :- use_module('../problem/problem_file', [problems_read/3]).
 :- use_module('../version', [version/1]).
@@ -175,8 +176,7 @@ shown_at(Host, Host).
 
 opened_in_browser(Options, Address) :-
     (   option(open(true), Options, true),
-        ( getenv('DISPLAY', Display) ; getenv('WAYLAND_DISPLAY', Display) ),
-        Display \== ''
+        ( environment('DISPLAY', _) ; environment('WAYLAND_DISPLAY', _) )
     ->  catch(process_create(path('xdg-open'), [Address],
                              [ stdin(null), stdout(null), stderr(null),
                                detached(true), process(_) ]),

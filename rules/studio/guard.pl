@@ -14,6 +14,7 @@
             file_allowed/3,             % +Folder, +Name, -Path
             security_header/2           % ?Name, ?Value
           ]).
+:- use_module('../environment', [state_folder/1]).
 :- use_module('../model/model', [model_format/2]).
 :- use_module(visitor_answer, [class_file/1, class_opens/1, class_pupil/2]).
 :- use_module(request, [request_error/1]).
@@ -487,12 +488,7 @@ upload_folder(Owner, Folder) :-
 %   Folder has the journals of the owner, or those of pupils.
 
 journal_folder(owner, Folder) :-
-    (   getenv('XDG_STATE_HOME', State),
-        State \== ''
-    ->  true
-    ;   getenv('HOME', Home),
-        atom_concat(Home, '/.local/state', State)
-    ),
+    state_folder(State),
     atom_concat(State, '/sanggwan', Folder).
 journal_folder(pupil, Folder) :-
     journal_folder(owner, State),

@@ -5,6 +5,7 @@
             with_input/2,               % +Text, :Goal
             worlds_collected/0
           ]).
+:- use_module('../environment', [environment/2]).
 :- use_module('../limits', [with_usual_limits/1]).
 :- use_module('../message/message_object',
               [ error_object/3, message_object/3, objects_heard/2,
@@ -235,7 +236,7 @@ in_language(Language, Goal) :-
 spoken_in(none, none) :-
     !.
 spoken_in(Language, Old) :-
-    (   getenv('LC_ALL', Value)
+    (   environment('LC_ALL', Value)
     ->  Old = set(Value)
     ;   Old = unset
     ),

@@ -2,6 +2,7 @@
           [ with_process_kept/3,        % +Arguments, :Goal, -Kept
             runs_users_code/1           % +Arguments
           ]).
+:- use_module('../environment', [environment/2]).
 :- use_module('../part', [whole_program/0]).
 :- use_module(library(gensym), [reset_gensym/0]).
 :- use_module(library(lists), [member/2]).
@@ -68,7 +69,7 @@ process_state(state(Flags, Keys, Operators, Predicates, Globals, Threads,
     findall(Name-Value,
             ( member(Name, ['LC_ALL','LC_MESSAGES','LANG','TMPDIR','TZ',
                             'PATH','HOME']),
-              getenv(Name, Value) ),
+              environment(Name, Value) ),
             Environment),
     findall(PI, counted_predicate(PI), Clauses).
 

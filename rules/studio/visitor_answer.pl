@@ -6,6 +6,7 @@
             class_pupil/2,              % +Who, -Pupil
             answers_recorded/2          % +Who, +Reply
           ]).
+:- use_module('../environment', [state_folder/1]).
 :- use_module('../kernel', [atomic_sync/1, atomic_sync_folder/1]).
 :- use_module(request, [request_error/1]).
 :- use_module(library(filesex), [make_directory_path/1]).
@@ -59,12 +60,7 @@ class_begun(File, Model) :-
 %   book_path(File, Path): one for each file of problems.
 
 book_path(File, Path) :-
-    (   getenv('XDG_STATE_HOME', State),
-        State \== ''
-    ->  true
-    ;   getenv('HOME', Home),
-        atom_concat(Home, '/.local/state', State)
-    ),
+    state_folder(State),
     digest(File, Digest),
     sub_atom(Digest, 0, 16, _, Short),
     file_base_name(File, Base),

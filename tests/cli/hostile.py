@@ -51,6 +51,18 @@ write('facets.csg', 'sphere($fn=1000000000,$fa=12,$fs=2,r=10);\n')
 write('facets.circle.csg', 'linear_extrude(height=1) '
       '{circle($fn=1e9,$fa=12,$fs=2,r=10);}\n')
 
+write('nodes.leaves.csg', 'cube(size=[1,1,1],center=true);\n' * 125000)
+# Far behind its beginning a fact has a fault.
+write('far.pl', 'v(1,1,' + ' \n' * 400000 + '/*\xe9*/ a,0,0).\n')
+write('far.list.pl', 'v(1,1,[' + '1,' * 2000000 + '1],0,0).\n')
+# What stands in a manifest.
+write('long.job.pl', "job([%s1], check, ['cube.pl'], []).\n" % ('1,' * 1000000))
+write('long.verb.pl', "job(a, [%s1], ['cube.pl'], []).\n" % ('1,' * 1000000))
+write('long.set.pl', "job(a, check, ['cube.pl'], [set(r, f(%sx))]).\n"
+      % (('a' * 60000 + ',') * 200))
+write('dict.pl', "job(V, check, ['cube.pl'], []) @ V in _{a:1}.\n")
+write('apart.pl', 'a(1). b(1).\n' * 50000)
+
 # A tree that doubles, and a long chain that does not.
 rows = ['segment(1,solid,box(size(1,1,1))).\n']
 for i in range(2, 42):

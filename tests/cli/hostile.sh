@@ -1,3 +1,4 @@
+# covers: environment
 # Files that ask for too much, in every reader: refused at once, by the name of
 # the limit, with little memory; and nothing of them moves a cursor.
 . "$(dirname "$0")/harness.bash"
@@ -55,6 +56,31 @@ for file in "$work"/h/*.*; do
     depth | blocks | digits | name | file | text | facets | nodes)
       refused "model.$name" "$limit" eval "$file" ;;
   esac
+done
+
+# Faults far behind the beginning of their facts, and long values of jobs.
+bounded check "$work/h/far.pl"
+check far.place has 'far.pl:400001:7: X of v is a'
+bounded check "$work/h/far.list.pl"
+check far.list has 'far.list.pl:1:1: X of v is [1,1'
+cp facts/cube.pl "$work/h/"
+for name in long.job long.verb long.set dict; do
+  bounded batch "$work/h/$name.pl" --list -o "$work/b"
+  check "manifest.$name" status_is 3
+  check "manifest.$name.words" no_prolog
+  check "manifest.$name.short" short
+done
+check manifest.dict has 'V in _{a:1}'
+bounded batch "$work/h/long.set.pl" --list -o "$work/b"
+check manifest.limit has '--limits name=N'
+
+# What is no text in the environment counts as nothing.
+for name in LC_ALL LANG XDG_STATE_HOME SLURM_ARRAY_TASK_ID; do
+  env "$name"=$'\xed\xa0\x80' "$sanggwan" batch facts/batch.pl --list \
+    >"$work/out" 2>"$work/err" </dev/null
+  status=$?
+  check "environment.$name" status_is 0
+  check "environment.$name.silent" silent err
 done
 
 # Numbers that are read but are no places.
@@ -155,6 +181,8 @@ printf '%s\n' "$(for n in $(seq 500); do echo "a(1). b(1)."; done)" \
 bounded check facts/cube.pl --rules "$work/apart.pl"
 check warnings.status status_is 3
 check warnings.counted has 'warning: 898 more, not shown'
+bounded check facts/cube.pl --rules "$work/h/apart.pl"
+check warnings.many has 'warning: 99,898 more, not shown'
 
 # What is large but allowed, or allowed by an option, takes no long time.
 bounded eval "$work/h/chain.pl"

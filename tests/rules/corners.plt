@@ -6,7 +6,9 @@
 :- use_module(library(lists)).
 :- use_module(library(http/json)).
 :- use_module(rules(angle)).
+:- use_module(rules(formula)).
 :- use_module(rules(plain)).
+:- use_module(rules(space_limit)).
 :- use_module(rules(store)).
 :- use_module(rules(command/sheet_options)).
 :- use_module(rules(drawing/ink)).
@@ -286,6 +288,33 @@ test(as_it_is, Terms == Plain) :-
     Terms = [ [],'[]',"[]",'',"",1,-2.5,1r3,a+b,f(),'a b'("c",X,X),{a},
               [a|_],point{x:1} ],
     maplist(plain_term, Terms, Plain).
+
+% What is cut of an error shows the same, and is small.
+test(cut_is_shown_the_same, Wrong == []) :-
+    numlist(1, 5000, Many),
+    Wide =.. [f|Many],
+    findall(Term,
+            ( member(Term, [ Many,Wide,g(Many,b),[Many,x,Wide],a,"b",1.5,[],
+                             [a|b],f(),box(size([Many|Many],1,_)) ]),
+              cut_term(Term, Cut),
+              plain_term(Term, Plain),
+              plain_term(Cut, PlainCut),
+              \+ ( Plain =@= PlainCut,
+                   format(string(Text), "~w", [Cut]),
+                   string_length(Text, Length),
+                   Length < 5000 ) ),
+            Wrong).
+
+% Whether there is a formula in a long list takes no stack.
+test(formula_in_a_list, true) :-
+    numlist(1, 1_000_000, Many),
+    append(Many, [param(a)], More),
+    with_stack_limit(150_000_000,
+                     ( \+ has_formula(point(Many)),
+                       has_formula(point(More)),
+                       formed(point(More), [a,2]>>true, Point) )),
+    Point = point(Formed),
+    last(Formed, 2).
 
 shown_of(N, Shown) :-
     terms_shown(N, Count),

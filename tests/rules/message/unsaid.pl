@@ -78,7 +78,6 @@ unsaid(explain_en, statement_en(joined_already(1,_,_))).
 unsaid(explain_en, statement_en(no_length)).
 unsaid(explain_pixel_en, pixel_statement_en(back_side(_))).
 unsaid(explain_pixel_en, pixel_statement_en(thinner_than_a_dot)).
-unsaid(model_en, limit_en(nodes)).
 unsaid(pattern_en, pattern_en(too_large(_))).
 unsaid(unfold_en, not_kept_en(overlap)).
 unsaid(unfold_en, not_kept_en(same_piece)).
