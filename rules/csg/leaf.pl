@@ -1,6 +1,7 @@
 :- module(sg_leaf,
           [ leaves_kept/1,              % +Polygons
-            curve_kept/1,               % +S
+            curve_segment/1,            % ?S
+            curve_kept/1,               % +Curve
             were_cut/2,                 % ?S1, ?S2
             origin_segment/2,           % +Origin, -S
             earlier_cuts/2,             % +Pairs, -Earlier
@@ -12,7 +13,7 @@
                 segment/3, origin/3, line/9, edge_polygon/3,
                 assert_fact/1, retract_fact/1, retractall_facts/1
               ]).
-:- use_module(library(apply), [exclude/3, maplist/2]).
+:- use_module(library(apply), [exclude/3, include/3, maplist/2]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(ordsets), [ord_subtract/3, ord_union/3]).
@@ -78,6 +79,15 @@ were_cut(S1, S2) :-
     member(Curve-(S1-S2), Named),
     is_curve(Curve).
 
+%!  curve_segment(?S) is nondet.
+%
+%   True when segment S is cut as a curve: it has no triangles, whatever it is
+%   called. Solids are none.
+
+curve_segment(S) :-
+    may_be_curve(S),
+    is_curve(S).
+
 %   may_be_curve(?S): solids are none, so the origins that results have, which
 %   are many, are not looked at.
 
@@ -130,8 +140,7 @@ all_cuts(Cuts) :-
 %   curve_cut(-S1, -S2): one of them is a curve that has a point on the other.
 
 curve_cut(S1, S2) :-
-    may_be_curve(Curve),
-    is_curve(Curve),
+    curve_segment(Curve),
     origin(Curve, v(_), Origin),
     origin_segment(Origin, Other),
     Other \== Curve,
@@ -210,7 +219,8 @@ leaves_restored(Pairs) :-
     findall(edge(S, E, V1, V2, Et),
             ( leaf_e(S, E, V1, V2, Et), get_assoc(S, In, _) ),
             Edges),
-    maplist(leaf_edge_dropped, Edges),
+    include(curve_segment, Group, Curves),
+    maplist(leaf_edge_dropped(Curves), Edges),
     findall(place(S, V, X, Y, Z),
             ( leaf_v(S, V, X, Y, Z), get_assoc(S, In, _) ),
             Places),
@@ -257,8 +267,8 @@ place_restored(place(S, V, X, Y, Z)) :-
 
 %   An edge of a curve comes back here; of a polygon it is there.
 
-leaf_edge_dropped(edge(S, E, V1, V2, Et)) :-
-    (   segment(S, curve, _)
+leaf_edge_dropped(Curves, edge(S, E, V1, V2, Et)) :-
+    (   memberchk(S, Curves)
     ->  findall(Part, origin(S, e(Part), e(E)), Parts),
         maplist(edge_dropped(S), Parts),
         assert_fact(e(S, E, V1, V2, Et))

@@ -140,6 +140,9 @@ model_en(no_vertices(S, Name)) -->
       '  Give facts v/5 and p/3, an operation (docs/model_files.md), or a \c
        primitive: ' ],
     primitive_names.
+model_en(curve_polygon(S, P)) -->
+    [ 'segment ~d is a curve, and has polygon ~d'-[S, P], nl,
+      '  Call it surface or solid, or leave its polygons out.' ].
 model_en(no_edges(S)) -->
     [ 'segment ~d has neither polygons nor edges'-[S], nl,
       '  Add p/3, e/5 or curve/2.' ].

@@ -137,6 +137,9 @@ model_ko(no_vertices(S, Name)) -->
     [ nl,
       '  v/5와 p/3, 연산(docs/model_files.md), 또는 기본 입체를 쓰십시오: ' ],
     primitive_names.
+model_ko(curve_polygon(S, P)) -->
+    [ '세그먼트 ~d은(는) 곡선인데 다각형 ~d이(가) 있습니다'-[S, P], nl,
+      '  종류를 surface나 solid로 쓰거나 다각형을 빼십시오.' ].
 model_ko(no_edges(S)) -->
     [ '세그먼트 ~d에 다각형도 모서리도 없습니다'-[S], nl,
       '  p/3, e/5 또는 curve/2를 추가하십시오.' ].

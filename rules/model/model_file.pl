@@ -84,6 +84,7 @@ Errors besides those of model_text.pl:
     primitive(What, Term)      see primitive.pl
     csg(What)                  see csg_term.pl
     kind(Term, Kind, Wanted)   a cylinder is no surface
+    curve_polygon(S, P)        a curve has no polygons
     no_vertices(S, Name)   no_edges(S)   empty
     refused(Row, Error)        anything else the store does not take
     formula(What, Formula)     see formula.pl
@@ -243,7 +244,18 @@ added_now(p(S, P, Es), Place) :-
     row_added(p(S, P, Es), Place).
 added_now(Row, Place) :-
     ready(Row),
+    no_curve_of_polygons(Row, Place),
     row_added(Row, Place).
+
+%   no_curve_of_polygons(Row, Place): Row calls nothing a curve that has
+%   polygons already.
+
+no_curve_of_polygons(Row, Place) :-
+    (   Row = segment(S, curve, _),
+        has_polygon(S, P)
+    ->  place_error(Place, 2, curve_polygon(S, P))
+    ;   true
+    ).
 
                 /*******************************
                 *          PARAMETERS          *
@@ -444,6 +456,7 @@ same_name(Row, Same) :-
 %   later_segment(Item): the row, and what its primitive makes.
 
 later_segment(later(segment(S, Kind, Name), Place)) :-
+    no_curve_of_polygons(segment(S, Kind, Name), Place),
     row_added(segment(S, Kind, Name), Place),
     (   has_vertex(S, _)
     ->  true
@@ -510,6 +523,8 @@ known_vertex(S, V, Place, Argument) :-
 sound_polygon(Edges, S, P, Place) :-
     (   polygon_fault(Edges, Why)
     ->  place_error(Place, 3, polygon(S, P, Why))
+    ;   once(segment(S, curve, _))
+    ->  place_error(Place, 1, curve_polygon(S, P))
     ;   true
     ).
 
@@ -552,9 +567,11 @@ numbered_edges([V1-V2|Edges], S, Place, E0, [E0|Es], E) :-
                 *         ROWS, SEGMENTS       *
                 *******************************/
 
-%   segment_completed(Later, File, S): S has a row, and edges.
+%   segment_completed(Later, File, S): S has a row, and edges. Fails where a
+%   curve has plain polygons.
 
 segment_completed(Later, File, S) :-
+    \+ ( once(segment(S, curve, _)), has_polygon(S, _) ),
     (   has_edges(S)
     ->  true
     ;   is_node(S)

@@ -8,14 +8,15 @@
                 cut_split_edges/3, model_tolerance/1,
                 work_add/6, work_delete/2, work_edge/6, work_resolve/2
               ]).
-:- use_module('../csg/leaf', [curve_kept/1]).
+:- use_module('../csg/leaf', [curve_kept/1, curve_segment/1]).
 :- use_module('../store',
-              [ e/5, p/3, t/6, segment/3, origin/3,
+              [ e/5, p/3, t/6, origin/3,
                 assert_fact/1, retract_fact/1, retractall_facts/1, fresh_id/3,
                 edge_polygon/3
               ]).
 :- use_module('../polygon/triangulation', [work_triangles/2]).
-:- use_module(library(apply), [exclude/3, foldl/4, maplist/2, maplist/3]).
+:- use_module(library(apply),
+              [exclude/3, foldl/4, include/3, maplist/2, maplist/3]).
 :- use_module(library(lists), [append/3, member/2, reverse/2]).
 
 /** <module> The rows that a penetration leaves.
@@ -159,11 +160,10 @@ write_triangle(S, P, t(V1, V2, V3)) :-
 %   The edges of curves in Pairs are divided at their points.
 
 split_curves(Pairs, Set) :-
-    findall(S, ( member(S1-S2, Pairs), member(S, [S1,S2]),
-                 segment(S, curve, _) ),
-            Ss0),
+    findall(S, ( member(S1-S2, Pairs), member(S, [S1,S2]) ), Ss0),
     sort(Ss0, Ss),
-    forall(( member(S, Ss),
+    include(curve_segment, Ss, Curves),
+    forall(( member(S, Curves),
              cut_split_edges(Set, S, Splits),
              member(split(V1, V2, Vs), Splits)
            ),

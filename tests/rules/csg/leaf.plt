@@ -12,6 +12,7 @@
 :- use_module(rules(store)).
 :- use_module(rules(polygon/triangulation)).
 :- use_module(tests('oracle/leaf')).
+:- use_module(tests('rules/whole_world')).
 
 /* A second penetration: whatever order the segments come in, the same lines,
    as exact points, with the same origins. */
@@ -285,5 +286,24 @@ test(leaves_missing, Ls == [1-2,1-3]) :-
                penetrate,
                findall(S1-S2, line(_,S1,_,_,_,S2,_,_,_), Ls0),
                sort(Ls0, Ls) )).
+
+% What is called a curve and has polygons is cut as what it is.
+test(curve_of_polygons, [forall(member(Kind, [curve,surface])),
+                         true(Missing-Lines == []-Solid)]) :-
+    called(solid, Solid, []),
+    called(Kind, Lines, Missing).
+
+called(Kind, Lines, Missing) :-
+    new_world(World),
+    in_world(World,
+             ( add([box(size(2,2,2)),
+                    at([translate(1,1,1),rotate(x,33)], box(size(2,2,2)))]),
+               retract_fact(segment(2, solid, Term)),
+               assert_fact(segment(2, Kind, Term)),
+               penetrate,
+               add([at([translate(-1,-1,0.3)], box(size(1,1,1)))]),
+               penetrate,
+               exact_lines(Lines),
+               findall(Row-Id, dangling(Row, Id), Missing) )).
 
 :- end_tests(leaf).

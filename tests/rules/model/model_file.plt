@@ -312,6 +312,18 @@ test(two_edges, W == polygon(1,2,edges(2))) :-
 test(point_curve, W == chain(1,2)) :-
     after_triangle("curve(1,[1,2,2]).", Text), fault(Text, W, _).
 
+test(curve_of_polygons, [forall(curve_of_polygons(Text, Place)),
+                         true(W-P == curve_polygon(1,1)-Place)]) :-
+    fault(Text, W, P).
+
+curve_of_polygons("segment(1,curve,x). v(1,1,0,0,0). v(1,2,1,0,0).
+                   v(1,3,0,1,0). p(1,1,[1,2,3]).", 2:36).
+curve_of_polygons("segment(1,curve,x). v(1,1,0,0,0). v(1,2,1,0,0).
+                   v(1,3,0,1,0). e(1,1,1,2,1). e(1,2,2,3,1).
+                   e(1,3,3,1,1). p(1,1,[1,2,3]).", 3:36).
+curve_of_polygons("v(1,1,0,0,0). v(1,2,1,0,0). v(1,3,0,1,0).
+                   p(1,1,[1,2,3]). segment(1,curve,x).", 2:22).
+
 test(bad_primitive, W-P = primitive(wrong_argument(radius(-1),_),_)-(1:18)) :-
     fault("segment(1, solid,cone(radius(-1), height(1))).", W, P).
 test(wrong_kind, W-P == kind(rectangle(size(1,1)),solid,surface)-(1:12)) :-
