@@ -50,7 +50,9 @@
 :- use_module('../store',
               [ drawn/7, segment/3, line/9, origin/3, facts_snapshot/1,
                 facts_transaction/1, new_world/1, in_world/2 ]).
-:- use_module('../drawing/style_file', [segment_in_vain/2]).
+:- use_module('../drawing/style_file',
+              [penetration_in_vain/3, segment_in_vain/2]).
+:- use_module('../sheet/stroke', [stroke_key/4]).
 :- use_module(verb_output,
               [ some_files/2, outputs/3, some_outputs/1, no_model_replaced/2,
                 output_written/2, reported/2, usage_error/1
@@ -175,7 +177,7 @@ verb_run(draw, Files, Options, 0) :-
         picture_marked(Options, seen(z,PictureOptions), Lines, Options1,
                        WriteOptions)
     ),
-    said_of_style(DrawingOptions),
+    said_of_style(DrawingOptions, WriteOptions),
     maplist(output_written(drawing_output(WriteOptions)), Outputs).
 verb_run(render, Files, Options, 0) :-
     render_run(Files, Options).
@@ -322,12 +324,31 @@ said_if_nothing_drawn :-
     ;   print_message(informational, sanggwan(nothing_drawn))
     ).
 
-%   said_of_style(Options): which segments the style names in vain.
+%   said_of_style(Options, WriteOptions): what the style names in vain.
 
-said_of_style(Options) :-
+said_of_style(Options, WriteOptions) :-
     option(style(Rows), Options, []),
     forall(distinct(Segment, segment_in_vain(Rows, Segment)),
-           print_message(informational, sanggwan(style_in_vain(Segment)))).
+           print_message(informational, sanggwan(style_in_vain(Segment)))),
+    (   memberchk(line(_,penetration,_,_), Rows)
+    ->  findall(S, penetrated(WriteOptions, S), Ss0),
+        sort(Ss0, Ss),
+        forall(distinct(Segment, penetration_in_vain(Rows, Ss, Segment)),
+               print_message(informational,
+                             sanggwan(penetration_in_vain(Segment))))
+    ;   true
+    ).
+
+%   penetrated(WriteOptions, S) is nondet: a penetration line is drawn as one of
+%   segment S.
+
+penetrated(WriteOptions, S) :-
+    (   option(drawing(drawing(_,Views)), WriteOptions)
+    ->  member(view(_,Strokes,_), Views),
+        member(Stroke, Strokes),
+        stroke_key(Stroke, _, penetration, S)
+    ;   drawn(_, S, _, _, _, _, penetration)
+    ).
 
 %!  draw(+File) is det.
 %!  draw(+File, +Options) is det.

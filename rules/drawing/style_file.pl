@@ -2,7 +2,8 @@
           [ style_rows/2,               % +Style, -Rows
             restyled/6,                 % +Rows, +Visib, +Role, +S, +Old, -New
             rows_paper/2,               % +Rows, -Colour
-            segment_in_vain/2           % +Rows, -Segment
+            segment_in_vain/2,          % +Rows, -Segment
+            penetration_in_vain/3       % +Rows, +Ss, -Segment
           ]).
 :- use_module('../model/model_text',
               [next_term/3, no_fact/2, place_error/2, place_error/3]).
@@ -192,6 +193,18 @@ segment_in_vain(Rows, Segment) :-
     Segment \== 0,
     \+ segment(Segment, _, _),
     \+ segment_is_called(_, Segment).
+
+%!  penetration_in_vain(+Rows, +Ss, -Segment) is nondet.
+%
+%   True when Rows have a line for the penetration lines of Segment, which the
+%   model has, and it is none of Ss, the segments as whose lines some are
+%   drawn.
+
+penetration_in_vain(Rows, Ss, Segment) :-
+    member(line(_,penetration,Segment,_), Rows),
+    Segment \== any,
+    \+ segment_in_vain([line(any,any,Segment,[])], Segment),
+    \+ ( member(S, Ss), ( S == Segment ; segment_is_called(S, Segment) ) ).
 
 segment_is_called(S, Name) :-
     segment(S, _, Term),

@@ -368,6 +368,11 @@ notice_en(surface_see_through(S)) -->
 notice_en(style_in_vain(Segment)) -->
     [ 'the style has lines of segment ~p, but the model has no such segment'-
           [Segment] ].
+notice_en(penetration_in_vain(Segment)) -->
+    [ 'the style has penetration lines of segment ~p, but none is drawn as \c
+       one of it'-[Segment], nl,
+      '  Such a line is one of the segment with the smaller number of the \c
+         two, unless line_segment/3 says otherwise (docs/rules.md).' ].
 
 
                 /*******************************

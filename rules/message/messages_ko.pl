@@ -352,6 +352,11 @@ notice_ko(surface_see_through(S)) -->
 notice_ko(style_in_vain(Segment)) -->
     [ '모양 파일이 세그먼트 ~p의 선을 정하지만, 모델에 그런 세그먼트가 \c
        없습니다'-[Segment] ].
+notice_ko(penetration_in_vain(Segment)) -->
+    [ '모양 파일이 세그먼트 ~p의 상관선을 정하지만, 그 세그먼트의 선으로 그린 상관선이 \c
+없습니다'-[Segment], nl,
+      '  상관선은 두 세그먼트 가운데 번호가 작은 쪽의 선입니다. line_segment/3 결정으로 \c
+바꿀 수 있습니다(docs/rules.md).' ].
 
 
                 /*******************************

@@ -75,6 +75,7 @@ param_about(a, [min(1), max(9)]).
 segment(1, solid, box(size(param(a), 1, 1))).\n").
 file('latin.pl', "segment(1, solid, named('a\u00FFb', box(size(1,1,1)))).\n").
 file('style.pl', "line(any, any, glas, [width(1)]).\n").
+file('style_lines.pl', "line(any, penetration, 1, [width(1)]).\n").
 file('looks.pl', "look(glas, colour(red)).\n").
 file('nowhere.pl', "line(any, any, any, [none]).\n").
 file('degenerate.off', "OFF\n4 5 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n\c
@@ -213,6 +214,8 @@ command(look_in_vain(_,_), [render, @('cube.pl'), '--look', @('looks.pl'),
                           '--size', '9x9', '-o', @('a.png')]).
 command(style_in_vain(_), [draw, @('cube.pl'), '--style', @('style.pl'),
                            '-o', @('a.svg')]).
+command(penetration_in_vain(_), [draw, @('cube.pl'), '--style',
+                                 @('style_lines.pl'), '-o', @('a.svg')]).
 command(empty_result(_,_), [eval, @('empty.pl')]).
 command(more_warnings(18), [check, @('cube.pl'), '--rules', @('apart.pl')]).
 command(warnings_are_errors(1), [eval, @('empty.pl'), '--strict']).
