@@ -1,5 +1,7 @@
 #include "atomic_file.h"
 
+#include "real_path.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <pthread.h>
@@ -12,14 +14,15 @@
 #include <sys/xattr.h>
 #include <unistd.h>
 
-enum { MOST_LINKS = 40, MOST_NAMES = 100, BLOCK = 1 << 16, ACL_BYTES = 4096 };
+enum { MOST_NAMES = 100, MOST_HELD = 64, BLOCK = 1 << 16, ACL_BYTES = 4096 };
 
 static const char acl[] = "system.posix_acl_access";
 
 typedef struct entry {
   uint64_t id;
   char *path;    /* where it is to be, links followed; null: a scratch file */
-  char *own;     /* what is written */
+  char *own;     /* what is written; null: it is `held`, and has no name */
+  int held;      /* or -1 */
   char *old;     /* during a commit: what was at `path` before, or null */
   bool in_place; /* the content of `path` is replaced, not the file */
   bool placed;
@@ -31,122 +34,21 @@ typedef struct entry {
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 static entry *entries;
 static uint64_t last_id;
+static int held; /* files without a name */
 static bool ended;
 
 /* ---- names ------------------------------------------------------------- */
 
-/* The folder of `path` with the slash, or "". */
-static size_t
-folder_length(const char *path)
-{
-  const char *slash = strrchr(path, '/');
-
-  return slash ? (size_t)(slash - path) + 1 : 0;
-}
-
-/* The first n bytes of a, then b and c; null: no memory. */
-static char *
-joined(const char *a, size_t n, const char *b, const char *c)
-{
-  size_t room = n + strlen(b) + strlen(c) + 1;
-  char *text = malloc(room);
-
-  if (text) {
-    snprintf(text, room, "%.*s%s%s", (int)n, a, b, c);
-  }
-  return text;
-}
-
-/* Somebody else's link in a folder where all may make one, as in /tmp: who
- * followed it would write where another user wants it. */
-static bool
-is_planted(const char *path, const struct stat *link)
-{
-  char *folder = joined(path, folder_length(path), ".", "");
-  struct stat at;
-  bool planted = folder && stat(folder, &at) == 0 && (at.st_mode & S_ISVTX) &&
-                 (at.st_mode & S_IWOTH) && link->st_uid != geteuid() &&
-                 link->st_uid != at.st_uid;
-
-  free(folder);
-  return planted;
-}
-
-/* What the link at `path` names. */
-static int
-read_link(const char *path, char **out)
-{
-  char text[BLOCK];
-  ssize_t n = readlink(path, text, sizeof(text) - 1);
-
-  if (n < 0) {
-    return errno;
-  }
-  text[n] = '\0';
-  *out = joined(path, text[0] == '/' ? 0 : folder_length(path), text, "");
-  return *out ? 0 : ENOMEM;
-}
-
-/* Follows links to what is there, or is to be. *st: with st_nlink 0 if there is
- * nothing. */
-static int
-resolve(const char *path, char **out, struct stat *st)
-{
-  char *at = strdup(path), *next;
-  int error = at ? 0 : ENOMEM;
-
-  for (int i = 0; !error; i++) {
-    if (lstat(at, st) != 0) {
-      error = errno == ENOENT ? 0 : errno;
-      st->st_nlink = 0;
-      break;
-    }
-    if (!S_ISLNK(st->st_mode)) {
-      break;
-    }
-    error = i == MOST_LINKS      ? ELOOP
-            : is_planted(at, st) ? EACCES
-                                 : read_link(at, &next);
-    if (!error) {
-      free(at);
-      at = next;
-    }
-  }
-  if (error) {
-    free(at);
-    at = NULL;
-  }
-  *out = at;
-  return error;
-}
-
-/* `path` with the folder's own name, from the root: it stays right wherever the
- * process goes. */
-static int
-settle(char **path)
-{
-  size_t n = folder_length(*path);
-  char *folder = joined(*path, n, ".", "");
-  char *real = folder ? realpath(folder, NULL) : NULL;
-  int error = real ? 0 : errno;
-  char *at = real ? joined(real, strlen(real), "/", *path + n) : NULL;
-
-  free(folder);
-  free(real);
-  if (at) {
-    free(*path);
-    *path = at;
-  }
-  return at || error ? error : ENOMEM;
-}
-
-/* Makes an empty file `folder` .sanggwan-RANDOM `ending`. */
+/* Makes a file `folder` .sanggwan-RANDOM `ending`: an empty one, or, if *fd is
+ * one without a name, that. */
 static int
 new_file(const char *folder, size_t n, const char *ending, mode_t mode,
          char **path, int *fd)
 {
   static const char letter[] = "abcdefghijklmnopqrstuvwxyz234567";
+  char old[32];
 
+  snprintf(old, sizeof(old), "/proc/self/fd/%d", *fd);
   for (int i = 0; i < MOST_NAMES; i++) {
     char name[] = ".sanggwan-............";
     unsigned char random[12];
@@ -156,12 +58,18 @@ new_file(const char *folder, size_t n, const char *ending, mode_t mode,
     for (size_t k = 0; k < sizeof(random); k++) {
       name[sizeof(name) - 1 - sizeof(random) + k] = letter[random[k] % 32];
     }
-    if (!(*path = joined(folder, n, name, ending))) {
+    if (!(*path = sg_path_joined(folder, n, name, ending))) {
       return ENOMEM;
     }
-    *fd = open(*path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
     if (*fd >= 0) {
-      return 0;
+      if (linkat(AT_FDCWD, old, AT_FDCWD, *path, AT_SYMLINK_FOLLOW) == 0) {
+        return 0;
+      }
+    } else {
+      *fd = open(*path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+      if (*fd >= 0) {
+        return 0;
+      }
     }
     free(*path);
     *path = NULL;
@@ -172,14 +80,52 @@ new_file(const char *folder, size_t n, const char *ending, mode_t mode,
   return EEXIST;
 }
 
+/* The same without a name, if the file system has such files: whatever ends the
+ * process, nothing of it stays. e->held is it too. */
+static bool
+new_nameless(entry *e, mode_t mode, int *fd)
+{
+  char *folder = sg_path_joined(e->path, sg_folder_length(e->path), ".", "");
+  int file = -1;
+
+  if (folder && held < MOST_HELD && access("/proc/self/fd", X_OK) == 0) {
+    file = open(folder, O_WRONLY | O_TMPFILE | O_CLOEXEC, mode);
+  }
+  free(folder);
+  if (file < 0) {
+    return false;
+  }
+  e->held = fcntl(file, F_DUPFD_CLOEXEC, 0);
+  if (e->held < 0) {
+    close(file);
+    return false;
+  }
+  held++;
+  *fd = file;
+  return true;
+}
+
+/* Gives a file without one a name. */
+static int
+name_held(entry *e)
+{
+  int fd = e->held;
+
+  return e->own ? 0
+                : new_file(e->path, sg_folder_length(e->path), "", 0, &e->own,
+                           &fd);
+}
+
 static int
 new_scratch(const char *ending, char **path, int *fd)
 {
+  *fd = -1;
+
   const char *folder = getenv("TMPDIR");
   char *name;
   int error;
 
-  name = joined("", 0, folder && *folder ? folder : "/tmp", "/");
+  name = sg_path_joined("", 0, folder && *folder ? folder : "/tmp", "/");
   error = name ? new_file(name, strlen(name), ending, 0600, path, fd) : ENOMEM;
   free(name);
   return error;
@@ -208,9 +154,31 @@ enter(entry *e, uint64_t *id)
   entries = e;
 }
 
+static entry *
+new_entry(void)
+{
+  entry *e = calloc(1, sizeof(*e));
+
+  if (e) {
+    e->held = -1;
+  }
+  return e;
+}
+
+static void
+release(entry *e)
+{
+  if (e->held >= 0) {
+    close(e->held);
+    e->held = -1;
+    held--;
+  }
+}
+
 static void
 free_entry(entry *e)
 {
+  release(e);
   free(e->path);
   free(e->own);
   free(e->old);
@@ -223,7 +191,7 @@ drop(entry **at)
   entry *e = *at;
 
   *at = e->next;
-  if (e->process == getpid()) {
+  if (e->own && e->process == getpid()) {
     unlink(e->own);
   }
   free_entry(e);
@@ -254,7 +222,8 @@ keep_rights(int fd, const char *path, const struct stat *st)
 static int
 new_beside(const char *path, mode_t mode, char **own, int *fd)
 {
-  int error = new_file(path, folder_length(path), "", mode, own, fd);
+  *fd = -1;
+  int error = new_file(path, sg_folder_length(path), "", mode, own, fd);
 
   return error == EACCES || error == EPERM ? new_scratch("", own, fd) : error;
 }
@@ -262,9 +231,9 @@ new_beside(const char *path, mode_t mode, char **own, int *fd)
 static bool
 same_folder(const char *a, const char *b)
 {
-  size_t n = folder_length(a);
+  size_t n = sg_folder_length(a);
 
-  return n == folder_length(b) && memcmp(a, b, n) == 0;
+  return n == sg_folder_length(b) && memcmp(a, b, n) == 0;
 }
 
 /* The file that is there, `st`, is to be replaced. */
@@ -279,9 +248,11 @@ open_over(entry *e, const struct stat *st, int *fd)
   if (faccessat(AT_FDCWD, e->path, W_OK, AT_EACCESS) != 0) {
     return errno;
   }
-  error = new_beside(e->path, 0600, &e->own, fd);
+  error =
+      new_nameless(e, 0600, fd) ? 0 : new_beside(e->path, 0600, &e->own, fd);
   if (!error) {
-    e->in_place = st->st_nlink > 1 || !same_folder(e->own, e->path) ||
+    e->in_place = st->st_nlink > 1 ||
+                  (e->own && !same_folder(e->own, e->path)) ||
                   !keep_rights(*fd, e->path, st);
   }
   return error;
@@ -290,13 +261,13 @@ open_over(entry *e, const struct stat *st, int *fd)
 int
 sg_atomic_open(const char *path, uint64_t *id, int *fd)
 {
-  entry *e = calloc(1, sizeof(*e));
+  entry *e = new_entry();
   struct stat st;
-  int error = e ? resolve(path, &e->path, &st) : ENOMEM;
+  int error = e ? sg_real_path(path, &e->path, &st) : ENOMEM;
   bool settled;
 
   if (!error) {
-    error = settle(&e->path);
+    error = sg_path_settled(&e->path);
   }
   settled = !error; /* the folder is there; /proc takes no file */
   pthread_mutex_lock(&lock);
@@ -304,9 +275,12 @@ sg_atomic_open(const char *path, uint64_t *id, int *fd)
     error = EINTR;
   }
   if (!error) {
+    *fd = -1;
     error = st.st_nlink > 0 ? open_over(e, &st, fd)
-                            : new_file(e->path, folder_length(e->path), "",
-                                       0666, &e->own, fd);
+            : new_nameless(e, 0666, fd)
+                ? 0
+                : new_file(e->path, sg_folder_length(e->path), "", 0666,
+                           &e->own, fd);
   }
   if (!error) {
     enter(e, id);
@@ -321,7 +295,7 @@ sg_atomic_open(const char *path, uint64_t *id, int *fd)
 int
 sg_atomic_scratch(const char *ending, uint64_t *id, char **path)
 {
-  entry *e = calloc(1, sizeof(*e));
+  entry *e = new_entry();
   int error = e && (*path = NULL, true) ? 0 : ENOMEM, fd = -1;
 
   pthread_mutex_lock(&lock);
@@ -414,9 +388,10 @@ replace_content(const char *own, const char *to)
 static bool
 keep_file(entry *e)
 {
-  int fd;
+  int fd = -1;
 
-  if (new_file(e->path, folder_length(e->path), "", 0600, &e->old, &fd) != 0) {
+  if (new_file(e->path, sg_folder_length(e->path), "", 0600, &e->old, &fd) !=
+      0) {
     return false;
   }
   close(fd);
@@ -522,7 +497,7 @@ sg_atomic_sync_folder(const char *path)
   if (!sg_atomic_syncs()) {
     return;
   }
-  char *folder = joined(path, folder_length(path), ".", "");
+  char *folder = sg_path_joined(path, sg_folder_length(path), ".", "");
   int fd = folder ? open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC) : -1;
 
   if (fd >= 0) {
@@ -544,6 +519,7 @@ finish(const uint64_t *id, size_t n)
       unlink(e->old);
     }
     unlink(e->own);
+    release(e);
     *at = e->next;
     e->next = done;
     done = e;
@@ -575,7 +551,8 @@ sg_atomic_commit(const uint64_t *id, size_t n, size_t *failed)
   pthread_mutex_lock(&lock);
   while (i < n && !error) {
     entry *e = *find(id[i++]);
-    error = ended || !e || !e->path ? EINTR : place(e, n == 1);
+    error = ended || !e || !e->path ? EINTR : name_held(e);
+    error = error ? error : place(e, n == 1);
   }
   if (!error) {
     done = finish(id, n);

@@ -1,9 +1,12 @@
 /* atomic_file.h -- files that appear whole, several at once, or not at all.
  *
- * Layer: engine; no Prolog. A file is written under a name that nobody can
- * guess, beside the one that it is to have. When it is complete, the two change
- * places in one step. Errors are values of errno, 0 is success. Any thread may
- * call any of these at any time.
+ * Layer: engine; no Prolog. A file is written without a name, so that nothing
+ * of it stays whatever ends the process. When it is complete, it gets one that
+ * nobody can guess, beside the one that it is to have, and the two change
+ * places in one step. Where the file system has no files without a name (NFS),
+ * or there are many, it has the first of these names while it is written, too.
+ * Errors are values of errno, 0 is success. Any thread may call any of these at
+ * any time.
  */
 #ifndef SG_ATOMIC_FILE_H
 #define SG_ATOMIC_FILE_H

@@ -140,7 +140,8 @@ times=${SIGNAL_TIMES:-1}
 moments glue glue "$work/ball0.obj" "$work/ball1.obj" -o "$to/a.pl"
 
 # SIGKILL leaves no time to tidy up: the file is as it was all the same, also
-# while another one is written, which is hidden; and the next run makes it.
+# while another one is written, which has no name yet and goes; and the next run
+# makes it.
 killed() { # NAME, WHEN: a command that waits, ARGUMENT...
   local name=$1 when=$2 pid
   shift 2
@@ -153,13 +154,13 @@ killed() { # NAME, WHEN: a command that waits, ARGUMENT...
   status=$?
   check "$name: its number" status_is 137
   check "$name: as it was" is "$(cat "$to/a.pl")" old
-  check "$name: nothing else is to be seen" is "$(ls "$to")" "$(printf \
+  check "$name: nothing else is there" is "$(ls -A "$to")" "$(printf \
     '%s\n' a.off a.pl)"
 }
 for_half_a_second() { sleep 0.5; }
 until_it_writes() { # PID
   while kill -0 "$1" 2>/dev/null &&
-        ! compgen -G "$to/.sanggwan-*" >/dev/null; do
+        [ -z "$(find "/proc/$1/fd" -lname "$to/#*" 2>/dev/null)" ]; do
     sleep 0.01
   done
 }

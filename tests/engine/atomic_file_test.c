@@ -1,6 +1,8 @@
 /* atomic_file_test.c -- files appear all together or not at all, over whatever
  * is there: nothing, files of any mode, several names of one file, links, and
- * folders that somebody makes meanwhile. Nothing else is ever left behind. */
+ * folders that somebody makes meanwhile. Nothing else is ever left behind.
+ *
+ * covers: real_path */
 #include "engine/atomic_file.h"
 #include "tests/check.h"
 
@@ -363,6 +365,38 @@ ended(void)
   free(path);
 }
 
+/* While a file is written there is nothing to be left behind; but of very many
+ * at once. */
+static void
+nameless(void)
+{
+  enum { MANY = 200 };
+  uint64_t id[MANY];
+  size_t failed;
+  int fd, few = open(".", O_WRONLY | O_TMPFILE | O_CLOEXEC, 0600);
+
+  if (few < 0) {
+    printf("skipped: this file system has no files without a name\n");
+    return;
+  }
+  close(few);
+  CHECK("opened", sg_atomic_open("a", &id[0], &fd) == 0);
+  CHECK("it has no name", write(fd, "x", 1) == 1 && strangers() == 0);
+  close(fd);
+  CHECK("it has its name", sg_atomic_commit(id, 1, &failed) == 0 &&
+                               access("a", R_OK) == 0 && strangers() == 0);
+  for (int i = 0; i < MANY; i++) {
+    CHECK("one of many", sg_atomic_open(i % 2 ? "a" : "b", &id[i], &fd) == 0);
+    close(fd);
+  }
+  CHECK("not all are held open", strangers() > 0 && strangers() < MANY);
+  for (int i = 0; i < MANY; i++) {
+    sg_atomic_drop(id[i]);
+  }
+  CHECK("nor left", strangers() == 0);
+  clear();
+}
+
 int
 main(void)
 {
@@ -379,6 +413,7 @@ main(void)
     one_round();
   }
   dropped();
+  nameless();
   masked();
   moved();
   if (geteuid() == 0) {
