@@ -85,6 +85,7 @@ front(Model, Options, 130) :-
     Front = front(Host,Port,Folder,Owner),
     retractall(front_(_, _, _)),
     assertz(front_(Front, Token, Model)),
+    class_begun(Problems, Model),       % before anybody may ask
     place_name(Host, Name),
     % A connection that waits for its next request has a worker, and a page that
     % was left has six of them.
@@ -96,7 +97,6 @@ front(Model, Options, 130) :-
     format(string(Address), "~w#~w", [Page, Token]),
     format("~w~n", [Address]),
     class_opened(Class, Page),
-    class_begun(Problems, Model),
     flush_output,
     opened_in_browser(Options, Address),
     setup_call_cleanup(true, watching,

@@ -52,8 +52,8 @@ unsafe(abolish_all_tables).
 
 %!  data_error(+Error0, -Error) is det.
 %
-%   Error is what a goal of a stranger raised; if words of its message could call
-%   something, request_error(thrown(Text)): Text is Error0 as it is written.
+%   Error is what a goal of a stranger raised; if words of it could call what
+%   they like, request_error(thrown(Text)): Text is Error0 as it is written.
 
 data_error(Error0, Error) :-
     (   sub_term(Part, Error0),
