@@ -2,7 +2,7 @@
 
 import { h, calm } from "./dom.js";
 import { w, otherTongue } from "./words.js";
-import { KINDS } from "./kinds.js";
+import { kindsOf } from "./kinds.js";
 import { Lost } from "./wire.js";
 
 const MOST = 30;
@@ -19,7 +19,7 @@ function commands(studio) {
     ...["undo", "redo"].map((word) => [w(word), () => change.call(studio, word)]), [w("save"), () => studio.save()],
     ...["tree", "text", "rules"].map((pane) => [w(pane), () => { studio.paneTo("left"); studio.leftTo(pane); }]),
     [w("clear"), () => studio.asking.clear()], [w("larger"), () => ports.enlarge(ports.focused())],
-    ...KINDS.map((kind) => [named(w("menu"), w(kind)), () => ports.focused().turnTo(kind)]),
+    ...kindsOf(studio).map((kind) => [named(w("menu"), w(kind)), () => ports.focused().turnTo(kind)]),
     ...look("hidden", ["dashed", "removed", "shown"]), ...look("lines", ["feature", "all", "penetration"]),
     [w("central"), () => {
       looks.projection = looks.projection === "central" ? "parallel" : "central";
@@ -68,7 +68,7 @@ export function find(studio) {
     items = [...name, ...all.filter(([word]) => parts.every((part) => word.toLowerCase().includes(part))),
       ...predicates].slice(0, MOST);
     list.replaceChildren(...items.map(([word, , doc], i) => h("li", { role: "option", id: "found" + i,
-      onclick: () => act(i) }, word, doc ? h("span", {}, doc) : null)));
+      onclick: () => act(i) }, h("b", {}, word), doc ? h("span", {}, doc) : null)));
     mark(0);
     if (text !== asked) complete(text);
   };

@@ -75,7 +75,7 @@ function partOf([qw, ...axis], p, to, part) {
 export class Folding {
   constructor(port) {
     this.port = port;
-    this.part = 0.35;
+    this.part = port.part;
   }
 
   read(text, patterns) {
@@ -168,9 +168,8 @@ export class Folding {
       return { middle: low.map((n, i) => (n + high[i]) / 2), size: high.map((n, i) => n - low[i]) };
     };
     const faces = this.corners(this.part).map((face) => face.map(eye));
-    const ends = [0, 1].map((part) => box(this.corners(part).map((face) => face.map(eye))));
     const now = box(faces);
-    const scale = Math.min(...[...ends, now].map(({ size }) => Math.min(width * 0.86 / size[0], height * 0.86 / size[1])));
+    const scale = Math.min(width * 0.86 / now.size[0], height * 0.86 / now.size[1]);
     const place = ([x, y]) => [(x - now.middle[0]) * scale + width / 2, (y - now.middle[1]) * scale + height / 2];
     const order = faces.map((face, f) => [f, face.reduce((sum, p) => sum + p[2], 0) / face.length])
       .sort((a, b) => a[1] - b[1]);
@@ -183,18 +182,20 @@ export class Folding {
         return sum + x * y1 - x1 * y;
       }, 0);
       const corners = this.faces[f];
-      let sides = "";
+      let sides = "", folds = "";
       corners.forEach((a, i) => {
         const found = this.edgeOf(a, corners[(i + 1) % corners.length]);
         if (found && found.kind !== "J") {
-          sides += `M${at(points[i])}L${at(points[(i + 1) % points.length])}`;
+          const side = `M${at(points[i])}L${at(points[(i + 1) % points.length])}`;
+          if ("MVF".includes(found.kind)) folds += side;
+          else sides += side;
           const { segment, edges } = this.segments[f];
           this.lines.push({ name: nameOf(segment, edges ? found.edge : undefined), edge: found.edge, segment,
             folds: "MVF".includes(found.kind), from: points[i], to: points[(i + 1) % points.length] });
         }
       });
       return [s("path", { class: area > 0 ? "face inside" : "face", d: "M" + points.map(at).join("L") + "Z" }),
-        s("path", { class: "sides", d: sides })];
+        s("path", { class: "sides folds", d: folds }), s("path", { class: "sides", d: sides })];
     }).flat();
     const marks = ["lit", "chosen", "hover"].map((layer) => s("path", { class: layer, d: this.lines
       .filter(({ name, segment, folds }) => lit[layer]?.has(name) || (!folds && lit[layer]?.has("s" + segment)))

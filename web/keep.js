@@ -50,7 +50,15 @@ export async function recorded(studio, told) {
   replies.shaded = kept(await wire.ask("shaded", { options: [...eyeWords(studio.ports.ports[0]), "--size", "800x600",
     "--background", "none"] }));
   replies.open = { head: { segments: studio.segments, replayed: 0, rev: 1 } };
-  if (studio.asking.answered) replies.ask = studio.asking.answered;
+  const asks = {}, { answered, questions } = studio.asking;
+  for (const { goal } of questions) {
+    try {
+      asks[goal] = kept(await wire.ask("ask", { goal, ...studio.seen() }));
+    } catch (error) {
+      if (!error.head || error.message === "interrupted") throw error;
+    }
+  }
+  if (answered) asks[answered.goal] = answered;
   const all = [...seen].slice(0, MOST_NAMES);
   for (let i = 0; i < all.length; i += 50) {
     const { head } = await wire.ask("select", { names: all.slice(i, i + 50) });
@@ -63,7 +71,7 @@ export async function recorded(studio, told) {
     told(0.3 + i / items.length * 0.7);
   }
   const words = await (await fetch("words.json")).json();
-  return { words, views, names, reasons, replies,
+  return { words, views, names, reasons, replies, asks,
     hello: { file: studio.file, models: [studio.file], owner: false, rev: 0 },
     refused: { words: { en: words.kept_only[0], ko: words.kept_only[1] } } };
 }
@@ -79,10 +87,10 @@ async function bundled() {
     const imports = /^import \{([^}]*)\} from "\.\/(\w+)\.js";$/gm;
     for (const [, , from] of text.matchAll(imports)) await add(from);
     const names = [...text.matchAll(/^export (?:async )?(?:const|class|function) ([\w$]+)/gm)].map(([, one]) => one);
-    const body = text.replace(imports, "const {$1} = M.$2;").replace('import("./find.js")', "M.find").replace(/^export /gm, "");
+    const body = text.replace(imports, "const {$1} = M.$2;").replace(/import\("\.\/(find|fold)\.js"\)/g, "M.$1").replace(/^export /gm, "");
     out += `M.${name} = await (async () => {\n${body}\nreturn { ${names.join(", ")} };\n})();\n`;
   };
-  await add("find");
+  for (const name of ["find", "fold"]) await add(name);
   await add("main");
   return `(async () => {\n"use strict";\n${out}})();`;
 }

@@ -33,7 +33,7 @@ export class Kept extends EventTarget {
   }
 
   found(request, keys) {
-    const { views, replies, names, reasons } = this.record;
+    const { views, replies, names, reasons, asks } = this.record;
     if (request === "view") {
       if (keys.section !== undefined || keys.explode !== undefined) return null;
       if (typeof keys.view === "string") return views.find(({ view }) => view === keys.view);
@@ -44,7 +44,7 @@ export class Kept extends EventTarget {
       return { head: { selected: keys.names.filter((name) => names[name]).map((name) => names[name]), gone: [] } };
     }
     if (request === "explain") return reasons[keys.item];
-    if (request === "ask") return replies.ask && replies.ask.goal === keys.goal ? replies.ask : null;
+    if (request === "ask") return asks[keys.goal];
     if (request === "sheet" && keys.pens) return replies.pens;
     if (request === "complete") throw new Lost("kept");
     return replies[request];

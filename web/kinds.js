@@ -1,12 +1,12 @@
 // What a port may show, and what it asks for it. Of each kind:
 //   turns   it can be turned
 //   slow    it waits until nothing else is wanted
+//   live    it asks for what a page that is a file has not
 //   tools   elements beside the choice of the port
 //   ask     asks for the picture: a promise of { head, body }
 
 import { h } from "./dom.js";
 import { w } from "./words.js";
-import { Folding } from "./fold.js";
 import { Lost } from "./wire.js";
 import { penTools, penShown } from "./pens.js";
 
@@ -33,7 +33,7 @@ function viewKeys(port, width, height) {
   const keys = {
     port: port.name, format: "strokes", ...port.studio.looks,
     view: port.turns ? port.angles : port.kind,
-    size: [width * MM, height * MM].map((mm) => Math.round(mm * 100) / 100),
+    size: [width * MM * port.room, height * MM * port.room].map((mm) => Math.round(mm * 100) / 100),
     margin: Math.min(width, height) * MM * 0.07,
   };
   if (port.scale) keys.scale = port.scale;
@@ -47,6 +47,7 @@ const view = { ask: (port, width, height) => port.studio.wire.ask("view", viewKe
 // Cut open: the plane is pulled along one axis of the model.
 const section = {
   turns: true,
+  live: true,
   tools: (port) => {
     port.settings.axis = port.settings.axis || "y";
     port.plane = slider(port, "plane", () => port.at ?? 0, (at) => { port.at = at; port.refresh(); },
@@ -75,6 +76,7 @@ const section = {
 // The cells of what is glued, moved apart.
 const apart = {
   turns: true,
+  live: true,
   tools: (port) => {
     port.factor = port.factor ?? 0.4;
     return [slider(port, "apart_by", () => port.factor, (factor) => { port.factor = factor; port.refresh(); },
@@ -149,11 +151,17 @@ const folded = {
   turns: true,
   own: true,
   tools: (port) => {
-    port.folding = port.folding || new Folding(port);
-    return [segmentTool(port),
-      slider(port, "fold_by", () => port.folding.part, (part) => port.folding.fold(part), { min: 0, max: 1 })];
+    port.part ??= 0.35;
+    const folded = (part) => {
+      port.part = part;
+      port.folding?.fold(part);
+    };
+    return [segmentTool(port), slider(port, "fold_by", () => port.part, folded, { min: 0, max: 1 })];
   },
-  ask: (port) => patternAsked(port, "fold"),
+  ask: async (port) => {
+    port.folding ??= new (await import("./fold.js")).Folding(port);
+    return patternAsked(port, "fold");
+  },
 };
 
 // What the teacher shows to all.
@@ -175,4 +183,5 @@ const KIND = { iso: { ...view, turns: true }, front: view, top: view, right: vie
 
 // `problem` is chosen with a problem, `taught` by the teacher, not in the port.
 export const KINDS = Object.keys(KIND).filter((name) => !KIND[name].alone);
+export const kindsOf = ({ record }) => KINDS.filter((name) => !(record && KIND[name].live));
 export const kindOf = (name) => KIND[name] || KIND.iso;

@@ -2,10 +2,10 @@
 
 import { $, h, arrows, calm, say } from "./dom.js";
 import { w, wordsLoaded, otherTongue, reworded, said, tongue } from "./words.js";
-import { Wire, Lost, textOf } from "./wire.js";
+import { Wire, Lost } from "./wire.js";
 import { Kept, recordOf } from "./kept.js";
 import { Ports } from "./ports.js";
-import { KINDS, eyeWords } from "./kinds.js";
+import { KINDS } from "./kinds.js";
 import { Tree } from "./tree.js";
 import { Handles } from "./handles.js";
 import { Asking, Why, Text, Rules } from "./panels.js";
@@ -22,7 +22,6 @@ const LOOKS = {
   hidden: ["dashed", "removed", "shown"],
   lines: ["feature", "all", "penetration"],
 };
-const VERBS = { drawing: "draw", shaded: "render", pattern: "unfold", model: "convert" };
 
 class Studio {
   constructor() {
@@ -33,7 +32,9 @@ class Studio {
     for (const [key, values] of Object.entries(LOOKS)) {
       if (values.includes(this.link.get(key))) this.looks[key] = this.link.get(key);
     }
+    this.record = recordOf();
     this.segments = [];
+    this.names = [];
     this.models = [];
     this.formats = Object.entries(FORMATS);
     this.rev = 0;
@@ -57,7 +58,6 @@ class Studio {
     // The address says what is seen: behind the secret, if it has that.
     this.linked = calm(300, () => history.replaceState(null, "", "#" + [given, ...this.seenWords()].filter(Boolean).join("&")));
     window.addEventListener("hashchange", () => location.reload());
-    this.record = recordOf();
     const which = new URLSearchParams(location.search).get("half");
     if (which) this.half(which);
     this.wire = this.record ? new Kept(this.record) : new Wire(token);
@@ -98,7 +98,7 @@ class Studio {
     $("left").append(tabs);
     for (const key of ["tree", "text", "rules"]) this.tabbed(key, this[key]);
     this.leftTo("tree");
-    for (const [pane, word] of [["ports", "ports"], ["left", "tree"], ["asking", "ask"]]) {
+    for (const [pane, word] of [["ports", "ports"], ["left", "tree"], ["asking", "ask_why"]]) {
       $("panes").append(h("button", { role: "tab", "data-word": word, onclick: () => this.paneTo(pane) }));
       $("panes").lastChild.dataset.to = pane;
     }
@@ -108,6 +108,7 @@ class Studio {
   // On a phone one pane is shown at a time.
   paneTo(pane) {
     document.body.dataset.pane = pane;
+    if (pane === "asking") this.news();
     for (const tab of $("panes").children) tab.setAttribute("aria-selected", String(tab.dataset.to === pane));
   }
 
@@ -120,9 +121,9 @@ class Studio {
     this.undoButton = button("undo", () => this.change("undo"), "↶");
     this.redoButton = button("redo", () => this.change("redo"), "↷");
     this.saveButton = button("save", () => this.save());
-    this.stopButton = h("button", { hidden: true, onclick: () => this.wire.stop() });
+    this.stopButton = h("button", { id: "stop", hidden: true, onclick: () => this.wire.stop() });
     $("state").after(this.stopButton);
-    setInterval(() => this.long(), 300);
+    this.watch = setInterval(() => this.long(), 300);
     $("menus").append(
       this.menu("open", () => this.openMenu()), this.saveButton, this.menu("export", () => this.exportMenu()),
       this.menu("menu", () => this.viewMenu()), this.undoButton, this.redoButton,
@@ -134,26 +135,28 @@ class Studio {
     const key = h("button", { "aria-haspopup": "true", "aria-expanded": "false",
       [sign ? "data-label" : "data-word"]: word,
       onclick: () => {
-        list.hidden = !list.hidden;
-        key.setAttribute("aria-expanded", String(!list.hidden));
-        if (!list.hidden) {
-          list.replaceChildren(...made());
-          list.querySelector("button, select, input")?.focus();
-        }
+        opened(list.hidden);
+        if (list.hidden) return;
+        list.replaceChildren(...made());
+        list.querySelector("button, select, input")?.focus();
       } }, sign || "");
+    const opened = (on) => {
+      list.hidden = !on;
+      key.setAttribute("aria-expanded", String(on));
+    };
+    list.addEventListener("done", () => opened(false));
     const box = h("span", { class: "menubox",
       onkeydown: (event) => {
-        if (event.key === "Escape") { list.hidden = true; key.focus(); event.stopPropagation(); }
+        if (event.key === "Escape") { opened(false); key.focus(); event.stopPropagation(); }
         arrows(list, event);
       },
-      onfocusout: (event) => { if (!box.contains(event.relatedTarget)) list.hidden = true; } }, key, list);
+      onfocusout: (event) => { if (!box.contains(event.relatedTarget)) opened(false); } }, key, list);
     return box;
   }
 
   openMenu() {
-    const choice = (name, keys) => h("button", { onclick: (event) => {
-      const menu = event.target.closest(".menu");
-      if (menu) menu.hidden = true;
+    const choice = (name, keys) => h("button", { class: "code", onclick: (event) => {
+      event.target.closest(".menu")?.dispatchEvent(new Event("done"));
       this.opened(name, null, keys);
     } }, name);
     const file = h("input", { type: "file", class: "unseen",
@@ -162,14 +165,18 @@ class Studio {
       h("label", { class: "file" }, w("upload"), file)];
   }
 
-  // A file of the reader's machine: the program keeps it, and opens it.
-  async upload(file) {
+  upload(file) {
+    return this.files((files) => files.upload(this, file));
+  }
+
+  export(what, format) {
+    return this.files((files) => files.exported(this, what, format));
+  }
+
+  // What is done with files comes when it is wanted.
+  async files(act) {
     try {
-      const { head } = await this.wire.ask("upload", { name: file.name });
-      const answer = await fetch("up/" + head.ticket, { method: "POST", body: file });
-      if (!answer.ok) throw new Error(await answer.text());
-      this.uploads = [...new Set([...this.uploads, file.name])].sort();
-      await this.opened(file.name, null, { upload: true, replay: false });
+      await act(await import("./files.js"));
     } catch (error) {
       this.failed(error);
     }
@@ -178,8 +185,8 @@ class Studio {
   exportMenu() {
     return this.formats.map(([what, formats]) => h("p", { class: "formats" },
       h("span", {}, w(what + "_of")),
-      ...formats.map((format) => h("button", { onclick: (event) => {
-        event.target.closest(".menu").hidden = true;
+      ...formats.map((format) => h("button", { class: "code", onclick: (event) => {
+        event.target.closest(".menu").dispatchEvent(new Event("done"));
         this.export(what, format);
       } }, format))));
   }
@@ -214,17 +221,19 @@ class Studio {
   looked() {
     localStorage.setItem("looks", JSON.stringify(this.looks));
     this.ports.refresh();
+    this.again();
     this.linked();
   }
 
   keep() {
     this.ports.kept();
+    this.again();
     this.linked();
   }
 
   seenWords() {
     const looks = Object.keys(LOOKS).map((key) => [key, this.looks[key]]);
-    return [["ports", this.ports.ports.map((port) => port.link()).join(";")], ...looks, ["chosen", this.names?.join(",")]]
+    return [["ports", this.ports.ports.map((port) => port.link()).join(";")], ...looks, ["chosen", this.names.join(",")]]
       .filter(([, value]) => value).map(([key, value]) => `${key}=${value}`);
   }
 
@@ -235,7 +244,7 @@ class Studio {
     this.problems?.reworded();
     if (this.ready && this.pane === "rules") this.rules.refresh().catch((error) => this.failed(error));
     this.state();
-    this.why.show(this.names || [], this.from);
+    this.why.again();
   }
 
   // --- the document ---
@@ -250,6 +259,8 @@ class Studio {
     this.owner = head.owner;
     $("banner").hidden = true;
     clearTimeout(this.awayTimer);
+    this.awayTimer = null;
+    this.gone = false;
     const file = this.file || head.file;
     if (head.class) await this.inClass(head.class);
     this.teaches = head.shows === "all";
@@ -295,16 +306,21 @@ class Studio {
     activeElement?.focus();
   }
 
+  // Told once, however often the page tries meanwhile.
   away = () => {
     this.here = false;
-    clearTimeout(this.awayTimer);
-    this.awayTimer = setTimeout(() => this.banner("away"), 800);
+    this.awayTimer ??= setTimeout(() => {
+      this.gone = true;
+      this.banner("away");
+      this.state();
+    }, 800);
   };
 
   async opened(file, remark, keys = {}) {
     if (!file) return;
     keys = { ...keys, ...(file === this.file && this.sent ? { upload: true } : {}) };
     this.sent = Boolean(keys.upload);
+    if (file !== this.file) this.forget();
     this.file = file;
     document.body.classList.remove("bare");
     $("file").textContent = file;
@@ -329,6 +345,24 @@ class Studio {
     }
   }
 
+  // What was chosen, asked and explained is of the model that was open.
+  forget() {
+    this.names = [];
+    this.from = null;
+    this.asking.clear();
+    this.why.clear();
+    this.tree.forget();
+    this.tried();
+    for (const layer of ["chosen", "hover"]) this.light(layer, []);
+  }
+
+  // What the rules that are tried made of the lines.
+  tried({ came = [], changed = [], went = [] } = {}) {
+    this.light("came", came);
+    this.light("changed", changed);
+    this.ports.ghost(went);
+  }
+
   // What was changed here before another program wrote the file.
   async recovered(file) {
     await this.opened(file, null, { replay: "journal" });
@@ -343,6 +377,7 @@ class Studio {
     this.warned(head.messages);
     $("ports").dataset.rev = head.rev;
     this.ports.refresh();
+    this.again();
     this.state();
     try {
       await this.tree.refresh();
@@ -354,9 +389,16 @@ class Studio {
     this.state();
   }
 
+  // What was asked and explained is so of the model, and the picture, of now.
+  again = calm(400, () => {
+    if (this.record) return;
+    this.asking.again();
+    this.why.again();
+  });
+
   edited(head) {
     this.changes = (this.changes || 0) + 1;
-    this.light("came", []);
+    this.tried();
     return this.revised(head);
   }
 
@@ -373,8 +415,9 @@ class Studio {
   }
 
   state() {
-    $("state").textContent = !this.stopButton.hidden ? w("working") : this.ready ? w(this.changes ? "changed" : "saved") : w("connecting");
-    $("state").className = this.changes ? "changed" : "";
+    $("state").textContent = !this.stopButton.hidden ? w("working")
+      : this.ready && !this.gone ? w(this.changes ? "changed" : "saved") : w("connecting");
+    $("state").className = this.changes || this.gone ? "changed" : "";
   }
 
   // One change after the other; those that were not sent wait for the program.
@@ -388,7 +431,14 @@ class Studio {
     while (!this.here || !this.wire.open) await new Promise((done) => { this.waiting.push(done); });
   }
 
-  // The panes show what the last of several made.
+  // What was made and not shown yet.
+  async shown() {
+    const { made } = this;
+    this.made = null;
+    if (made) await this.edited(made);
+  }
+
+  // The panes show what the last of several made. Resolves to whether it is done.
   change(request, keys) {
     this.queued = (this.queued || 0) + 1;
     return this.inLine(async () => {
@@ -398,9 +448,15 @@ class Studio {
         const { head } = await this.wire.ask(request, keys);
         this.segments = head.segments;
         this.text.dirty = false;
-        if (!this.queued) await this.edited(head);
+        this.made = head;
+        if (!this.queued) await this.shown();
+        return true;
       } catch (error) {
-        if (!this.queued) this.failed(error);
+        if (!this.queued) {
+          await this.shown();
+          this.failed(error);
+        }
+        return false;
       }
     });
   }
@@ -422,34 +478,16 @@ class Studio {
   async fileChanged() {
     const take = async () => {
       $("banner").hidden = true;
-      await this.change("reload");
-      this.changes = 0;
+      const done = await this.change("reload");
+      this.changes = done ? 0 : this.changes || 1;
       this.state();
-      say(w("taken"));
+      if (done) this.banner("taken", null, 6000);
     };
     if (!this.isText) this.opened(this.file);
     else if (!this.changes) await take();
     else {
-      this.banner("file_new", [["take", take], ["compare_texts", () => this.compare(take)],
+      this.banner("file_new", [["take", take], ["compare_texts", () => this.files((files) => files.compare(this, take))],
         ["keep_mine", () => { $("banner").hidden = true; }]].map(([word, onclick]) => h("button", { onclick }, w(word))));
-    }
-  }
-
-  // The text of the file beside the text here; lines that only one has are marked.
-  async compare(take) {
-    try {
-      const [there, here] = await Promise.all([this.wire.ask("reload", { look: true }), this.wire.ask("text")]);
-      const texts = [there, here].map(({ body }) => textOf(body).split("\n"));
-      const column = (word, i) => h("div", {}, h("h2", {}, w(word)), h("pre", { tabindex: 0 }, ...texts[i].map((line) =>
-        h("span", { class: texts[1 - i].includes(line) ? "" : "other" }, line + "\n"))));
-      const box = h("dialog", { class: "compare", onclose: () => box.remove() },
-        h("div", { class: "both" }, column("in_file", 0), column("in_page", 1)),
-        h("p", { class: "wishes" }, h("button", { class: "main", onclick: () => { box.close(); take(); } }, w("take")),
-          h("button", { onclick: () => box.close() }, w("keep_mine"))));
-      document.body.append(box);
-      box.showModal();
-    } catch (error) {
-      this.failed(error);
     }
   }
 
@@ -457,40 +495,6 @@ class Studio {
   async page() {
     const { keptPage } = await import("./keep.js");
     return keptPage(this, (part) => this.banner("keeping", null, 0, Math.round(part * 100)));
-  }
-
-  async exportPage() {
-    try {
-      const text = await this.page();
-      $("banner").hidden = true;
-      const address = URL.createObjectURL(new Blob([text], { type: "text/html" }));
-      h("a", { href: address, download: this.file.replace(/\.[^.]*$/, "") + ".html" }).click();
-      calm(60000, () => URL.revokeObjectURL(address))();
-    } catch (error) {
-      this.failed(error);
-    }
-  }
-
-  async export(what, format) {
-    if (what === "page") {
-      await this.exportPage();
-      return;
-    }
-    const port = this.ports.focused();
-    const options = what === "shaded" ? [...eyeWords(port), "--shade", port.settings.shade || "lambert",
-      ...(port.kind === "section" ? ["--section", `${port.settings.axis}=${port.at}`] : [])]
-      : what !== "drawing" ? []
-        : port.kind === "sheet" ? ["--sheet", port.settings.paper, "--language", tongue()]
-          : port.kind === "section" ? ["--section", `${port.settings.axis}=${port.at}`]
-            : port.turns ? eyeWords(port) : port.slow ? [] : ["--view", port.kind];
-    const name = this.file.replace(/\.[^.]*$/, "") + (what === "pattern" ? "_flat." : ".") + format;
-    try {
-      const { head } = await this.wire.ask("export", { argv: [VERBS[what], ...options], name });
-      if (!head.ticket) throw Object.assign(new Error(name), { head });
-      h("a", { href: "x/" + head.ticket, download: head.name }).click();
-    } catch (error) {
-      this.failed(error);
-    }
   }
 
   // --- what is pointed at ---
@@ -545,7 +549,15 @@ class Studio {
     this.light("chosen", names);
     this.linked();
     this.other?.postMessage({ chosen: names });
+    this.news(names[0]);
     return this.why.show(names, this.from, role);
+  }
+
+  // On a phone the reason is in another pane: its tab says of what.
+  news(name) {
+    const tab = $("panes").querySelector("[data-to=asking]");
+    if (name && document.body.dataset.pane !== "asking") tab.dataset.news = name;
+    else delete tab.dataset.news;
   }
 
   async askAbout(name) {
@@ -611,7 +623,7 @@ class Studio {
     else if (key === "/") $("goal").focus();
     else if (key === "t") this.leftTo("tree");
     else if (key === "x") this.leftTo("text");
-    else if (key === "escape") { this.asking.clear(); this.chosen([]); this.light("came", []); }
+    else if (key === "escape") { this.asking.clear(); this.chosen([]); this.tried(); }
     else if (/^[1-7]$/.test(key)) this.ports.focused().turnTo(KINDS[key - 1]);
     else return;
     event.preventDefault();

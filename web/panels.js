@@ -4,6 +4,7 @@ import { h, calm, say } from "./dom.js";
 import { w, said, tongue, reworded } from "./words.js";
 import { Lost, textOf } from "./wire.js";
 
+const QUICK = 1000;       // ms: what is asked again by itself
 const NAME = /\b(s\d+(?:[epvj]-?\d+)?|l\d+)\b/;
 
 // Text in which names of lines are buttons.
@@ -96,27 +97,43 @@ export class Asking {
   }
 
   clear() {
+    this.goal = "";
     this.table.replaceChildren();
     this.count.textContent = "";
     this.studio.light("lit", []);
   }
 
-  async ask() {
-    const goal = this.box.value.trim();
+  // The answers of now, if they do not take long; else it says of when they are.
+  again() {
+    if (!this.goal) return;
+    if (this.took < QUICK) this.ask(this.goal);
+    else {
+      this.count.textContent = w("earlier");
+      this.rest?.remove();
+    }
+  }
+
+  async ask(goal = this.box.value.trim()) {
     if (!goal) return;
+    const since = Date.now();
+    if (goal !== this.goal || !(this.took < QUICK)) this.count.textContent = w("working");
     this.goal = goal;
-    this.count.textContent = w("working");
     try {
       const asked = this.studio.wire.ask("ask", { goal, ...this.studio.seen() });
       this.number = this.studio.wire.number;
       const { head, body } = await asked;
+      if (goal !== this.goal) return;
+      this.took = Date.now() - since;
       this.answered = { goal, head };
       this.shows = [];
       this.printed = textOf(body);
       this.rows = h("tbody");
       this.show(head, true);
     } catch (error) {
+      if (goal !== this.goal) return;
       this.count.textContent = "";
+      if (error instanceof Lost) return;
+      this.goal = "";
       this.table.replaceChildren(h("p", { class: "bad", role: "alert" }, this.studio.wrong(error)));
     }
   }
@@ -125,7 +142,7 @@ export class Asking {
     if (first) {
       this.table.replaceChildren(
         ...(this.printed ? [h("pre", {}, this.printed)] : []),
-        h("table", {}, h("thead", {}, h("tr", {}, ...head.names.map((name) => h("th", { scope: "col" }, name)))), this.rows));
+        head.answers.length === 0 && head.names.length ? h("p", { class: "quiet" }, w("none_hold")) : h("table", {}, h("thead", {}, h("tr", {}, ...head.names.map((name) => h("th", { scope: "col" }, name)))), this.rows));
       this.total = head.answers.length + head.left;
     }
     head.answers.forEach((answer, i) => {
@@ -143,9 +160,11 @@ export class Asking {
       this.rest = h("button", { type: "button", onclick: () => this.next() }, w("more", head.left));
       this.table.append(this.rest);
     }
-    this.count.textContent = this.total === 0 ? w("no_answers")
-      : head.names.length === 0 ? w("yes") : this.total === 1 ? w("one_answer") : w("answers", this.total);
-    say(this.count.textContent);
+    this.count.textContent = this.total === 0 ? w(head.names.length ? "no_answers" : "no")
+      : head.names.length === 0 ? w("yes") : this.total === 1 ? w("one_answer")
+        : w(head.cut ? "answers_cut" : "answers", this.total);
+    if (this.count.textContent !== this.spoken) say(this.count.textContent);
+    this.spoken = this.count.textContent;
     this.studio.lightAll("lit", this.shows).catch((error) => this.studio.failed(error));
   }
 
@@ -168,37 +187,64 @@ export class Why {
     this.element = h("div", { class: "panel why" }, h("h2", { "data-word": "why" }), this.inner);
   }
 
+  clear() {
+    this.shown = null;
+    this.inner.replaceChildren(h("p", { class: "quiet", "data-word": "no_why" }));
+    reworded(this.inner);
+  }
+
+  // The same, of the model of now.
+  again() {
+    this.shown?.();
+  }
+
+  // What `items` resolves to is shown, unless something else is to be told meanwhile.
+  async tell(again, items) {
+    const same = this.shown === again;
+    this.shown = again;
+    let parts;
+    try {
+      parts = await items();
+    } catch (error) {
+      if (error instanceof Lost) return;
+      parts = [h("p", { class: "bad" }, this.studio.wrong(error))];
+    }
+    if (this.shown !== again) return;
+    const { scrollTop } = this.inner;
+    this.inner.replaceChildren(...parts);
+    reworded(this.inner);
+    this.inner.scrollTop = same ? scrollTop : 0;
+  }
+
   async show(names, port, role) {
     const { studio } = this;
     if (!names.length) {
-      this.inner.replaceChildren(h("p", { class: "quiet", "data-word": "no_why" }));
-      reworded(this.inner);
+      this.clear();
       return;
     }
-    try {
+    const again = () => this.tell(again, async () => {
       const { head } = await studio.wire.ask("select", { names: names.slice(0, 20) });
       const items = [];
       for (const one of head.selected) items.push(...await this.one(one, port, role));
-      this.inner.replaceChildren(...items);
-      reworded(this.inner);
-      this.inner.scrollTop = 0;
-      studio.light("chosen", [...names, ...head.selected.flatMap(({ shows }) =>
-        shows.filter((name) => /^s\d+e/.test(name)))]);
-    } catch (error) {
-      this.inner.replaceChildren(h("p", { class: "bad" }, studio.wrong(error)));
-    }
+      if (this.shown === again) {
+        studio.light("chosen", [...names, ...head.selected.flatMap(({ shows }) =>
+          shows.filter((name) => /^s\d+e/.test(name)))]);
+      }
+      return items;
+    });
+    await again();
   }
 
   // What explains an item of a picture that has no names.
   async item(item, options) {
-    try {
+    this.studio.news(item);
+    const again = () => this.tell(again, async () => {
       const { head, body } = await this.studio.wire.ask("explain", { item, lang: tongue(), options });
       const text = head.error ? said(head.error) : textOf(body.slice(0, head.stdout)).trimEnd();
-      this.inner.replaceChildren(h("p", { class: "chip" }, h("strong", {}, item)),
-        h("pre", { class: head.error ? "bad" : "" }, ...linked(text, this.studio)));
-    } catch (error) {
-      this.inner.replaceChildren(h("p", { class: "bad" }, this.studio.wrong(error)));
-    }
+      return [h("p", { class: "chip" }, h("strong", {}, item)),
+        h("pre", { class: head.error ? "bad" : "" }, ...linked(text, this.studio))];
+    });
+    await again();
   }
 
   async one({ name, goal, explain, shows }, port, role) {
@@ -208,8 +254,10 @@ export class Why {
     if (edge && joint && port.kind === "unfold") explain = [`${joint}(${edge[1]}, ${edge[2]})`];
     const parts = [h("p", { class: "chip" }, h("strong", {}, name), " ",
       h("button", { class: "goal", onclick: () => studio.asking.set(goal) }, goal))];
-    const looks = port && port.turns ? ["--view", port.angles.map((angle) => angle.toFixed(6)).join(",")]
-      : port && !port.slow ? ["--view", port.kind] : [];
+    const { lines, projection } = studio.looks;
+    const looks = [...(port && port.turns ? ["--view", port.angles.map((angle) => angle.toFixed(6)).join(",")]
+      : port && !port.slow ? ["--view", port.kind] : []),
+    ...(lines ? ["--lines", lines] : []), ...(projection ? ["--projection", projection] : [])];
     for (const item of explain) {
       const { head, body } = await studio.wire.ask("explain", { item, lang: tongue(), options: looks });
       const text = head.error ? said(head.error) : textOf(body.slice(0, head.stdout)).trimEnd();
@@ -293,7 +341,8 @@ export class Rules extends Editor {
   constructor(studio) {
     super(studio, "rules");
     this.field.placeholder = "may_cut(S1, S2) :-\n    S1 =\\= 1,\n    default(may_cut(S1, S2)).";
-    this.counts = h("p", { class: "remark", role: "status" });
+    this.counts = h("p", { class: "remark counts", role: "status" });
+    this.tried = null;
     this.decisions = h("ul", { class: "decisions" });
     this.element = h("div", { class: "panel editor" }, this.field, this.wrong, this.counts,
       h("p", { class: "wishes" },
@@ -305,7 +354,10 @@ export class Rules extends Editor {
   async refresh() {
     if (this.dirty) return;
     const { head, body } = await this.studio.wire.ask("rules");
-    if (!this.dirty) this.field.value = textOf(body);
+    if (!this.dirty) {
+      this.field.value = textOf(body);
+      this.tried = head.tried ? this.field.value : null;
+    }
     this.field.readOnly = !this.studio.owner || !this.studio.isText;
     this.decisions.replaceChildren(...head.decisions.map(({ decision, words, by }) =>
       h("li", { class: by, title: words[tongue()] }, h("code", {}, decision), " ", words[tongue()])));
@@ -314,26 +366,36 @@ export class Rules extends Editor {
   async done() {
     const { studio } = this;
     const text = this.field.value;
+    if (this.tried === null) studio.ports.remember();
     try {
       const { head } = await studio.wire.ask("rules", { try: true, body: text, ...studio.looks });
+      this.tried = text;
       this.said(null);
-      this.counts.textContent = w("tried", head.count.came, head.count.went, head.count.changed);
+      const { came, went, changed } = head.count;
+      this.counts.replaceChildren(h("span", { class: "came" }, w("came", came)), h("span", { class: "gone" }, w("went", went)),
+        h("span", { class: "changed" }, w("changed_role", changed)));
       await studio.revised(head);
-      studio.light("came", [...head.came, ...head.changed]);
-      studio.ports.ghost(head.went);
+      studio.tried(head);
     } catch (error) {
-      if (!(error instanceof Lost)) this.said(error);
+      if (error instanceof Lost) return;
+      this.said(error);
+      this.counts.textContent = "";
     }
   }
 
+  // What is kept is what stands here: tried before, and without a mistake.
   async end(keep) {
+    if (keep && this.field.value !== this.tried) {
+      if (this.dirty) await this.done();
+      if (this.field.value !== this.tried) return;
+    }
     try {
-      const { head } = await this.studio.wire.ask("rules", { keep });
+      const { head } = await this.studio.wire.ask("rules", keep || this.tried !== null ? { keep } : {});
+      this.tried = null;
       this.dirty = false;
       this.counts.textContent = "";
       this.said(null);
-      this.studio.light("came", []);
-      this.studio.ports.ghost([]);
+      this.studio.tried();
       await this.studio.revised(head);
       this.refresh();
     } catch (error) {

@@ -71,8 +71,8 @@ export function penShown(port, { head }) {
   const all = (key) => sums.reduce((sum, one) => sum + one[key], 0);
   port.told = w("pen_sums", sums.length, all("strokes"), (all("drawn") / 1000).toFixed(2),
     (all("lifted") / 1000).toFixed(2), minutes(all("seconds")));
-  port.remark.textContent = port.told;
-  port.remark.title = sums.map(({ pen, strokes: many, drawn, lifted, seconds }) =>
+  const each = sums.map(({ pen, strokes: many, drawn, lifted, seconds }) =>
     w("pen_sum", pen, many, (drawn / 1000).toFixed(2), (lifted / 1000).toFixed(2), minutes(seconds))).join("\n");
-  port.canvas.setAttribute("aria-label", port.told + ". " + port.remark.title);
+  port.remarks(port.told, port.told + "\n" + each, "ⓘ");
+  port.canvas.setAttribute("aria-label", port.told + ". " + each);
 }

@@ -49,7 +49,7 @@ function partPath(stroke, of) {
   return d;
 }
 
-const FILLING = new Set(["hatching", "fold_up", "fold_down", "number"]);
+const FILLING = new Set(["hatching", "fold_up", "fold_down", "number", "face_name"]);
 
 export const nameOf = (segment, edge) => (edge === undefined ? `s${segment}` : `s${segment}e${edge}`);
 
@@ -57,7 +57,7 @@ export const nameOf = (segment, edge) => (edge === undefined ? `s${segment}` : `
 export const named = ({ strokes }) => strokes.filter(({ edges, whole }) => edges.length || whole);
 
 export class Picture {
-  constructor(layers = ["gone", "came", "lit", "chosen", "hover"]) {
+  constructor(layers = ["gone", "came", "changed", "lit", "hover", "chosen"]) {
     this.lines = s("g", { class: "lines" });
     this.letters = s("g", { class: "letters" });
     this.layers = {};
@@ -105,19 +105,26 @@ export class Picture {
     this.svg.setAttribute("viewBox", this.box.join(" "));
   }
 
-  // Looks at all but the lines of one role.
-  fit(but) {
-    const { strokes, looks } = this.shown;
-    let [left, top, right, bottom] = [Infinity, Infinity, -Infinity, -Infinity];
-    for (const { look, points } of strokes) {
-      if (looks[look][1] === but) continue;
-      for (let i = 0; i < points.length; i += 2) {
-        left = Math.min(left, points[i]);
-        right = Math.max(right, points[i]);
-        top = Math.min(top, points[i + 1]);
-        bottom = Math.max(bottom, points[i + 1]);
+  // left, top, right, bottom of strokes.
+  around(strokes) {
+    const box = [Infinity, Infinity, -Infinity, -Infinity];
+    for (const { points } of strokes) {
+      for (let i = 0; i < points.length; i++) {
+        box[i % 2] = Math.min(box[i % 2], points[i]);
+        box[i % 2 + 2] = Math.max(box[i % 2 + 2], points[i]);
       }
     }
+    return box;
+  }
+
+  // Looks at all; the lines of one role are left out where they are wider than the rest.
+  fit(but) {
+    const { strokes, looks } = this.shown;
+    const rest = strokes.filter(({ look }) => looks[look][1] !== but);
+    const wide = ([left, , right]) => right - left;
+    const bare = rest.length < strokes.length && wide(this.around(strokes)) > 1.1 * wide(this.around(rest));
+    this.svg.classList.toggle("bare", bare);
+    const [left, top, right, bottom] = this.around(bare ? rest : strokes);
     if (right < left) return;
     const edge = 0.06 * Math.max(right - left, bottom - top);
     this.look(left - edge, top - edge, right - left + 2 * edge, bottom - top + 2 * edge);

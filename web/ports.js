@@ -3,11 +3,12 @@
 import { h, calm, say } from "./dom.js";
 import { w, said, reworded } from "./words.js";
 import { Picture, strokesOf, laidOf, named, nameOf } from "./picture.js";
-import { KINDS, kindOf } from "./kinds.js";
+import { KINDS, kindOf, kindsOf } from "./kinds.js";
 import { Lost, textOf } from "./wire.js";
 
 const PICTORIAL = [315, 54.735610317245346];
 const USUAL = { projection: "parallel", up: "z", lines: "feature" };
+const TOO_SMALL = "usage_error.sheet";
 const SLOW = 40;          // ms: exact pictures that take longer do not turn well
 
 class Port {
@@ -22,22 +23,25 @@ class Port {
     this.tools = h("span", { class: "tools" });
     this.image = h("img", { alt: "", hidden: true, draggable: "false" });
     this.choice = h("select", { onchange: () => this.turnTo(this.choice.value) },
-      ...KINDS.map((key) => h("option", { value: key, "data-word": key })));
+      ...kindsOf(studio).map((key) => h("option", { value: key, "data-word": key })));
     this.choice.dataset.label = "view";
     this.remark = h("span", { class: "remark" });
+    this.note = h("p", { class: "note", role: "status", hidden: true });
+    this.more = h("button", { class: "large", hidden: true, "aria-expanded": "false", "data-label": "details",
+      onclick: () => this.tell(this.note.hidden ? this.whole : "") });
     this.canvas = h("div", { class: "canvas", tabindex: 0, role: "img" }, this.image, this.picture.svg);
     this.showing = h("button", { class: "large", "aria-pressed": "false", "data-word": "show_all",
       onclick: () => studio.ports.showAll(this) });
     this.large = h("button", { class: "large", "aria-pressed": "false", "data-label": "larger",
       onclick: () => studio.ports.enlarge(this) }, "⤢");
     this.element = h("figure", { class: "port" },
-      h("figcaption", {}, this.choice, this.tools, this.remark, this.showing, this.large), this.canvas);
+      h("figcaption", {}, this.choice, this.tools, this.more, this.remark, this.showing, this.large), this.canvas, this.note);
     this.kind = KINDS.includes(kind) ? kind : "iso";
     this.choice.value = this.kind;
     this.tooled();
     this.angles = angles?.split(",").map(Number) || [];
     if (this.angles.length !== 2 || !this.angles.every(Number.isFinite)) this.angles = [...PICTORIAL];
-    this.scale = null;
+    this.unscaled();
     this.turning = null;
     this.took = 0;
     this.listen();
@@ -79,8 +83,7 @@ class Port {
   turnTo(kind) {
     this.kind = kind;
     this.choice.value = kind;
-    this.scale = null;
-    this.zoomed = null;
+    this.unscaled();
     this.after = null;
     this.said = "";
     this.told = "";
@@ -153,8 +156,8 @@ class Port {
       else if (!reply.head.replaced) this.show(reply);
       if (turns === this.turning?.turns) this.turning?.leave();
     } catch (error) {
-      if (error.message === "interrupted") this.again = true;
-      else if (!(error instanceof Lost)) this.failed(error);
+      if (error.message === "interrupted" || this.wider(error)) this.again = true;
+      else if (!(error instanceof Lost || error.message === "request_error.session_ended")) this.failed(error);
     }
     this.busy = false;
     this.element.classList.remove("late");
@@ -172,14 +175,31 @@ class Port {
     this.element.dataset.rev = head.rev;
     this.under = null;
     this.remark.title = "";
+    this.more.hidden = true;
+    this.tell("");
     this.image.hidden = head.kind !== "png";
     if (head.kind === "png") this.showImage(reply);
     else if (head.kind === "fold") this.showFolding(reply);
     else this.showStrokes(reply);
     const warnings = (head.messages || []).filter(({ kind }) => kind === "warning").map(said);
-    if (!warnings.length) return;
-    this.remark.textContent = "⚠ " + warnings[0].split("\n")[0];
-    this.remark.title = warnings.join("\n");
+    if (warnings.length) this.remarks(warnings[0].split("\n")[0], warnings.join("\n"), "⚠");
+  }
+
+  // A remark, and what more there is to say of it: by a key of its own, since the
+  // remark may be cut short.
+  remarks(text, whole, sign) {
+    this.remark.textContent = text;
+    this.remark.title = whole;
+    this.whole = whole;
+    this.more.textContent = sign;
+    this.more.hidden = false;
+  }
+
+  // A text over the picture; none: "".
+  tell(text) {
+    this.note.textContent = text;
+    this.note.hidden = !text;
+    this.more.setAttribute("aria-expanded", String(Boolean(text)));
   }
 
   showStrokes(reply) {
@@ -196,7 +216,20 @@ class Port {
     this.describe(w("drawing", w(this.kind), lines, hidden));
     this.remark.textContent = this.said || head.called || (head.ms === undefined ? "" : w("ms", head.ms < 10 ? head.ms.toFixed(1) : Math.round(head.ms)));
     if (this.after) this.after();
+    this.haunt();
     this.studio.handles?.draw(this);
+  }
+
+  // What the picture is of, but for the model.
+  get sight() {
+    return [this.kind, ...this.angles, this.settings.segment].join();
+  }
+
+  // Lines that the rules that are tried took away, in the picture of before.
+  haunt() {
+    const { went } = this.studio.ports;
+    const same = went.size && this.prior?.shown && this.prior.sight === this.sight;
+    this.picture.ghost(same ? this.prior.shown : { strokes: [] }, went);
   }
 
   describe(text) {
@@ -222,19 +255,24 @@ class Port {
   // A picture that the page makes itself.
   redraw() {
     const { clientWidth, clientHeight } = this.canvas;
-    if (this.kind !== "folded" || !this.folding.faces) return;
+    if (this.kind !== "folded" || !this.folding?.faces) return;
     this.folding.draw(this.picture.own(), this.angles, clientWidth, clientHeight, this.picture.lit);
   }
 
   near(event, within = 9) {
     if (this.kind !== "folded") return this.picture.near(event.clientX, event.clientY, within);
     const box = this.canvas.getBoundingClientRect();
-    return this.folding.near([event.clientX - box.x, event.clientY - box.y], within);
+    return this.folding?.near([event.clientX - box.x, event.clientY - box.y], within);
   }
 
+  // No picture is better than that of before.
   failed(error) {
     this.canvas.classList.add("empty");
-    this.remark.textContent = error.head ? said(error.head.error).split("\n")[0] : String(error);
+    this.picture.clear();
+    this.image.hidden = true;
+    this.more.hidden = true;
+    this.remark.textContent = "";
+    this.tell(error.head ? said(error.head.error) : String(error));
   }
 
   // --- pointing ---
@@ -376,10 +414,24 @@ class Port {
     this.settled();
   });
 
-  fit() {
+  unscaled() {
     this.scale = null;
     this.zoomed = null;
+    this.room = 1;
+  }
+
+  fit() {
+    this.unscaled();
     this.refresh();
+  }
+
+  // At the scale that is kept the model needs more room than the port: what is
+  // looked at closer has it, beyond its edges; else the picture fits again.
+  wider(error) {
+    if (!this.scale || error.message !== TOO_SMALL) return false;
+    if (this.zoomed && this.room < 64) this.room *= 2;
+    else this.unscaled();
+    return true;
   }
 
   // At rest the picture fills the port again, if it does not fit.
@@ -472,6 +524,7 @@ export class Ports {
   constructor(studio, element) {
     this.studio = studio;
     this.element = element;
+    this.went = new Set();
     this.make(studio.link.get("ports")?.split(";").slice(0, 6) || JSON.parse(localStorage.getItem("ports") || "null")
       || ["iso", "unfold", "top", "front", "right"]);
   }
@@ -533,12 +586,15 @@ export class Ports {
     else this.studio.wire.ask("show").catch((error) => this.studio.failed(error));
   }
 
+  // The pictures of now are those before what is tried.
+  remember() {
+    for (const port of this.ports) port.prior = { shown: port.picture.shown, sight: port.sight };
+  }
+
   // Lines that went, where they were.
   ghost(names) {
-    const set = new Set(names);
-    for (const port of this.ports) {
-      if (port.before) port.picture.ghost(port.before, set);
-    }
+    this.went = new Set(names);
+    for (const port of this.ports) if (port.picture.shown) port.haunt();
   }
 
   next() {

@@ -42,6 +42,7 @@ export class Problems {
       this.problems = head.problems;
       this.pupils = head.pupils;
       this.draw();
+      this.box?.focus();
       if (this.teacher) await this.table();
     } catch (error) {
       this.failed(error);

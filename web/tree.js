@@ -21,8 +21,10 @@ function summary(term, path = []) {
 const isOperand = (term) => typeof term === "number" || (term && (term.name in SIGNS
   || term.name === "at" || term.name === "named"));
 
+// What a row of the tree opens to: operands, or the segment that is placed.
 function operandsOf(term) {
   const { term: inner } = summary(term);
+  if (typeof inner === "number" && inner !== term) return [inner];
   return inner && inner.name in SIGNS ? inner.args[0] : [];
 }
 
@@ -88,6 +90,13 @@ export class Tree {
     this.studio.handles?.choose(this.segment);
   }
 
+  // Another model is opened: nothing is chosen there.
+  forget() {
+    this.segment = undefined;
+    this.open.clear();
+    this.drawn = false;
+  }
+
   unfoldable() {
     return this.studio.segments.filter(({ unfolds }) => unfolds).map(({ segment }) => segment);
   }
@@ -104,7 +113,7 @@ export class Tree {
     const term = one ? one.term : operand;
     const { term: inner } = summary(term);
     const sign = inner && SIGNS[inner.name];
-    const parts = sign ? operandsOf(term) : [];
+    const parts = operandsOf(term);
     const key = above + "/" + (number ?? label(operand));
     const open = this.open.has(key);
     const chosen = this.segment === number && number !== null;

@@ -35,6 +35,7 @@ studio_word(form, 'Sizes', '치수').
 studio_word(text, 'Text', '텍스트').
 studio_word(rules, 'Rules', '규칙').
 studio_word(ask, 'Ask', '질문').
+studio_word(ask_why, 'Ask, why', '질문·이유').
 studio_word(why, 'Why', '이유').
 studio_word(question, 'Question', '질문').
 studio_word(parameters, 'Parameters', '매개변수').
@@ -48,7 +49,16 @@ studio_word(shows, 'seen with it', '함께 보이는 것').
 studio_word(answers, '{0} answers', '답 {0}개').
 studio_word(answers_here, 'Answers', '답').
 studio_word(one_answer, '1 answer', '답 1개').
-studio_word(no_answers, 'no', '답이 없습니다').
+studio_word(answers_cut, 'the first {0} answers', '처음 답 {0}개').
+studio_word(no_answers, 'no answers', '답이 없습니다').
+studio_word(no, 'no', '아니요').
+studio_word(none_hold,
+    'It holds of nothing in this model.',
+    '이 모델에는 해당하는 것이 없습니다.').
+studio_word(earlier,
+    'answers of before: ask again',
+    '바뀌기 전의 답입니다. 다시 물으십시오.').
+studio_word(details, 'Details', '자세히').
 studio_word(yes, 'yes', '예').
 studio_word(more, '{0} more', '{0}개 더').
 studio_word(save_question, 'Keep', '남기기').
@@ -81,7 +91,7 @@ studio_word(apart_by, 'How far apart', '벌리는 정도').
 studio_word(fold_by, 'How far it is folded', '접은 정도').
 studio_word(shade, 'Shading', '음영 방식').
 studio_word(shade_lambert, 'matt', '무광').
-studio_word(shade_gooch, 'cold to warm', '차가움에서 따뜻함').
+studio_word(shade_gooch, 'cold to warm', '찬 색에서 따뜻한 색').
 studio_word(shade_cel, 'steps', '단계').
 studio_word(shade_zebra, 'stripes', '줄무늬').
 studio_word(shade_flat, 'flat', '단색').
@@ -123,29 +133,32 @@ studio_word(ms, '{0} ms', '{0} ms').
 studio_word(line, 'line {0}', '선 {0}').
 studio_word(restarted,
     'The session ended and began again; all that was answered is there.',
-    '세션이 끝나 다시 시작했습니다. 답한 것은 모두 있습니다.').
+    '세션이 끝나서 다시 시작했습니다. 응답한 것은 모두 남아 있습니다.').
 studio_word(file_new,
-    'The file was changed by another program.',
-    '다른 프로그램이 파일을 고쳤습니다.').
-studio_word(take, 'Take the file', '파일의 것을 쓰기').
-studio_word(taken, 'The text of the file was taken.', '파일의 글을 가져왔습니다.').
+    'The file was changed by another program, and the model here.',
+    '다른 프로그램이 파일을 고쳤고, 여기서도 모델을 고쳤습니다.').
+studio_word(take, 'Take the file', '파일 내용 가져오기').
+studio_word(taken,
+    'The file was changed by another program; its text was taken. Undo \c
+     takes it back.',
+    '다른 프로그램이 고친 파일의 글을 가져왔습니다. 실행 취소로 되돌립니다.').
 studio_word(compare_texts, 'Compare', '비교').
-studio_word(keep_mine, 'Keep what is here', '여기 것을 두기').
+studio_word(keep_mine, 'Keep what is here', '여기 내용 두기').
 studio_word(in_file, 'In the file', '파일').
 studio_word(in_page, 'Here', '여기').
 studio_word(keep_rules, 'Keep', '유지').
 studio_word(discard, 'Discard', '버리기').
-studio_word(tried,
-    'tried: {0} came, {1} went, {2} changed',
-    '시험 중: {0}개 생김, {1}개 없어짐, {2}개 바뀜').
+studio_word(came, '{0} came', '{0}개 생김').
+studio_word(went, '{0} went', '{0}개 없어짐').
+studio_word(changed_role, '{0} changed their role', '{0}개 역할이 바뀜').
 studio_word(decisions, 'Decisions', '결정').
-studio_word(recover, 'Take the journal', '일지의 것을 쓰기').
+studio_word(recover, 'Take the journal', '일지 내용 가져오기').
 studio_word(forget, 'Discard the journal', '일지 버리기').
 studio_word(force, 'Write it nevertheless', '그래도 쓰기').
 studio_word(close, 'Close', '닫기').
 studio_word(replayed,
-    '{0} changes of last time are there again',
-    '지난번에 바꾼 {0}개를 되살렸습니다').
+    'Changes of last time are there again: {0}',
+    '지난번에 바꾼 것 {0}개를 되살렸습니다.').
 studio_word(cut, 'Cut here', '여기서 자르기').
 studio_word(join, 'Keep joined', '이어 두기').
 studio_word(either, 'Either', '상관없음').

@@ -57,6 +57,7 @@ script(fold).
 script(pens).
 script(keep).
 script(kept).
+script(files).
 script(problems).
 
 %!  page_words(-Text:string) is det.

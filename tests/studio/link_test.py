@@ -141,6 +141,9 @@ def kept_scale():
     browser.wait("studio.ports.ports[2].element.dataset.rev == studio.rev && "
                  + DRAWN)
     after = browser.script("return (() => {%s})()" % where)
+    check(language + ": of the model of now", browser.script(
+        "const { note, element } = studio.ports.ports[2]; "
+        "return note.hidden && Number(element.dataset.rev) === studio.rev"))
     check(language + ": the scale is kept", max(
         abs(a - b) for a, b in zip(before, after)) < 0.6, (before, after))
     browser.script("studio.ports.ports[2].canvas.focus()")

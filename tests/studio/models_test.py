@@ -155,8 +155,9 @@ for language in ("en", "ko"):
         opened("two_rooms.pl")
         browser.script("studio.ports.ports[0].turnTo('shaded')")
         told("what is not in a picture", browser.wait(
-            "studio.ports.ports[0].remark.textContent.startsWith('⚠') && "
-            "studio.ports.ports[0].remark.title.length > 20"))
+            "studio.ports.ports[0].more.textContent === '⚠' && !studio.ports"
+            ".ports[0].more.hidden && studio.ports.ports[0].whole.length > 20")
+             )
         browser.script("studio.ports.ports[0].turnTo('iso')")
 
         # An ending in capitals.

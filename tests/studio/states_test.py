@@ -1,0 +1,326 @@
+"""states_test.py PROGRAM FOLDER: what the page says is so now: of the model that is
+open, of its revision, and of the program; in a real Chromium."""
+# covers: studio_words, document
+import os
+import shutil
+import sys
+import time
+
+sys.path[:0] = [os.path.dirname(os.path.abspath(__file__)),
+                os.path.join(os.path.dirname(os.path.abspath(__file__)),
+                             "../cli")]
+from browser import Browser  # noqa: E402
+from front import Front  # noqa: E402
+from session import Checks  # noqa: E402
+
+program, folder = sys.argv[1:3]
+checks = Checks()
+check = checks.check
+models = os.path.join(folder, "models")
+os.mkdir(models)
+for name in ("pipe_tee.pl", "figures/fig13.pl", "figures/glue_face.pl"):
+    shutil.copy(os.path.join("facts", name), models)
+TEE = os.path.join(models, "pipe_tee.pl")
+with open(TEE) as file:
+    TEXT = file.read()
+env = dict(os.environ, XDG_STATE_HOME=os.path.join(folder, "state"))
+ENTER, CONTROL = "\ue007", "\ue009"
+QUIET = "studio.ready && studio.ports.ports.every(p => !p.busy && " \
+        "!p.canvas.classList.contains('empty'))"
+ROW = "[...document.querySelectorAll('.tree .row')].find(r => " \
+      "r.querySelector('b').textContent === arguments[0])"
+RADIUS = "document.querySelector('.form input[type=number][aria-label=radius]')"
+WHY = "document.querySelector('.why pre')?.textContent || ''"
+STATE = "document.getElementById('state').textContent"
+BANNER = "document.getElementById('banner')"
+TYPED = "const e = studio.%s; e.field.value = arguments[0]; " \
+        "e.field.dispatchEvent(new Event('input'))"
+
+
+def opened(name):
+    browser.script("return studio.opened(arguments[0]).then(() => 1)", name)
+    check(name + " is open", browser.wait(QUIET + " && studio.file === "
+                                          "arguments[0]", name))
+
+
+def asked(goal):
+    browser.script("document.getElementById('goal').value = arguments[0]; "
+                   "document.querySelector('.ask').requestSubmit()", goal)
+
+
+def count(text):
+    return browser.wait("document.querySelector('.ask .remark').textContent "
+                        "=== arguments[0]", text)
+
+
+def menus():
+    """A menu that is closed says so, however it was closed."""
+    expanded = "[...document.querySelectorAll('[aria-expanded][aria-haspopup]" \
+               "')].filter(e => e.getAttribute('aria-expanded') === 'true')" \
+               ".map(e => e.dataset.word)"
+    for word in ("open", "export", "menu"):
+        browser.click("#bar [data-word=%s]" % word)
+        check("one menu is open: " + word,
+              browser.script("return " + expanded) == [word])
+    browser.click(".tabs [data-word=tree]")
+    check("no menu is open", browser.script("return " + expanded) == [])
+
+
+def sizes():
+    """A segment that another one places is reached in the tree. Undo that goes
+    too far leaves what it undid in all panes."""
+    for row in ("8", "7", "1"):
+        browser.script(ROW.join(("return (", ").click()")), row)
+    check("what is placed is reached", browser.wait(RADIUS + "?.value === '1'"))
+    browser.script("studio.tree.drag = 1; studio.tree.set({ segment: 1, path: "
+                   "[1, 1] }, 1.25)")
+    check("its size is changed", browser.wait(RADIUS + ".value === '1.25' && "
+                                              "!studio.tree.sets.length"))
+    browser.script("for (let i = 0; i < 5; i++) studio.change('undo')")
+    check("undone in the form too", browser.wait(
+        "studio.tree.valueOf({ segment: 1, path: [1, 1] }) === 1 && " + RADIUS +
+        ".value === '1'"))
+    check("that no more is left is said", browser.wait(
+        "!%s.hidden && %s.textContent.includes('no change is left')" %
+        (BANNER, BANNER)))
+
+
+def reasons():
+    """Why follows the model; of another one nothing is left."""
+    browser.script("studio.ports.ports[0].turnTo('unfold')")
+    browser.wait(QUIET)
+    name = browser.script("""
+      const { strokes, looks } = studio.ports.ports[0].picture.shown;
+      const { segment, edges } = strokes.find((s) => s.edges.length && looks[s.look][1].startsWith('fold_'));
+      const name = `s${segment}e${edges[0]}`;
+      studio.chosen([name], studio.ports.ports[0], 'fold_up');
+      return name;""")
+    check("a fold is explained", browser.wait(WHY + ".includes(' is a fold ')"))
+    browser.click(".why [data-word=cut]")
+    check("cut, it is explained as a seam", browser.wait(
+        WHY + ".includes(' is a seam ')"), name)
+    asked("segment(S, solid, T), S < 3")
+    check("answers", count("2 answers"))
+    browser.script(TYPED % "text", TEXT.replace("segment(2, solid, cyl",
+                                                "segment(22, solid, cyl")
+                   .replace("-3.5), rotate(y, 90)], 2)", "-3.5), rotate(y, 90)]"
+                            ", 22)").replace("2]))).", "22]))).", 1))
+    check("after a change they are asked again", count("1 answer"),
+          browser.script("return studio.text.wrong.textContent"))
+    browser.script("studio.change('undo')")
+    check("and after undo", count("2 answers"))
+    asked("between(1, 20000, X)")
+    check("that answers are left out is said", count("the first 10000 answers"))
+    asked("e(1, E, _, _, 77)")
+    check("none are said in the table too", count("no answers") and
+          browser.script("return document.querySelector('.answers')"
+                         ".textContent") != "")
+    browser.script("studio.tree.choose(1, '/1', 0); studio.chosen(['s10e1'], "
+                   "studio.ports.ports[0])")
+    browser.wait(WHY)
+    opened("fig13.pl")
+    check("another model: nothing is chosen, asked or explained",
+          browser.script("return [studio.names.length, " + WHY + ", document"
+                         ".querySelector('.answers').textContent, studio.tree"
+                         ".segment ?? 0, studio.handles.list.length]") ==
+          [0, "", "", 0, 0])
+    browser.script("studio.looks.lines = 'all'; studio.looked(); studio.chosen("
+                   "['s1e50'], studio.ports.ports[0])")
+    check("explained as it is drawn", browser.wait(WHY) and "not drawn" not in
+          browser.script("return " + WHY))
+    browser.script("studio.looks.lines = 'feature'; studio.looked()")
+    check("and as it is drawn now", browser.wait(
+        WHY + ".includes('not drawn')"), browser.script("return " + WHY))
+    check("what is chosen lies above what is pointed at", browser.script("""
+      const { layers } = studio.ports.ports[0].picture;
+      return Boolean(layers.hover.compareDocumentPosition(layers.chosen) & Node.DOCUMENT_POSITION_FOLLOWING);"""))
+
+
+def rules():
+    """Keep keeps what stands there; what is wrong is never kept."""
+    browser.click(".tabs [data-word=rules]")
+    browser.wait("document.querySelector('.decisions li')")
+    browser.script(TYPED % "rules", "edge_rolle(_, _, _, _, outline).")
+    check("a mistake", browser.wait("!studio.rules.wrong.hidden"))
+    browser.click(".editor:not([hidden]) [data-word=discard]")
+    check("what was never right is discarded", browser.wait(
+        "studio.rules.field.value === '' && studio.rules.wrong.hidden"))
+    browser.script("studio.ports.ports[0].turnTo('iso')")
+    browser.script(TYPED % "rules", "edge_role(_, _, _, _, crease).")
+    check("lines that changed their role", browser.wait(
+        "document.querySelector('.counts .changed')?.textContent.match(/^[1-9]/)"
+        " && studio.ports.ports[0].picture.layers.changed.getAttribute('d')"),
+        browser.script("return [studio.rules.counts.textContent, studio.rules"
+                       ".wrong.textContent]"))
+    revision = browser.script("return studio.rev")
+    browser.script(TYPED % "rules", "edge_role(_, _, _, _, crease")
+    browser.wait("!studio.rules.wrong.hidden")
+    check("counts are of what was tried", browser.script(
+        "return studio.rules.counts.textContent") == "")
+    browser.script("return studio.rules.end(true)")
+    check("a mistake is not kept", browser.script(
+        "return [studio.rev, studio.rules.wrong.hidden]") == [revision, False])
+    browser.script("return studio.rules.end(false)")
+    browser.click(".tabs [data-word=tree]")
+
+
+def pictures():
+    """A picture that is not there says why; none of before stands there. A bar of
+    lengths is shown whole, or not."""
+    opened("glue_face.pl")
+    browser.script("studio.ports.ports[1].turnTo('unfold')")
+    check("a warning is there to be read", browser.wait(
+        "!studio.ports.ports[1].more.hidden"))
+    browser.script("studio.ports.ports[1].more.click()")
+    check("all of it", browser.script(
+        "const { note, whole } = studio.ports.ports[1]; return !note.hidden && "
+        "note.textContent === whole && whole.length > 40"))
+    check("the bar is shown whole or not", browser.script("""
+      return studio.ports.ports.filter(({ kind }) => kind === 'unfold').every(({ picture }) => {
+        const { strokes, looks } = picture.shown, [left, , wide] = picture.box;
+        const bar = strokes.filter(({ look }) => looks[look][1] === 'bar');
+        const [from, , to] = picture.around(bar);
+        return picture.svg.classList.contains('bare') ? getComputedStyle(picture.lines.querySelector('.bar')).display === 'none'
+          : from >= left && to <= left + wide; });"""))
+    browser.script("studio.ports.ports[0].turnTo('iso')")
+    browser.wait(QUIET)
+    browser.script("""
+      const port = studio.ports.ports[0], was = studio.wire.ask;
+      studio.wire.ask = (request, keys) => (request === 'view' && keys.port === port.name
+        ? Promise.reject(Object.assign(new Error('x'), { head: { error: { words: { en: 'no such picture', ko: '' } } } }))
+        : was.call(studio.wire, request, keys));
+      window.was = was; port.turnTo('front');""")
+    check("no picture: why", browser.wait(
+        "studio.ports.ports[0].note.textContent === 'no such picture' && "
+        "!studio.ports.ports[0].note.hidden"))
+    check("nor that of before", browser.script(
+        "return document.querySelectorAll('.port')[0].querySelectorAll("
+        "'.lines path').length") == 0)
+    browser.script("studio.wire.ask = window.was; studio.ports.ports[0]"
+                   ".turnTo('iso')")
+    browser.wait(QUIET)
+    check("gone with the next one", browser.script(
+        "return studio.ports.ports[0].note.hidden"))
+    check("folded up, the port is filled", browser.script("""
+      const port = studio.ports.ports[0];
+      port.turnTo('folded'); return 1;""") and browser.wait(
+          "studio.ports.ports[0].folding?.lines") and all(
+              browser.script("""
+      const { folding, canvas } = studio.ports.ports[0];
+      folding.fold(arguments[0]);
+      const all = folding.lines.flatMap(({ from, to }) => [from, to]);
+      const wide = (k) => Math.max(...all.map((p) => p[k])) - Math.min(...all.map((p) => p[k]));
+      return Math.max(wide(0) / canvas.clientWidth, wide(1) / canvas.clientHeight);""",
+                             part) > 0.8 for part in (0, 0.5, 1)))
+
+
+def exports():
+    """A drawing is exported as it is seen."""
+    browser.script("""
+      window.argv = [];
+      const was = studio.wire.ask;
+      studio.wire.ask = (request, keys) => {
+        if (request === 'export') window.argv.push(keys.argv.join(' '));
+        return was.call(studio.wire, request, keys);
+      };
+      window.was = was;""")
+    told = []
+    for looks, kind, more in (
+            ("{}", "front", ""), ("{ hidden: 'removed', lines: 'all' }", "front", ""),
+            ("{ projection: 'central' }", "iso", ""),
+            ("{}", "apart", "studio.ports.ports[0].factor = 0.5; ")):
+        browser.script("studio.looks = %s; studio.ports.ports[0].turnTo('%s'); "
+                       "%sstudio.looked()" % (looks, kind, more))
+        browser.wait(QUIET)
+        browser.script("document.activeElement.blur(); window.argv = []; "
+                       "studio.export('drawing', 'svg')")
+        told.append(browser.wait("window.argv[0]"))
+    eye = "--view 315.0000,54.7356"
+    check("exported as it is seen", told == [
+        "draw --view front",
+        "draw --view front --hidden removed --lines all",
+        "draw %s --projection central" % eye,
+        "draw %s --explode 0.5 --hidden removed" % eye], told)
+    check("no export was refused", browser.script(
+        "return %s.hidden" % BANNER))
+    browser.script("studio.looks = {}; studio.wire.ask = window.was; "
+                   "studio.ports.ports[0].turnTo('iso'); studio.looked()")
+
+
+def files():
+    """What another program wrote is told; what cannot be taken was not."""
+    opened("pipe_tee.pl")
+    browser.script("return studio.save({ force: true }).then(() => 1)")
+    check("saved", browser.wait(STATE + " === 'saved'"))
+    with open(TEE, "w") as out:
+        out.write(TEXT.replace("radius(1.7)", "radius(1.9)"))
+    check("a file that was taken is told", browser.wait(
+        "!%s.hidden && %s.textContent.includes('its text was taken')" %
+        (BANNER, BANNER)))
+    with open(TEE, "w") as out:
+        out.write("% nothing\n")
+    check("a file that cannot be taken is told", browser.wait(
+        BANNER + ".textContent.includes('the model is empty')"))
+    check("and the model is not the file's", browser.wait(
+        STATE + " === 'not saved'"), browser.script("return " + STATE))
+    with open(TEE, "w") as out:
+        out.write(TEXT)
+
+
+def on_a_phone():
+    """What takes long moves nothing: else patterns are asked without end."""
+    browser.emulate("setDeviceMetricsOverride", width=390, height=844,
+                    deviceScaleFactor=2, mobile=True)
+    browser.wait("innerWidth === 390")
+    high = "document.getElementById('bar').offsetHeight"
+    browser.script("clearInterval(studio.watch)")
+    sizes = browser.script("""
+      const high = () => document.getElementById('bar').offsetHeight, was = high();
+      studio.stopButton.textContent = 'Stop · 88 s';
+      studio.stopButton.hidden = false;
+      studio.state();
+      return [was, high()];""")
+    check("the bar is as high as before", sizes[0] == sizes[1], sizes)
+    browser.script("studio.stopButton.hidden = true; studio.state()")
+    check("nor does it move", browser.script("return " + high) == sizes[0])
+    browser.script("studio.paneTo('ports'); studio.chosen(['s10e1'], studio"
+                   ".ports.ports[0])")
+    tab = "document.querySelector('#panes [data-to=asking]').dataset.news"
+    check("a phone says where the reason is", browser.wait(
+        tab + " === 's10e1'"))
+    browser.script("studio.paneTo('asking')")
+    check("until it is read", browser.script("return %s === undefined" % tab))
+    browser.script("studio.paneTo('ports')")
+    browser.emulate("clearDeviceMetricsOverride")
+
+
+def ended():
+    """A program that does not answer is told soon, and it is not `saved`."""
+    browser.wait(QUIET)
+    front.process.kill()
+    check("the program is gone", browser.wait("!%s.hidden && %s.textContent"
+                                              ".includes('does not answer')" %
+                                              (BANNER, BANNER), seconds=1.6))
+    check("nothing is saved", browser.wait(STATE + " === 'connecting …'"))
+
+
+front = Front(program, models, "pipe_tee.pl", (), env)
+browser = Browser(1440, 900, "en")
+try:
+    browser.open(front.address)
+    check("open", browser.wait(QUIET), browser.log())
+    menus()
+    sizes()
+    reasons()
+    rules()
+    pictures()
+    exports()
+    files()
+    on_a_phone()
+    check("no complaints", browser.log() == [])
+    ended()
+finally:
+    browser.end()
+    front.process.kill()
+    front.process.communicate()
+checks.finish()
