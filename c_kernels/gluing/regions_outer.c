@@ -10,6 +10,7 @@
 
 #include "number/vector.h"
 #include "rows/disjoint.h"
+#include "rows/edge_print.h"
 
 #include <gmp.h>
 #include <math.h>
@@ -177,11 +178,7 @@ print_of(const sg_regions_maker *m, uint32_t p)
   uint64_t sum = 0;
 
   for (uint32_t i = d->list_begin[p]; i < d->list_begin[p + 1]; i++) {
-    uint64_t v = (uint64_t)d->from[d->list[i]] + 1;
-
-    v = (v ^ v >> 30) * 0xbf58476d1ce4e5b9u;
-    v = (v ^ v >> 27) * 0x94d049bb133111ebu;
-    sum += v ^ v >> 31;
+    sum += sg_spread_bits((uint64_t)d->from[d->list[i]]);
   }
   return sum;
 }

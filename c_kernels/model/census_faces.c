@@ -5,31 +5,11 @@
 #include "number/vector.h"
 #include "polygon/flatness.h"
 #include "polygon/plane.h"
+#include "rows/edge_print.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-static uint64_t
-mix(uint64_t h)
-{
-  h += 0x9e3779b97f4a7c15u;
-  h = (h ^ h >> 30) * 0xbf58476d1ce4e5b9u;
-  h = (h ^ h >> 27) * 0x94d049bb133111ebu;
-  return h ^ h >> 31;
-}
-
-/* A number for the side from a to b; that from b to a is what cancels it. So
- * the sides of triangles have the sum of a polygon's edges if, and except for a
- * chance of 2^-64 only if, they end where it ends. */
-static uint64_t
-side(int32_t a, int32_t b)
-{
-  uint64_t low = (uint64_t)(a < b ? a : b), high = (uint64_t)(a < b ? b : a);
-  uint64_t one = mix(mix(low) + high);
-
-  return a < b ? one : 0 - one;
-}
 
 /* Adds a triangle, seen from `o`, to its polygon. */
 static void
@@ -50,7 +30,8 @@ add_triangle(sg_counting *c, size_t t, const double o[3])
   c->area[p] += sg_any_length(n) / 2;
   c->volume[p] += a[0] * n[0] + a[1] * n[1] + a[2] * n[2];
   for (int k = 0; k < 3; k++) {
-    c->sides[p] += side(d->corner[t][k], d->corner[t][(k + 1) % 3]);
+    c->sides[p] += sg_edge_print((uint32_t)d->corner[t][k],
+                                 (uint32_t)d->corner[t][(k + 1) % 3]);
   }
 }
 
@@ -78,7 +59,8 @@ measure(const sg_counting *c, size_t p, measures *m)
     sg_newell_edge(&m->sum, a, b);
     m->longest = fmax(m->longest, edge);
     m->around += edge;
-    m->sides += side(d->from[d->list[k]], d->to[d->list[k]]);
+    m->sides += sg_edge_print((uint32_t)d->from[d->list[k]],
+                              (uint32_t)d->to[d->list[k]]);
   }
   if (!sg_newell_plane(&m->sum, &plane)) {
     return false;
@@ -260,7 +242,7 @@ sg_census_doubles(sg_counting *c)
     size_t p = begin + i;
     face[i] = (hashed){0, (int32_t)p};
     for (size_t k = d->list_begin[p]; k < d->list_begin[p + 1]; k++) {
-      face[i].hash += mix((uint64_t)d->from[d->list[k]]);
+      face[i].hash += sg_spread_bits((uint64_t)d->from[d->list[k]]);
     }
   }
   if (done) {
@@ -290,8 +272,10 @@ note_twins(sg_counting *c, size_t begin, size_t end)
   for (size_t i = 0; done && i < n; i++) {
     uint64_t bits[3];
     memcpy(bits, d->at[begin + i], sizeof bits);
-    at[i] = (hashed){mix(mix(mix(bits[0]) + bits[1]) + bits[2]),
-                     (int32_t)(begin + i)};
+    at[i] = (hashed){
+        sg_spread_bits(sg_spread_bits(sg_spread_bits(bits[0]) + bits[1]) +
+                       bits[2]),
+        (int32_t)(begin + i)};
   }
   if (done) {
     qsort(at, n, sizeof *at, compare_hashed);

@@ -22,7 +22,8 @@ typedef struct sg_counting {
   int32_t *fans;         /* [vertices] */
   uint32_t *triangles;   /* [polygons] how many */
   double *area, *volume; /* [polygons] the volume six times */
-  uint64_t *sides;       /* [polygons] of triangles, see side() */
+  uint64_t *sides;       /* [polygons] of triangles, the sum of sg_edge_print():
+                            that of the polygon's edges if they fill it */
   int32_t *loops_of;     /* [polygons] */
   bool *bad;             /* [polygons] has an edge that is no pair */
   sg_loops loops;
