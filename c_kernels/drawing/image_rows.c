@@ -1,14 +1,13 @@
-/* image_rows.c -- scenes in dots, and dots in files. */
+/* image_rows.c -- scenes in dots. */
 #include "doors/image.h"
 
-#include "image_lzw.h"
-#include "image_png.h"
 #include "raster_rows.h"
+#include "shaded_rows.h"
+#include "shading/buffer.h"
 #include "shading/dot_part.h"
 #include "shading/face_look_rows.h"
 #include "shading/srgb.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -169,8 +168,8 @@ close_shadow(void *shadow)
   sg_shadow_close(shadow);
 }
 
-static bool
-ended(sg_call *call, sg_shading_end end)
+bool
+sg_shaded_ended(sg_call *call, sg_shading_end end)
 {
   return end == SG_SHADING_GOOD ||
          (end == SG_SHADING_NO_MEMORY ? sg_call_no_memory(call)
@@ -191,8 +190,8 @@ read_shadows(sg_call *call, const sg_shading_list *scenes, sg_shaded *in)
     if (last[0] != 0 || last[1] != 0 || last[2] != 0 || last[3] != 1) {
       return sg_call_domain(call, "scene_of_light", LINES);
     }
-    if (!ended(call,
-               sg_shadow_open(scenes->at[i], &call->cancel, &shadow[i])) ||
+    if (!sg_shaded_ended(
+            call, sg_shadow_open(scenes->at[i], &call->cancel, &shadow[i])) ||
         !sg_call_hold(call, &shadow[i], close_shadow)) {
       return false;
     }
@@ -202,11 +201,11 @@ read_shadows(sg_call *call, const sg_shading_list *scenes, sg_shaded *in)
   return shadow != NULL;
 }
 
-/* All but the scene. */
-static bool
-read_shaded(sg_call *call, const sg_image_how *how,
-            const sg_shading_look_list *looks, const sg_list_count_list *leaves,
-            sg_shaded *in, sg_opacities *opacities)
+bool
+sg_shaded_read(sg_call *call, const sg_image_how *how,
+               const sg_shading_look_list *looks,
+               const sg_list_count_list *leaves, sg_shaded *in,
+               sg_opacities *opacities)
 {
   in->middles = how->lines == 0;
   size_t lines = in->middles ? 1 : how->lines;
@@ -232,8 +231,8 @@ sg_door_image_shade(sg_call *call, sg_shading *scene, const sg_image_how *how,
   sg_pool *pool = sg_call_pool(call);
 
   return pool && sg_raster_size(call, frame->width, frame->height) &&
-         read_shaded(call, how, looks, leaves, &in, &opacities) &&
-         ended(call, sg_shade(&in, pool, &call->cancel, out));
+         sg_shaded_read(call, how, looks, leaves, &in, &opacities) &&
+         sg_shaded_ended(call, sg_shade(&in, pool, &call->cancel, out));
 }
 
 bool
@@ -248,11 +247,11 @@ sg_door_image_scanned(sg_call *call, sg_scan *scan, sg_shading *scene,
   sg_pool *pool = sg_call_pool(call);
 
   if (!pool || !sg_raster_size(call, frame->width, frame->height) ||
-      !read_shaded(call, how, looks, leaves, &in, &opacities)) {
+      !sg_shaded_read(call, how, looks, leaves, &in, &opacities)) {
     return false;
   }
   return sg_scan_is_of(scan, scene, in.lines)
-             ? ended(call, sg_shade(&in, pool, &call->cancel, out))
+             ? sg_shaded_ended(call, sg_shade(&in, pool, &call->cancel, out))
              : sg_call_domain(call, "shading_scan", 1);
 }
 
@@ -267,7 +266,7 @@ sg_door_image_again(sg_call *call, sg_image *old, const sg_count_list *bands,
   sg_opacities opacities;
   sg_pool *pool = sg_call_pool(call);
 
-  if (!pool || !read_shaded(call, how, looks, leaves, &in, &opacities)) {
+  if (!pool || !sg_shaded_read(call, how, looks, leaves, &in, &opacities)) {
     return false;
   }
   if (old->width != frame->width || old->height != frame->height ||
@@ -284,8 +283,8 @@ sg_door_image_again(sg_call *call, sg_image *old, const sg_count_list *bands,
   }
   in.from = (int32_t)from;
   in.to = (int32_t)to;
-  return ended(call, sg_shade_again(&in, old, bands->at, bands->n, pool,
-                                    &call->cancel, out));
+  return sg_shaded_ended(call, sg_shade_again(&in, old, bands->at, bands->n,
+                                              pool, &call->cancel, out));
 }
 
 bool
@@ -307,10 +306,10 @@ sg_door_image_strokes(sg_call *call, sg_shading *scene, double tone,
   if (!read_looks(call, looks, leaves, &in, &opacities)) {
     return false;
   }
-  bool good =
-      ended(call, sg_tone_strokes_of(scene, &in.looks, spacing,
-                                     (uint32_t)(tone * SG_TONE_MOST + 0.5),
-                                     step, &call->cancel, &strokes));
+  bool good = sg_shaded_ended(
+      call, sg_tone_strokes_of(scene, &in.looks, spacing,
+                               (uint32_t)(tone * SG_TONE_MOST + 0.5), step,
+                               &call->cancel, &strokes));
   for (size_t i = 0; good && i < strokes.n; i++) {
     good = sg_image_stroke_list_add(call, out, strokes.item[i]);
   }
@@ -350,7 +349,7 @@ sg_door_image_parts(sg_call *call, sg_shading *scene, const sg_image_how *how,
   sg_dot_parts parts = {0};
   sg_spans spans = {0};
 
-  if (!read_shaded(call, how, looks, leaves, &in, &opacities)) {
+  if (!sg_shaded_read(call, how, looks, leaves, &in, &opacities)) {
     return false;
   }
   if (in.middles) {
@@ -395,7 +394,8 @@ sg_door_image_extent(sg_call *call, sg_shading *scene, sg_shading_extent *out)
   sg_pool *pool = sg_call_pool(call);
 
   return pool &&
-         ended(call, sg_shading_extent_of(scene, pool, &call->cancel, out)) &&
+         sg_shaded_ended(
+             call, sg_shading_extent_of(scene, pool, &call->cancel, out)) &&
          out->x1 < out->x2;
 }
 
@@ -444,84 +444,4 @@ sg_door_image_dot(sg_call *call, sg_image *image, size_t x, size_t y,
     }
   }
   return true;
-}
-
-/* ---- files ---- */
-
-bool
-sg_door_image_png(sg_call *call, sg_image *image, size_t per_metre,
-                  const sg_output *stream)
-{
-  sg_pool *pool = sg_call_pool(call);
-  uint8_t *bytes;
-  size_t n;
-
-  if (!pool || sg_image_png(image, (uint32_t)per_metre, pool, &call->cancel,
-                            &bytes, &n) != SG_PNG_OK) {
-    return pool && sg_call_ended(call);
-  }
-  bool good = stream->write(stream->data, (const char *)bytes, n);
-
-  free(bytes);
-  return good;
-}
-
-/* Of grey dots one byte each. */
-bool
-sg_door_image_pgm(sg_call *call, sg_image *image, const sg_output *stream)
-{
-  size_t width = (size_t)image->width;
-  char *row = sg_call_alloc(call, width), head[64];
-  int n = snprintf(head, sizeof head, "P5\n%d %d\n255\n", (int)image->width,
-                   (int)image->height);
-
-  if (image->bytes != 3) {
-    return sg_call_domain(call, "image_without_alpha", IMAGE);
-  }
-  bool good = row && stream->write(stream->data, head, (size_t)n);
-  for (int32_t y = 0; good && y < image->height; y++) {
-    const uint8_t *dot = image->dot + (size_t)y * width * 3;
-    for (size_t x = 0; x < width; x++) {
-      row[x] = (char)dot[3 * x];
-    }
-    good = stream->write(stream->data, row, width);
-  }
-  return good;
-}
-
-bool
-sg_door_image_lzw(sg_call *call, sg_image *image, const sg_output *stream)
-{
-  size_t n = (size_t)image->width * (size_t)image->height * image->bytes;
-  uint8_t *bytes;
-  size_t packed;
-
-  if (image->bytes != 3) {
-    return sg_call_domain(call, "image_without_alpha", IMAGE);
-  }
-  if (!sg_image_lzw(image->dot, n, &bytes, &packed)) {
-    return sg_call_no_memory(call);
-  }
-  bool good = stream->write(stream->data, (const char *)bytes, packed);
-
-  free(bytes);
-  return good;
-}
-
-bool
-sg_door_image_ppm(sg_call *call, sg_image *image, const sg_output *stream)
-{
-  size_t row = (size_t)image->width * image->bytes;
-  char head[64];
-  int n = snprintf(head, sizeof head, "P6\n%d %d\n255\n", (int)image->width,
-                   (int)image->height);
-  if (image->bytes != 3) {
-    return sg_call_domain(call, "image_without_alpha", IMAGE);
-  }
-  bool good = stream->write(stream->data, head, (size_t)n);
-  for (int32_t y = 0; good && y < image->height; y++) {
-    good = stream->write(stream->data,
-                         (const char *)image->dot + (size_t)y * row, row);
-  }
-  return good;
 }

@@ -10,6 +10,7 @@
 typedef struct bands {
   const sg_shaded *in;
   sg_image *image;
+  int32_t first;      /* row of the picture, the first of the image */
   const size_t *band; /* of each task; null: its own number */
   uint8_t byte[SG_LIGHT_MOST + 1];
   atomic_bool no_memory;
@@ -25,7 +26,7 @@ band_rows(const bands *all, size_t band, sg_dot_row *cover,
 
   end = end < image->height ? end : image->height;
   for (; y < end && !sg_pool_stopping(); y++) {
-    if (!sg_cover_row(cover, all->in, work, spans, y)) {
+    if (!sg_cover_row(cover, all->in, work, spans, all->first + y)) {
       return false;
     }
     sg_cover_bytes(cover, all->in, all->byte, image->dot + (size_t)y * row);
@@ -55,14 +56,13 @@ do_band(void *data, size_t task)
 }
 
 static sg_image *
-open_image(const sg_shaded *in)
+open_image(const sg_shaded *in, int32_t height)
 {
-  const sg_shading_frame *frame = sg_shading_frame_of(in->scene);
   sg_image *image = malloc(sizeof *image);
 
   if (image) {
-    *image = (sg_image){.width = frame->width,
-                        .height = frame->height,
+    *image = (sg_image){.width = sg_shading_frame_of(in->scene)->width,
+                        .height = height,
                         .bytes = in->clear ? 4 : 3};
     image->dot =
         malloc((size_t)image->width * (size_t)image->height * image->bytes);
@@ -75,18 +75,19 @@ open_image(const sg_shaded *in)
 }
 
 /* Bands n of the image, all if `band` is null; the others are those of `old`.
- */
+ * Its first row is that row of the picture. */
 static sg_shading_end
-shade_bands(const sg_shaded *in, const sg_image *old, const size_t *band,
-            size_t n, sg_pool *pool, const sg_cancel *cancel, sg_image **out)
+shade_bands(const sg_shaded *in, int32_t first, sg_image *image,
+            const sg_image *old, const size_t *band, size_t n, sg_pool *pool,
+            const sg_cancel *cancel, sg_image **out)
 {
   bands *all = malloc(sizeof *all);
-  sg_image *image = open_image(in);
   sg_shading_end end = SG_SHADING_NO_MEMORY;
 
   if (all && image) {
     all->in = in;
     all->image = image;
+    all->first = first;
     all->band = band;
     if (old) {
       memcpy(image->dot, old->dot,
@@ -108,20 +109,30 @@ shade_bands(const sg_shaded *in, const sg_image *old, const size_t *band,
 }
 
 sg_shading_end
+sg_shade_rows(const sg_shaded *in, int32_t from, int32_t to, sg_pool *pool,
+              const sg_cancel *cancel, sg_image **out)
+{
+  size_t rows = (size_t)(to - from);
+
+  return shade_bands(in, from, open_image(in, to - from), NULL, NULL,
+                     (rows + SG_IMAGE_BAND - 1) / SG_IMAGE_BAND, pool, cancel,
+                     out);
+}
+
+sg_shading_end
 sg_shade(const sg_shaded *in, sg_pool *pool, const sg_cancel *cancel,
          sg_image **out)
 {
-  size_t rows = (size_t)sg_shading_frame_of(in->scene)->height;
-
-  return shade_bands(in, NULL, NULL, (rows + SG_IMAGE_BAND - 1) / SG_IMAGE_BAND,
-                     pool, cancel, out);
+  return sg_shade_rows(in, 0, sg_shading_frame_of(in->scene)->height, pool,
+                       cancel, out);
 }
 
 sg_shading_end
 sg_shade_again(const sg_shaded *in, const sg_image *old, const size_t *band,
                size_t n, sg_pool *pool, const sg_cancel *cancel, sg_image **out)
 {
-  return shade_bands(in, old, band, n, pool, cancel, out);
+  return shade_bands(in, 0, open_image(in, old->height), old, band, n, pool,
+                     cancel, out);
 }
 
 void

@@ -22,6 +22,10 @@ typedef struct sg_image {
 /* GOOD, NO_MEMORY or STOPPED; the picture is as large as the scene's frame. */
 sg_shading_end sg_shade(const sg_shaded *in, sg_pool *pool,
                         const sg_cancel *cancel, sg_image **out);
+/* The same of the rows from `from` to before `to`, an image of so many rows. */
+sg_shading_end sg_shade_rows(const sg_shaded *in, int32_t from, int32_t to,
+                             sg_pool *pool, const sg_cancel *cancel,
+                             sg_image **out);
 /* The same of a picture that differs from `old`, of the same size, in the
  * wanted dots of `n` bands alone; band i is rows i * SG_IMAGE_BAND and on.
  * Others are as they were. */

@@ -15,7 +15,8 @@
 :- use_module('../decision', [decision_is_default/1]).
 :- use_module('../shading/shaded_picture',
               [ shaded_picture/4, empty_picture/3, picture_image/3,
-                scene_shows/1, shade_has_shadows/1, solid_box/2 ]).
+                picture_is_large/1, picture_written/5, scene_shows/1,
+                shade_has_shadows/1, solid_box/2 ]).
 :- use_module('../shading/shading_buffer', [write_buffer/3]).
 :- use_module('../shading/shading_facets', [faceted_model/2, facets_off/2]).
 :- use_module('../shading/shading_leaf', [bent_faces/2]).
@@ -69,6 +70,7 @@ render_run(Files, Options) :-
     findall(Option, render_option(Options, Option), Wanted),
     alpha_formats(Wanted, Outputs),
     may_have_shadows(Wanted),
+    may_be_large(Wanted),
     ignore(looking(Options, _)),        % says what is wrong with it
     per_metre(Options, PerMetre),
     load_model(Files, [evaluate(false),rows(false)|Options]),
@@ -79,10 +81,17 @@ render_run(Files, Options) :-
     maplist(scan_line_written(Scene), ScanLines),
     spans_scanned(Outputs, Spans, Wanted, Scene),
     (   \+ ( member(output(_,Format), Outputs), Format \== pl )
-    ->  true
-    ;   stage(shade, picture_image(Scene, Wanted, Image))
+    ->  Made = none
+    ;   is_large(Wanted)
+    ->  Made = scene(Scene,Wanted)
+    ;   stage(shade, picture_image(Scene, Wanted, Image)),
+        Made = image(Image)
     ),
-    maplist(output_written(image_output(Image, PerMetre)), Outputs).
+    maplist(output_written(image_output(Made, PerMetre)), Outputs).
+
+is_large(Wanted) :-
+    option(size(Size), Wanted),
+    picture_is_large(Size).
 
 %!  wanted_scene(+Options, :Load, -Scene, -Wanted) is det.
 %
@@ -376,12 +385,12 @@ size_dots(Text, W, H) :-
     (   split_string(Text, "xX", " ", [TextW,TextH]),
         whole(TextW, W),
         whole(TextH, H),
-        W >= 1, W =< 16384,
-        H >= 1, H =< 16384,
-        W*H =< 1<<26
+        W >= 1, W =< 1<<20,
+        H >= 1, H =< 1<<20,
+        W*H =< 1<<31
     ->  true
     ;   usage_error(bad_value('--size', Text,
-                              'WxH (W, H: 1..16384, W*H: 1..67108864)'))
+                              'WxH (W, H: 1..1048576, W*H: 1..2147483648)'))
     ).
 
 whole(Text, N) :-
@@ -445,6 +454,15 @@ may_have_shadows(Wanted) :-
     ;   option(shadows(true), Wanted),
         \+ decision_is_default(tone/3)
     ->  print_message(warning, sanggwan(shadows_in_vain))
+    ;   true
+    ).
+
+%   may_be_large(Wanted): of each dot of a large picture no rule is asked.
+
+may_be_large(Wanted) :-
+    (   is_large(Wanted),
+        \+ decision_is_default(pixel_colour/4)
+    ->  usage_error(large_by_rule)
     ;   true
     ).
 
@@ -527,21 +545,24 @@ light_way(Text, picture(X,Y,Z)) :-
     ;   usage_error(bad_value('--light', Text, 'X,Y,Z (X*X+Y*Y+Z*Z > 0)'))
     ).
 
-%   image_output(Image, PerMetre, File)
+%   image_output(Made, PerMetre, File): Made is image(Image), or scene(Scene,
+%   Wanted): it is made as it is written.
 
-image_output(Image, PerMetre, File) :-
+image_output(Made, PerMetre, File) :-
     file_name_extension(_, Ending, File),
     downcase_atom(Ending, Format),
     stage(write, writing(File, binary,
-                         sg_verbs_render:image_bytes(Format, Image, PerMetre))).
+                         sg_verbs_render:image_bytes(Format, Made, PerMetre))).
 
 image_bytes(pl, _, _, Out) :-
     set_stream(Out, encoding(utf8)),
     write_shading_facts(Out).
-image_bytes(png, Image, PerMetre, Out) :-
+image_bytes(png, image(Image), PerMetre, Out) :-
     image_png(Image, PerMetre, Out).
-image_bytes(ppm, Image, _, Out) :-
+image_bytes(ppm, image(Image), _, Out) :-
     image_ppm(Image, Out).
+image_bytes(Format, scene(Scene,Wanted), PerMetre, Out) :-
+    picture_written(Scene, Wanted, Format, PerMetre, Out).
 
 
                 /*******************************

@@ -157,6 +157,9 @@ command_en(cannot_write(File, links)) -->
 command_en(cannot_write(File, Why)) -->
     [ '~w cannot be written: ~w'-[File, Why], nl,
       '  Give the result another place.' ].
+command_en(large_by_rule) -->
+    [ 'pixel_colour/4 is a rule: it is asked of 67108864 dots at most', nl,
+      '  Give a smaller --size, or make the picture in parts (--window).' ].
 command_en(no_segment(S, Known)) -->
     { atomic_list_concat(Known, ', ', All) },
     [ 'there is no segment ~w, only ~w'-[S, All] ].

@@ -163,6 +163,9 @@ command_ko(cannot_write(File, links)) -->
 command_ko(cannot_write(File, Why)) -->
     [ '~w 파일을 쓸 수 없습니다: ~w'-[File, Why], nl,
       '  결과를 다른 곳에 두십시오.' ].
+command_ko(large_by_rule) -->
+    [ 'pixel_colour/4의 규칙이 있습니다. 많아야 점 67108864개까지 묻습니다', nl,
+      '  --size 값을 줄이거나 그림을 나누어(--window) 만드십시오.' ].
 command_ko(no_segment(S, Known)) -->
     { atomic_list_concat(Known, ', ', All) },
     [ '세그먼트 ~w: 없습니다. 있는 것: ~w'-[S, All] ].

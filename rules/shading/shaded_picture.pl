@@ -8,6 +8,9 @@
             picture_image/3,            % +Scene, +Options, -Image
             picture_image/5,            % +Scene, +KernelLooks, +Leaves,
                                         % +Options, -Image
+            picture_written/5,          % +Scene, +Options, +Format, +PerMetre,
+                                        % +Out
+            picture_is_large/1,         % +Size
             picture_how/3,              % +Scene, +Options, -How
             picture_decided/6,          % +Scene, +How, +Looks, +Leaves,
                                         % +Options, +Image
@@ -19,7 +22,7 @@
 :- use_module('../decision', [decision_is_default/1]).
 :- use_module('../kernel',
               [ image_colours/2, image_extent/2, image_parts/6, image_shade/5,
-                light_srgb/2, shading_size/3, srgb_light/2
+                image_written/6, light_srgb/2, shading_size/3, srgb_light/2
               ]).
 :- use_module('../picture/view', [current_view/4]).
 :- use_module(group_owner, [owners_asked/3]).
@@ -164,6 +167,51 @@ picture_image(Scene, Looks, Leaves, Options, Image) :-
     owners_asked(Scene, Shadows,
                  image_shade(Handle, How, Looks, Leaves, Image)),
     picture_decided(Scene, How, Looks, Leaves, Options, Image).
+
+%!  picture_is_large(+Size) is semidet.
+%
+%   A picture of Size is not kept: it is written as it is made.
+
+picture_is_large(Width-Height) :-
+    (   max(Width, Height) > 16384
+    ;   Width*Height > 1<<26
+    ),
+    !.
+
+%!  picture_written(+Scene, +Options, +Format, +PerMetre, +Out) is det.
+%
+%   Writes to the stream Out what picture_image/3 makes of Scene, part after
+%   part, so that it may be as large as image_written/6 says. Format is png or
+%   ppm, PerMetre that of image_png/3. No rule is asked of dots.
+
+picture_written(Scene, Options, Format, PerMetre, Out) :-
+    option(colours(By), Options, root),
+    scene_looks(Scene, By, Looks0, Leaves),
+    looks_for_kernel(Looks0, Options, Looks),
+    picture_how(Scene, Options, How),
+    How = how(_,Background,_,Shadows),
+    (   option(palette(Most), Options)
+    ->  palette(Most, Looks, Background, Colours)
+    ;   Colours = []
+    ),
+    scene_handle(Scene, Handle),
+    Written = image_written(Handle, How, Looks, Leaves,
+                            file(Format,PerMetre,Colours,0)),
+    all_answered(Scene, Shadows, Written),
+    call(Written, Out).
+
+%   all_answered(Scene, Others, Written): what a rule is asked while a picture is
+%   written is asked before, so nothing is written twice.
+
+all_answered(Scene, Others, Written) :-
+    (   decision_is_default(owner/3)
+    ->  true
+    ;   setup_call_cleanup(
+            open_null_stream(Null),
+            ( set_stream(Null, type(binary)),
+              owners_asked(Scene, Others, call(Written, Null)) ),
+            close(Null))
+    ).
 
 %!  picture_how(+Scene, +Options, -How) is det.
 %
