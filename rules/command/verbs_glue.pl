@@ -21,8 +21,8 @@
               [unglue/1, glue_report/2, glue_misses/2]).
 :- use_module('../solid/glue_contact', [contact/4, contact_counts/2]).
 :- use_module('../store',
-              [ v/5, segment/3, region/3, from_r/4, assert_fact/1,
-                facts_snapshot/1, facts_transaction/1 ]).
+              [ v/5, segment/3, region/3, sides/4, from_p/5, from_r/4,
+                assert_fact/1, facts_snapshot/1, facts_transaction/1 ]).
 :- use_module(solid_verbs, [operands_loaded/4, operands_evaluated/2]).
 :- use_module(verb_output,
               [ some_files/2, outputs/3, some_outputs/1, no_model_replaced/2,
@@ -74,6 +74,7 @@ report(S, Options, Report) :-
     glue_report(S, Report0),
     mended_warned(S),
     overlaps_warned(S, Report0),
+    closed_surfaces_warned(S),
     operand_counts(S, Before),
     contact_counts(S, Contacts),
     Report1 = Report0.put(_{ segment:S, name:"glue", faults:_{},
@@ -139,6 +140,7 @@ mended(S0, part(_,_,_,_,_,_,_,Defects), What, N) :-
 glue_misses_told :-
     forall(( root_segment(S), node(S, glue, _, _) ),
            ( overlaps_warned(S),
+             closed_surfaces_warned(S),
              glue_misses(S, Misses),
              misses_warned(S, Misses) )).
 
@@ -173,6 +175,33 @@ overlaps_warned(S, Report) :-
         print_message(warning, sanggwan(glue_thin(S, Many, Most)))
     ;   true
     ).
+
+%   closed_surfaces_warned(S): a surface among the operands that encloses a
+%   region by itself is most likely meant to be a solid. As none it is inside
+%   nothing: the region is a void.
+
+closed_surfaces_warned(S) :-
+    findall(R-S0, closed_by(S, R, S0), Found),
+    forall(( nth1(I, Found, R-S0), I =< 3 ),
+           print_message(warning, sanggwan(glue_surface(S, R, S0)))),
+    length(Found, N),
+    More is N-3,
+    (   More > 0
+    ->  print_message(warning, sanggwan(glue_surfaces(S, More)))
+    ;   true
+    ).
+
+closed_by(S, R, S0) :-
+    region(S, R, void),
+    once(side(S, R, First)),
+    from_p(S, First, S0, _, _),
+    once(segment(S0, surface, _)),
+    forall(side(S, R, P), once(from_p(S, P, S0, _, _))).
+
+side(S, R, P) :-
+    sides(S, P, R, _).
+side(S, R, P) :-
+    sides(S, P, _, R).
 
 overlap_warned(S, Region) :-
     Region.inside = [S1,S2|_],

@@ -465,6 +465,12 @@ notice_en(glue_apart(S)) -->
     [ 'segment ~d: the operands touch nowhere'-[S] ].
 notice_en(glue_overlaps(S, N)) -->
     [ 'segment ~d: regions inside several operands: ~D more'-[S, N] ].
+notice_en(glue_surface(S, R, S0)) -->
+    [ 'segment ~d: operand ~d is a surface that encloses region ~d, so that is \c
+       a void'-[S, S0, R], nl,
+      '  If it is meant to be a solid, give --repair.' ].
+notice_en(glue_surfaces(S, N)) -->
+    [ 'segment ~d: regions that a surface encloses: ~D more'-[S, N] ].
 notice_en(glue_thin(S, N, Most)) -->
     [ 'segment ~d: of the regions in which operands overlap ~D are thin, \c
        ~6g at most'-[S, N, Most], nl,

@@ -475,6 +475,12 @@ notice_ko(glue_apart(S)) -->
     [ '세그먼트 ~d: 피연산자들이 아무 데서도 닿지 않습니다'-[S] ].
 notice_ko(glue_overlaps(S, N)) -->
     [ '세그먼트 ~d: 여러 피연산자의 안인 영역이 ~D개 더 있습니다'-[S, N] ].
+notice_ko(glue_surface(S, R, S0)) -->
+    [ '세그먼트 ~d: 피연산자 ~d번은 곡면인데 영역 ~d을(를) 둘러쌉니다. 그래서 그 \c
+       영역은 빈 곳입니다'-[S, S0, R], nl,
+      '  입체여야 한다면 --repair를 주십시오.' ].
+notice_ko(glue_surfaces(S, N)) -->
+    [ '세그먼트 ~d: 곡면이 둘러싸는 영역이 ~D개 더 있습니다'-[S, N] ].
 notice_ko(glue_thin(S, N, Most)) -->
     [ '세그먼트 ~d: 피연산자가 겹치는 영역 가운데 ~D개가 얇습니다. 두께는 \c
        ~6g 이하입니다'-[S, N, Most], nl,

@@ -148,6 +148,10 @@ file('pipes.pl', "segment(1, solid,
         cylinder(radius(2), height(8), facets(24))).
 segment(2, solid, at([translate(0,0,4),rotate(y,90)],
                      cylinder(radius(1), height(6), facets(24)))).\n").
+file('skin.pl', Text) :-
+    skins(1, Text).
+file('skins.pl', Text) :-
+    skins(4, Text).
 file('round.pl', "segment(1, solid, sphere(radius(2), facets(24))).\n").
 file('hollow.pl', "segment(1, solid, difference([2,3])).
 segment(2, solid, sphere(radius(10), facets(24))).
@@ -157,12 +161,30 @@ file('tone.pl', "tone(_, _, 0.5).\n").
 file('ball.pl', "segment(1, solid, sphere(radius(2), facets(24))).\n").
 file('role.pl', "edge_role(_, _, _, _, crease).\n").
 
+%   skins(N, Text): tetrahedra, surfaces, each with two vertices in one place.
+
+skins(N, Text) :-
+    findall(Facts,
+            ( between(1, N, S), X is 3*S, X1 is X+1,
+              format(string(Facts), "segment(~d, surface, skin).
+v(~d,1,~d,0,0). v(~d,2,~d,0,0). v(~d,3,~d,1,0).
+v(~d,4,~d,0,1). v(~d,5,~d,0,0).
+e(~d,1,1,3,1). e(~d,2,3,2,1). e(~d,3,2,1,1). p(~d,1,[1,2,3]).
+e(~d,4,1,2,1). e(~d,5,2,4,1). e(~d,6,4,1,1). p(~d,2,[4,5,6]).
+e(~d,7,2,3,1). e(~d,8,3,4,1). e(~d,9,4,2,1). p(~d,3,[7,8,9]).
+e(~d,10,3,5,1). e(~d,11,5,4,1). e(~d,12,4,3,1). p(~d,4,[10,11,12]).\n",
+                     [S,S,X,S,X1,S,X,S,X,S,X,S,S,S,S,S,S,S,S,S,S,S,S,S,S,S,S]) ),
+            Texts),
+    atomic_list_concat(Texts, Text).
+
 % command(Notice, Arguments): the command prints Notice; @(Name) is a file.
 command(do_not_meet, [penetrate, @('far.pl')]).
 command(cells_apart(_,_,_,_), [cells, @('crossing.pl')]).
 command(glue_overlap(_,_,_,_,_), [glue, @('cross.pl')]).
 command(glue_overlaps(_,1), [glue, @('row.pl')]).
 command(glue_thin(_,4,_), [glue, @('row.pl')]).
+command(glue_surface(_,_,_), [glue, @('skin.pl')]).
+command(glue_surfaces(_,1), [glue, @('skins.pl')]).
 command(glue_apart(_), [glue, @('far.pl')]).
 command(cityjson_open(_,_), [check, @('open.json')]).
 command(cityjson_left_out(_,_), [check, @('open.json')]).
