@@ -110,14 +110,6 @@ sg_door_image_png(sg_call *call, sg_image *image, size_t per_metre,
 }
 
 bool
-sg_door_image_pgm(sg_call *call, sg_image *image, const sg_output *stream)
-{
-  return has_no_alpha(call, image->bytes != 3) &&
-         write_head("P5", image->width, image->height, stream) &&
-         write_grey(call, image, stream);
-}
-
-bool
 sg_door_image_ppm(sg_call *call, sg_image *image, const sg_output *stream)
 {
   return has_no_alpha(call, image->bytes != 3) &&

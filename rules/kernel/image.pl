@@ -135,21 +135,15 @@ scene is that of kernel/shading.pl.
 %
 %   @error domain_error(image_without_alpha, Image)
 
-%!  image_pgm(+Image:image, +Stream:output) is det.
-%
-%   The same as a PGM file (P5), of dots that are grey.
-%
-%   @error domain_error(image_without_alpha, Image)
-
 %!  image_written(+Scene:shading, +How:image_how, +Looks:list(shading_look),
 %!                +Leaves:list(list(count)), +File:image_file,
 %!                +Stream:output) is det.
 %
 %   Writes to Stream the picture of image_shade/5, part after part as it is
 %   made: so it may have 1,048,576 dots a side, and 2147483648 in all. File is
-%   file(Format, PerMetre, Colours, Blocks): Format is png, ppm or pgm,
-%   PerMetre that of image_png/3, Colours those of image_colours/2, or []: as
-%   they are. So many Blocks of 64 rows, or if these have more than 8 MB of
+%   file(Format, PerMetre, Colours, Blocks): Format is png, ppm (P6), or pgm
+%   (P5), of dots that are grey; PerMetre is that of image_png/3, Colours those
+%   of image_colours/2, or []: as they are. So many Blocks of 64 rows, or if these have more than 8 MB of
 %   fewer, are made at once; 0: as memory allows. The bytes are the same.
 %
 %   @error as for image_shade/5 and image_colours/2, and

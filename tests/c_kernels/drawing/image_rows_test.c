@@ -224,6 +224,7 @@ again(void)
   sg_scan *scan = NULL;
   written pgm = {0};
   const sg_output to_pgm = {write_bytes, &pgm};
+  const sg_image_file file = {.format = SG_IMAGE_FORMAT_PGM};
 
   CHECK("a picture",
         sg_door_image_shade(&call, scene, &how, &looks, &leaves, &image));
@@ -259,7 +260,8 @@ again(void)
     CHECK("a dot", (same->dot[16 * 120 + 3 * x] == 9) == (x < 10 || x >= 20));
   }
   sg_image_close(same);
-  CHECK("a PGM", sg_door_image_pgm(&call, image, &to_pgm) &&
+  CHECK("a PGM", sg_door_image_written(&call, scene, &how, &looks, &leaves,
+                                       &file, &to_pgm) &&
                      pgm.n == strlen("P5\n40 50\n255\n") + 2000);
   size_t before = pgm.n;
   CHECK("packed, it is smaller", sg_door_image_lzw(&call, image, &to_pgm) &&

@@ -35,7 +35,6 @@ written(Goal, Bytes) :-
 
 whole(png, Image, Out) :- image_png(Image, 3937, Out).
 whole(ppm, Image, Out) :- image_ppm(Image, Out).
-whole(pgm, Image, Out) :- image_pgm(Image, Out).
 
 %   both(Format, Options, Blocks, Whole, Parts): the bytes, as a whole, and in
 %   parts of so many Blocks.
@@ -55,7 +54,7 @@ both(Format, Options, Blocks, Whole, Parts) :-
                        Parts) )).
 
 test(parts,
-     [ forall(( member(Format, [png,ppm,pgm]),
+     [ forall(( member(Format, [png,ppm]),
                 member(More, [[],[background(none)],[edges(true)],
                               [shadows(true)]]),
                 \+ ( Format \== png, More == [background(none)] ),
