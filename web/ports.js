@@ -588,7 +588,10 @@ export class Ports {
 
   // The pictures of now are those before what is tried.
   remember() {
-    for (const port of this.ports) port.prior = { shown: port.picture.shown, sight: port.sight };
+    for (const port of this.ports) {
+      const now = port.element.dataset.rev === this.element.dataset.rev;
+      port.prior = now ? { shown: port.picture.shown, sight: port.sight } : null;
+    }
   }
 
   // Lines that went, where they were.

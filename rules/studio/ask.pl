@@ -19,10 +19,10 @@
 /** <module> Questions to the document of a session, with limits.
 
 A goal of somebody is called if library(sandbox) finds that it can only read
-(sandbox.pl), and it names nothing that question_part.pl lists; that of the owner
-whatever it does. Either way the document is as before afterwards. All answers
-are of one revision: they are found at once, as many as there may be, and handed
-out in parts.
+(sandbox.pl), and it names nothing that question_part.pl lists; that of the
+owner whatever it does. Either way the document is as before afterwards. All
+answers are of one revision: they are found at once, as many as there may be,
+and handed out in parts.
 */
 
 % asked_(Id, Names, Rows, More): the rows of question Id that were not handed

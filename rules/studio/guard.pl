@@ -105,9 +105,10 @@ place_of(Place, Usual, Host, Port) :-
 %
 %   The HTTP request Request says, once, that it is for Front, front(Bound,
 %   Port, _, _): a name of this machine that no one else can give a meaning
-%   to.
+%   to. A whole address where the path stands would say it a second time.
 
 host_allowed(Request, front(Bound,Port,_,_)) :-
+    forall(member(request_uri(Path), Request), sub_atom(Path, 0, _, _, /)),
     findall(Host-Given, host_given(Request, Host, Given), [Name-Asked]),
     (   Asked == Port,
         host_name(Bound, Name)

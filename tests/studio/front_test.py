@@ -108,6 +108,9 @@ for path in ("/", "/main.js", "/nothing", "/x/none", "/../rules/about.pl",
           headers)
     check("there or not: " + path,
           (status == 200) == (path in ("/", "/main.js")), status)
+for whole in ("http://evil.example/", "http://127.0.0.1:%d/" % front.port,
+              "evil.example"):
+    check("a path alone: " + whole, front.get(whole)[0] == 400)
 check("no cookie", not any("Set-Cookie" in front.get(path)[1]
                            for path in ("/", "/main.js")))
 for method in ("POST", "PUT", "DELETE", "OPTIONS"):
