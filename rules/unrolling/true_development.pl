@@ -21,6 +21,8 @@
 :- use_module(true_parts, [facets_as_drawn/4]).
 :- use_module(true_pattern, [pattern_written/3]).
 :- use_module(true_plate, [plate_layer/2]).
+:- use_module(true_seam,
+              [farthest_from/3, hole_places/2, shortest_generators/2]).
 :- use_module(true_shape,
               [ true_part/5, part_facets/4, facet_middle/2, facets_sense/3,
                 shifted_facet/3
@@ -233,45 +235,9 @@ shortest_generator(Facets, Starts, Shape, Sense, Seam) :-
             ( member(T, Starts),
               generator_length(Index, T, Sense, Shape, Spans, Length) ),
             All),
-    findall(Length-T, member(length(1, Length)-T, All), Whole),
-    (   Whole == []
-    ->  findall(Length-T, member(length(_, Length)-T, All), Lengths)
-    ;   Lengths = Whole
-    ),
-    pairs_keys(Lengths, Ls),
-    min_list(Ls, Least),
-    findall(T,
-            ( member(Length-T, Lengths), \+ longer(Length, Least) ),
-            Equal),
-    farthest_from_holes(Equal, Shape, Seam).
-
-%   farthest_from_holes(Ts, Shape, T): what is cut out has corners off the rims.
-
-farthest_from_holes(Ts, shape(_, _, Nodes), T) :-
-    assoc_to_values(Nodes, Places),
-    findall(Off,
-            ( member(node(Off, H, _, _), Places),
-              Off \== any,
-              \+ same_part(H, 0.0),
-              \+ same_part(H, 1.0) ),
-            Holes0),
-    sort(Holes0, Holes),
-    (   Ts = [_,_|_],
-        Holes \== []
-    ->  maplist(nearest_angle(Holes), Ts, Offs),
-        max_list(Offs, Most),
-        once(( nth1(I, Offs, Off),
-               \+ before_angle(Off, Most),
-               nth1(I, Ts, T) ))
-    ;   Ts = [T|_]
-    ).
-
-nearest_angle(Holes, T, Off) :-
-    findall(Off0,
-            ( member(Hole, Holes),
-              Off0 is abs(T-Hole - 360.0*round((T-Hole)/360.0)) ),
-            Offs),
-    min_list(Offs, Off).
+    shortest_generators(All, Equal),
+    hole_places(Shape, Holes),
+    farthest_from(Holes, Equal, Seam).
 
 generator_length(Index, T, Sense, Shape, Count, Length) :-
     Shape = shape(Surface, _, _),

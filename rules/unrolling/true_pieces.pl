@@ -21,6 +21,8 @@
 :- use_module(true_divide,
               [facet_divided/7, facet_index/2, generator_spans/5]).
 :- use_module(true_parts, [facets_as_drawn/4]).
+:- use_module(true_seam,
+              [farthest_from/3, hole_places/2, shortest_generators/2]).
 :- use_module(true_shape,
               [ facet_middle/2, facets_sense/3, piece_shape/6,
                 pieces_facets/4, shifted_facet/3, true_part/5
@@ -30,9 +32,9 @@
 :- use_module(true_tip, [tips_moved/4]).
 :- use_module(library(apply), [foldl/5, foldl/6, maplist/3, maplist/4]).
 :- use_module(library(error), [must_be/2]).
-:- use_module(library(lists), [append/2, append/3, member/2, min_list/2]).
+:- use_module(library(lists), [append/2, append/3, member/2]).
 :- use_module(library(option), [option/2]).
-:- use_module(library(pairs), [pairs_keys/2, pairs_keys_values/3]).
+:- use_module(library(pairs), [pairs_keys_values/3]).
 /** <module> The pieces of a transition, as they are unrolled.
 
 A piece is piece(Part, End, T1-T2, G1-G2, Facets, Shape, Sense): a part of the
@@ -156,40 +158,61 @@ on_border(Borders, G) :-
     !.
 
 %   shortest_seam(Pieces, Borders, Seam): in the middle of a flat side, if there
-%   is one that no hole interrupts there; of equal ones that with the smallest
-%   direction.
+%   is one that no hole interrupts there; of equal ones that which is farthest
+%   from all holes, and of these that with the smallest direction.
 
 shortest_seam(Pieces, Borders, Seam) :-
-    findall(Length-G, seam_candidate(Pieces, flat, Borders, Length, G), Flat),
-    (   Flat == []
-    ->  findall(Length-G, seam_candidate(Pieces, round, Borders, Length, G),
-                Found)
-    ;   Found = Flat
+    seam_candidates(Pieces, flat, Borders, Flat),
+    seam_candidates(Pieces, round, Borders, Round),
+    (   member(Found, [Flat,Round]),
+        memberchk(length(1,_)-_, Found)
+    ->  true
+    ;   Round == []
+    ->  Found = Flat
+    ;   Found = Round
     ),
-    pairs_keys(Found, Lengths),
-    min_list(Lengths, Least),
-    findall(G, ( member(Length-G, Found), \+ longer(Length, Least) ),
-            Shortest),
-    min_list(Shortest, Seam).
+    shortest_generators(Found, Shortest),
+    findall(G, ( member(Piece, Pieces), hole_direction(Piece, G) ), Holes),
+    farthest_from(Holes, Shortest, Seam).
 
-seam_candidate(Pieces, Which, Borders, Length, G) :-
+%   seam_candidates(Pieces, Which, Borders, Candidates): length(Spans, Length)-G,
+%   by the direction G.
+
+seam_candidates(Pieces, Which, Borders, Candidates) :-
+    findall(length(Spans,Length)-G,
+            seam_candidate(Pieces, Which, Borders, Spans, Length, G),
+            Candidates0),
+    sort(2, @<, Candidates0, Candidates).
+
+seam_candidate(Pieces, Which, Borders, Count, Length, G) :-
     member(Piece, Pieces),
     Piece = piece(_, _, T1-T2, _, Facets, Shape, Sense),
     Shape = shape(Surface, _, _),
     (   Surface = fan(_, _, _, _)
     ->  Which = flat,
-        T is (T1+T2)/2.0,
-        facet_index(Facets, Index),
-        generator_spans(Index, T, Sense, Shape, [_])
+        T is (T1+T2)/2.0
     ;   Which = round,
         member(facet(_, T, _, _), Facets),
         direction_of(Piece, T, G0),
         on_border(Borders, G0)
     ),
-    direction_of(Piece, T, G0),
-    whole_turns(G0, By),
-    G is G0 - By,
+    facet_index(Facets, Index),
+    generator_spans(Index, T, Sense, Shape, Spans),
+    length(Spans, Count),
+    Count > 0,
+    direction_of(Piece, T, G1),
+    whole_turns(G1, By),
+    G is G1 - By,
     generator_length(Surface, T, Length).
+
+%   hole_direction(Piece, G) is nondet: a corner of a hole lies there.
+
+hole_direction(Piece, G) :-
+    Piece = piece(_, _, T1-T2, _, _, Shape, _),
+    hole_places(Shape, Ts),
+    member(T0, Ts),
+    T is T0 - 360.0*round((T0 - (T1+T2)/2.0)/360.0),
+    direction_of(Piece, T, G).
 
 generator_length(Surface, T, Length) :-
     surface_point(Surface, T, 0.0, point(X1,Y1,Z1)),

@@ -1,7 +1,7 @@
 /* Plates with flat faces that meet pipes: rules/unrolling/true_flat.pl,
 true_plate.pl,
    true_rim.pl, and what is said of them. */
-% covers: true_convex
+% covers: true_convex, true_seam
 :- use_module(library(plunit)).
 :- use_module(library(aggregate)).
 :- use_module(library(lists)).
@@ -273,6 +273,23 @@ test(seam_beside_the_hole) :-
              seam_drawn(D, Seam, Longest)),
     near(Seam, 300),
     near(Longest, 300).
+
+%   So it does in whatever is round, wherever its shortest generator is.
+round_with_hole(cone(radius(90), top(30), height(200), shift(30,0))).
+round_with_hole(transition(base(circle(90)), top(circle(50)), height(200),
+                           shift(30,0))).
+round_with_hole(transition(base(rectangle(200,200)), top(circle(50)),
+                           height(200))).
+round_with_hole(transition(base(ellipse(90,60)), top(circle(50)),
+                           height(200), shift(0,20))).
+
+test(seam_beside_any_hole,
+     [forall(( round_with_hole(Term), member(Turn, [0,90]) ))]) :-
+    patterns([ Term,
+               at([rotate(y,90),rotate(z,Turn),translate(0,0,100)],
+                  cylinder(radius(20), height(150))) ], 1, [], [D|_],
+             seam_drawn(D, Seam, Longest)),
+    near(Longest, Seam).
 
 %   The steps of a generator that the hole interrupts go past the hole.
 test(steps_past_a_hole) :-
