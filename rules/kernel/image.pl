@@ -143,8 +143,9 @@ scene is that of kernel/shading.pl.
 %   made: so it may have 1,048,576 dots a side, and 2147483648 in all. File is
 %   file(Format, PerMetre, Colours, Blocks): Format is png, ppm (P6), or pgm
 %   (P5), of dots that are grey; PerMetre is that of image_png/3, Colours those
-%   of image_colours/2, or []: as they are. So many Blocks of 64 rows, or if these have more than 8 MB of
-%   fewer, are made at once; 0: as memory allows. The bytes are the same.
+%   of image_colours/2, or []: as they are. So many Blocks of 64 rows, or if
+%   these have more than 8 MB of fewer, are made at once; 0: as memory allows.
+%   The bytes are the same.
 %
 %   @error as for image_shade/5 and image_colours/2, and
 %          domain_error(picture_size, Scene),

@@ -200,8 +200,8 @@ picture_written(Scene, Options, Format, PerMetre, Out) :-
     all_answered(Scene, Shadows, Written),
     call(Written, Out).
 
-%   all_answered(Scene, Others, Written): what a rule is asked while a picture is
-%   written is asked before, so nothing is written twice.
+%   all_answered(Scene, Others, Written): what a rule is asked while a picture
+%   is written is asked before, so nothing is written twice.
 
 all_answered(Scene, Others, Written) :-
     (   decision_is_default(owner/3)

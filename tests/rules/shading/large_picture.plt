@@ -1,6 +1,6 @@
 /* Pictures that are written as they are made: the bytes are those of a picture
    that is there as a whole. */
-% covers: shaded_picture, image_file_rows, image_png, buffer
+% covers: shaded_picture, image_file_rows, image_png, buffer, shaded_rows
 :- module(test_large_picture, []).
 :- use_module(library(apply)).
 :- use_module(library(lists)).
