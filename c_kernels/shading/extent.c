@@ -1,6 +1,9 @@
 /* extent.c -- see extent.h. */
 #include "extent.h"
 
+#include "engine/search.h"
+#include "shading_private.h"
+
 #include <math.h>
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -158,6 +161,80 @@ borders(const sg_shading *scene, reached *all, sg_shading_extent *out)
   return good;
 }
 
+/* ---- what is thinner than a dot ---- */
+
+SG_ORDER(compare_heights, double, SG_BY_AT(0));
+
+/* Where leaves begin and end, in order. Null: no memory. */
+static double *
+ends_of_leaves(const sg_shading *s, size_t *n)
+{
+  size_t leaves = s->leaf.n;
+  double *y = malloc((2 * leaves + 1) * sizeof *y);
+
+  *n = 2 * leaves;
+  for (size_t i = 0; y && i < leaves; i++) {
+    y[2 * i] = INFINITY;
+    y[2 * i + 1] = -INFINITY;
+  }
+  for (size_t i = 0; y && i < s->polygon.n; i++) {
+    const sg_shading_polygon *p = &s->polygon.item[i];
+    y[2 * p->leaf] = fmin(y[2 * p->leaf], p->y1);
+    y[2 * p->leaf + 1] = fmax(y[2 * p->leaf + 1], p->y2);
+  }
+  for (size_t i = 0; y && i < s->body.n; i++) {
+    const sg_shading_body *b = &s->body.item[i];
+    y[2 * b->leaf] = fmin(y[2 * b->leaf], b->y1);
+    y[2 * b->leaf + 1] = fmax(y[2 * b->leaf + 1], b->y2);
+  }
+  if (y) {
+    qsort(y, *n, sizeof *y, compare_heights);
+  }
+  return y;
+}
+
+/* Whether something may be seen to the left or to the right of all that is. */
+static bool
+may_be_beside(const sg_shading *s, const reached *all)
+{
+  double width = sg_shading_frame_of(s)->width;
+
+  return fmax(s->low[0], 0) < all->x1 / 256.0 - 1 ||
+         fmin(s->high[0], width) > all->x2 / 256.0 + 1;
+}
+
+/* Between two neighbours of where leaves begin and end there may be something
+ * through which no line in the middle of dots goes: so one there is looked at,
+ * in each quarter of a dot once. */
+static bool
+look_at_thin(const sg_shading *s, reached *all)
+{
+  double height = sg_shading_frame_of(s)->height - 0.01, quarter = -1;
+  sg_shading_work *work = sg_shading_work_open(s, NULL);
+  size_t n = 0;
+  double *end = work ? ends_of_leaves(s, &n) : NULL;
+  sg_spans spans = {0};
+  bool good = end != NULL, beside = may_be_beside(s, all);
+
+  for (size_t i = 0; good && i + 1 < n; i++) {
+    double low = fmax(end[i], 0), high = fmin(end[i + 1], height);
+    double y = (low + high) / 2;
+    bool in = all->first <= y && y <= all->last;
+
+    if (low < high && ceil(low - 0.5) + 0.5 >= high && (!in || beside) &&
+        floor(4 * y) > quarter) {
+      quarter = floor(4 * y);
+      good = look_at(s, work, y, in, &spans, all);
+    }
+  }
+  free(end);
+  free(spans.span);
+  if (work) {
+    sg_shading_work_close(work);
+  }
+  return good;
+}
+
 sg_shading_end
 sg_shading_extent_of(const sg_shading *scene, sg_pool *pool,
                      const sg_cancel *cancel, sg_shading_extent *out)
@@ -172,7 +249,8 @@ sg_shading_extent_of(const sg_shading *scene, sg_pool *pool,
   }
   *out = (sg_shading_extent){INFINITY, INFINITY, -INFINITY, -INFINITY};
   bool memory = all.band && !atomic_load(&all.no_memory) &&
-                (!ran || most.x1 > most.x2 || borders(scene, &most, out));
+                (!ran || (look_at_thin(scene, &most) &&
+                          (most.x1 > most.x2 || borders(scene, &most, out))));
 
   free(all.band);
   return !memory ? SG_SHADING_NO_MEMORY

@@ -15,8 +15,8 @@
 :- use_module('../decision', [decision_is_default/1]).
 :- use_module('../shading/shaded_picture',
               [ shaded_picture/4, empty_picture/3, picture_image/3,
-                picture_is_large/1, picture_written/5, scene_shows/1,
-                shade_has_shadows/1, solid_box/2 ]).
+                line_shows/2, picture_is_large/1, picture_written/5,
+                scene_shows/1, shade_has_shadows/1, solid_box/2 ]).
 :- use_module('../shading/shading_buffer', [write_buffer/3]).
 :- use_module('../shading/shading_facets', [faceted_model/2, facets_off/2]).
 :- use_module('../shading/shading_leaf', [bent_faces/2]).
@@ -76,7 +76,7 @@ render_run(Files, Options) :-
     load_model(Files, [evaluate(false),rows(false)|Options]),
     looks_read(Options),
     stage(shade, sg_verbs_render:shaded_scene_of(Options, Wanted, Scene)),
-    window_told(Wanted, Scene),
+    shown_told(Wanted, Scene),
     maplist(buffer_written(Scene), Buffers),
     maplist(scan_line_written(Scene), ScanLines),
     spans_scanned(Outputs, Spans, Wanted, Scene),
@@ -134,18 +134,24 @@ surfaces_wanted(Wanted, Model0, Model) :-
     ;   Model = Model0
     ).
 
-%   facets_told(Wanted, Scene): files have facets. By more than a dot that is
-%   told.
+%   shown_told(Wanted, Scene): a window beside all that is seen is told, and that
+%   no line of the picture goes through what is there.
 
-%   window_told(Wanted, Scene): a window beside all that is seen is told.
-
-window_told(Wanted, Scene) :-
-    (   option(window(_), Wanted),
-        scene_leaf(Scene, _),
-        \+ scene_shows(Scene)
+shown_told(Wanted, Scene) :-
+    option(smooth(Lines), Wanted, 4),
+    (   \+ scene_leaf(Scene, _)
+    ->  true
+    ;   line_shows(Scene, Lines)
+    ->  true
+    ;   scene_shows(Scene)
+    ->  print_message(warning, sanggwan(thinner_than_lines))
+    ;   option(window(_), Wanted)
     ->  print_message(warning, sanggwan(nothing_in_window))
     ;   true
     ).
+
+%   facets_told(Wanted, Scene): files have facets. By more than a dot that is
+%   told.
 
 facets_told(Wanted, Scene) :-
     (   \+ option(surface(facets), Wanted),

@@ -339,6 +339,10 @@ notice_en(points_in_vain) -->
 notice_en(nothing_seen) -->
     [ 'nothing is seen: the picture is its background alone', nl,
       '  The model has no solid, or what it takes away is all of it.' ].
+notice_en(thinner_than_lines) -->
+    [ 'what is seen is so thin that it is between two lines of the picture, \c
+       which is its background alone', nl,
+      '  Give a larger --size, --smooth 16, or a --window that is nearer.' ].
 notice_en(nothing_in_window) -->
     [ 'nothing is seen in the window: the picture is its background alone', nl,
       '  Give another --window; without it what is seen fills the picture.' ].

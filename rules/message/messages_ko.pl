@@ -326,6 +326,9 @@ notice_ko(points_in_vain) -->
 notice_ko(nothing_seen) -->
     [ '보이는 것이 없습니다. 그림은 바탕뿐입니다', nl,
       '  모델에 입체가 없거나 모두 빼 버렸습니다.' ].
+notice_ko(thinner_than_lines) -->
+    [ '보이는 것이 그림의 두 줄 사이에 들어갈 만큼 얇습니다. 그림은 바탕뿐입니다',
+      nl, '  --size 값을 키우거나 --smooth 16 또는 더 가까운 --window를 주십시오.' ].
 notice_ko(nothing_in_window) -->
     [ '창 안에 보이는 것이 없습니다. 그림은 바탕뿐입니다', nl,
       '  --window 값을 바꾸십시오. 빼면 보이는 것이 그림을 채웁니다.' ].

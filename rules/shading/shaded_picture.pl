@@ -4,6 +4,7 @@
             picture_place/5,            % +Model, +Eye, +Options, -Size, -Place
             empty_picture/3,            % +Eye, +Options, -Scene
             scene_shows/1,              % +Scene
+            line_shows/2,               % +Scene, +Lines
             solid_box/2,                % +Model, -Box
             picture_image/3,            % +Scene, +Options, -Image
             picture_image/5,            % +Scene, +KernelLooks, +Leaves,
@@ -22,7 +23,8 @@
 :- use_module('../decision', [decision_is_default/1]).
 :- use_module('../kernel',
               [ image_colours/2, image_extent/2, image_parts/6, image_shade/5,
-                image_written/6, light_srgb/2, shading_size/3, srgb_light/2
+                image_written/6, light_srgb/2, shading_size/3,
+                shading_spans/3, srgb_light/2
               ]).
 :- use_module('../picture/view', [current_view/4]).
 :- use_module(group_owner, [owners_asked/3]).
@@ -120,11 +122,28 @@ empty_picture(Eye, Options, Scene) :-
 
 %!  scene_shows(+Scene) is semidet.
 %
-%   True when something is seen on the lines in the middle of dots of Scene.
+%   True when something is seen in the frame of Scene, also between lines.
 
 scene_shows(Scene) :-
     scene_handle(Scene, Handle),
     image_extent(Handle, _).
+
+%!  line_shows(+Scene, +Lines) is semidet.
+%
+%   True when one of the lines, so many to a dot, shows something.
+
+line_shows(Scene, Lines) :-
+    scene_handle(Scene, Handle),
+    shading_size(Handle, _, Height),
+    All is Height*Lines,
+    Last is All-1,
+    (   member(Part, [1r2,1r4,3r4]),    % mostly there is something there
+        I is floor(All*Part)
+    ;   between(0, Last, I)
+    ),
+    Y is (I+0.5)/Lines,
+    shading_spans(Handle, Y, [_|_]),
+    !.
 
 %!  solid_box(+Model, -Box) is semidet.
 %

@@ -76,6 +76,7 @@ segment(1, solid, box(size(param(a), 1, 1))).\n").
 file('latin.pl', "segment(1, solid, named('a\u00FFb', box(size(1,1,1)))).\n").
 file('style.pl', "line(any, any, glas, [width(1)]).\n").
 file('style_lines.pl', "line(any, penetration, 1, [width(1)]).\n").
+file('thin.pl', "segment(1, solid, box(size(4,4,0.001))).\n").
 file('looks.pl', "look(glas, colour(red)).\n").
 file('nowhere.pl', "line(any, any, any, [none]).\n").
 file('degenerate.off', "OFF\n4 5 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n\c
@@ -232,6 +233,8 @@ command(pixel_colour_in_vain, [render, @('cube.pl'), '--rules', @('dot.pl'),
 command(facets_off(_), [render, @('ball.pl'), '-o', @('a.png')]).
 command(shadows_in_vain, [render, @('cube.pl'), '--rules', @('tone.pl'),
                           '--shadows', '--size', '9x9', '-o', @('a.png')]).
+command(thinner_than_lines, [render, @('thin.pl'), '--view', front,
+                             '--size', '90x90', '-o', @('a.png')]).
 command(look_in_vain(_,_), [render, @('cube.pl'), '--look', @('looks.pl'),
                           '--size', '9x9', '-o', @('a.png')]).
 command(style_in_vain(_), [draw, @('cube.pl'), '--style', @('style.pl'),

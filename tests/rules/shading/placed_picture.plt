@@ -379,4 +379,26 @@ boundary_case(Seed, Scene, Triangles) :-
         Triangles = []
     )).
 
+% What is thinner than a dot, a leaf or what is left of one, is in the frame.
+test(thin, [forall(member(Thin-Thick, [0.001-0.02,1.0e-6-0.02]))]) :-
+    maplist(thin_scale(leaf), [Thin,Thick], [A,B]),
+    abs(A/B-1) < 0.02,
+    maplist(thin_scale(left), [Thin,Thick], [C,D]),
+    abs(C/D-1) < 0.02.
+
+thin_scale(How, Thick, Scale) :-
+    thin_plate(How, Thick, Plate),
+    in_new_world((
+        assert_fact(segment(1, solid, union([sphere(radius(0.5)),
+                                             at([translate(0,0,2)],Plate)]))),
+        shaded_model([1], Model),
+        shaded_eye(Model, view(270.0,90.0,0.0,parallel), Eye),
+        picture_place(Model, Eye, [size(400-300)], _, place(Scale,_,_))
+    )).
+
+thin_plate(leaf, Thick, box(size(9,0.3,Thick))).
+thin_plate(left, Thick, difference([box(size(9,0.3,1)),
+                                    at([translate(0,0,Thick)],
+                                       box(size(20,9,9)))])).
+
 :- end_tests(placed_picture).
