@@ -237,6 +237,8 @@ export class Why {
 
   // What explains an item of a picture that has no names.
   async item(item, options) {
+    this.studio.names = [];
+    this.studio.light("chosen", []);
     this.studio.news(item);
     const again = () => this.tell(again, async () => {
       const { head, body } = await this.studio.wire.ask("explain", { item, lang: tongue(), options });

@@ -214,6 +214,26 @@ def pictures():
                              part) > 0.8 for part in (0, 0.5, 1)))
 
 
+def forced_colours():
+    """What is chosen is seen in the colours of the reader too."""
+    opened("fig13.pl")
+    browser.media(forced_colors="active")
+    browser.script("studio.tree.choose(1, '/1', 0); studio.ports.ports[0]"
+                   ".turnTo('folded')")
+    check("folded", browser.wait("studio.ports.ports[0].folding?.lines"))
+    seen = browser.script("""
+      const of = (css) => getComputedStyle(document.querySelector(css));
+      const probe = document.body.appendChild(document.createElement("i"));
+      probe.style.cssText = "forced-color-adjust: none; color: Highlight";
+      const { color } = getComputedStyle(probe);
+      probe.remove();
+      return [color, of(".tree [aria-selected=true] > .row").backgroundColor, of(".mine .chosen").stroke];""")
+    check("the colour of what is chosen", len(set(seen)) == 1, seen)
+    browser.media()
+    browser.script("studio.ports.ports[0].turnTo('iso')")
+    browser.wait(QUIET)
+
+
 def exports():
     """A drawing is exported as it is seen."""
     browser.script("""
@@ -314,6 +334,7 @@ try:
     reasons()
     rules()
     pictures()
+    forced_colours()
     exports()
     files()
     on_a_phone()
