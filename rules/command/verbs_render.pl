@@ -134,8 +134,8 @@ surfaces_wanted(Wanted, Model0, Model) :-
     ;   Model = Model0
     ).
 
-%   shown_told(Wanted, Scene): a window beside all that is seen is told, and that
-%   no line of the picture goes through what is there.
+%   shown_told(Wanted, Scene): a window beside all that is seen is told, and
+%   that no line of the picture goes through what is there.
 
 shown_told(Wanted, Scene) :-
     option(smooth(Lines), Wanted, 4),
