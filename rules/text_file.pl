@@ -13,7 +13,8 @@
 %
 %   Call Goal once, with Text open: text(Name, Path, Stream), Name that of
 %   File for messages. It breaks no limit (limits.pl) of texts of this Kind:
-%   `facts`, `program`, `json`, or `csg`, of which csg_nodes/4 finds that.
+%   `facts`, `program`, `json`, `lines` of JSON, or `csg`, of which csg_nodes/4
+%   finds that.
 %   What can be read once only, as `-`, standard input, or a pipe, is copied
 %   to a temporary file, Path then, that vanishes with Text: it is looked
 %   through first, and places in it are found again.

@@ -41,6 +41,12 @@ faulty(sg_text_scan *s, sg_text_fault fault)
   }
 }
 
+static bool
+is_json(const sg_text_scan *s)
+{
+  return s->kind == SG_TEXT_JSON || s->kind == SG_TEXT_LINES;
+}
+
 /* Characters ------------------------------------------------------------- */
 
 static bool
@@ -94,7 +100,7 @@ count_word(sg_text_scan *s)
   uint64_t most =
       (s->kind == SG_TEXT_PROGRAM ? PROGRAM_WORDS : 1) * s->most.depth;
 
-  if (s->kind == SG_TEXT_JSON) {
+  if (is_json(s)) {
     return;
   }
   *(s->n ? &s->level[s->n - 1].words : &s->top) += 1;
@@ -133,6 +139,10 @@ close_bracket(sg_text_scan *s)
   if (s->n > 0) {
     s->depth -= s->level[--s->n].words;
   }
+  if (s->n == 0 && s->kind == SG_TEXT_LINES) {
+    s->fact = 0;
+    s->in_fact = false;
+  }
 }
 
 static void
@@ -150,7 +160,7 @@ comma(sg_text_scan *s)
 static void
 end_fact(sg_text_scan *s)
 {
-  if (s->kind == SG_TEXT_JSON) {
+  if (is_json(s)) {
     return;
   }
   s->depth = s->top = s->fact = 0;
@@ -173,13 +183,13 @@ begin(sg_text_scan *s, uint32_t c)
     return;
   }
   s->in_fact = s->in_fact || (c != '%' && c != '/');
-  if (c == '"' || ((c == '\'' || c == '`') && s->kind != SG_TEXT_JSON)) {
+  if (c == '"' || ((c == '\'' || c == '`') && !is_json(s))) {
     begin_word(s, SG_TEXT_QUOTED);
     s->quote = c;
     if (c == '`') {
       count_word(s); /* a list */
     }
-  } else if (c == '%' && s->kind != SG_TEXT_JSON) {
+  } else if (c == '%' && !is_json(s)) {
     s->state = SG_TEXT_LINE;
   } else if (c == '/') {
     s->state = SG_TEXT_SLASH;
@@ -298,7 +308,7 @@ in_slash(sg_text_scan *s, uint32_t c)
   if (c == '*') {
     s->state = SG_TEXT_COMMENT;
     s->star = false;
-  } else if (c == '/' && s->kind == SG_TEXT_JSON) {
+  } else if (c == '/' && is_json(s)) {
     s->state = SG_TEXT_LINE;
   } else {
     s->in_fact = true;

@@ -25,8 +25,9 @@ typedef enum sg_text_kind {
   SG_TEXT_FACTS,   /* Prolog terms, data */
   SG_TEXT_PROGRAM, /* goals and clauses: a conjunction of many goals is no
                       deep term, so words may be eight times as many */
-  SG_TEXT_JSON     /* one value: of depth only the brackets count. After what
+  SG_TEXT_JSON,    /* one value: of depth only the brackets count. After what
                       is no JSON anything may be thought: nobody reads on */
+  SG_TEXT_LINES    /* values of JSON: each is no longer than a fact */
 } sg_text_kind;
 
 typedef enum sg_text_fault {

@@ -4,9 +4,10 @@
 :- use_module(batch_html, [sheet_pages/3]).
 :- use_module(batch_junit, [junit_written/3]).
 :- use_module(batch_report, [json_text/2, outcome/1]).
+:- use_module('../json_value', [json_value/2]).
 :- use_module('../output', [writing/3]).
+:- use_module('../text_file', [with_text/4]).
 :- use_module(library(apply), [foldl/4, maplist/2]).
-:- use_module(library(http/json), [atom_json_dict/3]).
 :- use_module(library(lists), [append/3, member/2, nth1/3, reverse/2]).
 :- use_module(library(pairs), [pairs_values/2]).
 :- use_module(library(readutil), [read_line_to_string/2]).
@@ -62,6 +63,11 @@ merged(html, Output, Places, Counts) :-
 %   off inside a letter.
 
 report_places(File, Places0, Places) :-
+    with_text(lines, File, text(_, Path, _), true),
+    (   Path == File
+    ->  true
+    ;   cannot_read(File, io)           % lines are read again by their places
+    ),
     catch(open(File, read, In, [encoding(octet)]), error(Formal, _),
           cannot_read(File, Formal)),
     call_cleanup(lines_places(In, File, head('', '.'), 0, Places0, Places),
@@ -122,7 +128,8 @@ text_after(Text, Key, End, Value) :-
 other_line(Octets, Head0, Head) :-
     string_codes(Octets, Bytes),
     phrase(utf8_codes(Codes), Bytes),
-    catch(atom_json_dict(Codes, Dict, []), error(_, _), fail),
+    string_codes(Text, Codes),
+    json_value(Text, Dict),
     is_dict(Dict),
     (   get_dict(batch, Dict, Manifest0),
         get_dict(folder, Dict, Folder0)
@@ -147,10 +154,11 @@ counted(Places, Counts) :-
               length(Ones, N) ),
             Counts).
 
-%   place_text(Places, Text, Head) is nondet: the lines, in order.
+%   place_text(Places, Text, Place) is nondet: the lines, in order.
 
-place_text(Places, Text, Head) :-
-    member(place(File, Offset, Head, _), Places),
+place_text(Places, Text, Place) :-
+    Place = place(File, Offset, _, _),
+    member(Place, Places),
     setup_call_cleanup(
         open(File, read, In, [encoding(utf8)]),
         ( seek(In, Offset, bof, _),
@@ -164,8 +172,24 @@ place_text(Places, Text, Head) :-
 :- public result_of/3.
 
 result_of(Places, Dict, Head) :-
-    place_text(Places, Text, Head),
-    atom_json_dict(Text, Dict, []).
+    place_text(Places, Text, place(File, _, Head, _)),
+    (   json_value(Text, Dict),
+        is_line(Dict)
+    ->  true
+    ;   throw(error(model_error(manifest(no_report)), location(File, 0, 0)))
+    ).
+
+is_line(Line) :-
+    is_dict(Line),
+    get_dict(job, Line, Job),
+    string(Job),
+    get_dict(seconds, Line, Seconds),
+    number(Seconds),
+    get_dict(files, Line, Files),
+    is_list(Files),
+    maplist(string, Files),
+    get_dict(said, Line, Said),
+    is_list(Said).
 
 %   json_written(Places, Counts, Out)
 

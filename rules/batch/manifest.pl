@@ -13,10 +13,10 @@
               ]).
 :- use_module('../model/model_text',
               [next_term/5, no_fact/2, place_error/2, place_error/3]).
+:- use_module('../json_value', [json_value/2]).
 :- use_module('../spelling', [near_words/3]).
 :- use_module('../text_file', [with_text/4]).
 :- use_module(library(apply), [maplist/2, maplist/3]).
-:- use_module(library(http/json), [atom_json_dict/3]).
 :- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(readutil), [read_line_to_string/2]).
 /** <module> Manifests: what a batch is to do, read as data, never run.
@@ -96,7 +96,7 @@ manifest_form(-, Form, Kind) :-
     !,
     (   peek_char(user_input, '{')
     ->  Form = json,
-        Kind = program
+        Kind = lines
     ;   Form = facts,
         Kind = facts
     ).
@@ -104,7 +104,7 @@ manifest_form(File, Form, Kind) :-
     file_name_extension(_, Ending, File),
     (   memberchk(Ending, [jsonl,ndjson,json])
     ->  Form = json,
-        Kind = program
+        Kind = lines
     ;   Form = facts,
         Kind = facts
     ).
@@ -174,14 +174,11 @@ next_object(Text, Entry, Place) :-
 object_of_line(String, Place, Entry) :-
     (   String == end_of_file
     ->  Entry = end_of_file
-    ;   catch(object(String, Dict), error(_, _), fail)
+    ;   json_value(String, Dict),
+        is_dict(Dict)
     ->  Entry = json(Dict)
     ;   entry_error(Place, json(String))
     ).
-
-object(String, Dict) :-
-    atom_json_dict(String, Dict, []),
-    is_dict(Dict).
 
 %   entry_error(Place, What), or of its Argument.
 
@@ -433,7 +430,9 @@ object_job(Dict, Place, Manifest, Checked, State, Job) :-
         ),
         (   string(Name0)
         ->  Name = Name0
-        ;   format(string(Name), '~w', [Name0])
+        ;   number(Name0)
+        ->  format(string(Name), '~w', [Name0])
+        ;   Name = Name0
         ),
         (   string(Verb0)
         ->  atom_string(Verb, Verb0)

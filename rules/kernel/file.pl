@@ -15,7 +15,8 @@ Foreign predicates; see kernel.pl.
 %   beginning, wherever the stream is), is too deep or too long: Fault is the
 %   first fault(What, Line, Column), What one of `depth`, `digits`, `name`
 %   and `fact`. Limits is limits(Depth, Blocks, Digits, Name, Fact, File).
-%   Kind is `facts`, `program` or `json`: see c_kernels/model/text_limits.h.
+%   Kind is `facts`, `program`, `json` or `lines`: see
+%   c_kernels/model/text_limits.h.
 
 /* - - - plain_facts_rows.c - - - */
 

@@ -2,6 +2,7 @@
           [ front/3                     % +Model, +Options, -Status
           ]).
 :- use_module('../environment', [environment/2]).
+:- use_module('../json_value', [json_value/2]).
 :- use_module('../model/model', [model_format/2, model_there/1]).
 :- use_module('../problem/problem_file', [problems_read/3]).
 :- use_module('../version', [version/1]).
@@ -20,7 +21,6 @@
                 visitors_ended/0, visitors_watched/1 ]).
 :- use_module(visitor_upload, [upload_taken/2, uploads/2]).
 :- use_module(protocol, [text_octets/2]).
-:- use_module(library(http/json), [json_read_dict/2]).
 :- use_module(library(lists), [member/2]).
 :- use_module(library(option), [option/2, option/3]).
 :- use_module(library(process), [process_create/3]).
@@ -521,11 +521,7 @@ request(Text, Front, Socket) :-
     ).
 
 json_dict(Text, Dict) :-
-    catch(setup_call_cleanup(
-              open_string(Text, In),
-              json_read_dict(In, Dict),
-              close(In)),
-          error(_, _), fail),
+    json_value(Text, Dict),
     is_dict(Dict).
 
 %   message(WebSocket, Message): text(Text), closed, or ended(Code, Why) when

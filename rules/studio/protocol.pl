@@ -4,8 +4,9 @@
             octets_text/2,              % +Octets, -Text
             text_octets/2               % +Text, -Octets
           ]).
+:- use_module('../json_value', [json_value/2]).
 :- use_module('../plain', [plain_json/2]).
-:- use_module(library(http/json), [json_read_dict/2, json_write_dict/3]).
+:- use_module(library(http/json), [json_write_dict/3]).
 :- use_module(library(lists), [member/2]).
 :- use_module(library(memfile),
               [ new_memory_file/1, free_memory_file/1, open_memory_file/4,
@@ -130,7 +131,7 @@ looked_through(Octets, Text) :-
     ).
 
 head_of(Text, Head) :-
-    (   catch(json_of(Text, Head0), error(_, _), fail)
+    (   json_value(Text, Head0)
     ->  true
     ;   frame_error(not_json)
     ),
@@ -138,15 +139,6 @@ head_of(Text, Head) :-
     ->  Head = Head0
     ;   frame_error(not_an_object)
     ).
-
-json_of(Text, Dict) :-
-    setup_call_cleanup(
-        open_string(Text, In),
-        ( json_read_dict(In, Dict),
-          read_string(In, _, Rest)
-        ),
-        close(In)),
-    split_string(Rest, "", " \t\r\n", [""]).
 
 no_character(Code) :-
     Code >= 0xd800,

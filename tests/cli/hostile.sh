@@ -74,6 +74,48 @@ check manifest.dict has 'V in _{a:1}'
 bounded batch "$work/h/long.set.pl" --list -o "$work/b"
 check manifest.limit has '--limits name=N'
 
+# Manifests of JSON: many lines, none of them deep, long or in halves.
+python3 - "$work" <<'P'
+import sys
+line = '{"job":%s,"verb":"check","files":["h/cube.pl"]%s}\n'
+def write(name, text):
+    open('%s/%s' % (sys.argv[1], name), 'w').write(text)
+write('many.jsonl', ''.join(line % ('"a%d"' % n, '') for n in range(3000)))
+write('depth.jsonl', line % ('[' * 300 + ']' * 300, ''))
+write('fact.jsonl', line % (' ' * 17000000 + '1', ''))
+write('name.jsonl', line % ('"' + 'a' * 70000 + '"', ''))
+write('half.jsonl', line.replace('check', '\\ud800') % ('"a"', ''))
+write('both.jsonl', line % ('"\\ud83d\\ude00x"', ''))
+write('dict.jsonl', line % ('{"b":1}', ''))
+P
+bounded batch "$work/many.jsonl" --list
+check json.many status_is 0
+check json.all is "$(wc -l <"$work/out")" 3000
+for limit in depth fact name; do
+  refused "json.$limit" "$limit" batch "$work/$limit.jsonl" --list
+done
+bounded batch "$work/both.jsonl" --list
+check json.both is "$(cat "$work/out")" "$(printf '\360\237\230\200x')"
+for name in half dict; do
+  bounded batch "$work/$name.jsonl" --list
+  check "json.$name" status_is 3
+  check "json.$name.words" no_prolog
+done
+
+# Reports of batches that no batch has written.
+deep=$(printf '[%.0s' $(seq 300))
+for rest in '"seconds":1,"files":[],"said":{}' \
+  '"seconds":[],"files":[],"said":[]' \
+  '"seconds":1,"files":[7],"said":[]' "\"seconds\":$deep"; do
+  printf '%s%s}\n' '{"job":"a","number":1,"outcome":"done",' "$rest" \
+    >"$work/report.jsonl"
+  bounded batch --merge "$work/report.jsonl" -o "$work/merged.xml"
+  check "merge.${rest:0:40}" status_is 3
+  check "merge.${rest:0:40}.words" no_prolog
+done
+bounded batch --merge /dev/null -o "$work/merged.json"
+check merge.device status_is 3
+
 # What is no text in the environment counts as nothing.
 for name in LC_ALL LANG XDG_STATE_HOME SLURM_ARRAY_TASK_ID; do
   env "$name"=$'\xed\xa0\x80' "$sanggwan" batch facts/batch.pl --list \

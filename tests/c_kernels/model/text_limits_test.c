@@ -62,6 +62,17 @@ test_json(void)
   CHECK("one may be long",
         fed(json, "[1,2,3,4,5,6,7,8,9,0,1,2,3,4,5,6,7,8,9,0,1,2,3,4,5,6,7,8,9]",
             9, 7) == SG_TEXT_GOOD);
+  CHECK("each of several may be long",
+        fed(SG_TEXT_LINES,
+            "{\"a\": [1, 2, 3, 4, 5, 6]}\n{\"b\": [1, 2, 3, 4, 5, 6]}\n[]\n"
+            "{\"c\": [1, 2, 3, 4, 5, 6]}\n{\"d\": [1, 2, 3, 4, 5, 6]}",
+            9, 12) == SG_TEXT_GOOD);
+  CHECK("but none too long",
+        fed(SG_TEXT_LINES,
+            "{\"a\": 1}\n"
+            "[1, 2, 3, 4, 5, 6, 1, 2, 3, 4, 5, 6, 1, 2, 3, 4, 5, 6, 1, 2, 3]",
+            9, 12) == SG_TEXT_FACT);
+  CHECK("several are no deeper", depth(SG_TEXT_LINES, "{}[]{}[[]]{}{}") == 2);
   CHECK("digits", fed(json, "[12345678901]", 9, 5) == SG_TEXT_DIGITS);
   CHECK("a text", fed(json, "[\"abcdefghijklm\"]", 9, 5) == SG_TEXT_NAME);
 }
