@@ -21,19 +21,6 @@ sg_regions_asked(sg_regions_maker *m)
   return m->end != SG_REGIONS_STOPPED;
 }
 
-/* What turning and moving rounds, or the source. */
-static double
-touch_of(const sg_dense *d)
-{
-  sg_flatness model;
-
-  sg_flatness_init(&model, d->segments > 0 && d->grain ? d->grain[0] : 0);
-  for (size_t v = 0; v < d->vertices; v++) {
-    sg_flatness_see(&model, d->at[v]);
-  }
-  return sg_flatness_touch(&model);
-}
-
 static void
 clear_maker(sg_regions_maker *m)
 {
@@ -67,13 +54,16 @@ sg_regions_make(const sg_dense *dense, const sg_point_loop *point_loop,
                 size_t n, const sg_zones_told *told, const sg_cancel *cancel,
                 sg_regions *out, size_t *bad)
 {
-  sg_regions_maker m = {.d = dense,
-                        .point_loop = point_loop,
-                        .point_loops = n,
-                        .told = told,
-                        .cancel = cancel,
-                        .near = touch_of(dense),
-                        .out = out};
+  sg_regions_maker m = {
+      .d = dense,
+      .point_loop = point_loop,
+      .point_loops = n,
+      .told = told,
+      .cancel = cancel,
+      .near = sg_flatness_touch_of(
+          (const double(*)[3])dense->at, dense->vertices,
+          dense->segments > 0 && dense->grain ? dense->grain[0] : 0),
+      .out = out};
   uint32_t outside = SG_NOWHERE;
 
   *out = (sg_regions){0};

@@ -80,6 +80,18 @@ sg_flatness_touch(const sg_flatness *model)
 }
 
 double
+sg_flatness_touch_of(const double (*at)[3], size_t n, double grain)
+{
+  sg_flatness model;
+
+  sg_flatness_init(&model, grain);
+  for (size_t i = 0; i < n; i++) {
+    sg_flatness_see(&model, at[i]);
+  }
+  return sg_flatness_touch(&model);
+}
+
+double
 sg_flatness_flat(const sg_flatness *model)
 {
   return fmax(

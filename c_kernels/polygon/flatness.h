@@ -30,6 +30,9 @@ void sg_flatness_page(sg_flatness *model, const sg_view *v, size_t page);
 /* What is nearer is in one place, model units. */
 double sg_flatness_touch(const sg_flatness *model);
 
+/* The same of n places from a source of this grain. */
+double sg_flatness_touch_of(const double (*at)[3], size_t n, double grain);
+
 /* A polygon whose vertices are no farther off its plane is one face: 2^-33 of
  * the model's size, or two grains. This moves nothing. */
 double sg_flatness_flat(const sg_flatness *model);

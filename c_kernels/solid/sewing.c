@@ -4,10 +4,13 @@
 #include "engine/search.h"
 #include "join/cut.h"
 #include "number/exact.h"
+#include "number/vector.h"
+#include "polygon/flatness.h"
 #include "rows/edge_print.h"
 #include "rows/places.h"
 #include "rows/sort.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -28,6 +31,7 @@ typedef struct sewer {
   uint32_t *triangle; /* by polygon */
   uint64_t *key;      /* [polygons], ascending: print_of(), then the polygon */
   part *part[2];      /* room for those of any polygon */
+  double near;        /* what a corner may be off the plane of a flat polygon */
 } sewer;
 
 /* ---- vertices ---- */
@@ -181,7 +185,24 @@ have_same(const sewer *s, uint32_t p, uint32_t q, part_at *at, size_t n,
   return memcmp(s->part[0], s->part[1], n * sizeof(part)) == 0;
 }
 
-/* Exactly in one plane: then it is the same however it is divided. */
+/* Whether x is off the plane of a triangle that has an area. */
+static bool
+is_off(const sewer *s, const double at[3][3], const double *x)
+{
+  double u[3], w[3], normal[3], from[3];
+
+  if (sg_orient3d(at[0], at[1], at[2], x) == 0) {
+    return false;
+  }
+  sg_minus(at[1], at[0], u);
+  sg_minus(at[2], at[0], w);
+  sg_cross(u, w, normal);
+  sg_minus(x, at[0], from);
+  return fabs(sg_dot(normal, from)) > s->near * sg_any_length(normal) ||
+         s->near == 0;
+}
+
+/* In one plane: then it is the same however it is divided. */
 static bool
 is_flat(const sewer *s, uint32_t p)
 {
@@ -200,7 +221,7 @@ is_flat(const sewer *s, uint32_t p)
   }
   for (size_t i = 3 * first; i < 3 * end; i++) {
     const double *x = d->at[d->corner[s->triangle[i / 3]][i % 3]];
-    if (sg_orient3d(at[0], at[1], at[2], x) != 0) {
+    if (is_off(s, (const double(*)[3])at, x)) {
       return false;
     }
   }
@@ -297,7 +318,15 @@ bool
 sg_sewing_find(const sg_dense *dense, bool doubles, const sg_cancel *cancel,
                sg_sewing *out)
 {
-  sewer s = {.d = dense, .out = out};
+  sewer s = {
+      .d = dense,
+      .out = out,
+      .near =
+          doubles
+              ? sg_flatness_touch_of(
+                    (const double(*)[3])dense->at, dense->vertices,
+                    dense->segments > 0 && dense->grain ? dense->grain[0] : 0)
+              : 0};
 
   *out = (sg_sewing){0};
   bool good = sg_dense_by_polygon(s.d, &s.begin, &s.triangle) &&

@@ -10,7 +10,8 @@
  * Polygons are the same if their edges are, and their triangles, or they are
  * flat.
  *
- * Exact, and the same for any order of rows.
+ * Exact, and the same for any order of rows; but where doubles are asked for,
+ * what is flat within rounding (polygon/flatness.h) is flat.
  */
 #ifndef SG_SEWING_H
 #define SG_SEWING_H

@@ -470,8 +470,8 @@ notice_en(glue_apart(S)) -->
 notice_en(glue_overlaps(S, N)) -->
     [ 'segment ~d: regions inside several operands: ~D more'-[S, N] ].
 notice_en(glue_surface(S, R, S0)) -->
-    [ 'segment ~d: operand ~d is a surface that encloses region ~d, so that is \c
-       a void'-[S, S0, R], nl,
+    [ 'segment ~d: operand ~d is a surface that encloses region ~d, so that \c
+       is a void'-[S, S0, R], nl,
       '  If it is meant to be a solid, give --repair.' ].
 notice_en(glue_surfaces(S, N)) -->
     [ 'segment ~d: regions that a surface encloses: ~D more'-[S, N] ].
