@@ -99,6 +99,7 @@ same_torus(const merging *m, const sg_shading_torus *a,
   }
   double thin = 1.0 - a->form[0][9]; /* k^2 */
   return off * a->size <= m->tolerance * thin &&
+         fabs(a->size - b->size) <= m->tolerance * thin &&
          sg_distance(a->at, b->at) <= m->tolerance;
 }
 

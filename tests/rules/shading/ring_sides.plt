@@ -113,4 +113,18 @@ extent([First|Spans], Width) :-
     Last = span(_,X2,_,_,_),
     Width is X2-X1.
 
+% Two tori about one centre, one the other one enlarged, are two.
+test(enlarged, true(abs(Area - 4*pi*2*0.5) < 0.003)) :-
+    Text = "segment(1, solid, difference([torus(radius(2),tube(0.5)),
+                at([scale(2,2,2)], torus(radius(2),tube(0.5)))])).
+            view(300, 0, 0).",
+    in_model(Text,
+             ( shaded_scene_of([size(90-90),window(b(-4.5,-4.5,4.5,4.5))],
+                               Scene),
+               aggregate_all(sum(X2-X1),
+                             ( line(Scene, 360, 0, 360, _, Spans),
+                               member(span(X1,X2,_,_,_), Spans) ),
+                             Sum) )),
+    Area is Sum/256/4/100.
+
 :- end_tests(ring_sides).
