@@ -159,7 +159,7 @@ on_border(Borders, G) :-
 
 %   shortest_seam(Pieces, Borders, Seam): in the middle of a flat side, if there
 %   is one that no hole interrupts there; of equal ones that which is farthest
-%   from all holes, and of these that with the smallest direction.
+%   from all holes, and of these the one with the smallest direction.
 
 shortest_seam(Pieces, Borders, Seam) :-
     seam_candidates(Pieces, flat, Borders, Flat),
@@ -175,8 +175,8 @@ shortest_seam(Pieces, Borders, Seam) :-
     findall(G, ( member(Piece, Pieces), hole_direction(Piece, G) ), Holes),
     farthest_from(Holes, Shortest, Seam).
 
-%   seam_candidates(Pieces, Which, Borders, Candidates): length(Spans, Length)-G,
-%   by the direction G.
+%   seam_candidates(Pieces, Which, Borders, Candidates): by direction,
+%   length(Spans, Length)-G.
 
 seam_candidates(Pieces, Which, Borders, Candidates) :-
     findall(length(Spans,Length)-G,

@@ -6,21 +6,24 @@
 :- use_module('../csg/placed_surface',
               [kept_answer/4, placed_face/3, placed_polygon/4]).
 :- use_module('../kernel', [surface_place/4, surfaces_meet/4]).
-:- use_module('../near', [is_rounding/2, same_angle/2, whole_turns/2]).
+:- use_module('../near',
+              [is_rounding/2, same_angle/2, same_direction/2, whole_turns/2]).
 :- use_module('../store',
               [e/5, from_p/5, origin/3, p/3, v/5, facts_transaction/1]).
 :- use_module(sphere_facet, [round_sphere/3, sphere_cut/2]).
 :- use_module(true_join, [facets_joined/2]).
 :- use_module(true_pattern, [pattern_written/3]).
 :- use_module(true_plate, [plate_layer/2]).
+:- use_module(true_seam, [farthest_from/3, shortest_generators/2]).
 :- use_module(true_surface,
               [generator_plane/3, level_plane/3, meeting_surfaces/4]).
+:- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply),
               [foldl/4, foldl/5, foldl/6, maplist/3, maplist/4]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- use_module(library(lists),
               [append/2, max_list/2, member/2, min_list/2, sum_list/2]).
-:- use_module(library(option), [option/3]).
+:- use_module(library(option), [option/2, option/3]).
 :- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> Spheres in gores and zones.
 
@@ -39,7 +42,7 @@ L farther out it is R + L/cos(half the latitude of a zone).
 
 A place is place(T, S), degrees, of the sphere that was made for it
 (sphere_facet.pl): T from the seam. A *patch* is one gore or zone: gore(I) or
-zone(S1, S2).
+zone(S1, S2, G).
 
 Source: ours; the gore is the sinusoidal projection of geographers.
 */
@@ -104,7 +107,8 @@ sphere_development(T, Part, Options, D) :-
             Facets0),
     sort(Facets0, Facets),
     meetings(T, Leaf, Facets, Meets),
-    patches(Facets, Cut, Patches),
+    patches(Facets, Cut, Patches0),
+    maplist(patch_opened(T, Surface, Options), Patches0, Patches),
     lowest(Leaf, Low),
     maplist(patch_laid(T, sphere(Surface, Layer, Low), Meets), Patches,
             Facetss, Pointss),
@@ -140,7 +144,77 @@ patches(Facets, Cut, Patches) :-
 facet_patch(gores(N), facet(_, T1-T2, _, _), gore(I, Step)) :-
     Step is 360.0/N,
     I is floor((T1+T2)/2.0/Step).
-facet_patch(zones(_), facet(_, _, S1-S2, _), zone(S1, S2)).
+facet_patch(zones(_), facet(_, _, S1-S2, _), zone(S1, S2, 0.0)).
+
+%   patch_opened(T, Surface, Options, Patch0, Patch): if nobody says where, a
+%   zone is cut open at the longitude G that no hole interrupts and is farthest
+%   from all. It is then zone(S1, S2, G), and its facets begin there.
+
+patch_opened(T, Surface, Options, zone(S1,S2,_)-Facets0,
+             zone(S1,S2,G)-Facets) :-
+    \+ option(seam(_), Options),
+    zone_vertices(T, Surface, Facets0, Vertices),
+    findall(Degrees,
+            ( member(at(_,Degrees,S), Vertices),
+              \+ same_angle(S, S1),
+              \+ same_angle(S, S2) ),
+            Holes),
+    Holes = [_|_],
+    !,
+    findall(length(1,Length)-T1,
+            ( member(facet(_, T1-_, _, _), Facets0),
+              meridian_left(T, Facets0, Vertices, T1, S2-S1, Length) ),
+            Candidates0),
+    sort(2, @<, Candidates0, Candidates),
+    shortest_generators(Candidates, Gs),
+    farthest_from(Holes, Gs, G),
+    maplist(facet_after(G), Facets0, Facets).
+patch_opened(_, _, _, Patch, Patch).
+
+%   zone_vertices(T, Surface, Facets, Vertices): at(V, Degrees, S).
+
+zone_vertices(T, Surface, Facets, Vertices) :-
+    findall(at(V,Degrees,S),
+            ( member(facet(_, _, _, Es), Facets),
+              member(E, Es),
+              e(T, E, V, _, _),
+              v(T, V, X, Y, Z),
+              sphere_place(Surface, point(X,Y,Z), Degrees, S) ),
+            Vertices0),
+    sort(Vertices0, Vertices).
+
+%   meridian_left(T, Facets, Vertices, Degrees, Whole, Lost): how much is cut
+%   out of the meridian that facets of a zone, Whole high, begin at.
+
+meridian_left(T, Facets, Vertices, Degrees, High-Low, Lost) :-
+    findall(S, ( member(at(_,D,S), Vertices), same_direction(D, Degrees) ),
+            Ss),
+    aggregate_all(sum(Part),
+                  ( member(facet(_, T1-_, _, Es), Facets),
+                    same_direction(T1, Degrees),
+                    member(E, Es),
+                    e(T, E, A, B, _),
+                    on_meridian(Vertices, Degrees, A, S1),
+                    on_meridian(Vertices, Degrees, B, S2),
+                    Part is abs(S2-S1) ),
+                  Left),
+    Ss = [_|_],
+    Lost is High-Low-Left.
+
+on_meridian(Vertices, Degrees, V, S) :-
+    memberchk(at(V,D,S), Vertices),
+    (   same_direction(D, Degrees)
+    ->  true
+    ;   same_angle(abs(S), 90.0)        % a pole
+    ).
+
+facet_after(G, facet(P,T1-T2,Ss,Es), Facet) :-
+    (   (T1+T2)/2.0 < G
+    ->  U1 is T1+360.0,
+        U2 is T2+360.0,
+        Facet = facet(P,U1-U2,Ss,Es)
+    ;   Facet = facet(P,T1-T2,Ss,Es)
+    ).
 
 
                 /*******************************
@@ -164,9 +238,9 @@ patch_laid(T, sphere(Surface, Layer, Low), Meets, Patch-Facets0, Laid,
     seen_from_outside(Facets, Points0, Points).
 
 %   Roll is how a patch is laid: gore(Surface, R-Low, Middle-Half), x from the
-%   latitude Low; or cone(Surface,
-%   Flip, R1-R2, Length), Surface the cone through its circles, its radii there
-%   and how far apart they are; Flip says that h = 0 is the upper one.
+%   latitude Low; or cone(Surface, Flip, R1-R2, Length, G), Surface the cone
+%   through its circles, its radii there and how far apart they are, G where it
+%   is cut open; Flip says that h = 0 is the upper one.
 
 patch_roll(gore(I, Step), Surface, Layer-Low,
            gore(Surface, R-Low, Middle-Half)) :-
@@ -174,7 +248,8 @@ patch_roll(gore(I, Step), Surface, Layer-Low,
     R is R0+Layer,
     Half is Step/2.0,
     Middle is (I+0.5)*Step.
-patch_roll(zone(S1, S2), Surface, Layer-_, cone(Cone, Flip, R1-R2, Length)) :-
+patch_roll(zone(S1, S2, G), Surface, Layer-_,
+           cone(Cone, Flip, R1-R2, Length, G)) :-
     sphere_radius(Surface, R0),
     Angle is (S2-S1)*pi/360.0,
     R is R0 + Layer/cos(Angle),
@@ -243,7 +318,7 @@ half_keyed(T, Patch, Roll, Meets, Between, E, half(K1, K2, edge(E)),
 
 vertex_key(T, gore(I, _), Roll, Meets, _, V, k(V, I), place(Degrees, S)) :-
     gore_place(T, Roll, Meets, V, Degrees, S).
-vertex_key(T, zone(S1, S2), Roll, Meets, (T1-T2)-_, V, k(V, S1/Turn),
+vertex_key(T, zone(S1, S2, _), Roll, Meets, (T1-T2)-_, V, k(V, S1/Turn),
            place(Degrees, H)) :-
     zone_place(T, Roll, S1-S2, Meets, V, Degrees0, H),
     (   Degrees0 == any
@@ -304,7 +379,7 @@ along(vector(A,B,C), vector(D,E,F), Along) :-
 %   zone_place(T, Roll, S1-S2, Meets, V, Degrees, H): on the cone, H from 0 at
 %   the lower parallel to 1; Degrees is `any` at a pole.
 
-zone_place(T, cone(Cone, Flip, _, _), S1-S2, Meets, V, Degrees, H) :-
+zone_place(T, cone(Cone, Flip, _, _, _), S1-S2, Meets, V, Degrees, H) :-
     v(T, V, X, Y, Z),
     surface_place(Cone, point(X,Y,Z), Degrees0, H0),
     (   Cone = cone(_, _, _, _, K),
@@ -353,14 +428,14 @@ rolled(gore(_, R-Low, _), place(Degrees, S), X-Y) :-
     X is R*(S-Low)*pi/180.0,
     level_radius(S, Part),
     Y is -R*Degrees*pi/180.0*Part.
-rolled(cone(_, _, R1-R2, Length), place(Degrees, H), X-Y) :-
+rolled(cone(_, _, R1-R2, Length, G), place(Degrees, H), X-Y) :-
     Off is R2-R1,
     Up is H*Length,
     (   is_rounding(Off, max(R1, R2))
     ->  X is R1*Degrees*pi/180.0,
         Y = Up
     ;   Far is abs(R1 + H*Off)*Length/abs(Off),
-        Angle is (Degrees-180.0)*pi/180.0*abs(Off)/Length,
+        Angle is (Degrees-180.0-G)*pi/180.0*abs(Off)/Length,
         X is Far*sin(Angle),
         (   Off < 0.0
         ->  Y is -Far*cos(Angle)

@@ -91,6 +91,26 @@ hemisphere_corner(X-Off) :-
 hemisphere_corner(Corner) :-
     corner_right(30, 6, 0, Corner).
 
+%   Zones are cut open beside holes: wherever the pipe is, all of the seam of
+%   its zone is left; unless somebody says where.
+
+zone_seam(Turn, Options, Length) :-
+    patterns([ sphere(radius(50), facets(20), bands(10)),
+               at([rotate(y,90),rotate(z,Turn)],
+                  cylinder(radius(10), height(90))) ],
+             [zones(5),trim(outside)|Options], [D],
+             aggregate_all(sum(L),
+                           ( joint(D, _, E, _, seam, _),
+                             edge_length(D, E, L) ),
+                           Length)).
+
+test(zone_beside_a_hole, [forall(member(Turn, [0,45,90,200]))]) :-
+    zone_seam(Turn, [], Length),
+    zone_seam(90, [seam(0)], Whole),
+    zone_seam(0, [seam(0)], Cut),
+    assertion(abs(Length-Whole) < 0.01),
+    assertion(Whole-Cut > 19.0).
+
 %   The neutral layer: of 4 inside 50, it is 48 (drawn by the outside), and K
 %   moves it.
 
