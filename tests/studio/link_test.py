@@ -137,13 +137,12 @@ def kept_scale():
     browser.script("studio.ports.refresh()")
     browser.wait(DRAWN)
     before = browser.script("return (() => {%s})()" % where)
-    page.ask("edit", set={"segment": 3, "path": [2, 2, 1], "value": 9})
-    browser.wait("studio.ports.ports[2].element.dataset.rev == studio.rev && "
-                 + DRAWN)
+    revision = page.ask("edit", set={"segment": 3, "path": [2, 2, 1],
+                                     "value": 9})[0]["rev"]
+    check(language + ": of the model of now", browser.wait(
+        "Number(studio.ports.ports[2].element.dataset.rev) === arguments[0] && "
+        "studio.ports.ports[2].note.hidden && " + DRAWN, revision))
     after = browser.script("return (() => {%s})()" % where)
-    check(language + ": of the model of now", browser.script(
-        "const { note, element } = studio.ports.ports[2]; "
-        "return note.hidden && Number(element.dataset.rev) === studio.rev"))
     check(language + ": the scale is kept", max(
         abs(a - b) for a, b in zip(before, after)) < 0.6, (before, after))
     browser.script("studio.ports.ports[2].canvas.focus()")
