@@ -412,19 +412,31 @@ name_of(Head, Name) :-
     ;   request_error(bad_key(file, file))
     ).
 
-%   options_allowed(Options): none reads or writes a file.
+%   options_allowed(Options): none reads or writes a file, and each word that is
+%   no option is the value of the one before it: else it would be a model.
 
 options_allowed(Options) :-
     (   is_list(Options),
-        forall(member(Option, Options), option_allowed(Option))
+        forall(member(Option, Options), option_allowed(Option)),
+        \+ ( append(Before, [Word|_], Options),
+             \+ is_option(Word),
+             \+ ( append(_, [Option], Before), awaits_value(Option) ) )
     ->  true
     ;   request_error(bad_key(options, offered))
     ).
 
+is_option(Word) :-
+    string_concat("-", _, Word),
+    \+ number_string(_, Word).
+
+awaits_value(Option) :-
+    is_option(Option),
+    \+ sub_string(Option, _, _, _, "="),
+    \+ memberchk(Option, ["--json","--no-frame"]).
+
 option_allowed(Option) :-
     string(Option),
-    (   string_concat("-", _, Option),
-        \+ number_string(_, Option)
+    (   is_option(Option)
     ->  split_string(Option, "=", "", [Name|Value]),
         offered(Names),
         memberchk(Name, Names),
@@ -432,9 +444,11 @@ option_allowed(Option) :-
     ;   word_allowed(Option)
     ).
 
-%   word_allowed(Word): the value of an option. A folder has no place in one.
+%   word_allowed(Word): the value of an option. A folder has no place in one, nor
+%   has the name of a model.
 
 word_allowed(Word) :-
+    \+ model_format(Word, _),
     \+ sub_string(Word, _, _, _, "/"),
     \+ sub_string(Word, _, _, _, "\u0000").
 

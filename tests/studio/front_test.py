@@ -293,7 +293,10 @@ for name in ("../secret.pl", "link.pl", "up/secret.pl", "/etc/passwd",
           answer[0])
 check("the secret file is as it was",
       open(os.path.join(folder, "secret.pl")).read() == MODEL)
-for argv in (["draw", "-o", "x.svg"], ["draw", "--rules=x.pl"],
+for argv in (["draw", "link.pl"], ["draw", "tee.pl"],
+             ["draw", "--json", "tee"], ["draw", "--view", "front", "tee.pl"],
+             ["draw", "--view=front", "front"], ["draw", "--view", "tee.pl"],
+             ["draw", "-o", "x.svg"], ["draw", "--rules=x.pl"],
              ["query", "halt"], ["draw", "--style", "x.pl"],
              ["draw", "--output=x.svg"], ["repl"], ["serve"], ["draw", "--"],
              ["draw", "../secret.pl"], ["draw", "-ox.svg"], ["run"], [], "x",
