@@ -444,8 +444,8 @@ option_allowed(Option) :-
     ;   word_allowed(Option)
     ).
 
-%   word_allowed(Word): the value of an option. A folder has no place in one, nor
-%   has the name of a model.
+%   word_allowed(Word): the value of an option. A folder has no place in one,
+%   nor has the name of a model.
 
 word_allowed(Word) :-
     \+ model_format(Word, _),
