@@ -12,6 +12,10 @@
 :- use_module('../spelling', [near_words/3]).
 :- use_module(model_text, [model_float/2, place_error/2, place_error/3]).
 :- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
+:- use_module(library(assoc),
+              [ assoc_to_keys/2, empty_assoc/1, gen_assoc/3, get_assoc/3,
+                list_to_assoc/2, put_assoc/4
+              ]).
 :- use_module(library(error), [must_be/2, type_error/2]).
 :- use_module(library(lists), [append/3, list_to_set/2, member/2, reverse/2]).
 :- use_module(library(option), [option/3]).
@@ -191,14 +195,24 @@ settings_met(Settings, Names) :-
 file_parameters(Items0, Settings, Parameters) :-
     named_once(Items0),
     maplist(set_item(Settings), Items0, Items),
-    foldl(parameter_known([], Items), Items, [], Known),
+    maplist(named_item, Items, Pairs),
+    list_to_assoc(Pairs, Index),
+    empty_assoc(None),
+    foldl(parameter_known([], Index), Items, known([], None),
+          known(Known, _)),
     reverse(Known, Parameters).
 
+named_item(Item, Name-Item) :-
+    Item = given(Name, _, _).
+
 named_once(Items) :-
-    (   append(_, [given(Name, _, _)|Rest], Items),
-        member(given(Name, _, Place), Rest)
+    empty_assoc(None),
+    foldl(new_name, Items, None, _).
+
+new_name(given(Name, _, Place), Seen0, Seen) :-
+    (   get_assoc(Name, Seen0, _)
     ->  place_error(Place, twice(param, [Name]))
-    ;   true
+    ;   put_assoc(Name, Seen0, true, Seen)
     ).
 
 set_item(Settings, given(Name, Written0, Place),
@@ -208,40 +222,51 @@ set_item(Settings, given(Name, Written0, Place),
     ;   Written = Written0
     ).
 
-%   parameter_known(Path, Items, Item, Known0, Known): Known has Item, and what
-%   its formula needs. Path are the names that wait for it, the nearest first.
+%   parameter_known(Path, Index, Item, Known0, Known): Known has Item, and what
+%   its formula needs: known(Parameters, Values), the last one first, and values
+%   by names. Index has Items by names. Path are the names that wait for Item,
+%   the nearest first.
 
 parameter_known(_, _, given(Name, _, _), Known, Known) :-
-    memberchk(parameter(Name, _, _), Known),
+    arg(2, Known, Values),
+    get_assoc(Name, Values, _),
     !.
 parameter_known(Path, _, given(Name, _, Place), _, _) :-
+    memberchk(Name, Path),
     append(Before, [Name|_], Path),
     !,
     reverse([Name|Before], Round),
     place_error(Place, 2, parameter(cycle([Name|Round]))).
-parameter_known(Path, Items, given(Name, Written, Place), Known0, Known) :-
+parameter_known(Path, Index, given(Name, Written, Place), Known0,
+                known([parameter(Name, Written, Value)|Parameters], Values)) :-
     (   has_formula(Written)
     ->  findall(Item,
                 ( formula_parameter(Written, Other),
-                  Item = given(Other, _, _),
-                  memberchk(Item, Items) ),
+                  get_assoc(Other, Index, Item) ),
                 Needed),
-        none_unknown(Written, Items, Place),
-        foldl(parameter_known([Name|Path], Items), Needed, Known0, Known1),
-        catch(formula_value(Written, parameter_value(Known1), Value),
+        none_unknown(Written, Index, Place),
+        foldl(parameter_known([Name|Path], Index), Needed, Known0,
+              known(Parameters, Values0)),
+        catch(formula_value(Written, value_in(Values0), Value),
               error(model_error(What), _), place_error(Place, 2, What))
     ;   Value = Written,
-        Known1 = Known0
+        Known0 = known(Parameters, Values0)
     ),
-    Known = [parameter(Name, Written, Value)|Known1].
+    put_assoc(Name, Values0, Value, Values).
 
-%   none_unknown(Written, Items, Place): all of Items may be meant, not only
+value_in(Values, Name, Value) :-
+    (   atom(Name)
+    ->  get_assoc(Name, Values, Value)
+    ;   gen_assoc(Name, Values, Value)
+    ).
+
+%   none_unknown(Written, Index, Place): all of Index may be meant, not only
 %   those that are known by now.
 
-none_unknown(Written, Items, Place) :-
+none_unknown(Written, Index, Place) :-
     (   formula_parameter(Written, Name),
-        \+ memberchk(given(Name, _, _), Items)
-    ->  findall(Other, member(given(Other, _, _), Items), Others),
+        \+ get_assoc(Name, Index, _)
+    ->  assoc_to_keys(Index, Others),
         near_words(Name, Others, Near),
         place_error(Place, 2, formula(unknown(Name, Near), Written))
     ;   true

@@ -534,3 +534,50 @@ test(set_later, Warnings == [range(a, 0, 1, none)]) :-
     warned(Text, [], set_parameter(a, 0), Warnings).
 
 :- end_tests(parameter_warnings).
+
+% How the work grows with the number of parameters is counted, not timed: each
+% one is plain, or is of the one before it, or of the one after it.
+:- begin_tests(parameter_growth).
+
+test(growth, [ forall(member(Kind, [plain,before,after])), true(N < 5.5) ]) :-
+    steps_for(Kind, 500, N1),
+    steps_for(Kind, 2000, N2),
+    N is N2/N1.
+
+steps_for(Kind, Count, N) :-
+    findall(given(Name, Written, none),
+            ( between(1, Count, I),
+              atom_concat(p, I, Name),
+              written(Kind, I, Count, Written) ),
+            Items),
+    statistics(inferences, N0),
+    file_parameters(Items, [], Parameters),
+    statistics(inferences, N1),
+    N is N1-N0,
+    length(Parameters, Count),
+    last_value(Kind, Count, Name, Value),
+    parameter_value(Parameters, Name, Value).
+
+written(plain, I, _, I).
+written(before, I, _, Written) :-
+    I0 is I-1,
+    (   I =:= 1
+    ->  Written = 1
+    ;   atom_concat(p, I0, Name),
+        Written = param(Name)+1
+    ).
+written(after, I, Count, Written) :-
+    Backwards is Count+1-I,
+    Next is I+1,
+    (   Backwards =:= 1
+    ->  Written = 1
+    ;   atom_concat(p, Next, Name),
+        Written = param(Name)+1
+    ).
+
+last_value(after, Count, p1, Count) :-
+    !.
+last_value(_, Count, Name, Count) :-
+    atom_concat(p, Count, Name).
+
+:- end_tests(parameter_growth).
