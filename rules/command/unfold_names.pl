@@ -7,7 +7,7 @@
           ]).
 :- use_module('../limits', [term_of_text/3]).
 :- use_module('../model/model_text',
-              [next_fact/3, place_error/3]).
+              [next_fact/3, place_location/3]).
 :- use_module('../text_file', [with_text/4]).
 :- use_module('../store', [unfolding/2]).
 :- use_module('../unfolding/unfold_how', [how_wished_of_any/2]).
@@ -111,12 +111,12 @@ named_as_written(Name=Name).
 %   that says Wish of segment S.
 
 in_file(Files, S, Wish, What, Location) :-
-    Error = unfold(S, Wish, What),
     (   var(Location),
         wish_place(Files, S, Wish, Place)
-    ->  place_error(Place, 2, Error)
-    ;   throw(error(model_error(Error), Location))
-    ).
+    ->  place_location(Place, 2, Location)
+    ;   true
+    ),
+    throw(error(model_error(unfold(S, Wish, What)), Location)).
 
 %   wish_place(Files, S, Wish, Place): of the last fact that says so of S; or of
 %   any segment, for those of a second file have numbers of their own there.

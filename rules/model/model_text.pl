@@ -220,7 +220,8 @@ at_real_end(Stream, Place) :-
 %!  place_error(+Place, +Argument, +What).
 %
 %   Raise model_error(What) at the start of the fact, or at its Argument,
-%   counted from 1. A Place `none` is no place.
+%   counted from 1. A Place `none` is no place. What quotes the text, which may
+%   be long: cut_term/2 leaves the beginning of its lists.
 
 place_error(Place, What0) :-
     cut_term(What0, What),
