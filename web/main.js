@@ -296,9 +296,10 @@ class Studio {
     }
     if (on === (port.kind === "taught")) return;
     const { activeElement } = document;
-    if (on) this.own = port.kind;
-    port.turnTo(on ? "taught" : this.own);
-    if (port.element.classList.contains("alone") !== on) this.ports.enlarge(port);
+    if (on) this.own = [port.kind, this.ports.one];
+    const [kind, one] = this.own;
+    port.turnTo(on ? "taught" : kind);
+    this.ports.only(on ? port : one);
     if (on) {
       this.paneTo("ports");
       say(w("taught"));
@@ -323,6 +324,7 @@ class Studio {
     if (file !== this.file) this.forget();
     this.file = file;
     document.body.classList.remove("bare");
+    this.ports.fitted();
     $("file").textContent = file;
     document.title = `${file} · ${w("title")}`;
     try {

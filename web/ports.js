@@ -9,6 +9,8 @@ import { Lost, textOf } from "./wire.js";
 const PICTORIAL = [315, 54.735610317245346];
 const USUAL = { projection: "parallel", up: "z", lines: "feature" };
 const TOO_SMALL = "usage_error.sheet";
+// Where there is room for one port at a time.
+const PHONE = "(max-width: 520px), (max-height: 480px)";
 const SLOW = 40;          // ms: exact pictures that take longer do not turn well
 
 class Port {
@@ -34,8 +36,11 @@ class Port {
       onclick: () => studio.ports.showAll(this) });
     this.large = h("button", { class: "large", "aria-pressed": "false", "data-label": "larger",
       onclick: () => studio.ports.enlarge(this) }, "⤢");
+    this.count = h("span", { class: "remark" });
+    const step = (word, by, sign) => h("button", { class: "large", "data-label": word, onclick: () => studio.ports.next(by) }, sign);
+    const steps = h("span", { class: "steps" }, step("previous_port", -1, "‹"), this.count, step("next_port", 1, "›"));
     this.element = h("figure", { class: "port" },
-      h("figcaption", {}, this.choice, this.tools, this.more, this.remark, this.showing, this.large), this.canvas, this.note);
+      h("figcaption", {}, this.choice, this.tools, this.more, this.remark, this.showing, steps, this.large), this.canvas, this.note);
     this.kind = KINDS.includes(kind) ? kind : "iso";
     this.choice.value = this.kind;
     this.tooled();
@@ -533,7 +538,8 @@ export class Ports {
     this.ports = kinds.map((kind, i) => new Port(this.studio, kind, i));
     this.element.replaceChildren(...this.ports.map((port) => port.element));
     this.element.dataset.count = this.ports.length;
-    this.element.classList.remove("one");
+    for (const [i, port] of this.ports.entries()) port.count.textContent = `${i + 1}/${kinds.length}`;
+    this.only(null);
     reworded(this.element);
   }
 
@@ -542,6 +548,7 @@ export class Ports {
     const kinds = [...new Set([...this.ports.map((port) => port.kind), ...KINDS])];
     if (this.shown) this.showAll(this.shown);
     this.make(kinds.slice(0, count));
+    this.fitted();
     this.kept();
     this.refresh();
   }
@@ -567,15 +574,25 @@ export class Ports {
     }
   }
 
-  // One port alone, as large as all.
-  enlarge(port) {
-    const alone = port.element.classList.toggle("alone");
-    this.element.classList.toggle("one", alone);
+  // One port alone, as large as all; none: all of them.
+  only(port) {
+    this.one = port;
+    this.element.classList.toggle("one", Boolean(port));
     for (const other of this.ports) {
-      if (other !== port) other.element.classList.remove("alone");
-      other.large.setAttribute("aria-pressed", String(other === port && alone));
+      other.element.classList.toggle("alone", other === port);
+      other.large.setAttribute("aria-pressed", String(other === port));
     }
+  }
+
+  enlarge(port) {
+    this.only(port === this.one ? null : port);
+    localStorage.setItem("shows", this.one ? "one" : "all");
     port.canvas.focus();
+  }
+
+  // A phone shows one port, unless its reader wanted all.
+  fitted() {
+    if (!this.one && matchMedia(PHONE).matches && localStorage.getItem("shows") !== "all") this.only(this.ports[0]);
   }
 
   // A port that all others see, until it is chosen again.
@@ -600,13 +617,16 @@ export class Ports {
     for (const port of this.ports) if (port.picture.shown) port.haunt();
   }
 
-  next() {
-    const at = this.ports.findIndex((port) => port.element.contains(document.activeElement));
-    this.ports[(at + 1) % this.ports.length].canvas.focus();
+  next(by = 1) {
+    const { length } = this.ports;
+    const at = this.ports.findIndex((port) => port === this.one || port.element.contains(document.activeElement));
+    const port = this.ports[(at + by + length) % length];
+    if (this.one) this.only(port);
+    port.canvas.focus();
   }
 
   focused() {
-    return this.ports.find((port) => port.element.contains(document.activeElement)) || this.ports[0];
+    return this.ports.find((port) => port.element.contains(document.activeElement)) || this.one || this.ports[0];
   }
 
   kept() {

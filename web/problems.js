@@ -102,7 +102,7 @@ export class Problems {
       const [port] = studio.ports.ports;
       if (port.kind === "problem") port.refresh();
       else port.turnTo("problem");
-      if (!port.element.classList.contains("alone")) studio.ports.enlarge(port);
+      studio.ports.only(port);
       if (head.checked) say(head.checked.map(({ said: verdict }) => w("said_" + verdict)).join(", "));
       else this.task.querySelector("input, button")?.focus();
     } catch (error) {

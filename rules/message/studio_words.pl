@@ -111,6 +111,8 @@ studio_word(folded_of,
     '면 {0}개의 전개도, 접는 중').
 studio_word(no_folds, 'rolled: it has no folds', '접는 선 없이 말아서 만듭니다').
 studio_word(larger, 'This port alone', '이 뷰포트만').
+studio_word(next_port, 'Next port', '다음 뷰포트').
+studio_word(previous_port, 'Previous port', '이전 뷰포트').
 studio_word(ports, 'Ports', '뷰포트').
 studio_word(hidden, 'Hidden lines', '숨은선').
 studio_word(dashed, 'dashed', '파선').

@@ -20,7 +20,7 @@ SCREENS = {"1440": (1440, 900), "1920": (1920, 1080), "phone": (390, 844)}
 CASES = [(language, screen) for language in ("en", "ko") for screen in SCREENS]
 if not os.environ.get("TEST_ALL"):
     CASES = [("en", "phone"), ("ko", "1920")]
-ENTER, RIGHT = "\ue007", "\ue014"
+ENTER, RIGHT, F6 = "\ue007", "\ue014", "\ue036"
 
 # Buttons, choices and inputs that are seen, and where; whose text is cut off; who
 # stands on whom.
@@ -39,6 +39,13 @@ SEEN = """
     out: all.concat([...document.querySelectorAll(".menu :is(p, label)")].filter((e) => e.offsetParent)).map(inside)
       .filter((e) => e.x < 0 || e.right > clientWidth + 1),
     cut: all.map(inside).filter((e) => e.cut), under: all.filter(on).map(inside) };"""
+# Keys of a port, two that stand on one another.
+APART = """
+  const keys = [...studio.ports.ports[arguments[0]].element.querySelectorAll("figcaption :is(select, input, button)")]
+    .filter((e) => e.offsetParent).map((e) => [e.className || e.getAttribute("aria-label"), e.getBoundingClientRect()]);
+  return keys.flatMap(([one, a], i) => keys.slice(i + 1).filter(([, b]) =>
+    Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1 && Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 1)
+    .map(([other]) => [one, other]));"""
 # Texts that are seen, of the page and not of a model.
 TEXTS = """
   return [...document.querySelectorAll("#bar button, .tabs button, #panes button, h2, figcaption option, figcaption button, .menu button, .menu label, label, .quiet, .decisions li")]
@@ -98,9 +105,41 @@ def kind(name):
         ".classList.contains('empty')")
 
 
+def one_port():
+    """A phone shows one port, and steps to the others."""
+    seen = "return studio.ports.ports.filter((port) => port.element." \
+           "offsetParent).map((port) => port.name)"
+    press = "document.querySelector('.alone .%s').click()"
+    step("one port", browser.script(seen) == ["p0"])
+    browser.script(press % "steps button:last-child")
+    step("the next port", browser.script(seen) == ["p1"] and browser.script(
+        "return studio.ports.focused().name") == "p1")
+    browser.keys(F6)
+    step("and the next by its key", browser.script(seen) == ["p2"])
+    for _ in range(3):
+        browser.script(press % "steps button:first-child")
+    step("and back, around the end", browser.script(seen) == ["p4"])
+    browser.script(press % "large[data-label=larger]")
+    step("all ports", len(browser.script(seen)) == 5 and idle(1))
+    for port, shown in ((4, "all"), (0, "one")):
+        if shown == "one":
+            browser.script("studio.ports.enlarge(studio.ports.ports[0])")
+        for one in ("section", "sheet", "folded"):
+            browser.script("studio.ports.ports[arguments[0]].turnTo("
+                           "arguments[1])", port, one)
+            browser.wait("!studio.ports.ports[%d].busy" % port)
+            step("%s of %s: keys stand beside one another" % (one, shown),
+                 browser.script(APART, port) == [])
+    browser.script("studio.ports.ports[4].turnTo('right'); "
+                   "studio.ports.ports[0].turnTo('iso')")
+    idle()
+
+
 def flows():
     browser.open(front.address)
     step("opened", browser.wait("studio.ready") and idle())
+    if screen == "phone":
+        one_port()
     x, y, wide, high = browser.script(
         "const r = document.querySelector('.canvas').getBoundingClientRect();"
         " return [r.x, r.y, r.width, r.height]")
