@@ -141,10 +141,12 @@ class Browser:
         with open(path, "wb") as out:
             out.write(base64.b64decode(self.ask("GET", "/screenshot")))
 
+    def tool(self, command, **given):
+        """As the developer tools do: Page.setBypassCSP, ..."""
+        self.ask("POST", "/goog/cdp/execute", {"cmd": command, "params": given})
+
     def emulate(self, command, **given):
-        """As the developer tools do: Emulation.setEmulatedMedia, ..."""
-        self.ask("POST", "/goog/cdp/execute", {"cmd": "Emulation." + command,
-                                               "params": given})
+        self.tool("Emulation." + command, **given)
 
     def media(self, **features):
         self.emulate("setEmulatedMedia", features=[
