@@ -7,7 +7,7 @@
 :- use_module(library(readutil)).
 :- use_module(rules(sanggwan), [in_world/2, new_world/1]).
 :- use_module(rules(topics), [offered/2]).
-:- use_module(tests('rules/edit_script'), [asked/1, unfit/1]).
+:- use_module(tests('rules/edit_question'), [asked/1, unfit/1]).
 :- use_module(tests('rules/sample'), [few/3]).
 
 /* Random edits and random questions (edit_script.pl), in processes of their
@@ -115,7 +115,7 @@ run(Count, First, Threads, Wrong) :-
 
 known(Name/Arity) :-
     functor(Head, Name, Arity),
-    predicate_property(sg_test_edit_script:Head, imported_from(_)).
+    predicate_property(sg_test_edit_question:Head, imported_from(_)).
 
 %   calls(Count, PIs): what so many questions ask.
 

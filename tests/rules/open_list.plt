@@ -9,7 +9,7 @@
 :- use_module(library(random)).
 :- use_module(library(time)).
 :- use_module(rules(sanggwan)).
-:- use_module(tests('rules/edit_script')).
+:- use_module(tests('rules/edit_question')).
 :- use_module(tests('rules/polyhedron'), [in_new_world/1]).
 :- use_module(tests('rules/sample'), [few/3]).
 
