@@ -17,7 +17,11 @@ export class Kept extends EventTarget {
     this.record = record;
     this.number = 0;
     this.waiting = new Map();
-    setTimeout(() => this.dispatchEvent(new CustomEvent("hello", { detail: record.hello })));
+  }
+
+  // As Wire has it.
+  begin() {
+    setTimeout(() => this.dispatchEvent(new CustomEvent("hello", { detail: this.record.hello })));
   }
 
   get open() {

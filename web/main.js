@@ -5,6 +5,7 @@ import { w, wordsLoaded, otherTongue, reworded, said, tongue } from "./words.js"
 import { Wire, Lost } from "./wire.js";
 import { Kept, recordOf } from "./kept.js";
 import { Ports } from "./ports.js";
+import { Link, LOOKS } from "./link.js";
 import { KINDS } from "./kinds.js";
 import { Tree } from "./tree.js";
 import { Handles } from "./handles.js";
@@ -17,22 +18,12 @@ const FORMATS = {
   model: ["stl", "obj", "off", "ply", "pl"],
   page: ["html"],
 };
-const LOOKS = {
-  projection: ["parallel", "central"],
-  hidden: ["dashed", "removed", "shown"],
-  lines: ["feature", "all", "penetration"],
-};
-
 class Studio {
-  constructor() {
-    const link = location.hash.slice(1).split("&");
-    const given = link.find((part) => !part.includes("="));
-    this.link = new URLSearchParams(link.filter((part) => part.includes("=")).join("&"));
-    this.looks = JSON.parse(localStorage.getItem("looks") || "{}");
-    for (const [key, values] of Object.entries(LOOKS)) {
-      if (values.includes(this.link.get(key))) this.looks[key] = this.link.get(key);
-    }
-    this.record = recordOf();
+  constructor(link, wire) {
+    this.link = link;
+    this.wire = wire;
+    this.record = wire.record;
+    this.looks = link.looks();
     this.segments = [];
     this.names = [];
     this.models = [];
@@ -53,14 +44,8 @@ class Studio {
     reworded(document);
     document.addEventListener("reworded", () => this.reworded());
     document.addEventListener("keydown", (event) => this.keyed(event));
-    const token = given || sessionStorage.getItem("secret") || "";
-    if (token) sessionStorage.setItem("secret", token);
-    // The address says what is seen: behind the secret, if it has that.
-    this.linked = calm(300, () => history.replaceState(null, "", "#" + [given, ...this.seenWords()].filter(Boolean).join("&")));
-    window.addEventListener("hashchange", () => location.reload());
     const which = new URLSearchParams(location.search).get("half");
     if (which) this.half(which);
-    this.wire = this.record ? new Kept(this.record) : new Wire(token);
     this.wire.addEventListener("hello", async (event) => {
       await this.greeted(event.detail);
       this.here = true;
@@ -74,6 +59,7 @@ class Studio {
     this.wire.addEventListener("shown", (event) => this.taught(event.detail.shown));
     this.wire.addEventListener("class", () => this.problems?.changed());
     this.wire.addEventListener("rev", (event) => { this.rev = event.detail; });
+    this.wire.begin();
   }
 
   // --- what stands where ---
@@ -231,10 +217,8 @@ class Studio {
     this.linked();
   }
 
-  seenWords() {
-    const looks = Object.keys(LOOKS).map((key) => [key, this.looks[key]]);
-    return [["ports", this.ports.ports.map((port) => port.link()).join(";")], ...looks, ["chosen", this.names.join(",")]]
-      .filter(([, value]) => value).map(([key, value]) => `${key}=${value}`);
+  linked() {
+    this.link.follow(this);
   }
 
   reworded() {
@@ -338,8 +322,7 @@ class Studio {
       else if (head.replayed) this.banner("replayed", null, 6000, head.replayed);
       await this.revised(head);
       if (this.text.dirty) this.text.done();
-      const names = this.link.get("chosen");
-      this.link.delete("chosen");
+      const names = this.link.taken("chosen");
       if (names) await this.chosen(names.split(","));
     } catch (error) {
       this.failed(error, error.head && error.head.error.code === "request_error.journal_of_another"
@@ -632,5 +615,9 @@ class Studio {
   }
 }
 
-await wordsLoaded(recordOf());
-window.studio = new Studio();
+// The program hears of the page before the words are there.
+const link = new Link();
+const record = recordOf();
+const wire = record ? new Kept(record) : new Wire(link.secret);
+await wordsLoaded(record);
+window.studio = new Studio(link, wire);

@@ -64,7 +64,8 @@ class Port {
     canvas.addEventListener("dblclick", (event) => this.doubled(event));
     canvas.addEventListener("keydown", (event) => this.keyed(event));
     this.fingers = new Map();
-    const sized = calm(60, () => this.refresh());
+    // The size that it was drawn in last is said too, when it begins.
+    const sized = calm(60, () => { if (String(this.size) !== String([canvas.clientWidth, canvas.clientHeight])) this.refresh(); });
     new ResizeObserver(() => sized()).observe(canvas);
   }
 
@@ -148,6 +149,7 @@ class Port {
       return;
     }
     this.busy = true;
+    this.size = [clientWidth, clientHeight];
     this.element.classList.toggle("late", this.slow);
     const { kind } = this;
     const turns = this.turning?.turns;

@@ -23,8 +23,16 @@ export class Wire extends EventTarget {
     this.extra = {};
     this.waiting = new Map();
     this.wait = 250;
+    this.early = [];
     this.alive = setInterval(() => this.open && this.send({ do: "alive" }), 25000);
     this.connect();
+  }
+
+  // What came before there was somebody to hear it.
+  begin() {
+    const { early } = this;
+    this.early = null;
+    for (const told of early) told();
   }
 
   get open() {
@@ -39,8 +47,9 @@ export class Wire extends EventTarget {
     socket.binaryType = "arraybuffer";
     this.socket = socket;
     socket.onopen = () => this.send({ id: HELLO, do: "hello", token: this.token, pupil: pupil() });
-    socket.onmessage = (event) => this.heard(event.data);
-    socket.onclose = (event) => this.closed(event.code);
+    const told = (hears) => (this.early ? this.early.push(hears) : hears());
+    socket.onmessage = (event) => told(() => this.heard(event.data));
+    socket.onclose = (event) => told(() => this.closed(event.code));
   }
 
   send(head) {

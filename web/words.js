@@ -7,7 +7,7 @@ let language = "en";
 export async function wordsLoaded(record) {
   const kept = localStorage.getItem("language");
   language = kept || ((navigator.language || "").startsWith("ko") ? "ko" : "en");
-  words = record ? record.words : await (await fetch("words.json")).json();
+  words = record ? record.words : await (await fetch(document.getElementById("words").href)).json();
   document.documentElement.lang = language;
 }
 

@@ -132,12 +132,11 @@ text_document(File, Revision, State, Saved, Journal) :-
 %
 %   When Commit has been called, the document is the model in the file
 %   Head.file; with a journal, with all that was changed since it was saved.
+%   A document with a journal that is opened again stays as it is.
 %
 %   @error model_error(What), request_error(What)
 
-document_opened(Head, Reply,
-                sg_document:open_committed(
-                    opened(File, Kind, State, Digest), Journal0, Steps0)) :-
+document_opened(Head, Reply, Commit) :-
     (   get_dict(file, Head, Name),
         string(Name),
         Name \== ""
@@ -146,27 +145,46 @@ document_opened(Head, Reply,
     ),
     (   model_format(File, pl)
     ->  Kind = text,
-        get_time(Begun),
-        model_text(File, Saved, Steps, Journal0, Head),
-        text_digest(Saved, Digest),
-        content_key(Saved, "", Begin),
-        replayed(Steps, state(Begin, [], []), State),
-        content_key(Saved, "", Begin),
-        get_time(Now),
-        steps_changes(Steps, Replayed),
-        next_steps(Begun, Now, Steps, Replayed, State, Steps0)
+        text_opened(File, Head, State, Replayed, Commit)
     ;   Kind = other,
-        Digest = "",
         State = state(file(File), [], []),
         Replayed = 0,
-        Steps0 = [],
-        Journal0 = none
+        Commit = sg_document:open_committed(opened(File, Kind, State, ""),
+                                            none, [])
     ),
     file_world_forgotten(File),
     State = state(Key, _, _),
     model_world(Kind, File, Key, World, Objects),
     shape(World, Objects, Shape),
     Reply = Shape.put(_{file:Name, replayed:Replayed}).
+
+text_opened(File, Head, State, Replayed, Commit) :-
+    get_time(Begun),
+    model_text(File, Saved, Steps, Journal, Head),
+    text_digest(Saved, Digest),
+    steps_changes(Steps, Replayed),
+    (   open_already(File, Digest, Journal, Head, State)
+    ->  Commit = true
+    ;   content_key(Saved, "", First),
+        replayed(Steps, state(First, [], []), State),
+        content_key(Saved, "", First),
+        get_time(Now),
+        next_steps(Begun, Now, Steps, Replayed, State, Next),
+        Commit = sg_document:open_committed(
+                     opened(File, text, State, Digest), Journal, Next)
+    ).
+
+%   open_already(File, Digest, Journal, Head, State) is semidet: the document is
+%   that of File, which holds what it held then, and all changes since are in
+%   the same Journal: it stays as it is, and so does its revision.
+
+open_already(File, Digest, file(Path), Head, State) :-
+    \+ get_dict(replay, Head, _),
+    \+ tried_(_),
+    document(File, text, _, State, Digest, Journal),
+    is_stream(Journal),
+    journal_path(Journal, Path),
+    exists_file(Path).
 
 %   next_steps(Begun, Now, Steps, Changes, State, Next): a journal begins with
 %   Next. Who waited too long for Steps does not wait for them again.

@@ -23,9 +23,9 @@ What the model of a text is does not depend on the way to it, so a text that
 comes again, as undo brings it, finds its world again.
 */
 
-% content_(Key, Text, Rules): Rules "" are none. kept_world(Key, World): the
-% last used one comes last.
-:- dynamic content_/3, kept_world/2.
+% content_(Key, Text, Rules): Rules "" are none. kept_world(Key, World,
+% Objects): the last used one comes last.
+:- dynamic content_/3, kept_world/3.
 
 %   most_worlds(N), most_contents(N): kept to go back to.
 
@@ -83,22 +83,21 @@ contents_swept(state(Now, Past, Future)) :-
 %!  model_world(+Kind, +File, +Key, -World, -Objects) is det.
 %
 %   World holds the model that is in File, if Kind is `other`, or else that of
-%   the text with this Key, by its rules. Objects are the messages of loading,
-%   [] if it is there already.
+%   the text with this Key, by its rules. Objects are the messages of loading.
 %
 %   @error model_error(What)
 
 model_world(Kind, File, Key, World, Objects) :-
-    (   retract(kept_world(Key, World0)),
+    (   retract(kept_world(Key, World0, Objects0)),
         world_is_known(World0)
     ->  World = World0,
-        Objects = []
+        Objects = Objects0
     ;   new_world(World),
         in_world(World, objects_heard(model_loaded(Kind, File, Key),
                                       Objects)),
         world_begun(World)
     ),
-    assertz(kept_world(Key, World)),
+    assertz(kept_world(Key, World, Objects)),
     forget_worlds.
 
 %   A text is read as if it came from standard input.
@@ -115,9 +114,9 @@ model_loaded(text, _, Key) :-
 
 forget_worlds :-
     most_worlds(Most),
-    predicate_property(kept_world(_, _), number_of_clauses(N)),
+    predicate_property(kept_world(_, _, _), number_of_clauses(N)),
     (   N > Most,
-        retract(kept_world(_, World))
+        retract(kept_world(_, World, _))
     ->  world_forgotten(World),
         forget_worlds
     ;   true
@@ -128,4 +127,5 @@ forget_worlds :-
 %   File is read again, if it is asked for.
 
 file_world_forgotten(File) :-
-    forall(retract(kept_world(file(File), World)), world_forgotten(World)).
+    forall(retract(kept_world(file(File), World, _)),
+           world_forgotten(World)).

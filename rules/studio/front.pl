@@ -13,10 +13,10 @@
               [ behind_begun/1, embed_begun/1, host_allowed/2, is_loopback/1,
                 new_secret/1, origin_allowed/2, pupil_secret/1, same_secret/2,
                 security_header/2 ]).
-:- use_module(page_file, [page_file/3, page_words/1]).
+:- use_module(page_file, [page_file/4, page_file_stays/1]).
 :- use_module(visitor,
               [ download_taken/3, picture_shown/0,
-                visitor_answered/3, visitor_asks/4,
+                visitor_answered/3, visitor_asks/4, visitor_expected/3,
                 visitor_joined/4, visitor_left/1, visitor_refused/3,
                 visitors_ended/0, visitors_watched/1 ]).
 :- use_module(visitor_upload, [upload_taken/2, uploads/2]).
@@ -99,6 +99,7 @@ front(Model, Options, 130) :-
     class_opened(Class, Page),
     flush_output,
     opened_in_browser(Options, Address),
+    ( Model == none -> true ; visitor_expected(Front, owner, Model) ),
     setup_call_cleanup(true, watching,
                        ( pages_closed, visitors_ended,
                          front_socket_gone(Host) )).
@@ -218,10 +219,6 @@ replied(get, '/ws', Request) :-
     ->  socket_wanted(Request)
     ;   reply(403, 'text/plain', "not from a page of this program\n")
     ).
-replied(get, '/words.json', Request) :-
-    !,
-    page_words(Text),
-    reply_page('application/json', Text, Request).
 replied(get, Path, _) :-
     atom_concat('/x/', Ticket0, Path),
     !,
@@ -243,9 +240,10 @@ replied(post, Path, Request) :-
     ).
 replied(Method, Path, Request) :-
     memberchk(Method, [get,head]),
-    page_file(Path, Type, Text),
+    ( takes_gzip(Request) -> Coding = gzip ; Coding = plain ),
+    page_file(Path, Coding, Type, Octets),
     !,
-    reply_page(Type, Text, Request).
+    reply_page(Path, Coding, Type, Octets).
 replied(Method, _, _) :-
     (   memberchk(Method, [get,head])
     ->  reply(404, 'text/plain', "not found\n")
@@ -256,24 +254,20 @@ reply(Status, Type, Text) :-
     reply_head(Status, Type, '; charset=UTF-8', []),
     format("~s", [Text]).
 
-%   reply_page(Type, Text, Request): in the gzip format for who takes it.
+%   reply_page(Path, Coding, Type, Octets): a browser keeps what never changes.
 
-reply_page(Type, Text, Request) :-
-    Vary = 'Vary'-'Accept-Encoding',
-    (   takes_gzip(Request)
-    ->  text_octets(Text, Octets),
-        reply_head(200, Type, '; charset=UTF-8',
-                   [Vary,'Content-Encoding'-gzip]),
-        set_stream(current_output, encoding(octet)),
-        setup_call_cleanup(
-            called(zlib, zopen(current_output, Out,
-                               [format(gzip),close_parent(false)])),
-            ( set_stream(Out, encoding(octet)),
-              format(Out, "~s", [Octets]) ),
-            close(Out))
-    ;   reply_head(200, Type, '; charset=UTF-8', [Vary]),
-        format("~s", [Text])
-    ).
+reply_page(Path, Coding, Type, Octets) :-
+    findall(Header,
+            ( Header = 'Vary'-'Accept-Encoding'
+            ; Coding == gzip,
+              Header = 'Content-Encoding'-gzip
+            ; page_file_stays(Path),
+              Header = 'Cache-Control'-'max-age=31536000, immutable'
+            ),
+            Headers),
+    reply_head(200, Type, '; charset=UTF-8', Headers),
+    set_stream(current_output, encoding(octet)),
+    format("~s", [Octets]).
 
 %   takes_gzip(Request): gzip is among what it takes, with any weight but 0.
 
@@ -290,7 +284,9 @@ takes_gzip(Request) :-
 
 reply_head(Status, Type, Charset, More) :-
     format("Status: ~d~n", [Status]),
-    forall(( security_header(Name, Value) ; member(Name-Value, More) ),
+    forall(( member(Name-Value, More)
+           ; security_header(Name, Value),
+             \+ memberchk(Name-_, More) ),
            format("~w: ~w~n", [Name, Value])),
     format("Content-type: ~w~w~n~n", [Type, Charset]).
 

@@ -1,6 +1,7 @@
 :- module(sg_visitor,
           [ visitor_joined/4,           % +Visitor, :Send, -Socket, -Revision
             visitor_left/1,             % +Socket
+            visitor_expected/3,         % +Front, +Visitor, +Model
             visitor_asks/4,             % +Front, +Socket, +Head, +Body
             visitor_answered/3,         % +Socket, +Id, +Reply
             visitor_refused/3,          % +Socket, +Id, +Error
@@ -146,6 +147,20 @@ visitor_asks(Front, Socket, Head, Body) :-
     page_id(Head, Id),
     catch(front_or_session(Front, Visitor, Socket, Id, Head, Body), Error,
           visitor_refused(Socket, Id, Error)).
+
+%!  visitor_expected(+Front, +Visitor, +Model) is det.
+%
+%   A page of Visitor is about to ask for the file Model, and a picture of it:
+%   they are made before it does. What is wrong with it, the page hears.
+
+visitor_expected(Front, Visitor, Model) :-
+    file_base_name(Model, Base),
+    atom_string(Base, File),
+    catch(( asked(Front, Visitor, none, null, _{do:"open", file:File}, ""),
+            asked(Front, Visitor, none, null,
+                  _{ do:"view", format:"strokes", view:"isometric",
+                     size:[160,120] }, "") ),
+          error(_, _), true).
 
 %   front_or_session(Front, Visitor, Socket, Id, Head, Body): what is about the
 %   class as a whole, the front answers.

@@ -382,6 +382,42 @@ for kill in range(kills):
     s.kill()
 print("%d changes, %d kills" % (rounds, kills))
 
+# Who opens again what is open finds it as it is, also what went before.
+with open(model, "w") as f:
+    f.write(TEXT)
+s = session()
+keys = {"file": model, "journal": work + "/again.journal"}
+first, _ = s.ask("open", **keys)
+s.ask("edit", set={"segment": 1, "path": [1, 1], "value": 0.5})
+edited = s.ask("text")[1]
+lines = read(work + "/again.journal")
+head, _ = s.ask("open", **keys)
+check("opened again", head["rev"] == first["rev"] + 1 and
+      head["replayed"] == 1 and s.ask("text")[1] == edited and
+      read(work + "/again.journal") == lines, head)
+os.remove(work + "/again.journal")
+head, _ = s.ask("open", **keys)
+check("its journal is gone: begun anew", head["rev"] == first["rev"] + 2 and
+      head["replayed"] == 0 and s.ask("text")[1].decode() == TEXT, head)
+with open(model, "a") as f:
+    f.write("% another hand\n")
+head, _ = s.ask("open", **keys)
+check("its file is another: read anew", head["rev"] == first["rev"] + 3 and
+      s.ask("text")[1] == read(model), head)
+with open(model, "w") as f:
+    f.write(TEXT.replace("radius(20)", "radius(2,5)"))
+for again in (1, 2):
+    head, _ = s.ask("open", **keys)
+    check("what loading warned of, %d" % again, [m["code"] for m in
+          head.get("messages", [])] == ["comma"], head)
+head, _ = s.ask("edit", set={"segment": 1, "path": [1, 1], "value": 0.5})
+head, _ = s.ask("undo")
+check("and after undo", [m["code"] for m in head.get("messages", [])]
+      == ["comma"], head)
+s.kill()
+with open(model, "w") as f:
+    f.write(TEXT)
+
 # A line that is not complete, and a journal of another text.
 journal = work + "/a.journal"
 with open(model, "w") as f:

@@ -503,11 +503,24 @@ def flows(language):
              "ko": {"why": "이유", "answers": "답 2개", "visible": "보인다"}
              }[language]
 
-    # Open: the page is painted, with what `draw` draws.
-    browser.open(front.address)
-    drawn = browser.wait("studio.ready && studio.ports.ports.every(p => "
-                         "p.kind === 'unfold' || p.picture.shown)")
-    check(language + ": drawn", drawn, browser.log())
+    # Open: the page is painted, with what `draw` draws. Who opens it again has
+    # kept its files; each port asks for its picture once.
+    for again in (False, True):
+        browser.open("about:blank")
+        browser.open(front.address)
+        drawn = browser.wait("studio.ready && studio.ports.ports.every(p => "
+                             "p.kind === 'unfold' || p.picture.shown)")
+        check(language + ": drawn", drawn, browser.log())
+        files = browser.script("""
+          return performance.getEntriesByType("resource").filter((e) => e.deliveryType !== undefined)
+            .map((e) => [new URL(e.name).pathname, e.transferSize]);""")
+        check(language + ": its files, again: %s" % again, len(files) > 12
+              and all(name.count("/") == 2 for name, _ in files) and
+              all((size == 0) == again for _, size in files), files)
+    time.sleep(0.2)
+    check(language + ": one view for each port", browser.script(
+        "return studio.wire.number") <= 1 + 5 + 2, browser.script(
+            "return studio.wire.number"))
     check(language + ": its words", browser.wait(
         "document.querySelector('.why h2').textContent === arguments[0]",
         words["why"]))

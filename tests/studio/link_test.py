@@ -47,8 +47,9 @@ POINT = """
 
 def told(*given):
     """The words of the page for a key."""
-    return browser.script("return import('./words.js').then(({ w }) => "
-                          "w(...arguments[0]))", given)
+    return browser.script(
+        "return import(new URL('words.js', document.querySelector('script')"
+        ".src)).then(({ w }) => w(...arguments[0]))", given)
 
 
 def goal_of(name):
