@@ -88,10 +88,10 @@ front(Model, Options, 130) :-
     class_begun(Problems, Model),       % before anybody may ask
     place_name(Host, Name),
     % A connection that waits for its next request has a worker, and a page that
-    % was left has six of them.
+    % was just opened has six of them.
     called(thread_httpd,
            http_server(sg_front:answered,
-                       [ port(Name:Port), tcp_socket(Socket), workers(5),
+                       [ port(Name:Port), tcp_socket(Socket), workers(24),
                          timeout(20), keep_alive_timeout(0.2), silent(true) ])),
     page_address(Behind, Host, Port, Page),
     format(string(Address), "~w#~w", [Page, Token]),
