@@ -43,6 +43,7 @@ export async function recorded(studio, told) {
       if (!error.head || error.message === "interrupted") throw error;
     }
   }
+  if (replies.tree) replies.tree.head.saved = true;
   const lang = tongue();
   const options = ["--sheet", "A3", "--language", lang];
   replies.sheet = kept(await wire.ask("sheet", { options }));

@@ -29,6 +29,7 @@ class Studio {
     this.models = [];
     this.formats = Object.entries(FORMATS);
     this.rev = 0;
+    this.saved = true;
     this.warning = "";
     this.waiting = [];
     this.tree = new Tree(this);
@@ -57,6 +58,10 @@ class Studio {
     this.wire.addEventListener("revision", (event) => this.revised(event.detail));
     this.wire.addEventListener("file", () => this.fileChanged());
     this.wire.addEventListener("shown", (event) => this.taught(event.detail.shown));
+    this.wire.addEventListener("saved", async () => {
+      await this.tree.refresh();
+      this.state();
+    });
     this.wire.addEventListener("class", () => this.problems?.changed());
     this.wire.addEventListener("rev", (event) => { this.rev = event.detail; });
     this.wire.begin();
@@ -316,7 +321,6 @@ class Studio {
       this.segments = head.segments;
       this.tree.sets = this.tree.sets.filter(({ rev }) => rev === undefined);
       this.ready = true;
-      this.changes = head.replayed;
       $("banner").hidden = true;
       if (remark) this.banner(remark, null, 4000);
       else if (head.replayed) this.banner("replayed", null, 6000, head.replayed);
@@ -351,7 +355,7 @@ class Studio {
   // What was changed here before another program wrote the file.
   async recovered(file) {
     await this.opened(file, null, { replay: "journal" });
-    this.changes = this.changes || 1;
+    this.saved = false;
     if (this.ready) this.fileChanged();
   }
 
@@ -382,7 +386,7 @@ class Studio {
   });
 
   edited(head) {
-    this.changes = (this.changes || 0) + 1;
+    this.saved = false;       // or as it was before: the tree says it
     this.tried();
     return this.revised(head);
   }
@@ -401,8 +405,8 @@ class Studio {
 
   state() {
     $("state").textContent = !this.stopButton.hidden ? w("working")
-      : this.ready && !this.gone ? w(this.changes ? "changed" : "saved") : w("connecting");
-    $("state").className = this.changes || this.gone ? "changed" : "";
+      : this.ready && !this.gone ? w(this.saved ? "saved" : "changed") : w("connecting");
+    $("state").className = !this.saved || this.gone ? "changed" : "";
   }
 
   // One change after the other; those that were not sent wait for the program.
@@ -449,7 +453,7 @@ class Studio {
   async save(keys = {}) {
     try {
       await this.wire.ask("save", keys);
-      this.changes = 0;
+      this.saved = true;
       this.state();
       say(w("saved"));
     } catch (error) {
@@ -464,12 +468,12 @@ class Studio {
     const take = async () => {
       $("banner").hidden = true;
       const done = await this.change("reload");
-      this.changes = done ? 0 : this.changes || 1;
-      this.state();
       if (done) this.banner("taken", null, 6000);
+      else this.saved = false;
+      this.state();
     };
     if (!this.isText) this.opened(this.file);
-    else if (!this.changes) await take();
+    else if (this.saved) await take();
     else {
       this.banner("file_new", [["take", take], ["compare_texts", () => this.files((files) => files.compare(this, take))],
         ["keep_mine", () => { $("banner").hidden = true; }]].map(([word, onclick]) => h("button", { onclick }, w(word))));

@@ -52,11 +52,13 @@ export class Tree {
     try {
       const { head } = await this.studio.wire.ask("tree");
       this.model = head;
+      this.studio.saved = head.saved;
       this.sets = this.sets.filter(({ rev }) => !(rev <= head.rev));
       for (const { target, value } of this.sets) this.put(target, value);
     } catch (error) {
       if (error instanceof Lost) return;
       const { segments } = this.studio;
+      this.studio.saved = true;
       this.model = { params: [], forms: {}, segments: segments.map(({ segment, kind, name }) =>
         ({ segment, kind, term: name })) };
     }

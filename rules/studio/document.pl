@@ -5,6 +5,7 @@
             document_reloaded/4,        % +Head, -Reply, -Text, -Commit
             document_saved/2,           % +Head, -Reply
             document_text/1,            % -Text
+            document_is_saved/1,        % -Boolean
             document_world/1,           % -World
             document_revision/1,        % -Revision
             document_file/1,            % -File
@@ -113,6 +114,21 @@ document_input(File, Text) :-
 document_text(Text) :-
     text_document(_, _, state(Now, _, _), _, _),
     content(Now, Text, _).
+
+%!  document_is_saved(-Boolean) is det.
+%
+%   `true` if the text is that of its file, as it was read or written last, and
+%   otherwise `false`.
+%
+%   @error request_error(no_document), request_error(no_text)
+
+document_is_saved(Boolean) :-
+    text_document(_, _, state(Now, _, _), Saved, _),
+    content(Now, Text, _),
+    (   text_digest(Text, Saved)
+    ->  Boolean = true
+    ;   Boolean = false
+    ).
 
 text_document(File, Revision, State, Saved, Journal) :-
     (   document(File, Kind, Revision, State, Saved, Journal)

@@ -16,7 +16,7 @@
 :- use_module(complete, [completed/4]).
 :- use_module(document,
               [ document_changed/5, document_file/1, document_input/2,
-                document_opened/3, document_reloaded/4, document_revision/1,
+                document_is_saved/1, document_opened/3, document_reloaded/4, document_revision/1,
                 document_rules/2,
                 document_saved/2, document_text/1, document_tried/4,
                 document_world/1, trial_ended/1
@@ -516,7 +516,9 @@ reloaded(request(_, Head, _), _, Reply, Octets) :-
 
 treed(_, _, Reply, "") :-
     document_text(Text),
-    text_tree(Text, Reply).
+    text_tree(Text, Tree),
+    document_is_saved(Saved),
+    Reply = Tree.put(saved, Saved).
 
 saved(request(_, Head, _), _, Reply, "") :-
     committed(document_saved(Head, Reply)).

@@ -323,7 +323,8 @@ routed(Visitor, Head, Body) :-
         ;   true
         ),
         sent(Socket, Head2.put(id, Id), Body),
-        revision_heard(Visitor, Socket, Head)
+        revision_heard(Visitor, Socket, Head),
+        saving_heard(Do, Visitor, Socket, Head)
     ),
     !.
 routed(_, _, _).
@@ -381,6 +382,15 @@ revision_heard(Visitor, Socket, Head) :-
     ;   retractall(revision_(Visitor, _)),
         assertz(revision_(Visitor, Revision)),
         told(Visitor, Socket, _{event:"revision", rev:Revision})
+    ).
+
+%   saving_heard(Do, Visitor, Socket, Head): a saved document has no new revision.
+
+saving_heard(Do, Visitor, Socket, Head) :-
+    (   Do == "save",
+        \+ get_dict(error, Head, _)
+    ->  told(Visitor, Socket, _{event:"saved"})
+    ;   true
     ).
 
 %   session_gone(Visitor, Generation): what was asked of it is not answered any

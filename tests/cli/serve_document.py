@@ -273,8 +273,10 @@ head, _ = s.ask("text", b"segment(1, solid, oops(1)).")
 check("no model", code(head).startswith("model_error."), head)
 check("nothing has changed", s.ask("text")[1].decode() == changed and
       s.ask("view")[1] == after)
+check("not as it is saved", s.ask("tree")[0]["saved"] is False)
 head, _ = s.ask("undo")
 check("undo", s.ask("view")[1] == before and head["rev"] == base + 2, head)
+check("as it is saved", s.ask("tree")[0]["saved"] is True)
 head, _ = s.ask("redo")
 check("redo", s.ask("view")[1] == after, head)
 head, _ = s.ask("redo")
@@ -291,7 +293,8 @@ head, _ = s.ask("save")
 check("saved", head.get("file") == model and read(model).decode() == changed,
       head)
 head, _ = s.ask("undo")
-check("undo behind save", s.ask("text")[1].decode() == TEXT, head)
+check("undo behind save", s.ask("text")[1].decode() == TEXT and
+      s.ask("tree")[0]["saved"] is False, head)
 with open(model, "a") as f:
     f.write("% another hand\n")
 head, _ = s.ask("save")

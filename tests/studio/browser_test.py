@@ -233,7 +233,7 @@ def file_changed(language):
     path = os.path.join(models, "tee.pl")
     for _ in range(9):
         front_page.ask("save", force=True)
-        browser.script("studio.changes = 0")
+        browser.wait("studio.saved")
         text = front_page.ask("text")[1].decode()
         if open(path).read() == text:
             break
@@ -248,7 +248,7 @@ def file_changed(language):
         time.sleep(0.02)
     check(language + ": one undo takes it back",
           front_page.ask("text")[1].decode() == text)
-    browser.wait("studio.changes > 0")
+    browser.wait("!studio.saved")
     with open(path, "w") as out:
         out.write(text + "% theirs\n")
     check(language + ": asked, if both changed", browser.wait(
@@ -499,8 +499,10 @@ def as_a_file(language, words):
 
 def flows(language):
     words = {"en": {"why": "Why", "answers": "2 answers",
-                    "visible": "visible from"},
-             "ko": {"why": "이유", "answers": "답 2개", "visible": "보인다"}
+                    "visible": "visible from", "saved": "saved",
+                    "changed": "not saved"},
+             "ko": {"why": "이유", "answers": "답 2개", "visible": "보인다",
+                    "saved": "저장됨", "changed": "저장 안 됨"}
              }[language]
 
     # Open: the page is painted, with what `draw` draws. Who opens it again has
@@ -622,6 +624,8 @@ def flows(language):
     changed = front_page.ask("text")[1].decode()
     check(language + ": one number is another", changed ==
           text.replace("radius(1)", "radius(0.9)", 1), changed)
+    state = "document.getElementById('state').textContent === arguments[0]"
+    check(language + ": it is not saved", browser.wait(state, words["changed"]))
     browser.script("document.activeElement.blur()")
     browser.chord(CONTROL, "z")
     for _ in range(200):
@@ -630,6 +634,15 @@ def flows(language):
         time.sleep(0.02)
     check(language + ": one undo takes the whole drag back",
           front_page.ask("text")[1].decode() == text)
+    check(language + ": then it is as it was saved", browser.wait(
+        state, words["saved"]))
+    front_page.ask("edit", set={"segment": 1, "path": [2, 2, 1], "value": 3})
+    browser.wait(state, words["changed"])
+    front_page.ask("save")
+    check(language + ": saved by another window", browser.wait(
+        state, words["saved"]))
+    front_page.ask("undo")
+    front_page.ask("save")
     for i in range(50):
         front_page.ask("edit", set={"segment": 1, "path": [2, 2, 1],
                                     "value": 2 + i / 50})
