@@ -52,7 +52,8 @@
   SYMBOL(SLIT, "slit")                                                         \
   SYMBOL(COMMA, ",")                                                           \
   SYMBOL(S, "s")                                                               \
-  SYMBOL(SOURCE, "source")
+  SYMBOL(SOURCE, "source")                                                     \
+  SYMBOL(ON, "on")
 
 enum {
 #define SG_SYMBOL_ID(ID, text) SG_SYMBOL_##ID,

@@ -83,6 +83,40 @@ sg_term_length(const uint32_t *term)
   return 1 + term[0] / sizeof(uint32_t);
 }
 
+/* Nodes: term + 1 is the first of a term, and its arguments follow a
+ * compound. */
+
+static inline sg_term_tag
+sg_node_tag(const uint32_t *node)
+{
+  return (sg_term_tag)(node[0] & 15);
+}
+
+/* Whether it is a compound of this name and arity. */
+static inline bool
+sg_node_is(const uint32_t *node, int32_t symbol, size_t arity)
+{
+  return sg_node_tag(node) == SG_TERM_COMPOUND && node[0] >> 4 == arity &&
+         node[1] == (uint32_t)symbol;
+}
+
+/* Its first argument. */
+static inline const uint32_t *
+sg_node_arguments(const uint32_t *compound)
+{
+  return compound + 2;
+}
+
+/* What follows a node and all that is in it. */
+const uint32_t *sg_node_after(const uint32_t *node);
+/* Whether it is an integer of 32 bits. */
+bool sg_node_int(const uint32_t *node, int32_t *out);
+/* Below 0, 0, above 0: in SWI-Prolog's standard order, but that big integers
+ * and rationals come after other numbers, by their words. */
+int sg_node_order(const uint32_t *a, const uint32_t *b);
+/* Writes a copy of a node and all that is in it. */
+void sg_term_node(sg_term_builder *builder, const uint32_t *node);
+
 bool sg_term_equal(const uint32_t *a, const uint32_t *b);
 uint64_t sg_term_hash(const uint32_t *term);
 

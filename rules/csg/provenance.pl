@@ -41,7 +41,7 @@ vertex_from(S, V, S0, V0) :-
 %
 %   True when vertex V of S, a node's boundary, came to lie on Feature of the
 %   leaf S0: the vertex v(V0) or edge e(E0) or polygon p(P0) that a cut met
-%   there, or that it was made to touch (contact_origin.pl).
+%   there, or that it was made to touch (contact_origins/2).
 
 vertex_on(S, V, S0, Feature) :-
     origin(S, v(V), Origin),

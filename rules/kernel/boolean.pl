@@ -318,6 +318,28 @@ Foreign predicates; see kernel.pl.
 %
 %   @error existence_error(polygon, P)
 
+/* - - - contact_places_rows.c - - - */
+
+%!  contact_places(+S:id, -Contacts:contacts) is semidet.
+%!  contact_facts(+Contacts:contacts, -Facts:list(contact_fact)) is det.
+%
+%   Contacts is a handle of where segment S was made to touch others: true only
+%   inside the snapshot of resolve.pl, where S has the vertices that it got for
+%   that. Fails if it has none. Facts are V-place(Origin, Feature, Polygons),
+%   one for each such vertex V, as their origins stand. Origin is as of
+%   resolve.pl. Feature is v(V) if V was moved, otherwise the edge e(E) or face
+%   p(P) that V was put on; Polygons are then those that have V.
+
+/* - - - contact_origin_rows.c - - - */
+
+%!  contact_origins(+S:id, +Contacts:list(leaf_contacts)) is det.
+%
+%   Rewrites from_v/4 and origin/3 of the result S so that they name nothing of
+%   Contacts, a list of S0-Contacts0 as contact_places/2 gave it for leaf S0,
+%   which has its own rows again.
+%
+%   @see c_kernels/solid/contact_places.h
+
 /* - - - arrangement_piece_rows.c - - - */
 
 %!  arrangement_components(

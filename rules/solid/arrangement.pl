@@ -19,7 +19,8 @@
                 arrangement_components/2, arrangement_select/3,
                 arrangement_senses/4, arrangement_numbers/2,
                 pieces_kept/1, keep_pieces/1, trees_dropped/0,
-                near_segments_of/3, segments_meeting_themselves/2,
+                contact_places/2, near_segments_of/3,
+                segments_meeting_themselves/2,
                 segments_tolerance/3
               ]).
 :- use_module('../penetration/entering',
@@ -27,7 +28,6 @@
 :- use_module('../csg/leaf', [were_cut/2]).
 :- use_module('../penetration/penetration', [leaf_lines/4, touching/2]).
 :- use_module('../penetration/resolve', [tolerance_reach/2]).
-:- use_module(contact_origin, [contact_places/2]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
               [ v/5, segment/3, segment_stamps/2, segments_key/2,
@@ -299,7 +299,7 @@ keep_leaf(KeyOf, Connected, Touched, S-Arrangement, Kept0-Old0, Kept-Old) :-
     put_assoc(S, Kept0, Entries, Kept).
 
 %   contacts(+Kept, +Stale, +Touch, -Contacts): the vertices that leaves have in
-%   pieces alone, as S-Places, of those that have some (contact_origin.pl): what
+%   pieces alone, as S-Places, of those that have some (contact_places/2): what
 %   is kept of leaves that are not Stale, and what is new.
 
 contacts(Kept, Stale, touch(_, Touched), Contacts) :-
@@ -364,10 +364,7 @@ in_pieces(Stamps0, Wanted, Tolerance, Arrangement, Changed-Touched, Set,
     ord_subtract(Stamps, Stamps0, ChangedStamps),
     pairs_keys(ChangedStamps, Changed),
     findall(S-Contacts,
-            ( member(S, Changed),
-              contact_places(S, Contacts),
-              Contacts \== []
-            ),
+            ( member(S, Changed), contact_places(S, Contacts) ),
             Touched),
     tolerance_reach(Tolerance, Reach),
     divided(Set, leaves(Segments, Wanted, Weights), Polygons, Reach,

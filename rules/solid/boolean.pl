@@ -16,13 +16,13 @@
 :- use_module('../decision', [decision/2, decision_is_default/1]).
 :- use_module(faces, [faces_merged/2, region_faces_merged/3]).
 :- use_module('../kernel',
-              [ leaf_copies/3, solid_close/1, solid_is_closed/1, solid_region/3,
-                solid_write/2, solid_write_over/2, solid_write_region/3,
+              [ contact_origins/2, leaf_copies/3, solid_close/1,
+                solid_is_closed/1, solid_region/3, solid_write/2,
+                solid_write_over/2, solid_write_region/3,
                 region_leaves/2, region_close/1, segments_tolerance/3
               ]).
 :- use_module(operand, [checked_operand/1]).
 :- use_module('../polygon/triangulation', [new_segments_complete/0]).
-:- use_module(contact_origin, [contact_origins/2]).
 :- use_module('../penetration/resolve', [tolerance_reach/2]).
 :- use_module('../csg/csg_rows', [drop_boundary/1]).
 :- use_module('../csg/source', [source_kept/3]).

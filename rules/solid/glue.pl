@@ -9,7 +9,6 @@
                 contact_vertices/2
               ]).
 :- use_module(boolean, [boolean_tolerance/3]).
-:- use_module(contact_origin, [contact_origins/2]).
 :- use_module('../csg/csg', [glue_operands/2, node/4]).
 :- use_module('../csg/csg_record', [drop_record/1, segments_of_kind/3]).
 :- use_module('../csg/csg_rows', [drop_boundary/1]).
@@ -25,7 +24,8 @@
 :- use_module('../gluing/regions',
               [regions_found/2, regions_report/2, law_fault/3]).
 :- use_module('../kernel',
-              [ contents_written/4, leaf_copies/3, near_segments_of/3,
+              [ contact_origins/2, contents_written/4, leaf_copies/3,
+                near_segments_of/3,
                 segment_meetings/3, solid_close/1, solid_coincident_faces/3,
                 solid_write_cells/3
               ]).

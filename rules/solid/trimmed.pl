@@ -12,8 +12,10 @@
               ]).
 :- use_module(closing, [closed_by_caps/1]).
 :- use_module('../decision', [decision/2]).
-:- use_module('../kernel', [solid_close/1, solid_is_closed/1, solid_write/2]).
-:- use_module(contact_origin, [contact_origins/2]).
+:- use_module('../kernel',
+              [ contact_origins/2, solid_close/1, solid_is_closed/1,
+                solid_write/2
+              ]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
               [ origin/3, p/3, segment/3, assert_fact/1, facts_snapshot/1,

@@ -1,6 +1,6 @@
 /* The CSG tree: nodes, evaluation, copies. */
 :- module(test_csg, []).
-% covers: contact_origin, csg_behind, csg_flat, primitive_flat
+% covers: csg_behind, csg_flat, primitive_flat
 :- use_module(library(plunit)).
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).

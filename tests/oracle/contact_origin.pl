@@ -1,8 +1,9 @@
-:- module(sg_contact_origin,
-          [ contact_places/2,           % +S, -Contacts
-            contact_origins/2           % +S, +Contacts
+:- module(sg_oracle_contact_origin,
+          [ contact_places_by_rule/2,   % +S, -Places
+            contact_origins_by_rule/2   % +S, +Contacts
           ]).
-:- use_module('../store',
+:- use_module('../../rules/kernel', [contact_facts/2]).
+:- use_module('../../rules/store',
               [ e/5, t/6, leaf_v/5, leaf_e/5, from_v/4, origin/3,
                 edge_polygon/3, vertex_triangle/3,
                 assert_fact/1, retractall_facts/1
@@ -12,33 +13,16 @@
 :- use_module(library(lists), [member/2]).
 :- use_module(library(ordsets), [ord_intersection/2]).
 :- use_module(library(pairs), [group_pairs_by_key/2]).
-/** <module> What vertices of a result were made to touch.
-
-Before solids are combined, resolve.pl makes features touch that are nearer to
-each other than the tolerance. It moves vertices of leaves, and gives leaves new
-vertices on edges and faces. The leaves get their rows back when the snapshot
-ends, but the result keeps these vertices. Here they get origins that name
-vertices, edges and faces that the leaves still have:
-
-  - If others were made to touch a vertex V of one leaf S, it has the origin
-    near(on(S-V, Places)). Places are S0-v(V0), S0-e(E) and S0-p(P): the
-    features of the others that are there.
-  - If two edges pass each other at the vertex, it has the origin
-    near(ll(Edge1, Edge2)).
-  - If the cut was made with a part of an edge, or with a triangle of a face,
-    the origin near(lpi(...)) names that edge, or that face as S-p(P).
-
-Origins near(_) are not exact.
+/** <module> What vertices of a result were made to touch: the rule of
+contact_places/2 and contact_origins/2 (c_kernels/solid/contact_places.h).
 */
 
-%!  contact_places(+S, -Contacts) is det.
+%!  contact_places_by_rule(+S, -Places:list) is det.
 %
-%   Contacts are V-place(Origin, Feature, Polygons), one for each vertex V of S
-%   that was made to touch. Origin is as of resolve.pl. Feature is v(V) if V was
-%   moved, otherwise the edge e(E) or face p(P) that V was put on; Polygons are
-%   then those that have V. True only inside the snapshot of resolve.pl.
+%   Places are what contact_facts/2 says of contact_places/2 of S; [] if it has
+%   none. True only inside the snapshot of resolve.pl.
 
-contact_places(S, Contacts) :-
+contact_places_by_rule(S, Contacts) :-
     findall(V-Place,
             ( origin(S, v(V), near(Origin)),
               place(S, V, Origin, Place)
@@ -85,15 +69,20 @@ part_of(S, Part, E) :-
     ->  E = E0
     ).
 
-%!  contact_origins(+S, +Contacts) is det.
+%!  contact_origins_by_rule(+S, +Contacts:list) is det.
 %
-%   Rewrites from_v/4 and origin/3 of the result S so that they name nothing of
-%   Contacts, a list of S0-Contacts0 as contact_places/2 gave it for leaf S0,
-%   which is gone now.
+%   As contact_origins/2.
 
-contact_origins(_, []) :-
+contact_origins_by_rule(S, Handles) :-
+    maplist(facts_of, Handles, Contacts),
+    named_again(S, Contacts).
+
+facts_of(S-Handle, S-Facts) :-
+    contact_facts(Handle, Facts).
+
+named_again(_, []) :-
     !.
-contact_origins(S, Contacts) :-
+named_again(S, Contacts) :-
     findall(S0-Places,
             ( member(S0-Contacts0, Contacts),
               list_to_assoc(Contacts0, Places)
