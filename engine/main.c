@@ -11,11 +11,26 @@
 
 #include <langinfo.h>
 #include <locale.h>
+#include <malloc.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { PROLOG_WORDS = 5, WRONG_USAGE = 2, MOST_SHOWN = 200, CANNOT_START = 4 };
+enum { FROM_SYSTEM = 32 << 20, KEPT_FREE = 256 << 20 };
+
+/* Kernels take and free arrays of megabytes one after another. Pages that went
+ * back to the system between two of them would be cleared again for the next:
+ * arrays below FROM_SYSTEM bytes are taken from what was freed, of which up to
+ * KEPT_FREE bytes are kept. (Elsewhere than in glibc: as it is there.) */
+static void
+keep_freed_memory(void)
+{
+#ifdef M_MMAP_THRESHOLD
+  mallopt(M_MMAP_THRESHOLD, FROM_SYSTEM);
+  mallopt(M_TRIM_THRESHOLD, KEPT_FREE);
+#endif
+}
 
 /* argv with the options that make Prolog leave our words alone. */
 static char **
@@ -137,6 +152,7 @@ main(int argc, char **argv)
 {
   char **arguments = prolog_arguments(argc, argv);
 
+  keep_freed_memory();
   sg_signals_note();
   if (!arguments || !start(argc + PROLOG_WORDS - 1, arguments) ||
       !start_signals()) {

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ASK_EVERY = 65536 };
+enum { ASK_EVERY = 65536, AHEAD = 8 };
 
 /* Moves the first of each kind of vertex to the front;
  * number[i] = where vertex i went. Coordinates are never -0.0, so equal ones
@@ -22,6 +22,10 @@ join(sg_mesh *mesh, sg_key_table *table, int32_t *number,
 
     if (i % ASK_EVERY == 0 && (*stopped = sg_cancelled(cancel))) {
       return false;
+    }
+    if (i + AHEAD < mesh->vertices) {
+      memcpy(key, vertex[i + AHEAD], sizeof key);
+      sg_key_table_fetch(table, key);
     }
     memcpy(key, vertex[i], sizeof key);
     if (!(place = sg_key_table_put(table, key))) {

@@ -112,6 +112,18 @@ sg_key_table_reserve(sg_key_table *table, size_t n)
   return room == table->room || grow_to(table, room);
 }
 
+void
+sg_key_table_fetch(const sg_key_table *table, const uint32_t *key)
+{
+  if (table->room) {
+    size_t at = hash(key, table->words) & (table->room - 1);
+    const uint32_t *slot = table->slot + at * (table->words + 1);
+
+    __builtin_prefetch(slot);
+    __builtin_prefetch(slot + table->words);
+  }
+}
+
 uint32_t
 sg_key_table_get(const sg_key_table *table, const uint32_t *key)
 {

@@ -34,6 +34,10 @@ void sg_key_table_empty(sg_key_table *table, size_t most);
 /* Room for n keys in all, so that it need not grow. False: no memory. */
 bool sg_key_table_reserve(sg_key_table *table, size_t n);
 
+/* Has the place of a key read from memory while something else is done: for
+ * large tables whose next keys are known. */
+void sg_key_table_fetch(const sg_key_table *table, const uint32_t *key);
+
 /* The number of a key, SG_NO_KEY if it is not there. */
 uint32_t sg_key_table_get(const sg_key_table *table, const uint32_t *key);
 
