@@ -2,7 +2,7 @@
 // one before it, and each piece goes to where it is in the model.
 
 import { s } from "./dom.js";
-import { nameOf } from "./picture.js";
+import { edgeIn, nameOf } from "./picture.js";
 
 // Rigid motions: [a, b, c, x, d, e, f, y, g, h, i, z], rows of three and a shift.
 const STILL = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
@@ -189,8 +189,8 @@ export class Folding {
           const side = `M${at(points[i])}L${at(points[(i + 1) % points.length])}`;
           if ("MVF".includes(found.kind)) folds += side;
           else sides += side;
-          const { segment, edges } = this.segments[f];
-          this.lines.push({ name: nameOf(segment, edges ? found.edge : undefined), edge: found.edge, segment,
+          const { segment, edges } = this.segments[f], edge = edgeIn(this.segments[f], found.edge);
+          this.lines.push({ name: nameOf(segment, edges ? edge : undefined), edge, segment,
             folds: "MVF".includes(found.kind), from: points[i], to: points[(i + 1) % points.length] });
         }
       });

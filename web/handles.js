@@ -2,13 +2,12 @@
 // segment that was chosen in the tree.
 
 import { s } from "./dom.js";
+import { spaceOf } from "./space.js";
 
-const VIEWS = { front: [270, 90], right: [0, 90], top: [270, 0], left: [180, 90], back: [90, 90], bottom: [270, 180] };
 const UNIT = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 // Along which axis of a primitive the number of a size is.
 const SIZES = { radius: [0], height: [2], size: [0, 1, 2] };
 const ARROW = 46;               // dots of the screen
-const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
 // A matrix is where the axes and the origin come to.
 const NOWHERE = [...UNIT, [0, 0, 0]];
@@ -130,21 +129,14 @@ export class Handles {
 
   draw(port) {
     const { picture } = port;
-    const angles = port.kind === "iso" ? port.angles : VIEWS[port.kind];
-    const { projection, up } = this.studio.looks;
     port.knobs ??= picture.svg.appendChild(s("g", { class: "handles" }));
     const held = port.knobs.contains(document.activeElement) ? document.activeElement.dataset.name : null;
-    const place = picture.shown?.place;
-    if (!angles || !place || (projection ?? "parallel") !== "parallel" || (up ?? "z") !== "z") {
+    const space = port.kind === "section" ? null : spaceOf(port, picture.shown?.place);
+    if (!space) {
       port.knobs.replaceChildren();
       return;
     }
-    const [t, p] = angles.map((angle) => angle * Math.PI / 180);
-    const [scale, x0, y0, left, top] = place;
-    const right = [-Math.sin(t), Math.cos(t), 0];
-    const high = [-Math.cos(p) * Math.cos(t), -Math.cos(p) * Math.sin(t), Math.sin(p)];
-    const seen = (v) => [dot(right, v) * scale, -dot(high, v) * scale];
-    const where = (v) => seen(v).map((n, k) => n + (k ? top + y0 * scale : left - x0 * scale));
+    const { scale, seen, where } = space;
     const size = picture.svg.getScreenCTM()?.a || 1;
     port.knobs.replaceChildren(...this.list.flatMap((one) => {
       const way = seen(one.axis);

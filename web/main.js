@@ -8,7 +8,6 @@ import { Ports } from "./ports.js";
 import { Link, LOOKS } from "./link.js";
 import { KINDS } from "./kinds.js";
 import { Tree } from "./tree.js";
-import { Handles } from "./handles.js";
 import { Asking, Why, Text, Rules } from "./panels.js";
 
 const FORMATS = {
@@ -38,7 +37,6 @@ class Studio {
     this.asking = new Asking(this);
     this.why = new Why(this);
     this.ports = new Ports(this, $("ports"));
-    this.handles = new Handles(this);
     this.left();
     $("asking").append(this.asking.element, this.why.element);
     this.bar();
@@ -158,6 +156,14 @@ class Studio {
 
   upload(file) {
     return this.files((files) => files.upload(this, file));
+  }
+
+  // Dots that pull the sizes of a segment come when one is chosen.
+  async pulls(segment) {
+    if (this.record || (segment === undefined && !this.handles)) return;
+    const { Handles } = await import("./handles.js");
+    this.handles ??= new Handles(this);
+    await this.handles.choose(segment);
   }
 
   export(what, format) {
@@ -488,13 +494,20 @@ class Studio {
 
   // --- what is pointed at ---
 
-  hovered(port, found) {
-    this.ports.hover(port, found);
+  // A port shows itself what is under the pointer there.
+  hovered(port, names) {
+    this.hover = names;
+    this.light("hover", names, {}, port);
+    this.hoveredAll(port, names);
   }
 
-  light(layer, names, told) {
-    this.ports.light(layer, names);
-    if (!told) this.other?.postMessage({ layer, names: [...names] });
+  hoveredAll = calm(60, (port, names) => {
+    if (names === this.hover && names.length) this.lightAll("hover", names, port).catch(() => {});
+  });
+
+  light(layer, names, ends, but) {
+    this.ports.light(layer, names, ends, but);
+    this.other?.postMessage({ layer, names: [...names], ends });
   }
 
   // The two monitors as two windows, which tell each other what is pointed at.
@@ -507,8 +520,8 @@ class Studio {
   half(which) {
     document.body.dataset.half = which;
     this.other ??= new BroadcastChannel("studio");
-    this.other.onmessage = ({ data: { layer, names, chosen } }) => {
-      if (layer) this.light(layer, names, true);
+    this.other.onmessage = ({ data: { layer, names, ends, chosen } }) => {
+      if (layer) this.ports.light(layer, names, ends);
       else if (document.body.dataset.half === "left") {
         this.names = chosen;
         this.why.show(chosen, this.from);
@@ -517,14 +530,18 @@ class Studio {
   }
 
   // Also names that have no line of their own: polygons, vertices, joints,
-  // penetration lines are lit by the edges that show them.
-  async lightAll(layer, names) {
-    const others = names.filter((name) => !/^s\d+(e-?\d+)?$/.test(name)).slice(0, 1000);
-    this.light(layer, names);
-    if (!others.length) return;
-    const { head } = await this.wire.ask("select", { names: others });
-    this.light(layer, [...names, ...head.selected.flatMap(({ shows }) =>
-      shows.filter((name) => /^s\d+e/.test(name)))]);
+  // penetration lines are lit by the edges that show them, and edges that are not
+  // drawn where they are.
+  async lightAll(layer, names, but) {
+    const edges = names.filter((name) => /^s\d+e\d+$/.test(name));
+    const others = names.filter((name) => !/^s\d+(e-?\d+)?$/.test(name));
+    this.light(layer, names, {}, but);
+    const asked = (this.ports.draws(edges) ? others : [...others, ...edges]).slice(0, 1000);
+    if (!asked.length) return;
+    const { head } = await this.wire.ask("select", { names: asked, keep: false });
+    if (layer === "hover" && names !== this.hover) return;
+    const more = head.selected.flatMap(({ name, shows }) => (others.includes(name) ? shows.filter((one) => /^s\d+e/.test(one)) : []));
+    this.light(layer, [...names, ...more], head.ends, but);
   }
 
   lightSegment(segment) {

@@ -150,7 +150,7 @@ export class Asking {
       this.rows.append(h("tr", { tabindex: names.length ? 0 : undefined,
         onclick: () => this.studio.chosen(names),
         onkeydown: (event) => { if (event.key === "Enter") this.studio.chosen(names); },
-        onpointerenter: () => this.studio.light("hover", names) },
+        onpointerenter: () => this.studio.hovered(null, names) },
         ...answer.map((value) => h("td", {}, typeof value === "string" ? value : JSON.stringify(value)))));
       this.shows.push(...names);
     });
@@ -228,7 +228,7 @@ export class Why {
       for (const one of head.selected) items.push(...await this.one(one, port, role));
       if (this.shown === again) {
         studio.light("chosen", [...names, ...head.selected.flatMap(({ shows }) =>
-          shows.filter((name) => /^s\d+e/.test(name)))]);
+          shows.filter((name) => /^s\d+e/.test(name)))], head.ends);
       }
       return items;
     });

@@ -3,11 +3,14 @@
 import { s } from "./dom.js";
 
 // Which segment is meant by another one, and whether it has its edges: parts of
-// what is taken apart have, and patterns of facets.
+// what is taken apart have, and patterns of facets. These have both halves of an
+// edge; pictures have one, by whose number it goes.
 export function laidOf(head) {
   return new Map([...(head.parts || []).map(([part, segment]) => [part, { segment, edges: true }]),
-    ...(head.patterns || []).map(({ pattern, segment, edges }) => [pattern, { segment, edges }])]);
+    ...(head.patterns || []).map(({ pattern, segment, edges, halves }) => [pattern, { segment, edges, halves: new Map(halves) }])]);
 }
+
+export const edgeIn = ({ halves }, edge) => halves?.get(edge) ?? edge;
 
 // The strokes of a reply (docs/protocol.md).
 export function strokesOf({ head, body }) {
@@ -19,7 +22,7 @@ export function strokesOf({ head, body }) {
     const edges = n.subarray(i + 5, i + 5 + e);
     const points = n.subarray(i + 5 + e, i + 5 + e + 2 * p);
     const of = laid.get(segment) || { segment, edges: true };
-    strokes.push({ look, segment: of.segment, closed: ends >> 2 === 2, edges: of.edges ? edges : [], points,
+    strokes.push({ look, segment: of.segment, closed: ends >> 2 === 2, edges: of.edges ? edges.map((edge) => edgeIn(of, edge)) : [], points,
       whole: !of.edges && e > 0 });
     i += 5 + e + 2 * p;
   }
@@ -67,6 +70,7 @@ export class Picture {
       ...Object.values(this.layers));
     this.shown = null;
     this.lit = {};
+    this.ends = {};
   }
 
   // Nothing of a drawing is left.
@@ -82,9 +86,12 @@ export class Picture {
       replaceChildren: (...children) => this.mine.replaceChildren(...children) };
   }
 
-  show(picture) {
+  // `where` says where a point of the model is in it, if that can be told.
+  show(picture, where = null) {
     this.mine.replaceChildren();
     this.shown = picture;
+    this.where = where;
+    this.drawn = null;
     const paths = picture.looks.map(() => "");
     for (const stroke of picture.strokes) paths[stroke.look] += wholePath(stroke);
     this.lines.replaceChildren(...picture.looks.map(([visibility, role], i) =>
@@ -96,7 +103,7 @@ export class Picture {
       return element;
     }));
     this.look(0, 0, ...picture.sheet);
-    for (const layer of Object.keys(this.lit)) this.light(layer, this.lit[layer]);
+    for (const layer of Object.keys(this.lit)) this.light(layer, this.lit[layer], this.ends[layer]);
     this.layers.hover.setAttribute("d", "");
   }
 
@@ -130,10 +137,18 @@ export class Picture {
     this.look(left - edge, top - edge, right - left + 2 * edge, bottom - top + 2 * edge);
   }
 
+  // Whether a line shows the edge of that name.
+  draws(name) {
+    this.drawn ??= new Set(this.shown.strokes.flatMap(({ segment, edges }) => Array.from(edges, (edge) => nameOf(segment, edge))));
+    return this.drawn.has(name);
+  }
+
   // Lights the lines of these names, a Set of s2, s2e7; of a whole segment what
-  // is seen of it, if anything is, and not what fills its faces.
-  light(layer, names) {
+  // is seen of it, if anything is, and not what fills its faces. Edges that no line
+  // shows, such as those within a smooth surface, are lit where their `ends` are.
+  light(layer, names, ends) {
     this.lit[layer] = names;
+    this.ends[layer] = ends;
     if (!this.shown) return;
     const { strokes, looks } = this.shown;
     const hidden = ({ look }) => looks[look][0] === "hidden";
@@ -142,7 +157,8 @@ export class Picture {
       && !(hidden(stroke) && seen.has(stroke.segment));
     const d = names.size ? strokes.map((stroke) => (whole(stroke) ? wholePath(stroke)
       : partPath(stroke, (edge) => names.has(nameOf(stroke.segment, edge))))).join("") : "";
-    this.layers[layer].setAttribute("d", d);
+    const unseen = !ends || !this.where ? [] : Object.entries(ends).filter(([name]) => names.has(name) && !this.draws(name));
+    this.layers[layer].setAttribute("d", d + unseen.map(([, at]) => `M${at.map((v) => this.where(v).join(" ")).join("L")}`).join(""));
   }
 
   // Lines that an older picture had.
@@ -186,6 +202,26 @@ export class Picture {
             role: this.shown.looks[stroke.look][1] };
         }
       }
+    }
+    return best;
+  }
+
+  // The edges of the piece of a pattern, or of the hole in one, that a point of
+  // the screen is in: the innermost cut around it.
+  pieceAt(clientX, clientY) {
+    const matrix = this.svg.getScreenCTM();
+    if (!this.shown || !matrix) return [];
+    const { x, y } = new DOMPoint(clientX, clientY).matrixTransform(matrix.inverse());
+    let best = [], least = Infinity;
+    for (const { segment, edges, points, look, closed } of this.shown.strokes) {
+      if (!closed || this.shown.looks[look][1] !== "cut") continue;
+      let within = false, area = 0;
+      for (let i = 0, j = points.length - 2; i < points.length; j = i, i += 2) {
+        const [ax, ay, bx, by] = [points[i], points[i + 1], points[j], points[j + 1]];
+        if (ay > y !== by > y && x < (bx - ax) * (y - ay) / (by - ay) + ax) within = !within;
+        area += bx * ay - ax * by;
+      }
+      if (within && Math.abs(area) < least) [best, least] = [Array.from(edges, (edge) => nameOf(segment, edge)), Math.abs(area)];
     }
     return best;
   }

@@ -4,6 +4,7 @@ import { h, calm, say } from "./dom.js";
 import { w, said, reworded } from "./words.js";
 import { Picture, strokesOf, laidOf, named, nameOf } from "./picture.js";
 import { KINDS, kindOf, kindsOf } from "./kinds.js";
+import { spaceOf } from "./space.js";
 import { Lost, textOf } from "./wire.js";
 
 const PICTORIAL = [315, 54.735610317245346];
@@ -21,6 +22,7 @@ class Port {
     this.name = "p" + place;
     this.picture = new Picture();
     this.under = null;
+    this.pointed = "";
     this.settings = {};
     this.tools = h("span", { class: "tools" });
     this.image = h("img", { alt: "", hidden: true, draggable: "false" });
@@ -181,6 +183,7 @@ class Port {
     this.element.classList.toggle("flat", ["unfold", "sheet", "problem"].includes(this.kind));
     this.element.dataset.rev = head.rev;
     this.under = null;
+    this.pointed = "";
     this.remark.title = "";
     this.more.hidden = true;
     this.tell("");
@@ -211,7 +214,8 @@ class Port {
 
   showStrokes(reply) {
     const { head } = reply;
-    this.picture.show(strokesOf(reply));
+    const strokes = strokesOf(reply);
+    this.picture.show(strokes, spaceOf(this, strokes.place)?.where);
     this.took = head.ms ?? 0;
     const { fits } = kindOf(this.kind);
     if (fits && !this.zoomed) this.picture.fit(fits === "bar" ? fits : null);
@@ -284,14 +288,19 @@ class Port {
 
   // --- pointing ---
 
-  pointAt(found) {
-    if ((found && found.name) === (this.under && this.under.name)) return;
+  // `piece` are the edges of what is cut out there, if no line is.
+  pointAt(found, piece = []) {
+    const under = found ? found.name : piece.join();
+    if (under === this.pointed) return;
+    this.pointed = under;
     this.under = found;
     if (this.kind === "folded") this.picture.lit.hover = new Set(found ? [found.name] : []);
     else this.picture.hover(found);
     this.redraw();
     this.canvas.classList.toggle("pointing", Boolean(found));
-    this.studio.hovered(this, found);
+    // In a pattern both sides of a seam are lit.
+    const both = this.kind === "unfold" && !found?.stroke.whole;
+    this.studio.hovered(both ? null : this, found ? [found.name] : piece);
   }
 
   pressed(event) {
@@ -321,7 +330,8 @@ class Port {
 
   moved(event) {
     if (!this.drag) {
-      this.pointAt(this.near(event));
+      const found = this.near(event);
+      this.pointAt(found, found || this.kind !== "unfold" ? [] : this.picture.pieceAt(event.clientX, event.clientY));
       return;
     }
     if (this.fingers.size === 2) {
@@ -559,21 +569,19 @@ export class Ports {
     for (const port of this.ports) port.refresh();
   }
 
-  light(layer, names) {
+  // Not in the port `but`, which shows it itself.
+  light(layer, names, ends, but) {
     const set = new Set(names);
     for (const port of this.ports) {
-      port.picture.light(layer, set);
+      if (port === but) continue;
+      port.picture.light(layer, set, ends);
       port.redraw();
     }
   }
 
-  hover(from, found) {
-    const names = new Set(found ? [found.name] : []);
-    for (const port of this.ports) {
-      if (port === from) continue;
-      port.picture.light("hover", names);
-      port.redraw();
-    }
+  // Whether each of these edges has a line wherever that would be.
+  draws(names) {
+    return this.ports.every(({ picture }) => !picture.shown || !picture.where || names.every((name) => picture.draws(name)));
   }
 
   // One port alone, as large as all; none: all of them.

@@ -89,7 +89,7 @@ export class Tree {
     if (held) this.focus(held);
     this.drawForm();
     reworded(this.element);
-    this.studio.handles?.choose(this.segment);
+    this.studio.pulls(this.segment).catch((error) => this.studio.failed(error));
   }
 
   // Another model is opened: nothing is chosen there.

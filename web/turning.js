@@ -1,6 +1,8 @@
 // Turning by the graphics card: while a large model is being turned, the page draws
 // it itself; at rest the exact picture of the program lies in the same place.
 
+import { axes } from "./space.js";
+
 const LINE = 12;                 // numbers of a line: two ends, two normals
 const WIDTH = 1.3, DASH = 5, GAP = 3.5;
 
@@ -101,14 +103,6 @@ export function linesOf(at, corners, ends, sharp) {
     }
   }
   return out;
-}
-
-// Where the eye is, and where right and up are, of a view in degrees.
-export function axes([theta, phi]) {
-  const [t, p] = [theta, phi].map((angle) => angle * Math.PI / 180);
-  return { eye: [Math.sin(p) * Math.cos(t), Math.sin(p) * Math.sin(t), Math.cos(p)],
-    right: [-Math.sin(t), Math.cos(t), 0],
-    up: [-Math.cos(p) * Math.cos(t), -Math.cos(p) * Math.sin(t), Math.sin(p)] };
 }
 
 export class Turning {

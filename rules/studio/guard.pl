@@ -288,7 +288,7 @@ keys("ask",      [goal|Keys]) :-
 keys("next",     [of]).
 keys("explain",  [item,options,lang]).
 keys("export",   [argv,lang]).
-keys("select",   [names]).
+keys("select",   [names,keep]).
 keys("unfold",   [segment,options,sheet]).
 keys("fold",     [segment,options]).
 keys("edit",     [set]).

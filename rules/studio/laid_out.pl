@@ -9,7 +9,7 @@
 :- use_module('../pattern/fold_file', [write_fold/3]).
 :- use_module('../pattern/pattern_drawing', [pattern_drawing/3]).
 :- use_module('../solid/trimmed', [part_named/2]).
-:- use_module('../store', [segment/3]).
+:- use_module('../store', [e/5, segment/3]).
 :- use_module('../unfolding/unfold', [pattern_of/2]).
 :- use_module(document, [document_file/1, document_world/1]).
 :- use_module(job, [captured/2]).
@@ -17,7 +17,7 @@
 :- use_module(request, [request_error/1, request_options/2]).
 :- use_module(world_state, [in_state/3, made_once/4]).
 :- use_module(library(apply), [maplist/3]).
-:- use_module(library(lists), [append/3, member/2, nth1/3]).
+:- use_module(library(lists), [append/3, member/2, min_list/2, nth1/3]).
 /** <module> What a session lays out: sheets, patterns, pictures.
 
 Makers is that of session/4 (session.pl); what they make is kept with the
@@ -125,15 +125,27 @@ pattern_titles(Ds, Patterns) :-
 
 %   Only development(S) has the edges of a segment S of the model.
 
-pattern_title(D, _{pattern:D, of:Title, segment:S, edges:Edges}) :-
+pattern_title(D, Pattern) :-
     segment(D, _, Term),
     format(string(Title), "~W", [Term, [quoted(true), max_depth(12)]]),
     pattern_of(D, T),
     part_named(T, S),
+    Pattern0 = _{pattern:D, of:Title, segment:S},
     (   Term == development(S)
-    ->  Edges = true
-    ;   Edges = false
+    ->  findall([E,Half], other_half(D, S, E, Half), Halves),
+        Pattern = Pattern0.put(_{edges:true, halves:Halves})
+    ;   Pattern = Pattern0.put(edges, false)
     ).
+
+%   other_half(D, S, E, Half) is nondet: the pattern D has an edge E of S, which
+%   pictures call by the number of the other half of it.
+
+other_half(D, S, E, Half) :-
+    e(D, E, _, _, _),
+    e(S, E, V1, V2, _),
+    findall(Back, e(S, Back, V2, V1, _), Backs),
+    min_list(Backs, Half),
+    Half < E.
 
 %!  folded(+Head:dict, +Makers, -Reply:dict, -Octets) is det.
 %

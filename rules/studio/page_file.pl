@@ -145,6 +145,7 @@ script(wire).
 script(words).
 script(link).
 script(picture).
+script(space).
 script(ports).
 script(turning).
 script(find).

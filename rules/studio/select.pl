@@ -23,11 +23,13 @@ it, and which other names show it, so that all panes can light it.
 %
 %   Head.names are selected, or, if there is no such key, what was selected is
 %   told again: Reply has `selected`, a list of dicts, and `gone`, the names of
-%   what was selected and is not there any more.
+%   what was selected and is not there any more; and `ends`, where the edges
+%   are that these are or that show them. With Head.keep `false` nothing is
+%   selected, it is only told.
 %
 %   @error request_error(bad_key(names, names)), request_error(no_name(Name))
 
-selected(World, Head, _{selected:Dicts, gone:Gone}) :-
+selected(World, Head, _{selected:Dicts, gone:Gone, ends:Ends}) :-
     (   get_dict(names, Head, Names)
     ->  (   is_list(Names),
             length(Names, N),
@@ -42,9 +44,12 @@ selected(World, Head, _{selected:Dicts, gone:Gone}) :-
                  partition(sg_select:is_there, Names0, Names, Gone)),
         maplist(name_item, Names, Items)
     ),
-    in_state(World, shown, maplist(sg_select:item_dict, Names, Items, Dicts)),
-    retractall(selected_(_)),
-    assertz(selected_(Names)).
+    in_state(World, shown, sg_select:told(Names, Items, Dicts, Ends)),
+    (   get_dict(keep, Head, false)
+    ->  true
+    ;   retractall(selected_(_)),
+        assertz(selected_(Names))
+    ).
 
 kept(Names) :-
     (   selected_(Names0)
@@ -57,11 +62,30 @@ kept(Names) :-
 selection_forgotten :-
     retractall(selected_(_)).
 
-:- public is_there/1, item_dict/3.
+:- public is_there/1, told/4.
 
 is_there(Name) :-
     name_item(Name, Item),
     once(item(Item, _, _, _)).
+
+%   told(Names, Items, Dicts, Ends): Ends is _{s2e7:[[X,Y,Z],[X,Y,Z]], ...}.
+
+told(Names, Items, Dicts, Ends) :-
+    maplist(item_dict, Names, Items, Dicts),
+    findall(Name,
+            ( member(Dict, Dicts),
+              ( Name = Dict.name ; member(Name, Dict.shows) ) ),
+            All0),
+    sort(All0, All),
+    findall(Key-[[X1,Y1,Z1],[X2,Y2,Z2]],
+            ( member(Name, All),
+              name_item(Name, edge(S,E)),
+              e(S, E, V1, V2, _),
+              v(S, V1, X1, Y1, Z1),
+              v(S, V2, X2, Y2, Z2),
+              atom_string(Key, Name) ),
+            Pairs),
+    dict_pairs(Ends, _, Pairs).
 
 %   name_item(Name, Item) is semidet: Item is segment(S), edge(S, E) ...
 
@@ -86,7 +110,7 @@ part(S, Item) -->
     sign(Sign),
     number(Id0),
     { Id is Sign*Id0,
-      ( Id > 0 ; Kind == edge ),
+      ( Id > 0 -> true ; Kind == edge ),
       Item =.. [Kind,S,Id] }.
 
 letter(0'e, edge).

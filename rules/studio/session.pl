@@ -16,9 +16,9 @@
 :- use_module(complete, [completed/4]).
 :- use_module(document,
               [ document_changed/5, document_file/1, document_input/2,
-                document_is_saved/1, document_opened/3, document_reloaded/4, document_revision/1,
-                document_rules/2,
-                document_saved/2, document_text/1, document_tried/4,
+                document_is_saved/1, document_opened/3, document_reloaded/4,
+                document_revision/1, document_rules/2, document_saved/2,
+                document_text/1, document_tried/4,
                 document_world/1, trial_ended/1
               ]).
 :- use_module(document_verb, [of_the_document/6]).

@@ -384,7 +384,7 @@ revision_heard(Visitor, Socket, Head) :-
         told(Visitor, Socket, _{event:"revision", rev:Revision})
     ).
 
-%   saving_heard(Do, Visitor, Socket, Head): a saved document has no new revision.
+%   saving_heard(Do, Visitor, Socket, Head): what is saved has no new revision.
 
 saving_heard(Do, Visitor, Socket, Head) :-
     (   Do == "save",

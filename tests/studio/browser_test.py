@@ -196,6 +196,75 @@ def kinds(language):
     browser.script("studio.light('chosen', [])")
 
 
+# A seam of the pattern in port 1 that port 0 does not draw: its name, where it is on
+# the screen, and how often it stands in the pattern.
+SEAM = """
+  const [space, flat] = studio.ports.ports.map(({ picture }) => picture);
+  const of = (s) => [...s.edges].map((e) => `s${s.segment}e${e}`);
+  const cuts = flat.shown.strokes.filter((s) => s.closed && flat.shown.looks[s.look][1] === "cut");
+  const all = cuts.flatMap(of);
+  for (const s of cuts) for (const [i, name] of of(s).entries()) {
+    if (space.draws(name)) continue;
+    const p = s.points, j = (2 * i + 2) % p.length;
+    const {x, y} = new DOMPoint((p[2 * i] + p[j]) / 2, (p[2 * i + 1] + p[j + 1]) / 2)
+      .matrixTransform(flat.svg.getScreenCTM());
+    return [name, x, y, all.filter((one) => one === name).length];
+  }"""
+NUMBERS = "(%s || '').split(/[ML ]+/).filter(Boolean).map(Number)"
+
+
+def seams(language):
+    """What is pointed at in a pattern is seen in space, drawn there or not."""
+    browser.wait("!studio.ports.ports[1].busy && studio.ports.ports[1].picture"
+                 ".shown && !studio.ports.ports[0].busy")
+    name, x, y, times = browser.script(SEAM)
+    check(language + ": both sides of a seam have one name", times == 2, name)
+    browser.pointer((x, y))
+    check(language + ": both sides are lit", browser.wait(
+        "(%s || '').split('M').length === 3" % (LAYER % (1, "hover"))))
+    lit = browser.wait("%s.length === 4 && %s" % (
+        (NUMBERS % (LAYER % (0, "hover")),) * 2))
+    browser.pointer("down", "up")
+    check(language + ": chosen, it stays lit in space", lit and browser.wait(
+        "JSON.stringify(%s.slice(0, 4)) === arguments[0]" % (
+            NUMBERS % (LAYER % (0, "chosen"))),
+        json.dumps(lit, separators=(",", ":"))), lit)
+    browser.script("studio.looks.lines = 'all'; studio.looked()")
+    drawn = browser.wait("""studio.ports.ports[0].picture.draws(arguments[0]) &&
+      [...studio.ports.ports[0].picture.shown.strokes.find((s) => s.edges.length === 1 &&
+        `s${s.segment}e${s.edges[0]}` === arguments[0]).points]""", name)
+    there = lit and drawn and min(
+        max(abs(a - b) for a, b in zip(lit, ends))
+        for ends in (drawn, drawn[2:] + drawn[:2]))
+    check(language + ": where its line would be", there is not None and
+          there <= 1, (lit, drawn))
+    browser.script("delete studio.looks.lines; studio.looked()")
+
+    # Within a piece: all of its joints.
+    browser.wait("!studio.ports.ports[0].busy && !studio.ports.ports[0]"
+                 ".picture.draws(arguments[0])", name)
+    middle = browser.script("""
+      const { picture } = studio.ports.ports[1];
+      const { points } = picture.shown.strokes.find((s) => s.closed);
+      const r = picture.svg.getBoundingClientRect();
+      for (let x = r.x; x < r.right; x += 3) for (let y = r.y; y < r.bottom; y += 3) {
+        if (!picture.near(x, y) && picture.pieceAt(x, y).length) return [x, y];
+      }""")
+    if middle:
+        browser.pointer(middle)
+    check(language + ": all joints of a piece", middle and browser.wait("""
+      (() => {
+        const [space, flat] = studio.ports.ports.map(({ picture }) => picture);
+        const names = new Set(flat.pieceAt(...arguments[0]));
+        return names.size > 20 && JSON.stringify([...names].sort()) === JSON.stringify([...flat.lit.hover].sort()) &&
+          space.layers.hover.getAttribute("d").split("M").length > 20;
+      })()""", middle), middle)
+    browser.pointer((5, 5))
+    check(language + ": pointed at no more", browser.wait(
+        "!%s && !%s" % (LAYER % (0, "hover"), LAYER % (1, "hover"))))
+    browser.script("studio.chosen([])")
+
+
 def kept_questions(language):
     """The question in the box is kept with the model; it is asked again by its
     name, found by Ctrl-K, and taken away."""
@@ -569,6 +638,8 @@ def flows(language):
     check(language + ": the line is lit", browser.script("return " + LAYER %
                                                          (0, "chosen")))
 
+    seams(language)
+
     # A question: its answers are lit in every port.
     browser.script("document.getElementById('goal').value = arguments[0]",
                    "e(1, E, _, _, 1), E < 3")
@@ -576,11 +647,9 @@ def flows(language):
     check(language + ": answers", browser.wait(
         "document.querySelector('.ask .remark').textContent === arguments[0]",
         words["answers"]))
-    check(language + ": lit in every port that shows them", browser.script('''
-      return studio.ports.ports.every(({picture, kind}) => kind === "unfold" ||
-        picture.shown.strokes.some(s => s.segment === 1 && s.edges.some(
-          e => e < 3 && e > 0)) === Boolean(picture.layers.lit.getAttribute("d")))
-        && studio.ports.ports[0].picture.layers.lit.getAttribute("d")'''))
+    check(language + ": lit in every port, drawn there or not", browser.wait(
+        "studio.ports.ports.every(({picture, kind}) => kind === 'unfold' || "
+        "picture.layers.lit.getAttribute('d'))"))
     lit = browser.script("return [...studio.ports.ports[0].picture.lit.lit]")
     check(language + ": these and no others", sorted(lit) == ["s1e1", "s1e2"],
           lit)

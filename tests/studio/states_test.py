@@ -122,7 +122,7 @@ def reasons():
     check("another model: nothing is chosen, asked or explained",
           browser.script("return [studio.names.length, " + WHY + ", document"
                          ".querySelector('.answers').textContent, studio.tree"
-                         ".segment ?? 0, studio.handles.list.length]") ==
+                         ".segment ?? 0, studio.handles?.list.length ?? 0]") ==
           [0, "", "", 0, 0])
     browser.script("studio.looks.lines = 'all'; studio.looked(); studio.chosen("
                    "['s1e50'], studio.ports.ports[0])")
