@@ -33,6 +33,7 @@ typedef struct joiner {
   uint32_t *some;   /* [triangles]: these, from the first; null: all */
   uint32_t *place;
   const unsigned char *changed; /* [triangles], or null */
+  bool in_faces;
   sg_bvh_hits hits;
   block *block;
   size_t blocks;
@@ -75,6 +76,7 @@ find_candidates(joiner *j, sg_pool *pool, const sg_cancel *cancel)
                                    .wants = may_meet,
                                    .data = j,
                                    .in_polygons = true,
+                                   .in_faces = j->in_faces,
                                    .changed = j->changed};
 
   return sg_self_join(&joining, pool, cancel, &j->hits);
@@ -288,13 +290,14 @@ sg_self_cut(const sg_dense *dense, size_t s, double tolerance, sg_pool *pool,
 
 bool
 sg_self_cut_changed(const sg_dense *dense, size_t s,
-                    const unsigned char *changed, double tolerance,
-                    sg_pool *pool, const sg_cancel *cancel,
+                    const unsigned char *changed, bool in_faces,
+                    double tolerance, sg_pool *pool, const sg_cancel *cancel,
                     sg_self_meetings *out)
 {
   joiner j = joiner_of(dense, s, tolerance);
 
   j.changed = changed;
+  j.in_faces = in_faces;
   return cut(&j, s, pool, cancel, out);
 }
 

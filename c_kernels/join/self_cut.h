@@ -48,11 +48,13 @@ bool sg_self_cut(const sg_dense *dense, size_t s, double tolerance,
                  sg_pool *pool, const sg_cancel *cancel, sg_self_meetings *out);
 
 /* Those of them that a triangle has part in that is `changed` (of the triangles
- * of s): for a segment whose other triangles are known not to meet. */
+ * of s): for a segment whose other triangles are known not to meet. in_faces:
+ * also of two triangles of one polygon that is exactly flat and looks one way
+ * everywhere; else those are known not to. */
 bool sg_self_cut_changed(const sg_dense *dense, size_t s,
-                         const unsigned char *changed, double tolerance,
-                         sg_pool *pool, const sg_cancel *cancel,
-                         sg_self_meetings *out);
+                         const unsigned char *changed, bool in_faces,
+                         double tolerance, sg_pool *pool,
+                         const sg_cancel *cancel, sg_self_meetings *out);
 
 /* Those of triangles of polygons that are not left out: [polygons] of s, or
  * null: of all. */

@@ -347,6 +347,26 @@ grow_pair(sg_self_joiner *j, const sg_bvh_hit *hit, size_t n, uint32_t *list,
   return out->a && out->b;
 }
 
+/* If faces may meet themselves: looks whether one may, what is changed of its
+ * triangles with all. Then all triangles are asked about: there are no faces. */
+static bool
+look_into_faces(sg_self_joiner *j, sg_pool *pool, const sg_cancel *cancel)
+{
+  bool good = true;
+
+  for (size_t f = 0; good && j->of->in_faces && f < j->faces; f++) {
+    const uint32_t *list = j->in_face + j->face[f].first;
+    sg_bvh *tree = grow(j, list, j->face[f].n, pool, cancel);
+
+    good = tree && join_list(j, list, j->face[f].n, tree, pool, cancel);
+    sg_bvh_close(tree);
+    if (j->hits.n > 0) {
+      j->faces = j->hits.n = 0;
+    }
+  }
+  return good;
+}
+
 static bool
 join_faces(sg_self_joiner *j, const sg_bvh *tree, sg_pool *pool,
            const sg_cancel *cancel)
@@ -422,7 +442,7 @@ sg_self_join(const sg_self_joining *joining, sg_pool *pool,
   }
   const sg_bvh *tree = j.tree ? j.tree : joining->tree;
 
-  good = good &&
+  good = good && look_into_faces(&j, pool, cancel) &&
          (j.faces > 0 ? join_singles(&j, pool, cancel) &&
                             join_faces(&j, tree, pool, cancel)
                       : join_list(&j, NULL, joining->n, tree, pool, cancel));

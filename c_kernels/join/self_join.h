@@ -29,6 +29,8 @@ typedef struct sg_self_joining {
   bool by_place;      /* corners in one place are one, for what hangs on one
                          vertex (fan.h): what touches in a point is not wanted */
   bool in_polygons;   /* also pairs of one polygon, if it is not exactly flat */
+  bool in_faces;      /* with in_polygons, also of those that are: they may
+                         lie on themselves */
   bool but_equal;     /* not those that have three corners in common */
   double reach;       /* above 0: also pairs that are no farther apart */
   const sg_bvh *tree; /* over boxes along x, y, z of all: triangle i is at place

@@ -76,7 +76,7 @@ sg_boundary_mesh_meetings(const sg_boundary_mesh *mesh, bool all, sg_pool *pool,
   *out = (sg_self_meetings){0};
   if (done && mesh->mesh.face.count > 0) {
     done = all ? sg_self_cut(&s.dense, 0, 0, pool, cancel, out)
-               : sg_self_cut_changed(&s.dense, 0, mesh->changed, 0, pool,
+               : sg_self_cut_changed(&s.dense, 0, mesh->changed, false, 0, pool,
                                      cancel, out);
   }
   close_segment(&s);

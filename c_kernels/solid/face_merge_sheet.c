@@ -8,6 +8,7 @@
 #include "engine/list.h"
 #include "engine/search.h"
 #include "join/self_cut.h"
+#include "rows/key_table.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -203,39 +204,73 @@ list_pairs(const sg_sheet *sheet, const sg_self_meetings *met,
   return out->item;
 }
 
-/* As one segment, all of it one polygon: only triangles are asked about. */
+/* What tells triangles of several faces apart, as polygons of a segment. */
+typedef struct polygons {
+  int32_t *of; /* [triangles]: places in: */
+  int32_t *id;
+  size_t n;
+} polygons;
+
+/* A polygon for each key. False: no memory. */
+static bool
+number_faces(const sg_sheet *sheet, polygons *out)
+{
+  sg_key_table number;
+  bool good = true;
+
+  *out = (polygons){malloc((sheet->n + 1) * sizeof *out->of),
+                    malloc((sheet->n + 1) * sizeof *out->id), 0};
+  sg_key_table_init(&number, 1);
+  for (size_t t = 0; t < sheet->n && good && out->of && out->id; t++) {
+    uint32_t *place = sg_key_table_put(&number, &sheet->key[t]);
+
+    if ((good = place) && *place == SG_NO_KEY) {
+      *place = (uint32_t)out->n;
+      out->id[out->n] = (int32_t)out->n + 1;
+      out->n++;
+    }
+    out->of[t] = good ? (int32_t)*place : 0;
+  }
+  sg_key_table_clear(&number);
+  return good && out->of && out->id;
+}
+
+/* As one segment. That faces are polygons only makes flat ones one thing each:
+ * all triangles are asked about. */
 static sg_merge_end
 join(const sg_sheet *sheet, double (*at)[3], size_t vertices, sg_key_pairs *out)
 {
   const sg_merge_options *options = sheet->m->options;
   uint32_t vertex_begin[2] = {0, (uint32_t)vertices};
   uint32_t triangle_begin[2] = {0, (uint32_t)sheet->n};
-  int32_t polygon = 1, *polygon_of = calloc(sheet->n + 1, sizeof *polygon_of);
+  polygons faces;
+  bool numbered = number_faces(sheet, &faces);
   unsigned char *asked = calloc(sheet->n + 1, 1);
   sg_dense dense = {.segments = 1,
                     .vertex_begin = vertex_begin,
                     .triangle_begin = triangle_begin,
                     .vertices = vertices,
                     .at = at,
-                    .polygons = 1,
-                    .polygon_id = &polygon,
+                    .polygons = faces.n,
+                    .polygon_id = faces.id,
                     .triangles = sheet->n,
-                    .polygon_of = polygon_of,
+                    .polygon_of = faces.of,
                     .corner = sheet->corner};
   sg_self_meetings met = {0};
   sg_merge_end end = SG_MERGE_NO_MEMORY;
 
-  if (polygon_of && asked) {
+  if (numbered && asked) {
     memset(asked, 1, sheet->asked);
-    if (sg_self_cut_changed(&dense, 0, asked, 0, options->pool, options->cancel,
-                            &met)) {
+    if (sg_self_cut_changed(&dense, 0, asked, true, 0, options->pool,
+                            options->cancel, &met)) {
       end = list_pairs(sheet, &met, out) ? SG_MERGE_DONE : SG_MERGE_NO_MEMORY;
     } else if (sg_cancelled(options->cancel)) {
       end = SG_MERGE_STOPPED;
     }
   }
   free(met.item);
-  free(polygon_of);
+  free(faces.of);
+  free(faces.id);
   free(asked);
   return end;
 }

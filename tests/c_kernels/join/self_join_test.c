@@ -17,7 +17,7 @@ enum { MOST = 1 << 14 };
 static sg_fan_triangle triangle[MOST];
 static unsigned char changed[MOST];
 static atomic_long asked;
-static bool by_place;
+static bool by_place, in_faces;
 
 static void
 read_triangle(const void *data, uint32_t i, sg_fan_triangle *out)
@@ -34,7 +34,7 @@ goes_through(void *data, const sg_fan_triangle *a, const sg_fan_triangle *b)
   (void)data;
   atomic_fetch_add(&asked, 1);
   sg_self_two_of(a, b, &two);
-  return a->polygon != b->polygon && sg_self_may_meet(&two) &&
+  return (in_faces || a->polygon != b->polygon) && sg_self_may_meet(&two) &&
          sg_self_goes_through(&two, 0);
 }
 
@@ -45,6 +45,8 @@ joined(size_t n, bool some)
                                    .read = read_triangle,
                                    .wants = goes_through,
                                    .by_place = by_place,
+                                   .in_polygons = in_faces,
+                                   .in_faces = in_faces,
                                    .changed = some ? changed : NULL};
   sg_bvh_hits hits;
 
@@ -185,6 +187,43 @@ test_same(void)
   CHECK("much does", found > 5000);
 }
 
+/* Triangles of a flat polygon that lie on each other are found, if that is
+ * asked for. */
+static void
+test_in_faces(void)
+{
+  size_t found = 0;
+
+  by_place = false;
+  in_faces = true;
+  for (int i = 0; i < 30; i++) {
+    size_t n = add_face(0, 100000, 3), end = 300;
+
+    for (int k = rand() % 30, more = 0; more < 4; more++, n++) {
+      triangle[n] = triangle[k + more];
+      set_corner(&triangle[n], 2, k + more + 3, (k + more + 3) / 2, 3);
+    }
+    for (; n < end; n++) {
+      random_triangle(&triangle[n]);
+      triangle[n].polygon = (int32_t)n;
+    }
+    for (size_t k = 0; k < n; k++) {
+      changed[k] = rand() % 3 == 0;
+    }
+    sg_bvh_hits all = joined(n, false), some = joined(n, true);
+
+    for (size_t k = 0; k < all.n; k++) {
+      found += triangle[all.hit[k].a].polygon == triangle[all.hit[k].b].polygon;
+    }
+    CHECK("what lies in a face", are_all(&all, n, false));
+    CHECK("what does that is changed, too", are_all(&some, n, true));
+    free(all.hit);
+    free(some.hit);
+  }
+  CHECK("some does", found > 100);
+  in_faces = false;
+}
+
 /* ---- how much is asked ---- */
 
 static void
@@ -301,6 +340,7 @@ main(void)
 {
   srand(1988);
   test_same();
+  test_in_faces();
   test_growth();
   return check_report();
 }
