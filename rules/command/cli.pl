@@ -77,12 +77,26 @@ main(Status) :-
     flushed(Status0, Status).
 
 %   The global stack becomes large at once when it grows, and rubbish is looked
-%   for later: a few megabytes are cheaper than copying them often. Both are
+%   for later: a few megabytes are cheaper than copying them often. So does the
+%   trail. The local stack lies in one block with the global one, and is copied
+%   with it, used or not: it grows first, as long as that is small. All are
 %   numbers of cells.
 
 roomy_stack :-
+    set_prolog_stack(local, min_free(3000)),
+    deeply(250),
+    set_prolog_stack(trail, min_free(500000)),
     set_prolog_stack(global, min_free(1000000)),
     set_prolog_stack(global, low(4000000)).
+
+%   deeply(N): calls itself N deep, no call the last one of its clause.
+
+deeply(0) :-
+    !.
+deeply(N) :-
+    N1 is N-1,
+    deeply(N1),
+    N1 >= 0.
 
 %   Those after the first `--`: engine/main.c puts it after Prolog's own.
 
