@@ -266,6 +266,100 @@ get_output(sg_call *call, term_t t, sg_output *out)
   return TRUE;
 }
 
+/* Whether every octet is a character that is seen, a space or the end of a
+ * line, and the stream has it as that octet, in a buffer. */
+static bool
+is_plain(const IOSTREAM *out, const char *text, size_t n)
+{
+  bool plain = out->encoding == ENC_UTF8 && out->newline == SIO_NL_POSIX &&
+               (out->flags & SIO_FBUF) && !out->tee;
+
+  for (size_t i = 0; plain && i < n; i++) {
+    plain = (text[i] >= ' ' && text[i] <= '~') || text[i] == '\n';
+  }
+  return plain;
+}
+
+static void
+move_position(IOPOS *position, const char *text, size_t n)
+{
+  position->charno += (int64_t)n;
+  for (size_t i = 0; i < n; i++) {
+    position->linepos = text[i] == '\n' ? 0 : position->linepos + 1;
+    position->lineno += text[i] == '\n';
+  }
+}
+
+/* Fills the buffer by as much as it has room for, and empties it by the octet
+ * after that: Sputcode() takes each alone. */
+static bool
+put_plain(IOSTREAM *out, const char *text, size_t n)
+{
+  for (size_t done = 0; done < n;) {
+    size_t room =
+        out->bufp < out->limitp ? (size_t)(out->limitp - out->bufp) : 0;
+    size_t some = n - done < room ? n - done : room;
+
+    if (some > 0) {
+      memcpy(out->bufp, text + done, some);
+      out->bufp += some;
+      out->lastc = text[done + some - 1];
+    }
+    done += some;
+    if (out->position) {
+      out->position->byteno += (int64_t)some;
+    }
+    if (done < n && Sputc(text[done++], out) < 0) {
+      return false;
+    }
+  }
+  if (out->position) {
+    move_position(out->position, text, n);
+  }
+  return true;
+}
+
+/* Each character as the stream has it. */
+static bool
+put_codes(IOSTREAM *out, const char *text, size_t n)
+{
+  bool good = true;
+
+  for (size_t i = 0; good && i < n;) {
+    unsigned lead = (unsigned char)text[i++];
+    int more = lead < 0xC0 ? 0 : lead < 0xE0 ? 1 : lead < 0xF0 ? 2 : 3;
+    unsigned code = more == 0 ? lead : lead & (0x3FU >> more);
+
+    for (; more > 0 && i < n; more--) {
+      code = code << 6 | ((unsigned char)text[i++] & 0x3F);
+    }
+    good = Sputcode((int)code, out) >= 0;
+  }
+  return good;
+}
+
+static bool
+write_text_stream(void *data, const char *text, size_t n)
+{
+  IOSTREAM *out;
+  bool good;
+
+  if (!get_stream((term_t)data, SIO_OUTPUT, &out)) {
+    return false;
+  }
+  good = is_plain(out, text, n) ? put_plain(out, text, n)
+                                : put_codes(out, text, n);
+  return PL_release_stream(out) && good;
+}
+
+int
+get_text_output(sg_call *call, term_t t, sg_output *out)
+{
+  (void)call;
+  *out = (sg_output){write_text_stream, (void *)t};
+  return TRUE;
+}
+
 /* A string, or a file, being read. */
 typedef struct text_source {
   const char *text; /* null: a file */

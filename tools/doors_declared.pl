@@ -78,6 +78,7 @@ simple(exact,   sg_exact).
 simple(name,    'const char *').
 simple(input,   sg_input).
 simple(output,  sg_output).
+simple(text_output, sg_output).
 simple(text,    sg_input).
 simple(set(id), sg_int_list).
 simple(sense,   bool).

@@ -1,5 +1,7 @@
-/* points_text_rows.c -- points_text/2. */
+/* points_text_rows.c -- points of a sheet as text. */
 #include "doors/drawing.h"
+
+#include <string.h>
 
 enum { LONGEST = 2 * 22 + 2 }; /* octets of a point, and what is around it */
 
@@ -40,23 +42,70 @@ put_thousandths(uint8_t *to, int64_t n)
   return to;
 }
 
+static size_t
+most_octets(const sg_sheet_point_list *points)
+{
+  return points->n * LONGEST;
+}
+
+/* At most most_octets(); where they end. */
+static uint8_t *
+put_points(uint8_t *to, const sg_sheet_point_list *points)
+{
+  for (size_t i = 0; i < points->n; i++) {
+    if (i > 0) {
+      *to++ = ' ';
+    }
+    to = put_thousandths(to, points->at[i].x);
+    *to++ = ',';
+    to = put_thousandths(to, points->at[i].y);
+  }
+  return to;
+}
+
 bool
 sg_door_points_text(sg_call *call, const sg_sheet_point_list *points,
                     sg_bytes *text)
 {
-  uint8_t *begin = sg_call_alloc(call, points->n * LONGEST), *end = begin;
+  uint8_t *begin = sg_call_alloc(call, most_octets(points));
 
   if (!begin) {
     return false;
   }
-  for (size_t i = 0; i < points->n; i++) {
+  *text = (sg_bytes){begin, (size_t)(put_points(begin, points) - begin)};
+  return true;
+}
+
+bool
+sg_door_thousandths_text(sg_call *call, const sg_integer_list *numbers,
+                         sg_bytes *text)
+{
+  uint8_t *begin = sg_call_alloc(call, numbers->n * LONGEST), *end = begin;
+
+  for (size_t i = 0; begin && i < numbers->n; i++) {
     if (i > 0) {
       *end++ = ' ';
     }
-    end = put_thousandths(end, points->at[i].x);
-    *end++ = ',';
-    end = put_thousandths(end, points->at[i].y);
+    end = put_thousandths(end, numbers->at[i]);
   }
   *text = (sg_bytes){begin, (size_t)(end - begin)};
-  return true;
+  return begin != NULL;
+}
+
+bool
+sg_door_points_written(sg_call *call, const sg_output *stream,
+                       const char *before, const sg_sheet_point_list *points,
+                       const char *after)
+{
+  size_t first = strlen(before), last = strlen(after);
+  char *begin = sg_call_alloc(call, first + most_octets(points) + last);
+  char *end;
+
+  if (!begin) {
+    return false;
+  }
+  memcpy(begin, before, first);
+  end = (char *)put_points((uint8_t *)begin + first, points);
+  memcpy(end, after, last);
+  return stream->write(stream->data, begin, (size_t)(end - begin) + last);
 }

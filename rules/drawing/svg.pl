@@ -4,7 +4,7 @@
 :- use_module('../sheet/dash', [stroke_runs/4]).
 :- use_module(drawing_shading, [shading_images/5]).
 :- use_module(image_text, [image_base64/2]).
-:- use_module('../kernel', [points_text/2]).
+:- use_module('../kernel', [points_text/2, points_written/4, thousandths_text/2]).
 :- use_module(ink,
               [ fold_lines/4, ink_width/2, ink_colour/3, ink_runs/2,
                 ink_lines/4, dashes_option/3
@@ -302,8 +302,7 @@ write_line(Out, Look, Line, State0, State) :-
             atom_codes(Head, Codes),
             State = state(Group, Ids0, same(S,Head))
         ),
-        points_text(Points, Text),
-        format(Out, '~w~w"/>~n', [Head,Text])
+        points_written(Out, Head, Points, '"/>\n')
     ;   group_opened(Out, Look, Group0, Group),
         line_id(Edges, S, Ids0, Ids, N),
         line_head(Line, Look, N, Pointss, Before, Head, []),
@@ -325,8 +324,7 @@ line_id([E|_], S, Ids0, Ids, N) :-
     new_id(S, E, Ids0, Ids, N).
 
 write_points(Out, Points, Before, 'M') :-
-    points_text(Points, Text),
-    format(Out, '~w~w', [Before,Text]).
+    points_written(Out, Before, Points, '').
 
 new_id(S, E, Ids0, Ids, N) :-
     (   Ids0 == ids
@@ -431,9 +429,10 @@ dashes(Ink, Stroke) -->
       Runs = [_|_]
     },
     !,
-    { stroke_runs(Stroke, Runs, Fitted, Offset) },
-    " style=\"stroke-dasharray:", spaced(thousandths, Fitted),
-    dash_offset(Offset), "\"".
+    { stroke_runs(Stroke, Runs, Fitted, Offset),
+      thousandths_text(Fitted, Text),
+      string_codes(Text, Codes) },
+    " style=\"stroke-dasharray:", list(Codes), dash_offset(Offset), "\"".
 dashes(_, _) -->
     "".
 

@@ -189,6 +189,15 @@ Foreign predicates; see kernel.pl.
 %   Text are Points, integers that are thousandths, as decimal fractions without
 %   zeros at the end: a comma between X and Y, a space between points.
 
+%!  thousandths_text(+Numbers:list(integer), -Text:bytes) is det.
+%
+%   Text are Numbers, as points_text/2 has them: a space between two.
+
+%!  points_written(+Stream:text_output, +Before:name,
+%!                 +Points:list(sheet_point), +After:name) is det.
+%
+%   Write Before, Points as points_text/2 has them, and After.
+
 /* - - - letter_rows.c - - - */
 
 %!  letter_lines(+Glyphs:list(pen_glyph), +Start:number, +Base:number,

@@ -79,6 +79,8 @@ simple(input, In) :-
     ).
 simple(output, Out) :-
     random_member(Out, [user_input,no_stream]).
+simple(text_output, Out) :-
+    simple(output, Out).
 
 composed(handle(_,_,_), Type, Handle) :-
     findall(H, handle(Type, H), Handles),
