@@ -101,10 +101,8 @@ typedef struct triangle {
 } triangle;
 
 static arc_point
-point_of(const sg_slice *s, int32_t place)
+point_at(const sg_slice *s, double x)
 {
-  double x = place / 256.0;
-
   if (sg_slice_is_ring(s)) {
     return (arc_point){.x = x, .z = sg_ring_depth(s, x), .steep = true};
   }
@@ -119,6 +117,12 @@ point_of(const sg_slice *s, int32_t place)
       .slope =
           s->b + (steep ? 0.0 : s->arc * (2.0 * s->e * at + s->f) / (2 * root)),
       .steep = steep};
+}
+
+static arc_point
+point_of(const sg_slice *s, int32_t place)
+{
+  return point_at(s, place / 256.0);
 }
 
 static int
@@ -173,6 +177,25 @@ apart(const triangle *p, const triangle *q, double t)
     }
   }
   return true;
+}
+
+bool
+sg_slice_is_behind(const sg_slice *front, const sg_slice *s, double x1,
+                   double x2, double t)
+{
+  if (!(sg_slice_depth(s, x1) - sg_slice_depth(front, x1) > t &&
+        sg_slice_depth(s, x2) - sg_slice_depth(front, x2) > t)) {
+    return false;
+  }
+  if (front->arc == 0 && s->arc == 0) {
+    return true;
+  }
+  const arc_point p[2] = {point_at(front, x1), point_at(front, x2)};
+  const arc_point q[2] = {point_at(s, x1), point_at(s, x2)};
+  /* the chord of what is straight bounds it on both sides */
+  triangle near = bound(front->arc == 0 ? 1 : bend_of(front), &p[0], &p[1]);
+  triangle far = bound(s->arc == 0 ? -1 : bend_of(s), &q[0], &q[1]);
+  return apart(&near, &far, t);
 }
 
 /* Whether q - p rises all the way, or falls: as an arc bends one way, its slope

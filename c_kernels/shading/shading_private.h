@@ -201,6 +201,8 @@ struct sg_shading_work {
   sg_ring_line *line;          /* [tori]: where the last line cut them */
   double between[2];        /* dots: what is round and lies here is left out */
   sg_expression expression; /* a copy with counters of its own */
+  size_t looked;            /* how often slices of the line were looked at */
+  size_t searched;          /* and in search of hidden ones */
   bool failed;              /* no memory */
   sg_shading_work *light[SG_SHADOWS]; /* null: not yet */
 };
@@ -297,6 +299,19 @@ int32_t sg_slice_end(const sg_shading_work *work, double x);
 bool sg_slices_of_line(sg_shading_work *work, double y);
 bool sg_slices_of_item(sg_shading_work *work, const sg_shading_item *item,
                        double y);
+
+/* By so much more than what is one group a slice is behind another one for
+ * certain. */
+#define SG_SLICE_MARGIN(tolerance) (4.0 * (tolerance) + 1e-8)
+
+/* hidden_slice.c: work->slice without what is hidden behind other slices, if
+ * all is opaque. What is seen stays the same. False: no memory. */
+bool sg_drop_hidden_slices(sg_shading_work *work);
+
+/* crossing.c: whether s, no torus, is more than t behind `front`, which is none
+ * either, all the way from x1 to x2, in dots. What is not certain is false. */
+bool sg_slice_is_behind(const sg_slice *front, const sg_slice *s, double x1,
+                        double x2, double t);
 
 /* crossing.c: the first place strictly between x1 and x2, in 1/256 dot, where
  * two slices, of which p is the nearer one in the middle or in one place with

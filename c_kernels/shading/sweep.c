@@ -275,6 +275,7 @@ change_active(sg_shading_work *w, int32_t x, size_t *next, int32_t *to)
   size_t kept = 0;
   int32_t end = INT32_MAX;
 
+  w->looked += w->active.n;
   for (size_t i = 0; i < w->active.n; i++) {
     int32_t x2 = w->active.item[i].slice->x2;
     if (x2 > x) {
@@ -329,9 +330,9 @@ nearest(const sg_shading_work *w, int32_t x)
  * entered, is in front of all that is there or begins: it is seen, whatever
  * else begins or ends behind it. x: not at all. In *front its place. */
 static int32_t
-front_ends(const sg_shading_work *w, int32_t x, size_t next, size_t *front)
+front_ends(sg_shading_work *w, int32_t x, size_t next, size_t *front)
 {
-  double margin = 4.0 * w->scene->frame.tolerance + 1e-8;
+  double margin = SG_SLICE_MARGIN(w->scene->frame.tolerance);
 
   *front = nearest(w, x);
   const sg_slice *f = w->active.item[*front].slice;
@@ -348,7 +349,7 @@ front_ends(const sg_shading_work *w, int32_t x, size_t next, size_t *front)
       return x;
     }
   }
-  for (; start_at(w, next) < to; next++) {
+  for (; start_at(w, next) < to; next++, w->looked++) {
     const sg_slice *s = slice_of_start(w, next);
     if (s->arc != 0 || !is_behind(s, f, s->x1, margin) ||
         !is_behind(s, f, s->x2 < to ? s->x2 : to, margin)) {
@@ -386,19 +387,23 @@ is_wanted(const sg_line_part *part, int32_t x1, int32_t x2)
                       : x1 < part->to && x2 > part->from;
 }
 
-bool
-sg_shading_line_part(const sg_shading *scene, sg_shading_work *w, double y,
-                     const sg_line_part *part, sg_spans *out)
+/* Looks so many times at each slice before it is asked which of them are
+ * hidden. */
+enum { CROWD = 16 };
+
+/* What is seen of the slices from left to right. In *crowded whether it was
+ * given up, as there are many in one place; null: it is not. */
+static bool
+sweep_line(sg_shading_work *w, const sg_line_part *part, bool *crowded,
+           sg_spans *out)
 {
   size_t next = 0;
 
-  w->scene = scene;
   out->n = 0;
   w->open.n = 0;
   w->active.n = 0;
-  w->between[0] = part->beyond ? part->from / 256.0 : INFINITY;
-  w->between[1] = part->beyond ? part->to / 256.0 : -INFINITY;
-  if (!sg_slices_of_line(w, y) || !list_starts(w)) {
+  w->looked = 0;
+  if (!list_starts(w)) {
     return false;
   }
   for (int32_t x1 = start_at(w, 0), x2; x1 < INT32_MAX; x1 = x2) {
@@ -407,8 +412,28 @@ sg_shading_line_part(const sg_shading *scene, sg_shading_work *w, double y,
          !sweep_on(w, x1, next, &x2, out))) {
       return false;
     }
+    if (crowded && w->looked > CROWD * w->slice.n) {
+      *crowded = true;
+      break;
+    }
   }
   return true;
+}
+
+bool
+sg_shading_line_part(const sg_shading *scene, sg_shading_work *w, double y,
+                     const sg_line_part *part, sg_spans *out)
+{
+  bool opaque = !w->opacities && !scene->through, crowded = false;
+
+  w->scene = scene;
+  w->searched = 0;
+  w->between[0] = part->beyond ? part->from / 256.0 : INFINITY;
+  w->between[1] = part->beyond ? part->to / 256.0 : -INFINITY;
+  return sg_slices_of_line(w, y) &&
+         sweep_line(w, part, opaque ? &crowded : NULL, out) &&
+         (!crowded ||
+          (sg_drop_hidden_slices(w) && sweep_line(w, part, NULL, out)));
 }
 
 bool
