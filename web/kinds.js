@@ -42,7 +42,12 @@ function viewKeys(port, width, height) {
 
 export const eyeWords = (port) => ["--view", port.angles.map((angle) => angle.toFixed(4)).join(",")];
 
-const view = { ask: (port, width, height) => port.studio.wire.ask("view", viewKeys(port, width, height)) };
+// `before`: by the rules that the model follows, while others are tried.
+const view = {
+  ask: (port, width, height) => port.studio.wire.ask("view", viewKeys(port, width, height)),
+  before: (port, width, height) => port.studio.wire.ask("view",
+    { ...viewKeys(port, width, height), port: port.name + " before", before: true }),
+};
 
 // Cut open: the plane is pulled along one axis of the model.
 const section = {

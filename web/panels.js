@@ -368,7 +368,6 @@ export class Rules extends Editor {
   async done() {
     const { studio } = this;
     const text = this.field.value;
-    if (this.tried === null) studio.ports.remember();
     try {
       const { head } = await studio.wire.ask("rules", { try: true, body: text, ...studio.looks });
       this.tried = text;

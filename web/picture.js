@@ -161,11 +161,15 @@ export class Picture {
     this.layers[layer].setAttribute("d", d + unseen.map(([, at]) => `M${at.map((v) => this.where(v).join(" ")).join("L")}`).join(""));
   }
 
-  // Lines that an older picture had.
+  // Lines that another picture of the same view has, or none; where they are in this one.
   ghost(picture, names) {
     let d = "";
-    for (const stroke of picture.strokes) {
-      d += partPath(stroke, (edge) => names.has(nameOf(stroke.segment, edge)));
+    if (picture?.place && this.shown?.place) {
+      const [[s0, x0, y0, l0, t0], [s1, x1, y1, l1, t1]] = [picture.place, this.shown.place];
+      const moved = (n, i) => (i % 2 ? t1 + (y1 - y0) * s1 + (n - t0) * s1 / s0 : l1 + (x0 - x1) * s1 + (n - l0) * s1 / s0);
+      for (const stroke of picture.strokes) {
+        d += partPath({ ...stroke, points: Array.from(stroke.points, moved) }, (edge) => names.has(nameOf(stroke.segment, edge)));
+      }
     }
     this.layers.gone.setAttribute("d", d);
   }

@@ -231,17 +231,24 @@ class Port {
     this.studio.handles?.draw(this);
   }
 
-  // What the picture is of, but for the model.
-  get sight() {
-    return [this.kind, ...this.angles, this.settings.segment].join();
+  // Lines that the rules that are tried took away, where they were before.
+  haunt() {
+    this.picture.ghost(null);
+    if (this.studio.ports.went.size && kindOf(this.kind).before) this.haunted();
   }
 
-  // Lines that the rules that are tried took away, in the picture of before.
-  haunt() {
-    const { went } = this.studio.ports;
-    const same = went.size && this.prior?.shown && this.prior.sight === this.sight;
-    this.picture.ghost(same ? this.prior.shown : { strokes: [] }, went);
-  }
+  haunted = calm(60, async () => {
+    const { shown } = this.picture;
+    const { before } = kindOf(this.kind);
+    if (!shown || !before) return;
+    try {
+      const reply = await before(this, ...this.size);
+      if (shown === this.picture.shown && !reply.head.replaced) this.picture.ghost(strokesOf(reply), this.studio.ports.went);
+    } catch (error) {
+      if (error.message !== "interrupted") this.picture.ghost(null);
+      else this.haunted();
+    }
+  });
 
   describe(text) {
     this.canvas.setAttribute("aria-label", text + (this.turns ? ". " + w("turn") : ""));
@@ -611,14 +618,6 @@ export class Ports {
     for (const one of this.ports) one.showing.setAttribute("aria-pressed", String(one === this.shown));
     if (this.shown) this.shown.refresh();
     else this.studio.wire.ask("show").catch((error) => this.studio.failed(error));
-  }
-
-  // The pictures of now are those before what is tried.
-  remember() {
-    for (const port of this.ports) {
-      const now = port.element.dataset.rev === this.element.dataset.rev;
-      port.prior = now ? { shown: port.picture.shown, sight: port.sight } : null;
-    }
   }
 
   // Lines that went, where they were.

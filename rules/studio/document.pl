@@ -7,6 +7,7 @@
             document_text/1,            % -Text
             document_is_saved/1,        % -Boolean
             document_world/1,           % -World
+            document_world_before/1,    % -World
             document_revision/1,        % -Revision
             document_file/1,            % -File
             document_input/2,           % -File, -Text
@@ -79,6 +80,19 @@ document_world(World) :-
         ;   Key = Now
         ),
         model_world(Kind, File, Key, World, _)
+    ;   request_error(no_document)
+    ).
+
+%!  document_world_before(-World) is det.
+%
+%   World holds the model by the rules that the document follows, whatever is
+%   tried.
+%
+%   @error request_error(no_document)
+
+document_world_before(World) :-
+    (   document(File, Kind, _, state(Now, _, _), _, _)
+    ->  model_world(Kind, File, Now, World, _)
     ;   request_error(no_document)
     ).
 

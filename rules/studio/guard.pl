@@ -279,7 +279,7 @@ request_allowed(Front, Head, Allowed) :-
 %   keys(Do, Keys): what a request may say.
 
 keys("open",     [file,replay,upload]).
-keys("view",     [port,section,explode|Keys]) :-
+keys("view",     [port,section,explode,before|Keys]) :-
     view_keys(Keys).
 keys("sheet",    [options,pens]).
 keys("shaded",   [options]).

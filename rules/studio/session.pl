@@ -19,7 +19,7 @@
                 document_is_saved/1, document_opened/3, document_reloaded/4,
                 document_revision/1, document_rules/2, document_saved/2,
                 document_text/1, document_tried/4,
-                document_world/1, trial_ended/1
+                document_world/1, document_world_before/1, trial_ended/1
               ]).
 :- use_module(document_verb, [of_the_document/6]).
 :- use_module(job, [captured/2, verb_job/5, worlds_collected/0]).
@@ -400,7 +400,10 @@ seen(request(Sequence, Head, _), _, Reply, Octets) :-
         Newest > Sequence
     ->  Reply = _{replaced:true},
         Octets = ""
-    ;   document_world(World),
+    ;   (   get_dict(before, Head, true)
+        ->  document_world_before(World)
+        ;   document_world(World)
+        ),
         viewed(World, Head, Reply, Octets)
     ).
 

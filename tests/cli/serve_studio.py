@@ -513,6 +513,8 @@ check("came", head["came"] == [] == list(names(wanted) - names(plain)), head)
 check("changed", len(head["changed"]) == head["count"]["changed"] > 0 and
       all(n.startswith("s1") for n in head["changed"]), head)
 check("the picture follows them", s.ask("view", format="json")[1] == wanted)
+check("the picture of before", s.ask("view", format="json", before=True)[1]
+      == plain)
 head, octets = s.ask("rules")
 check("told", octets == RULES and head["tried"] is True and
       "rules" in [d["by"] for d in head["decisions"]], head)

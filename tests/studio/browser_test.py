@@ -297,6 +297,69 @@ def kept_questions(language):
         front_page.ask("text")[1])
 
 
+RULES = "may_cut(_, _) :- fail.\nedge_role(_, _, _, _, crease).\n"
+# The lines of a layer of port N, each with the end first that is less.
+PIECES = """
+  const ends = (p) => p.map((n) => Math.round(n)).join(" ");
+  const piece = (a, b) => [ends(a), ends(b)].sort().join(" ");
+  const lines = (d) => (d || "").split("M").filter(Boolean).map((one) => {
+    const n = one.split(/[L ]+/).filter(Boolean).map(Number);
+    return piece(n.slice(0, 2), n.slice(2, 4));
+  }).sort();
+  const of = ({ strokes }, names) => strokes.flatMap(({ segment, edges, points }) => [...edges].flatMap((e, i) =>
+    (names.includes(`s${segment}e${e}`) ? [piece([...points.slice(2 * i, 2 * i + 2)], [...points.slice(2 * i + 2, 2 * i + 4)])] : []))).sort();
+"""
+
+
+def line_names(*arguments):
+    """The names of the lines that `draw` draws."""
+    drawn = json.loads(cli("draw", *arguments, "--format", "json", "-o", "-"))
+    return {"s%de%d" % (line["segment"], edge)
+            for line in drawn["lines"] for edge in line["edges"]}
+
+
+def tried_lines(language, written):
+    """Lines that came are green, those that went red: those by which two
+    drawings of the command line differ. Also in a port that never drew the model
+    by the rules of before, as those of a phone that are not shown."""
+    with open(os.path.join(models, "tried.pl"), "w") as out:
+        out.write(RULES)
+    with open(os.path.join(models, "now.pl"), "w") as out:
+        out.write(front_page.ask("text")[1].decode())
+    before = line_names("now.pl")
+    after = line_names("now.pl", "--quiet", "--rules", "tried.pl")
+    for name in ("now.pl", "tried.pl"):
+        os.remove(os.path.join(models, name))
+    came, went = sorted(after - before), sorted(before - after)
+    browser.script("studio.ports.ports[0].turnTo('iso'); studio.ports.ports[2]"
+                   ".turnTo('back')")
+    browser.wait("studio.ports.ports.every((p) => !p.busy) && studio.ports"
+                 ".ports[2].picture.shown")
+    browser.script("window.seen = studio.ports.ports[0].picture.shown; "
+                   "window.back = studio.ports.ports[2].picture.shown; "
+                   "studio.ports.ports[2].turnTo('right')")
+    browser.script(written, RULES)
+    check(language + ": lines that a rule changes", browser.wait(
+        "studio.rules.wrong.hidden && studio.rules.counts.textContent"))
+    check(language + ": green are those that came", came and browser.wait(
+        "JSON.stringify([...studio.ports.ports[0].picture.lit.came].sort()) "
+        "=== arguments[0]", json.dumps(came, separators=(",", ":"))), came)
+    check(language + ": red are those that went", went and browser.wait(
+        "(() => {" + PIECES + """
+          const red = lines(studio.ports.ports[0].picture.layers.gone.getAttribute("d"));
+          return red.length && JSON.stringify(red) === JSON.stringify(of(window.seen, arguments[0]));
+        })()""", went), went)
+    browser.script("studio.ports.ports[2].turnTo('back')")
+    check(language + ": red also where the model is drawn only now",
+          browser.wait("(() => {" + PIECES + """
+          const red = lines(studio.ports.ports[2].picture.layers.gone.getAttribute("d"));
+          return red.length && JSON.stringify(red) === JSON.stringify(of(window.back, arguments[0]));
+        })()""", went), browser.script(
+            "return studio.ports.ports[2].picture.layers.gone.getAttribute('d')"))
+    browser.script("studio.ports.ports[2].turnTo('top'); studio.ports.ports[0]"
+                   ".turnTo('iso')")
+
+
 def file_changed(language):
     """Another program writes the file: one step; or whoever looks chooses."""
     path = os.path.join(models, "tee.pl")
@@ -664,11 +727,10 @@ def flows(language):
         "=== arguments[0]", json.dumps(sorted(
             {name for shown in head["shows"] for name in shown}),
             separators=(",", ":"))), head)
-    check(language + ": lit in every port", browser.script('''
-      return studio.ports.ports.every(({picture, kind}) => kind === "unfold" ||
-        picture.shown.strokes.some(s => [...s.edges].some(e => picture.lit.lit.has(
-          `s${s.segment}e${e}`))) === Boolean(picture.layers.lit.getAttribute("d")))
-        && studio.ports.ports[0].picture.layers.lit.getAttribute("d")'''))
+    check(language + ": lit in every port that draws them", browser.wait("""
+      studio.ports.ports[0].picture.layers.lit.getAttribute("d") &&
+      studio.ports.ports.every(({picture, kind}) => kind === "unfold" || picture.layers.lit.getAttribute("d") ||
+        ![...picture.lit.lit].some((name) => picture.draws(name)))"""))
     kept_questions(language)
     browser.script("document.getElementById('goal').value = 'shell(ls)'")
     browser.keys(ENTER, "#goal")
@@ -755,9 +817,7 @@ def flows(language):
                    "line_role(_, _, outline).\n")
     check(language + ": what is wrong with a rule", browser.wait(
         "!studio.rules.wrong.hidden && studio.rules.wrong.textContent"))
-    browser.script(written, "line_segment(_, S2, S2).\n")
-    check(language + ": lines that a rule changes", browser.wait(
-        "studio.rules.wrong.hidden && studio.rules.counts.textContent"))
+    tried_lines(language, written)
     browser.script("studio.rules.end(false)")
     browser.script("document.querySelector('.tabs [data-word=tree]').click()")
     browser.wait("document.getElementById('banner').hidden")
