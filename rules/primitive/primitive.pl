@@ -389,7 +389,7 @@ face_list(face(_, Loops), List) :-
 %   made(Term, Kind, Motions, Shape): before placing.
 
 made(Term, Kind, Motions, Shape) :-
-    placed(Term, Primitive, Motions),
+    placed(Term, Primitive, [], Motions),
     stretched(Primitive, Motions, Stretch),
     shaped(Primitive, Kind, Maker, Stretch, Given),
     catch(call(Maker, Given, Shape),
@@ -408,26 +408,26 @@ stretched(Primitive, Motions, Stretch) :-
           error(evaluation_error(_), _),
           primitive_error(too_large, Primitive)).
 
-%   placed(Term, Primitive, Motions): at/2 and named/2 taken off; the inner
-%   steps first.
+%   placed(Term, Primitive, Outer, Motions): at/2 and named/2 taken off; the inner
+%   steps first, then Outer.
 
-placed(Term, _, _) :-
+placed(Term, _, _, _) :-
     \+ is_primitive(Term),
     !,
     primitive_error(unknown, Term).
-placed(at(Steps, Inner), Primitive, Motions) :-
+placed(at(Steps, Inner), Primitive, Outer0, Motions) :-
     !,
     (   is_list(Steps)
     ->  true
     ;   primitive_error(no_list(Steps), at(Steps, Inner))
     ),
-    maplist(known_step, Steps, Motions2),
-    placed(Inner, Primitive, Motions1),
-    append(Motions1, Motions2, Motions).
-placed(named(_, Inner), Primitive, Motions) :-
+    maplist(known_step, Steps, Own),
+    append(Own, Outer0, Outer),
+    placed(Inner, Primitive, Outer, Motions).
+placed(named(_, Inner), Primitive, Outer, Motions) :-
     !,
-    placed(Inner, Primitive, Motions).
-placed(Primitive, Primitive, []).
+    placed(Inner, Primitive, Outer, Motions).
+placed(Primitive, Primitive, Motions, Motions).
 
 known_step(Step, Motion) :-
     (   step_motion(Step, Motion0)
@@ -476,7 +476,7 @@ primitive_parts(Term, Parts, Surfaces) :-
     known_parts(Term, _, Parts, Surfaces).
 
 known_parts(Term, Kind, Parts, Surfaces) :-
-    placed(Term, Primitive, Motions),
+    placed(Term, Primitive, [], Motions),
     stretched(Primitive, Motions, Stretch),
     remembered_parts(Primitive-Stretch, Kind, Parts, Surfaces0),
     maplist(moved_surface(Motions), Surfaces0, Surfaces).

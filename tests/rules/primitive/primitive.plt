@@ -46,7 +46,21 @@ refused(Term, What) :-
           error(model_error(primitive(What0, _)), _), true),
     What == What0.
 
+%   nested_inferences(N, Inferences): of a box in N placings.
+
+nested_inferences(N, Inferences) :-
+    numlist(1, N, Is),
+    foldl([_,T,at([translate(1,0,0)],T)]>>true, Is, box(size(1,1,1)), Term),
+    statistics(inferences, I0),
+    primitive_shape(Term, solid, _, _),
+    statistics(inferences, I1),
+    Inferences is I1-I0.
+
 :- begin_tests(primitive).
+
+test(nested, true(Many < 5*Few)) :-
+    nested_inferences(200, Few),
+    nested_inferences(800, Many).
 
 test(closed, forall(solid(Term, _))) :-
     primitive_shape(Term, solid, _, Chains),
