@@ -45,7 +45,8 @@ POINT = """
 
 def cli(*arguments):
     return subprocess.run([program, *arguments], cwd=models, env=env,
-                          stdout=subprocess.PIPE, check=False).stdout
+                          stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                          check=False).stdout
 
 
 # Each corner of each face, folded up as far as it goes, and where the file of the
@@ -295,6 +296,94 @@ def kept_questions(language):
         "document.querySelector('.saved').hidden") and
         front_page.ask("text")[1].decode() == text,
         front_page.ask("text")[1])
+
+
+# What a port asked for, and what it shows: strokes as lists.
+ASKED = """
+  const port = studio.ports.ports[0];
+  const { strokes, looks, place } = port.picture.shown;
+  return { view: port.angles, place, strokes: strokes.map(({ look, segment, edges, points }) =>
+    [...looks[look], segment, [...edges], [...points]]) };"""
+
+
+def as_drawn(language, what):
+    """The picture of port 0 has the lines of `draw`, one by one, and where they
+    are, but for the scale and the place of the sheet, within its rounding."""
+    shown = browser.script(ASKED)
+    drawn = json.loads(cli("draw", "tee.pl", "--format", "json", "-o", "-",
+                           "--view", "%r,%r" % tuple(shown["view"])))
+    lines = [[line["visibility"], line["role"], line["segment"],
+              line["edges"]] for line in drawn["lines"]]
+    check("%s: %s: the lines of draw" % (language, what), lines and
+          sorted(lines) == sorted(one[:4] for one in shown["strokes"]),
+          (len(lines), len(shown["strokes"])))
+    by_name = {json.dumps(name): [n for point in line["points"] for n in point]
+               for name, line in zip(lines, drawn["lines"])}
+    pairs = [(a, b) for one in shown["strokes"] if json.dumps(one[:4]) in by_name
+             for a, b in zip(one[4], by_name[json.dumps(one[:4])])]
+    factor = shown["place"][0] / drawn["scale"]
+    off = [[a - factor * b for a, b in pairs[axis::2]] for axis in (0, 1)]
+    check("%s: %s: where draw has them" % (language, what), pairs and max(
+        max(of_axis) - min(of_axis) for of_axis in off) < 1 + factor / 1000 + 0.01,
+        [max(of_axis) - min(of_axis) for of_axis in off])
+
+
+def cut_seam(language):
+    """A fold that is cut by the page: its pattern is that of `unfold --cut`."""
+    with open(os.path.join(models, "box.pl"), "w") as out:
+        out.write("segment(1, solid, box(size(3, 2, 1))).\n")
+    browser.script("return studio.opened('box.pl').then(() => 1)")
+    browser.script("studio.ports.ports[1].turnTo('unfold')")
+    found = browser.wait("""studio.file === "box.pl" && (() => {
+      const { picture, element } = studio.ports.ports[1];
+      const fold = element.dataset.rev === String(studio.rev) && picture.shown?.strokes.find((s) => picture.shown.looks[s.look][1] === "fold_down");
+      if (!fold) return null;
+      const p = fold.points, { x, y } = new DOMPoint((p[0] + p[2]) / 2, (p[1] + p[3]) / 2)
+        .matrixTransform(picture.svg.getScreenCTM());
+      return [fold.edges[0], x, y];
+    })()""")
+    check(language + ": a fold", found, browser.log())
+    edge, x, y = found
+    browser.pointer((x, y), "down", "up")
+    browser.wait("document.querySelector('.why [data-word=cut]')")
+    browser.click(".why [data-word=cut]")
+    check(language + ": cut", browser.wait(
+        "!studio.saved && !studio.ports.ports[1].busy && studio.ports.ports[1]"
+        ".element.dataset.rev === String(studio.rev)"))
+    browser.script("""
+      const { click } = HTMLAnchorElement.prototype;
+      HTMLAnchorElement.prototype.click = function () {
+        HTMLAnchorElement.prototype.click = click;
+        fetch(this.href).then((answer) => answer.text()).then((text) => { window.fetched = text; });
+      };
+      window.fetched = null;
+      studio.export("pattern", "svg");""")
+    got = browser.wait("window.fetched")
+    wanted = cli("unfold", "-q", "box.pl", "--cut", str(edge), "--format",
+                 "svg", "-o", "-").decode()
+    plain = cli("unfold", "-q", "box.pl", "--format", "svg", "-o", "-").decode()
+    check(language + ": the bytes of unfold --cut", got == wanted != plain and
+          wanted, (edge, (got or "")[:300], wanted[:300]))
+    head, body = front_page.ask("unfold")
+    check(language + ": and the port shows it", browser.script(
+        "return studio.ports.ports[1].picture.shown.strokes.map((s) => "
+        "[...s.points])") == strokes_of(body))
+    browser.script("studio.chosen([]); return studio.opened('tee.pl')"
+                   ".then(() => 1)")
+    browser.wait("studio.file === 'tee.pl' && studio.ports.ports.every((p) => "
+                 "!p.busy && p.picture.shown)")
+    os.remove(os.path.join(models, "box.pl"))
+
+
+def strokes_of(body):
+    """The points of each stroke (docs/protocol.md)."""
+    numbers = struct.unpack("<%di" % (len(body) // 4), body)
+    points, i = [], 0
+    while i < len(numbers):
+        edges, count = numbers[i + 3:i + 5]
+        points.append(list(numbers[i + 5 + edges:i + 5 + edges + 2 * count]))
+        i += 5 + edges + 2 * count
+    return points
 
 
 RULES = "may_cut(_, _) :- fail.\nedge_role(_, _, _, _, crease).\n"
@@ -667,6 +756,8 @@ def flows(language):
           browser.script("return studio.ports.ports.find(p => p.kind === "
                          "'front').picture.counts()[0]") == head["strokes"])
 
+    as_drawn(language, "the first picture")
+
     # Turn it, by the mouse and by keys; the picture at rest is the exact one.
     before = browser.script("return " + LINES % 0)
     box = browser.script("const r = document.querySelector('.canvas')."
@@ -685,6 +776,8 @@ def flows(language):
                           size=[100, 80])[0]
     check(language + ": the exact picture at rest",
           count[0] == head["strokes"], (count, head["strokes"]))
+    browser.wait("!studio.ports.ports[0].busy")
+    as_drawn(language, "at rest")
 
     # Click a line: why.
     x, y = browser.script(POINT, "s1e50")
@@ -702,6 +795,7 @@ def flows(language):
                                                          (0, "chosen")))
 
     seams(language)
+    cut_seam(language)
 
     # A question: its answers are lit in every port.
     browser.script("document.getElementById('goal').value = arguments[0]",
