@@ -10,7 +10,7 @@ mkdir "$to" "$TMPDIR"
 echo old >"$to/a.off"
 
 # Two balls of 4 N (N - 1) triangles.
-awk -v n=120 'function at(i, j) {
+awk -v n=80 'function at(i, j) {
   return i == 0 ? 1 : i == n ? (n - 1) * 2 * n + 2 : (i - 1) * 2*n + j % (2*n) + 2
 }
 BEGIN { pi = 3.14159265358979

@@ -12,6 +12,7 @@
 :- use_module(rules(polygon/triangulation)).
 :- use_module(rules(unfolding/unfold_true)).
 :- use_module(rules(unrolling/true_table)).
+:- use_module(tests('rules/sample')).
 
 :- begin_tests(true_sweep).
 
@@ -300,14 +301,16 @@ near_pipes(pipes(R, B, Lean, Off, Lengths), Counts, Gap) :-
     Off is R-B-Gap,
     lengths(R, Lean, Lengths).
 
-test(near, [forall(( near_pipes(Pipes, Counts, Gap), which(Which, _) )),
+test(near, [forall(sampled([Gap,Counts,Which],
+                           ( near_pipes(Pipes, Counts, Gap),
+                             which(Which, _) ))),
             true(Gap-Which == Gap-Which)]) :-
     Pipes = pipes(R, B, _, _, _),
     checked(Pipes, R-B, Counts, Which, 0.0, 17.0, []).
 
 %   A ball or cone as the header.
 
-round_header(pipes(Header, B, 0, Off, 400-300), N1-N2) :-
+round_header(pipes(Header, B, 0, Off, 400-300), N1-N2, Header, Gap) :-
     member(B-(N1-N2), [20.0-(24-24),33.3-(7-37)]),
     member(Gap, [0, 1.0e-9, -1.0e-9, 1.0e-4, -1.0e-4, 0.01, -1.0]),
     (   Header = ball(100.0),
@@ -317,15 +320,18 @@ round_header(pipes(Header, B, 0, Off, 400-300), N1-N2) :-
         Off is 100.0 - B*sqrt(1 + Slope**2) - Gap
     ).
 
-test(round_header, [forall(round_header(Pipes, Counts)),
+test(round_header, [forall(sampled([Header,Gap],
+                                   round_header(Pipes, Counts, Header, Gap))),
                     true(Pipes == Pipes)]) :-
     checked(Pipes, none, Counts, branch, 0.0, 17.0, []).
 
 %   The cone's own pattern: how far the ends of its generators are from the
 %   apex.
 
-test(cone_header, [forall(( round_header(Pipes, Counts),
-                            Pipes = pipes(cone(_, _), _, _, _, _) )),
+test(cone_header, [forall(sampled([Header,Gap],
+                                  ( Header = cone(_, _),
+                                    round_header(Pipes, Counts, Header,
+                                                 Gap) ))),
                    true(Pipes == Pipes)]) :-
     scene_terms(Pipes, none, Counts, Terms),
     in_scene(Terms,
