@@ -108,19 +108,25 @@ panel_start(const sg_roll *r, size_t i)
   return r->start + TURN * (double)i / (double)r->panels;
 }
 
-/* Halves panels until the whole turn does not change. */
-static void
+/* Halves panels until the whole turn does not change. sum[i + 1]: of panel i
+ * alone. False: no memory. */
+static bool
 choose_panels(sg_roll *r)
 {
-  double before = 0, now = 0;
+  double before = 0, now = 0, *sum;
 
-  for (r->panels = FEWEST; r->panels < MOST; r->panels *= 2) {
+  for (r->panels = FEWEST;; r->panels *= 2) {
+    if (!(sum = realloc(r->sum, (r->panels + 1) * sizeof *sum))) {
+      return false;
+    }
+    r->sum = sum;
     now = 0;
     for (size_t i = 0; i < r->panels; i++) {
-      now += integral(r, panel_start(r, i), panel_start(r, i + 1));
+      sum[i + 1] = integral(r, panel_start(r, i), panel_start(r, i + 1));
+      now += sum[i + 1];
     }
-    if (fabs(now - before) <= 2e-15 * now) {
-      break;
+    if (r->panels == MOST || fabs(now - before) <= 2e-15 * now) {
+      return true;
     }
     before = now;
   }
@@ -131,16 +137,15 @@ fill_panels(sg_roll *r)
 {
   bool moves = r->surface.kind == SG_SURFACE_CONE && r->layer != 0;
 
-  choose_panels(r);
-  r->sum = calloc(r->panels + 1, sizeof *r->sum);
-  r->apex = moves ? calloc(r->panels + 1, sizeof *r->apex) : NULL;
-  if (!r->sum || (moves && !r->apex)) {
+  if (!choose_panels(r) ||
+      (moves && !(r->apex = calloc(r->panels + 1, sizeof *r->apex)))) {
     return false;
   }
+  r->sum[0] = 0;
   for (size_t i = 0; i < r->panels; i++) {
     double from = panel_start(r, i), to = panel_start(r, i + 1), by[2];
 
-    r->sum[i + 1] = r->sum[i] + integral(r, from, to);
+    r->sum[i + 1] += r->sum[i];
     if (moves) {
       apex_way(r, from, to, r->sum[i], by);
       r->apex[i + 1][0] = r->apex[i][0] + by[0];

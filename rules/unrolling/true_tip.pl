@@ -14,7 +14,7 @@
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2, put_assoc/4]).
 :- use_module(library(lists),
               [append/2, append/3, member/2, nth1/3, reverse/2, select/3]).
-:- use_module(library(pairs), [group_pairs_by_key/2]).
+:- use_module(library(pairs), [group_pairs_by_key/2, pairs_keys_values/3]).
 /** <module> Tips: where a true line goes past a generator that facets missed.
 
 The line of the true surfaces lies beside that of the facets. Where it turns
@@ -38,7 +38,7 @@ tips_moved(Facets0, Facets, Shape0, Shape) :-
     findall(N-Facet, nth1(N, Facets0, Facet), Numbered),
     list_to_assoc(Numbered, Table0),
     ends_table(Numbered, Ends),
-    findall(N, member(N-_, Numbered), Queue),
+    facets_beyond(Numbered, Tolerance, Shape0, Queue),
     moved(Queue, 10000, Ends, Tolerance, Table0, Table, Shape0, Shape),
     findall(Facet,
             ( member(N-_, Numbered), get_assoc(N, Table, Facet) ),
@@ -74,6 +74,35 @@ moved([N|Queue], Most0, Ends, Tolerance, Table0, Table, Shape0, Shape) :-
         moved([N,Q|Queue], Most, Ends, Tolerance, Table1, Table, Shape1, Shape)
     ;   moved(Queue, Most, Ends, Tolerance, Table0, Table, Shape0, Shape)
     ).
+
+%   facets_beyond(Numbered, Tolerance, Shape, Ns): Ns are the numbers of the
+%   facets that have a line that is past one of their generators somewhere: most
+%   have none. All lines are asked for at once.
+
+facets_beyond(Numbered, Tolerance, Shape, Ns) :-
+    findall(asked(N, Facet, Line),
+            ( member(N-Facet, Numbered),
+              Facet = facet(_, _, _, Halves),
+              line_edges(Halves, Shape, Lines),
+              member(Line, Lines) ),
+            Asked),
+    (   Asked = [asked(_, facet(_, Start, _, _), _)|_]
+    ->  maplist(asked_line(Shape), Asked, Curves),
+        Shape = shape(Surface, Reach, _),
+        roll_curves(roll(Surface, 0.0, Start), Reach, Tolerance, Curves, Lists),
+        pairs_keys_values(Pairs, Asked, Lists),
+        findall(N,
+                ( member(asked(N, facet(_, T1, T2, _), Line)-Places, Pairs),
+                  line_places(Shape, Line, Places, Ss),
+                  is_beyond(Ss, T1, T2) ),
+                Ns0),
+        sort(Ns0, Ns)
+    ;   Ns = []
+    ).
+
+asked_line(Shape, asked(_, Facet, Line), Curve) :-
+    facet_middle(Facet, Middle),
+    asked_line(Shape, Middle, Line, Curve).
 
 %   facet_tip(Facet0, Ends, Table, Tolerance, Tip, Facet, Shape0, Shape): the
 %   first tip of Facet0: tip(T, Q, Turns, Chain, From, To): the half-edges of
@@ -140,12 +169,9 @@ asked_line(shape(Surface, _, Nodes), Middle, line(A, B, Other),
     get_assoc(Id1, Nodes, node(_, _, From, _)),
     get_assoc(Id2, Nodes, node(_, _, To, _)).
 
-line_parted(T1, T2, line(A, B, _), Places, Parted0-Shape0, Parted-Shape) :-
-    Shape0 = shape(_, _, Nodes),
-    key_place(Nodes, A, TA, HA),
-    key_place(Nodes, B, TB, HB),
-    findall(s(T, H, none), member(place(T, H, _, _), Places), Inner),
-    append([s(TA, HA, A)|Inner], [s(TB, HB, B)], [First|Rest]),
+line_parted(T1, T2, Line, Places, Parted0-Shape0, Parted-Shape) :-
+    Line = line(A, B, _),
+    line_places(Shape0, Line, Places, [First|Rest]),
     (   is_beyond([First|Rest], T1, T2),
         parts(First, Rest, line(A, B, T1, T2), A, in, Parts0, Shape0, Shape1),
         exclude(is_point, Parts0, Parts),
@@ -155,6 +181,16 @@ line_parted(T1, T2, line(A, B, _), Places, Parted0-Shape0, Parted-Shape) :-
     ;   Parted = Parted0,
         Shape = Shape0
     ).
+
+%   line_places(Shape, Line, Places, Ss): s(T, H, Key) along Line, Key `none`
+%   but for its ends.
+
+line_places(shape(_, _, Nodes), line(A, B, _), Places,
+            [s(TA, HA, A)|Ss]) :-
+    key_place(Nodes, A, TA, HA),
+    key_place(Nodes, B, TB, HB),
+    findall(s(T, H, none), member(place(T, H, _, _), Places), Inner),
+    append(Inner, [s(TB, HB, B)], Ss).
 
 is_beyond(Ss, T1, T2) :-
     member(s(T, _, _), Ss),
