@@ -2,7 +2,7 @@
 
        swipl -p foreign=build bench/boolean_many.pl -- many|apart|tree|instance
 
-   many: 700 spheres on a jittered grid, each meeting some others, in one call;
+   many: SPHERES (700) on a jittered grid, each meeting some others, in one call;
    apart: farther from each other, so that none meets another. If OPERANDS names
    a folder each is written there, N.off, for peers.
    tree: 1,000 primitives, each meeting at most 10 others, in one expression;
@@ -47,7 +47,7 @@ timed(Goal, Seconds, Processor) :-
     Seconds is T-T0,
     Processor is C-C0.
 
-/* - - - 700 spheres - - - */
+/* - - - spheres - - - */
 
 many :-
     spheres(meeting, 1.0).
@@ -56,16 +56,21 @@ apart :-
     spheres(apart, 1.5).
 
 spheres(How, Pitch) :-
-    forall(between(0, 699, I), add_sphere(I, Pitch)),
+    (   getenv('SPHERES', Many)
+    ->  atom_number(Many, N)
+    ;   N = 700
+    ),
+    forall(( between(1, N, S), I is S-1 ), add_sphere(I, Pitch)),
     complete_segments,
     aggregate_all(count, t(_, _, _, _, _, _), Triangles),
-    numlist(1, 700, Leaves),
+    numlist(1, N, Leaves),
+    Union is N+1,
     operands_written(Leaves),
     stages_reset,
-    timed(boolean(union(Leaves), 701), _, Seconds),
-    said(701, Text),
-    format("700 spheres ~w, ~d triangles, in ~3f s of the processor: ~w~n",
-           [How,Triangles,Seconds,Text]),
+    timed(boolean(union(Leaves), Union), _, Seconds),
+    said(Union, Text),
+    format("~d spheres ~w, ~d triangles, in ~3f s of the processor: ~w~n",
+           [N,How,Triangles,Seconds,Text]),
     forall(stage_seconds(Name, Part),
            format("  ~w ~3f s~n", [Name,Part])).
 

@@ -1,7 +1,7 @@
 /* The seven degenerate pairs of peers/boolean, three operations, at scales from
    1e-8 to 1e5:
 
-       swipl -p foreign=build bench/boolean_scales.pl -- FOLDER
+       swipl -p foreign=build bench/boolean_scales.pl -- FOLDER [CASE,...]
 
    FOLDER is that of bench/peers.bash. Every input is multiplied, which rounds
    it. Right is: volume and area to 1e-7 (10 tolerances and more), closed, no
@@ -25,10 +25,17 @@
 :- initialization(main, main).
 
 main :-
-    current_prolog_flag(argv, [Folder]),
-    findall(Case, degenerate_result(Case, "diff", _, _), Cases),
+    current_prolog_flag(argv, [Folder|Wanted]),
+    findall(Case,
+            ( degenerate_result(Case, "diff", _, _), wanted(Wanted, Case) ),
+            Cases),
     forall(( between(-8, 5, Exponent), Scale is 10.0**Exponent ),
            print_scale(Folder, Cases, Exponent, Scale)).
+
+wanted([], _).
+wanted([Wanted], Case) :-
+    split_string(Wanted, ",", "", Cases),
+    memberchk(Case, Cases).
 
 print_scale(Folder, Cases, Exponent, Scale) :-
     findall(Case-Operation-Faults,

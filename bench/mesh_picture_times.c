@@ -12,7 +12,11 @@
 #include <string.h>
 #include <time.h>
 
-enum { ROUND = 1000, HIGH = 500, WIDE = 1920, TALL = 1080 };
+#ifndef BANDS
+#define BANDS 500
+#endif
+
+enum { HIGH = BANDS, ROUND = 2 * BANDS, WIDE = 1920, TALL = 1080 };
 
 typedef struct mesh {
   double (*corner)[3];

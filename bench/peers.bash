@@ -3,8 +3,9 @@
 #
 # They and their inputs are made outside the project, in $work: PEERS_DIR, a
 # folder under /tmp unless told. Needs python3 and, for the peers, the packages
-# g++ libcgal-dev libgts-dev; a peer that cannot be built is left out. $found
-# lists those that are there, comma before each. Their clock is the processor's.
+# g++ libcgal-dev libgts-dev; a peer that cannot be built is left out, and with
+# NO_PEERS=1 all are, and inputs of a million triangles. $found lists those that
+# are there, comma before each. Their clock is the processor's.
 peers=$PWD/../shared/peers/boolean
 [ -e "$peers/bench.py" ] || { echo "skipped: no ../shared/peers"; exit 0; }
 work=${PEERS_DIR:-${TMPDIR:-/tmp}/sanggwan_peers}
@@ -16,13 +17,17 @@ make_peer() { # make_peer NAME COMMAND...
 last=(-lm)
 make_peer gen cc -O2 "$peers/gen.c"
 make_peer check cc -O2 "$peers/check.c"
+found=
+if [ -n "${NO_PEERS:-}" ]; then
+  [ -e "$work/in/sph330k_b.off" ] || "$work/bin/gen" "$work/in"
+  return
+fi
 read -ra last <<<"$(pkg-config --cflags --libs gts 2>/dev/null) -lm"
 make_peer d_gts cc -O3 -include bench/processor_time.h "$peers/d_gts.c"
 last=(-lgmp -lmpfr)
 make_peer d_cgal g++ -O3 -DNDEBUG -frounding-math -std=c++17 \
   -include bench/processor_time.h "$peers/d_cgal.cpp"
 [ -e "$work/in/sph1300k_b.off" ] || "$work/bin/gen" "$work/in" big
-found=
 for peer in cgal gts; do
   [ -x "$work/bin/d_$peer" ] && found=$found,$peer
 done

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""render_difference.py [WIDTHxHEIGHT] -- how far shaded pictures of the scenes of
+"""render_difference.py [WIDTHxHEIGHT [SCENE...]] -- how far shaded pictures of scenes of
 ../shared/peers/render are from those of POV-Ray 3.7: the same camera, lights and
 colours; POV-Ray with 16 rays a dot or more, without jitter. The mean and the most
 of |difference| of all bytes, and the part of the dots of which a byte differs by
@@ -76,7 +76,7 @@ def main():
     spec.loader.exec_module(scenes)
     os.makedirs(WORK, exist_ok=True)
     print('%-14s %8s %8s %8s' % ('scene', 'mean', 'most', 'dots'))
-    for name in sorted(scenes.SCENES):
+    for name in sorted(sys.argv[2:] or scenes.SCENES):
         difference(scenes, name, size)
 
 

@@ -1,6 +1,6 @@
 /* Developments, for bench/unfold.
 
-       bench/unfold.pl models FOLDER
+       bench/unfold.pl models FOLDER [MODEL...]
        bench/unfold.pl kernel MODEL.obj
        bench/unfold.pl rule MODEL.obj
 
@@ -26,17 +26,19 @@
 :- initialization(main, main).
 
 main :-
-    current_prolog_flag(argv, [Mode,Argument]),
+    current_prolog_flag(argv, [Mode,Argument|Wanted]),
     new_world(World),
-    in_world(World, done(Mode, Argument)).
+    in_world(World, done(Mode, Argument, Wanted)).
 
-done(models, Folder) :-
-    forall(( model(Name, Terms), is_there(Terms) ),
+done(models, Folder, Wanted) :-
+    forall(( model(Name, Terms),
+             ( Wanted == [] -> true ; memberchk(Name, Wanted) ),
+             is_there(Terms) ),
            ( model_written(Folder, Name, Terms),
              format("~w~n", [Name]) )).
-done(kernel, File) :-
+done(kernel, File, _) :-
     measured(File).
-done(rule, File) :-
+done(rule, File, _) :-
     tmp_file_stream(Rules, Out, [extension(pl)]),
     format(Out, "may_join(S, E) :- default(may_join(S, E)).~n", []),
     close(Out),

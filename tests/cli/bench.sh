@@ -1,5 +1,5 @@
-# bench.sh -- programs of bench/ run, on little: what they print is not looked at
-# as a measure here. Those that take long, or need peers, with TEST_ALL only.
+# bench.sh -- the programs of bench/ run, on little: what they print is not looked
+# at as a measure here. With TEST_ALL on more, and with the peers.
 . "$(dirname "$0")/../check.sh"
 
 export B
@@ -33,14 +33,57 @@ a
 text
 END
 check "no such block" eval "! bench/document $TMP/doc.md y=$TMP/x 2>/dev/null"
+check "joined parts" output '^ +100 .* 658' env LARGEST=100 \
+  swipl -p foreign="$B" bench/joined_parts.pl
+check "serve" output '^ *undo, picture' bench/serve 1
+check "visitors" output '^pipe_tee +[1-9]' bench/visitors 2 1
+check "batch" output '1000 . looked through' env LOOKED=1000 bench/batch 5
+check "mesh picture" output '^4 ' bench/mesh_picture 20
+check "unfold" output '^sphere_1k' env NO_BLENDER=1 ROUNDS=1 \
+  bench/unfold sphere_1k
+check "run" output '^## faces' bench/run -n 1 faces
+
+# beside NAME REGEX COMMAND...: as check, of what needs something that is not
+# everywhere, and says so.
+beside() {
+  check "$1" output "^skipped|$2" "${@:3}"
+  ! grep -q '^skipped' "$TMP/output" ||
+    skip "$1" "$(sed -n 's/^skipped: //p' "$TMP/output")"
+}
+export NO_PEERS=1
+beside "curves" '^cyl2 +sanggwan' bench/curves cyl2 1
+beside "booleans" '^1e5: 3 of 3' env CASES=cube2 bench/booleans degenerate scales
+beside "booleans of files" '^sanggwan .*good=yes' env FILES_CASE=sph1k ROUNDS=1 \
+  LIMIT=10 bench/booleans files
+beside "booleans of many" '^20 spheres apart.*good=yes' env SPHERES=20 \
+  bench/booleans many
+beside "render" '^a_box' bench/render 64x48 a_box
+beside "render difference" '^a_box' bench/render_difference.py 64x36 a_box
+beside "openscad" '^example001' bench/openscad example001
+beside "opening" '^pipe_tee' bench/opening 1
 if [ -n "${TEST_ALL:-}" ]; then
-  check "batch" output '1000000 . looked through' bench/batch 20
-  check "serve" output '^undo, picture' bench/serve 1
-  check "unfold" output '^model' env NO_BLENDER=1 ROUNDS=1 bench/unfold
-  check "curves" output '.' bench/curves cyl2 1
-  check "booleans" output '.' bench/booleans degenerate
-  check "render" output '.' bench/render 64x48
-  check "render difference" output '.' bench/render_difference.py 64x36
-  check "mesh picture" output '^4 ' bench/mesh_picture
+  unset NO_PEERS
+  beside "many jobs" '1000000 . looked through' bench/batch 20
+  beside "developments" '^model' env NO_BLENDER=1 ROUNDS=1 bench/unfold
+  beside "curves and peers" '^cyl2 +sanggwan' bench/curves cyl2 1
+  beside "booleans and peers" '.' bench/booleans degenerate
+  beside "a tree" 'one leaf moved' env MOVES=3 bench/booleans tree
+  beside "scenes" '^e_mix' bench/render 64x48
+  beside "differences" '^e_mix' bench/render_difference.py 64x36
+  beside "a large mesh" '^4 ' bench/mesh_picture
 fi
+
+# Each file of bench/ is run here, or is a part of one that is.
+parts() {
+  local file name left=0
+  for file in bench/*; do
+    name=${file##*/}
+    grep -Eq "bench/$name( |\$|\\\\)" tests/cli/bench.sh ||
+      grep -lqF "$name" $(find bench -type f ! -name "$name") ||
+      grep -Eqr "^:- use_module\(.*${name%.pl}\)" bench ||
+      { echo "not run: $file"; left=1; }
+  done
+  return $left
+}
+check "none is left out" parts
 check_report
