@@ -128,45 +128,57 @@ sg_oriented_box_make(size_t n, sg_oriented_point *at, const void *data,
 
 /* ---- apart ---- */
 
+/* The largest coordinate; infinite: there is one beyond FAR, or no number. */
+static double
+size_of(const sg_oriented_box *box)
+{
+  double most = 0;
+
+  for (int i = 0; i < 24; i++) {
+    double p = box->corner[i / 3][i % 3];
+    double size = fabs(p) < FAR ? fabs(p) : INFINITY; /* NaN too */
+
+    most = size > most ? size : most;
+  }
+  return most;
+}
+
 static void
-range_along(const double axis[3], const sg_oriented_box *box, double range[3])
+range_along(const double axis[3], const sg_oriented_box *box, double range[2])
 {
   range[0] = INFINITY;
   range[1] = -INFINITY;
   for (int c = 0; c < 8; c++) {
-    const double *p = box->corner[c];
-    double along = sg_dot(axis, p);
+    double along = sg_dot(axis, box->corner[c]);
 
     range[0] = along < range[0] ? along : range[0];
     range[1] = along > range[1] ? along : range[1];
-    for (int k = 0; k < 3; k++) {
-      double size = fabs(p[k]) < FAR ? fabs(p[k]) : INFINITY; /* NaN too */
-
-      range[2] = size > range[2] ? size : range[2];
-    }
   }
 }
 
 static bool
 apart_along(const double axis[3], const sg_oriented_box *a,
-            const sg_oriented_box *b, double reach)
+            const sg_oriented_box *b, double gap)
 {
-  double x[3] = {0}, y[3] = {0};
+  double x[2], y[2];
 
   range_along(axis, a, x);
   range_along(axis, b, y);
-  double gap = reach + ROUNDED * (x[2] + y[2]);
-
-  return gap < FAR && (x[0] - y[1] > gap || y[0] - x[1] > gap);
+  return x[0] - y[1] > gap || y[0] - x[1] > gap;
 }
 
 bool
 sg_oriented_boxes_apart(const sg_oriented_box *a, const sg_oriented_box *b,
                         double reach)
 {
+  double gap = reach + ROUNDED * (size_of(a) + size_of(b));
+
+  if (!(gap < FAR)) {
+    return false;
+  }
   for (int k = 0; k < 3; k++) {
-    if (apart_along(a->axis[k], a, b, reach) ||
-        apart_along(b->axis[k], a, b, reach)) {
+    if (apart_along(a->axis[k], a, b, gap) ||
+        apart_along(b->axis[k], a, b, gap)) {
       return true;
     }
   }
@@ -179,7 +191,7 @@ sg_oriented_boxes_apart(const sg_oriented_box *a, const sg_oriented_box *b,
     for (int c = 0; c < 3 && length > 0x1p-10; c++) {
       across[c] /= length;
     }
-    if (length > 0x1p-10 && apart_along(across, a, b, reach)) {
+    if (length > 0x1p-10 && apart_along(across, a, b, gap)) {
       return true;
     }
   }

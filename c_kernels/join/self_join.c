@@ -3,6 +3,7 @@
 
 #include "engine/list.h"
 #include "engine/search.h"
+#include "node_box.h"
 #include "spine.h"
 
 #include <stdlib.h>
@@ -206,9 +207,10 @@ join(sg_self_joiner *j, const sg_bvh_pair *pair, size_t n, sg_bvh_wants *wants,
 typedef struct rooted {
   const sg_self_joiner *j;
   const sg_bvh *tree;
-  sg_self_stars stars; /* empty: none */
-  sg_fans *fans;       /* null: none */
-  sg_spines *spines;   /* the same */
+  sg_self_stars stars;  /* empty: none */
+  sg_fans *fans;        /* null: none */
+  sg_spines *spines;    /* the same */
+  sg_node_boxes *boxes; /* the same */
 } rooted;
 
 /* An sg_fan_read. */
@@ -232,7 +234,8 @@ are_apart(const void *data, unsigned level, size_t a, size_t b)
   return (r->j->star && sg_self_stars_apart(r->j, &r->stars, level, a, b)) ||
          (done && atomic_load_explicit(done, memory_order_relaxed)) ||
          (r->fans && sg_fans_apart(r->fans, level, a, b)) ||
-         (r->spines && sg_spines_apart(r->spines, level, a, b));
+         (r->spines && sg_spines_apart(r->spines, level, a, b)) ||
+         (r->boxes && sg_node_boxes_apart(r->boxes, level, a, b));
 }
 
 /* All triangles of a tree with all. */
@@ -250,14 +253,18 @@ join_itself(sg_self_joiner *j, const sg_bvh *tree, sg_pool *pool,
       sg_fans_open(tree, read_place, &r, j->of->by_place, &r.fans) &&
       (j->of->reach > 0 ||
        sg_spines_open(tree, read_place, &r, j->of->by_place, &r.spines)) &&
+      sg_node_boxes_open(tree, j->of->reach, read_place, &r, cancel,
+                         &r.boxes) &&
       sg_bvh_join_itself(tree, j->of->reach, wants_pair, j,
-                         j->star || r.fans || r.spines ? are_apart : NULL, &r,
-                         pool, cancel, &found) &&
+                         j->star || r.fans || r.spines || r.boxes ? are_apart
+                                                                  : NULL,
+                         &r, pool, cancel, &found) &&
       take(j, &found, j->pair);
 
   sg_self_stars_close(&r.stars);
   sg_fans_close(r.fans);
   sg_spines_close(r.spines);
+  sg_node_boxes_close(r.boxes);
   free(found.hit);
   return good;
 }
@@ -348,7 +355,8 @@ grow_pair(sg_self_joiner *j, const sg_bvh_hit *hit, size_t n, uint32_t *list,
 }
 
 /* If faces may meet themselves: looks whether one may, what is changed of its
- * triangles with all. Then all triangles are asked about: there are no faces. */
+ * triangles with all. Then all triangles are asked about: there are no faces.
+ */
 static bool
 look_into_faces(sg_self_joiner *j, sg_pool *pool, const sg_cancel *cancel)
 {

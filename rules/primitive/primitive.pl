@@ -408,8 +408,8 @@ stretched(Primitive, Motions, Stretch) :-
           error(evaluation_error(_), _),
           primitive_error(too_large, Primitive)).
 
-%   placed(Term, Primitive, Outer, Motions): at/2 and named/2 taken off; the inner
-%   steps first, then Outer.
+%   placed(Term, Primitive, Outer, Motions): at/2 and named/2 taken off; the
+%   inner steps first, then Outer.
 
 placed(Term, _, _, _) :-
     \+ is_primitive(Term),

@@ -1,8 +1,9 @@
-/* self_join_test.c -- triangles on one edge, and round flat polygons of many
- * triangles: what meets is found all the same, in the same order, and what is
- * asked grows with their number, not with its square.
+/* self_join_test.c -- triangles on one edge, round flat polygons of many
+ * triangles, and in rings in each other: what meets is found all the same, in
+ * the same order, and what is asked grows with their number, not with its
+ * square.
  *
- * covers: spine
+ * covers: node_box, spine
  */
 #include "join/self_join.h"
 #include "tests/check.h"
@@ -301,13 +302,56 @@ make_tents(size_t n)
   }
 }
 
-enum { BRUSH, BOOK, BOOK_BY_PLACE, TENTS, MODELS };
+enum { SIDES = 12 };
+
+/* Rings in each other, two triangles to a side; off their middle by up to
+ * `off`. */
+static void
+make_rings(size_t n, double off)
+{
+  for (uint32_t i = 0; i < n; i++) {
+    sg_fan_triangle *t = &triangle[i];
+    uint32_t ring = i / (2 * SIDES), side = i / 2 % SIDES;
+    double x = off * sin(ring * 7.0), y = off * cos(ring * 3.0);
+
+    for (uint32_t k = 0; k < 3; k++) {
+      uint32_t outer = i % 2 ? k > 0 : k == 1, next = i % 2 ? k == 2 : k > 0;
+      uint32_t corner = (side + next) % SIDES;
+      double angle = 0.1 + 6.283185307179586 * corner / SIDES;
+      double r = ring + 1 + 0.5 * outer;
+
+      place(t, (int)k, x + r * cos(angle), y + r * sin(angle),
+            off * (ring % 3) * cos(angle), (2 * ring + outer) * SIDES + corner);
+    }
+    t->polygon = (int32_t)i;
+  }
+}
+
+/* Of rings that are a little askew some go through each other. */
+static void
+test_rings(void)
+{
+  enum { N = 50 * 2 * SIDES };
+
+  by_place = false;
+  make_rings(N, 1.5);
+  memset(changed, 0, sizeof changed);
+  sg_bvh_hits all = joined(N, false);
+
+  CHECK("some rings do", all.n > 100);
+  CHECK("which rings do", are_all(&all, N, false));
+  free(all.hit);
+}
+
+enum { BRUSH, BOOK, BOOK_BY_PLACE, TENTS, RINGS, MODELS };
 
 static long
 asked_of(size_t n, int model)
 {
   if (model == TENTS) {
     make_tents(n);
+  } else if (model == RINGS) {
+    make_rings(n, 0);
   } else if (model != BRUSH) {
     make_book(n);
   } else {
@@ -341,6 +385,7 @@ main(void)
   srand(1988);
   test_same();
   test_in_faces();
+  test_rings();
   test_growth();
   return check_report();
 }
