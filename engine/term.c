@@ -343,9 +343,9 @@ number_order(const uint32_t *a, const uint32_t *b)
     }
   }
   if (!is_float[0] && !is_float[1]) {
-    return sign_of(n[0] < n[1], n[0] > n[1]);
+    return sign_of(n[0]<n[1], n[0]> n[1]);
   }
-  int by_value = sign_of(x[0] < x[1], x[0] > x[1]);
+  int by_value = sign_of(x[0]<x[1], x[0]> x[1]);
 
   return by_value ? by_value : (int)is_float[1] - (int)is_float[0];
 }
@@ -355,7 +355,7 @@ text_order(const char *a, size_t a_bytes, const char *b, size_t b_bytes)
 {
   int by = memcmp(a, b, a_bytes < b_bytes ? a_bytes : b_bytes);
 
-  return by ? by : sign_of(a_bytes < b_bytes, a_bytes > b_bytes);
+  return by ? by : sign_of(a_bytes<b_bytes, a_bytes> b_bytes);
 }
 
 /* By arity, name and, later, arguments. */
@@ -366,7 +366,7 @@ compound_order(const uint32_t *a, const uint32_t *b)
   size_t length[2];
 
   if (arity[0] != arity[1]) {
-    return sign_of(arity[0] < arity[1], arity[0] > arity[1]);
+    return sign_of(arity[0]<arity[1], arity[0]> arity[1]);
   }
   if (a[1] == b[1]) {
     return 0;

@@ -88,43 +88,62 @@ frames_of(const sg_bvh_pair *pair, double reach)
 
 typedef int32_t lanes __attribute__((vector_size(16)));
 
-static inline sg_box4
-group_a(const frames *f, unsigned level, uint32_t at)
-{
-  sg_box4 box = f->a->level[level][at];
-
-  for (int c = 0; c < 3; c++) {
-    box.lo[c] = box.lo[c] * f->scale_a;
-    box.hi[c] = box.hi[c] * f->scale_a;
-  }
-  return box;
-}
-
-static inline sg_box4
-group_b(const frames *f, unsigned level, uint32_t at)
-{
-  sg_box4 box = f->b->level[level][at];
-
-  for (int c = 0; c < 3; c++) {
-    box.lo[c] = box.lo[c] * f->scale_b + f->shift_lo[c];
-    box.hi[c] = box.hi[c] * f->scale_b + f->shift_hi[c];
-  }
-  return box;
-}
-
-/* Which boxes of b overlap box k of a: bit l for the l-th. */
+/* Bit l for the l-th lane that is set. */
 static inline unsigned
-overlaps(const sg_box4 *a, int k, const sg_box4 *b)
+bits_of(lanes all)
 {
-  lanes all = {-1, -1, -1, -1};
-
-  for (int c = 0; c < 3; c++) {
-    sg_float4 lo = {a->lo[c][k], a->lo[c][k], a->lo[c][k], a->lo[c][k]};
-    sg_float4 hi = {a->hi[c][k], a->hi[c][k], a->hi[c][k], a->hi[c][k]};
-
-    all &= (lo <= b->hi[c]) & (b->lo[c] <= hi);
-  }
+#ifdef __SSE__
+  return (unsigned)__builtin_ia32_movmskps((sg_float4)all);
+#else
   return (unsigned)((all[0] & 1) | (all[1] & 2) | (all[2] & 4) | (all[3] & 8));
+#endif
+}
+
+static inline sg_float4
+four(float x)
+{
+  return (sg_float4){x, x, x, x};
+}
+
+/* The boxes of a group of each tree, along one axis, as they are compared. */
+typedef struct sides {
+  sg_float4 a_lo, a_hi, b_lo, b_hi;
+} sides;
+
+static inline sides
+sides_of(const frames *f, const sg_box4 *a, const sg_box4 *b, int c)
+{
+  return (sides){a->lo[c] * f->scale_a, a->hi[c] * f->scale_a,
+                 b->lo[c] * f->scale_b + f->shift_lo[c],
+                 b->hi[c] * f->scale_b + f->shift_hi[c]};
+}
+
+static inline lanes
+overlap_along(const sides *s, int k)
+{
+  return (four(s->a_lo[k]) <= s->b_hi) & (s->b_lo <= four(s->a_hi[k]));
+}
+
+/* Which boxes of b overlap box k of a. */
+static inline unsigned
+overlaps(const sides *x, const sides *y, const sides *z, int k)
+{
+  return bits_of(overlap_along(x, k) & overlap_along(y, k) &
+                 overlap_along(z, k));
+}
+
+/* Bit 4 k + l: box k of a group of a and box l of one of b overlap. Lanes are
+ * constants, so that all stays in registers. */
+static inline unsigned
+all_overlaps(const frames *f, const groups *at)
+{
+  const sg_box4 *a = &f->a->level[at->level_i][at->i];
+  const sg_box4 *b = &f->b->level[at->level_j][at->j];
+  sides x = sides_of(f, a, b, 0), y = sides_of(f, a, b, 1),
+        z = sides_of(f, a, b, 2);
+
+  return overlaps(&x, &y, &z, 0) | overlaps(&x, &y, &z, 1) << 4 |
+         overlaps(&x, &y, &z, 2) << 8 | overlaps(&x, &y, &z, 3) << 12;
 }
 
 /* In one tree with itself each two come once, and no box with itself: bits of
@@ -218,13 +237,12 @@ static void
 descend(descent *d, const groups *at)
 {
   const frames *f = &d->frames;
-  sg_box4 a = group_a(f, at->level_i, at->i);
-  sg_box4 b = group_b(f, at->level_j, at->j);
+  unsigned all = all_overlaps(f, at);
   unsigned done = 0; /* lanes of j that were opened with the whole of i */
 
   count_step(d);
-  for (int k = 0; k < SG_BVH_WIDTH && !d->stopped; k++) {
-    unsigned bits = overlaps(&a, k, &b) & wanted(f, at, k) & ~done;
+  for (int k = 0; all && !d->stopped; k++, all >>= SG_BVH_WIDTH) {
+    unsigned bits = all & wanted(f, at, k) & ~done;
 
     go_on(d, at, k, bits);
     if (at->level_i < at->level_j) {
@@ -287,11 +305,10 @@ static bool
 open_one(const joiner *join, const groups *at, group_list *out)
 {
   frames f = frames_of(&join->pair[at->pair], join->reach);
-  sg_box4 a = group_a(&f, at->level_i, at->i);
-  sg_box4 b = group_b(&f, at->level_j, at->j);
+  unsigned all = all_overlaps(&f, at);
 
-  for (int k = 0; k < SG_BVH_WIDTH; k++) {
-    unsigned bits = overlaps(&a, k, &b) & wanted(&f, at, k);
+  for (int k = 0; all; k++, all >>= SG_BVH_WIDTH) {
+    unsigned bits = all & wanted(&f, at, k);
 
     for (; bits; bits &= bits - 1) {
       if (!add_groups(out, groups_below(at, k, __builtin_ctz(bits)))) {

@@ -53,35 +53,9 @@ sg_origin_is_there(sg_world *world, int32_t s, const uint32_t *item)
   return known;
 }
 
-bool
-sg_origin_add(sg_call *call, sg_world *world, int32_t s, int32_t symbol,
-              int32_t id, const uint32_t *origin)
-{
-  const sg_value row[SG_MAX_COLUMNS] = {
-      [0].i = s, [1].term = sg_unary_term(call, symbol, id), [2].term = origin};
-
-  return row[1].term && origin &&
-         (sg_origin_is_there(world, s, row[1].term) ||
-          sg_call_add_row(call, world, SG_ORIGIN, row));
-}
-
 /* ---- edges ---- */
 
-int32_t
-sg_edge_add(sg_call *call, sg_world *world, int32_t s, int32_t v1, int32_t v2,
-            int32_t et, const uint32_t *origin)
-{
-  int32_t e = origin ? sg_call_fresh(call, world, SG_E, s) : 0;
-  const sg_value row[SG_MAX_COLUMNS] = {
-      [0].i = s, [1].i = e, [2].i = v1, [3].i = v2, [4].i = et};
-
-  return e != 0 && sg_call_add_row(call, world, SG_E, row) &&
-                 sg_origin_add(call, world, s, SG_SYMBOL_E, e, origin)
-             ? e
-             : 0;
-}
-
-const int32_t *
+int32_t *
 sg_polygon_retract(sg_call *call, sg_world *world, int32_t s, int32_t p)
 {
   sg_value value[SG_MAX_COLUMNS];
@@ -185,27 +159,6 @@ sg_triangles_drop(sg_call *call, sg_world *world, int32_t s, int32_t p)
   for (size_t i = 0; i < old.n; i++) {
     if (!sg_world_retract(world, SG_T, (sg_row)old.at[i])) {
       return sg_call_no_memory(call);
-    }
-  }
-  return true;
-}
-
-bool
-sg_triangles_replace(sg_call *call, sg_world *world, int32_t s, int32_t p,
-                     const sg_triangle *triangle, size_t n)
-{
-  if (!sg_triangles_drop(call, world, s, p)) {
-    return false;
-  }
-  for (size_t i = 0; i < n; i++) {
-    const int32_t *v = triangle[i].v;
-    int32_t t = sg_call_fresh(call, world, SG_T, s);
-    const sg_value row[SG_MAX_COLUMNS] = {
-        [0].i = s,    [1].i = p,    [2].i = t,
-        [3].i = v[0], [4].i = v[1], [5].i = v[2]};
-
-    if (t == 0 || !sg_call_add_row(call, world, SG_T, row)) {
-      return false;
     }
   }
   return true;

@@ -24,17 +24,11 @@ const uint32_t *sg_unary_term(sg_call *call, int32_t symbol, int32_t id);
 
 /* Whether there is an origin(S, Item, _). */
 bool sg_origin_is_there(sg_world *world, int32_t s, const uint32_t *item);
-/* origin(S, symbol(Id), Origin); one that is there stays. */
-bool sg_origin_add(sg_call *call, sg_world *world, int32_t s, int32_t symbol,
-                   int32_t id, const uint32_t *origin);
-/* A new edge with its origin; its number. */
-int32_t sg_edge_add(sg_call *call, sg_world *world, int32_t s, int32_t v1,
-                    int32_t v2, int32_t et, const uint32_t *origin);
 
 /* Retracts p/3 and returns its edges, their number first, which last as long as
  * the call. Null also if there is no such polygon. */
-const int32_t *sg_polygon_retract(sg_call *call, sg_world *world, int32_t s,
-                                  int32_t p);
+int32_t *sg_polygon_retract(sg_call *call, sg_world *world, int32_t s,
+                            int32_t p);
 /* Retracts the edges of the list but those (e, v1, v2) that are in `same` as
  * they are, and those that a polygon has: one may, unless `set` says that s
  * shares none (null: it may). */
@@ -46,8 +40,5 @@ bool sg_edge_is_same(sg_call *call, sg_key_table *same, int32_t e, int32_t v1,
                      int32_t v2);
 /* Retracts the triangles of polygon p. */
 bool sg_triangles_drop(sg_call *call, sg_world *world, int32_t s, int32_t p);
-/* Puts n triangles of ids in the place of those that polygon p has. */
-bool sg_triangles_replace(sg_call *call, sg_world *world, int32_t s, int32_t p,
-                          const sg_triangle *triangle, size_t n);
 
 #endif

@@ -148,15 +148,14 @@ keep_common(sg_call *call, const naming *in, const name *of, int32_t v,
 static bool
 find_face(sg_call *call, const naming *in, const name *of, int32_t *p)
 {
-  const sg_contact_place *place =
-      sg_contact_places_find(of->places, of->v[0]);
+  const sg_contact_place *place = sg_contact_places_find(of->places, of->v[0]);
   sg_int_list common = {0};
   bool good = true;
 
   if (place && place->polygons > 0) {
     for (size_t i = 0; i < place->polygons && good; i++) {
-      good = sg_int_list_add(
-          call, &common, of->places->polygon.item[place->polygon + i]);
+      good = sg_int_list_add(call, &common,
+                             of->places->polygon.item[place->polygon + i]);
     }
   } else {
     good = sg_polygons_at(call, in->version, of->s, of->v[0], &common);
@@ -191,9 +190,8 @@ write_name(sg_call *call, const naming *in, const name *of,
   if (p) {
     sg_term_unary(b, SG_SYMBOL_P, p);
   } else {
-    sg_term_unary(
-        b, touched->on == SG_ON_LEAF_EDGE ? SG_SYMBOL_E : SG_SYMBOL_P,
-        touched->id);
+    sg_term_unary(b, touched->on == SG_ON_LEAF_EDGE ? SG_SYMBOL_E : SG_SYMBOL_P,
+                  touched->id);
   }
   return true;
 }

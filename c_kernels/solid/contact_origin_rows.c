@@ -3,13 +3,14 @@
  *
  * Layer: rows. The door is documented in rules/kernel/boolean.pl.
  */
-#include "contact_places.h"
 #include "contact_feature_rows.h"
+#include "contact_places.h"
 #include "doors/boolean.h"
 
 #include "engine/search.h"
 #include "engine/symbol.h"
 #include "penetration/polygon_rows.h"
+#include "rows/added_rows.h"
 #include "rows/sort.h"
 
 #include <stdlib.h>
@@ -43,9 +44,9 @@ typedef struct result {
   SG_LIST_OF(made) made;
   SG_LIST_OF(made) renamed;
   SG_LIST_OF(touching) place; /* of one point */
-  sg_key_table source_of; /* V: in `source` */
-  sg_key_table made_of;   /* V: in `made` */
-  sg_int_list found;      /* vertices of one point */
+  sg_key_table source_of;     /* V: in `source` */
+  sg_key_table made_of;       /* V: in `made` */
+  sg_int_list found;          /* vertices of one point */
 } result;
 
 /* ---- points ------------------------------------------------------------- */
@@ -59,8 +60,7 @@ by_point(const void *one, const void *other)
   if (by) {
     return by;
   }
-  SG_BY(s) SG_BY(v) SG_BY(on) SG_BY(id)
-  return 0;
+  SG_BY(s) SG_BY(v) SG_BY(on) SG_BY(id) return 0;
 }
 
 static bool
@@ -163,8 +163,7 @@ source_now(const result *r, int32_t v)
 static bool
 find_vertices(sg_call *call, result *r, int32_t s0, int32_t v0)
 {
-  const sg_value from[SG_MAX_COLUMNS] = {
-      [0].i = r->s, [2].i = s0, [3].i = v0};
+  const sg_value from[SG_MAX_COLUMNS] = {[0].i = r->s, [2].i = s0, [3].i = v0};
   sg_walk walk;
   bool good = true;
 
@@ -308,8 +307,8 @@ name_point(sg_call *call, result *r, size_t from, size_t to)
   if (r->found.n == 0) {
     return true;
   }
-  const uint32_t *named = vertex ? on_term(call, r, from, to, s1, v1)
-                                 : near_term(call, origin);
+  const uint32_t *named =
+      vertex ? on_term(call, r, from, to, s1, v1) : near_term(call, origin);
 
   for (size_t i = 0; i < r->found.n; i++) {
     int32_t v = r->found.at[i];
@@ -384,57 +383,30 @@ rename_cuts(sg_call *call, result *r)
 
 /* ---- writing ------------------------------------------------------------ */
 
-/* Rows that go, and columns of those that come. */
+/* Rows that go, and those that come. */
 typedef struct change {
-  sg_row *gone;
-  size_t gones;
-  int32_t *column[SG_MAX_COLUMNS]; /* or of terms: */
-  const uint32_t **term[SG_MAX_COLUMNS];
-  size_t n;
+  SG_LIST_OF(sg_row) gone;
+  sg_added_rows added;
 } change;
 
 static bool
-open_change(sg_call *call, change *c, size_t n)
+note_gone(sg_call *call, change *c, sg_row row)
 {
-  *c = (change){.gone = sg_call_alloc(call, n * sizeof *c->gone)};
-  for (unsigned k = 0; k < 4; k++) {
-    c->column[k] = sg_call_alloc(call, n * sizeof(int32_t));
-    c->term[k] = sg_call_alloc(call, n * sizeof(uint32_t *));
-    if (!c->column[k] || !c->term[k]) {
-      return false;
-    }
-  }
-  return c->gone != NULL;
-}
-
-static void
-note_gone(change *c, sg_row row)
-{
-  if (row != SG_NO_ROW) {
-    c->gone[c->gones++] = row;
-  }
+  return row == SG_NO_ROW || SG_PUSH(c->gone, row) || sg_call_no_memory(call);
 }
 
 static bool
 change_sources(sg_call *call, const result *r, change *c)
 {
-  if (!open_change(call, c, r->source.n)) {
-    return false;
-  }
   for (size_t i = 0; i < r->source.n; i++) {
     const source *at = &r->source.item[i];
-    const sg_value key[SG_MAX_COLUMNS] = {[0].i = r->s, [1].i = at->v};
+    const sg_value row[SG_MAX_COLUMNS] = {
+        [0].i = r->s, [1].i = at->v, [2].i = at->s0, [3].i = at->v0};
 
-    if (!is_last(&r->source_of, at->v, i)) {
-      continue;
-    }
-    note_gone(c, sg_version_find(r->version, SG_FROM_V, key));
-    if (at->s0) {
-      c->column[0][c->n] = r->s;
-      c->column[1][c->n] = at->v;
-      c->column[2][c->n] = at->s0;
-      c->column[3][c->n] = at->v0;
-      c->n++;
+    if (is_last(&r->source_of, at->v, i) &&
+        (!note_gone(call, c, sg_version_find(r->version, SG_FROM_V, row)) ||
+         (at->s0 && !sg_added_rows_put(call, &c->added, row)))) {
+      return false;
     }
   }
   return true;
@@ -443,51 +415,35 @@ change_sources(sg_call *call, const result *r, change *c)
 static bool
 change_origins(sg_call *call, const result *r, change *c)
 {
-  if (!open_change(call, c, r->made.n)) {
-    return false;
-  }
   for (size_t i = 0; i < r->made.n; i++) {
     const made *at = &r->made.item[i];
-    sg_value key[SG_MAX_COLUMNS] = {[0].i = r->s};
 
     if (!is_last(&r->made_of, at->v, i)) {
       continue;
     }
-    key[1].term = sg_unary_term(call, SG_SYMBOL_V, at->v);
-    if (!key[1].term) {
+    const sg_value row[SG_MAX_COLUMNS] = {
+        [0].i = r->s,
+        [1].term = sg_unary_term(call, SG_SYMBOL_V, at->v),
+        [2].term = at->origin};
+
+    if (!row[1].term ||
+        !note_gone(call, c, sg_version_find(r->version, SG_ORIGIN, row)) ||
+        !sg_added_rows_put(call, &c->added, row)) {
       return false;
     }
-    note_gone(c, sg_version_find(r->version, SG_ORIGIN, key));
-    c->column[0][c->n] = r->s;
-    c->term[1][c->n] = key[1].term;
-    c->term[2][c->n] = at->origin;
-    c->n++;
   }
   return true;
 }
 
 static bool
-make_change(sg_call *call, sg_world *world, sg_relation relation,
-            const change *c)
+make_change(sg_call *call, sg_world *world, change *c)
 {
-  const void *column[SG_MAX_COLUMNS] = {c->column[0], c->column[1],
-                                        c->column[2], c->column[3]};
-  sg_fault fault = {0};
-
-  if (relation == SG_ORIGIN) {
-    column[1] = c->term[1];
-    column[2] = c->term[2];
-  }
-  for (size_t i = 0; i < c->gones; i++) {
-    if (!sg_world_retract(world, relation, c->gone[i])) {
+  for (size_t i = 0; i < c->gone.n; i++) {
+    if (!sg_world_retract(world, c->added.relation, c->gone.item[i])) {
       return sg_call_no_memory(call);
     }
   }
-  sg_status status =
-      c->n > 0 ? sg_world_add_many(world, relation, c->n, column, &fault)
-               : SG_OK;
-
-  return sg_call_status(call, status, relation, &fault);
+  return sg_added_rows_write(call, world, &c->added);
 }
 
 /* ---- the door ----------------------------------------------------------- */
@@ -496,12 +452,11 @@ make_change(sg_call *call, sg_world *world, sg_relation relation,
 static bool
 find_changes(sg_call *call, result *r, change *sources, change *origins)
 {
-  bool good = rename_cuts(call, r) && gather_points(call, r) &&
-              name_points(call, r);
+  bool good =
+      rename_cuts(call, r) && gather_points(call, r) && name_points(call, r);
 
   for (size_t i = 0; i < r->renamed.n && good; i++) {
-    good =
-        set_origin(call, r, r->renamed.item[i].v, r->renamed.item[i].origin);
+    good = set_origin(call, r, r->renamed.item[i].v, r->renamed.item[i].origin);
   }
   return good && change_sources(call, r, sources) &&
          change_origins(call, r, origins);
@@ -525,7 +480,8 @@ sg_door_contact_origins(sg_call *call, int32_t s,
 {
   sg_world *world = contacts->n > 0 ? sg_call_claim(call) : NULL;
   result r = {.s = s, .leaves = contacts};
-  change sources, origins;
+  change sources = {.added.relation = SG_FROM_V};
+  change origins = {.added.relation = SG_ORIGIN};
 
   if (!world) {
     return contacts->n == 0;
@@ -536,8 +492,10 @@ sg_door_contact_origins(sg_call *call, int32_t s,
   bool good = find_changes(call, &r, &sources, &origins);
 
   sg_version_drop(r.version); /* not held while rows are written */
-  good = good && make_change(call, world, SG_FROM_V, &sources) &&
-         make_change(call, world, SG_ORIGIN, &origins);
+  good = good && make_change(call, world, &sources) &&
+         make_change(call, world, &origins);
+  free(sources.gone.item);
+  free(origins.gone.item);
   clear(&r);
   sg_world_release(world);
   return good;

@@ -116,9 +116,9 @@ see_origins(sg_call *call, leaf *l)
 static bool
 is_there(const leaf *l, sg_relation relation, int32_t id)
 {
-  return sg_version_find(
-             l->version, relation,
-             (sg_value[SG_MAX_COLUMNS]){{.i = l->s}, {.i = id}}) != SG_NO_ROW;
+  return sg_version_find(l->version, relation,
+                         (sg_value[SG_MAX_COLUMNS]){{.i = l->s}, {.i = id}}) !=
+         SG_NO_ROW;
 }
 
 /* The edge that the leaf had before, of which `part` is a part; 0: it is none.
@@ -251,8 +251,8 @@ sg_door_contact_places(sg_call *call, int32_t s, sg_contact_places **places)
   }
   sg_key_table_init(&l.whole, 1);
   sg_key_table_init(&l.out->number, 1);
-  bool good = see_origins(call, &l) && find_features(call, &l) &&
-              l.out->place.n > 0;
+  bool good =
+      see_origins(call, &l) && find_features(call, &l) && l.out->place.n > 0;
 
   sg_key_table_clear(&l.whole);
   if (good) {

@@ -15,8 +15,8 @@ add_members(sg_call *call, const sg_version *version, sg_relation relation,
     return sg_call_no_memory(call);
   }
   for (sg_row r; good && (r = sg_walk_next(&walk)) != SG_NO_ROW;) {
-    good = sg_int_list_add(call, out,
-                           sg_version_value(version, relation, r, 1).i);
+    good =
+        sg_int_list_add(call, out, sg_version_value(version, relation, r, 1).i);
   }
   sg_walk_close(&walk);
   return good;

@@ -115,8 +115,8 @@ copied(void)
 static void
 read(void)
 {
-  static const int64_t number[] = {0, -1, 5, INT32_MIN, INT32_MAX,
-                                   INT64_C(1) << 31};
+  static const int64_t number[] = {0,         -1,        5,
+                                   INT32_MIN, INT32_MAX, INT64_C(1) << 31};
   bool good = true;
 
   for (size_t i = 0; i < sizeof number / sizeof *number; i++) {

@@ -1,6 +1,7 @@
 :- module(test_contact_origin, []).
 % covers: contact_places_rows, contact_origin_rows
 % covers: contact_feature_rows, vertex_polygons_rows, contact_places
+% covers: added_rows
 :- use_module(library(plunit)).
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
