@@ -1,22 +1,16 @@
 // The studio: one document, its panes, and what they tell each other.
 
 import { $, h, arrows, calm, say } from "./dom.js";
-import { w, wordsLoaded, otherTongue, reworded, said, tongue } from "./words.js";
+import { w, wordsLoaded, reworded, said } from "./words.js";
 import { Wire, Lost } from "./wire.js";
 import { Kept, recordOf } from "./kept.js";
 import { Ports } from "./ports.js";
-import { Link, LOOKS } from "./link.js";
+import { Link } from "./link.js";
+import { Bar, FORMATS } from "./bar.js";
 import { KINDS } from "./kinds.js";
 import { Tree } from "./tree.js";
 import { Asking, Why, Text, Rules } from "./panels.js";
 
-const FORMATS = {
-  drawing: ["pdf", "svg", "dxf", "hpgl", "png", "eps", "json"],
-  shaded: ["png"],
-  pattern: ["pdf", "svg", "dxf", "fold"],
-  model: ["stl", "obj", "off", "ply", "pl"],
-  page: ["html"],
-};
 class Studio {
   constructor(link, wire) {
     this.link = link;
@@ -39,7 +33,7 @@ class Studio {
     this.ports = new Ports(this, $("ports"));
     this.left();
     $("asking").append(this.asking.element, this.why.element);
-    this.bar();
+    this.bar = new Bar(this);
     reworded(document);
     document.addEventListener("reworded", () => this.reworded());
     document.addEventListener("keydown", (event) => this.keyed(event));
@@ -101,59 +95,6 @@ class Studio {
     for (const tab of $("panes").children) tab.setAttribute("aria-selected", String(tab.dataset.to === pane));
   }
 
-  bar() {
-    const button = (word, act, sign) => {
-      const element = sign ? h("button", { onclick: act, "data-label": word }, sign)
-        : h("button", { onclick: act, "data-word": word });
-      return element;
-    };
-    this.undoButton = button("undo", () => this.change("undo"), "↶");
-    this.redoButton = button("redo", () => this.change("redo"), "↷");
-    this.saveButton = button("save", () => this.save());
-    this.stopButton = h("button", { id: "stop", hidden: true, onclick: () => this.wire.stop() });
-    $("state").after(this.stopButton);
-    this.watch = setInterval(() => this.long(), 300);
-    $("menus").append(
-      this.menu("open", () => this.openMenu()), this.saveButton, this.menu("export", () => this.exportMenu()),
-      this.menu("menu", () => this.viewMenu()), this.undoButton, this.redoButton,
-      button("language", () => otherTongue()), this.menu("help", () => ["pointing", "keys"].map((word) => h("p", {}, w(word))), "?"));
-  }
-
-  menu(word, made, sign) {
-    const list = h("div", { class: "menu", hidden: true });
-    const key = h("button", { "aria-haspopup": "true", "aria-expanded": "false",
-      [sign ? "data-label" : "data-word"]: word,
-      onclick: () => {
-        opened(list.hidden);
-        if (list.hidden) return;
-        list.replaceChildren(...made());
-        list.querySelector("button, select, input")?.focus();
-      } }, sign || "");
-    const opened = (on) => {
-      list.hidden = !on;
-      key.setAttribute("aria-expanded", String(on));
-    };
-    list.addEventListener("done", () => opened(false));
-    const box = h("span", { class: "menubox",
-      onkeydown: (event) => {
-        if (event.key === "Escape") { opened(false); key.focus(); event.stopPropagation(); }
-        arrows(list, event);
-      },
-      onfocusout: (event) => { if (!box.contains(event.relatedTarget)) opened(false); } }, key, list);
-    return box;
-  }
-
-  openMenu() {
-    const choice = (name, keys) => h("button", { class: "code", onclick: (event) => {
-      event.target.closest(".menu")?.dispatchEvent(new Event("done"));
-      this.opened(name, null, keys);
-    } }, name);
-    const file = h("input", { type: "file", class: "unseen",
-      onchange: () => this.upload(file.files[0]) });
-    return [...this.models.map((name) => choice(name)), ...this.uploads.map((name) => choice(name, { upload: true })),
-      h("label", { class: "file" }, w("upload"), file)];
-  }
-
   upload(file) {
     return this.files((files) => files.upload(this, file));
   }
@@ -177,32 +118,6 @@ class Studio {
     } catch (error) {
       this.failed(error);
     }
-  }
-
-  exportMenu() {
-    return this.formats.map(([what, formats]) => h("p", { class: "formats" },
-      h("span", {}, w(what + "_of")),
-      ...formats.map((format) => h("button", { class: "code", onclick: (event) => {
-        event.target.closest(".menu").dispatchEvent(new Event("done"));
-        this.export(what, format);
-      } }, format))));
-  }
-
-  viewMenu() {
-    const choice = (key) => {
-      const select = h("select", { onchange: () => { this.looks[key] = select.value; this.looked(); } },
-        ...LOOKS[key].map((value) => h("option", { value }, w(value))));
-      select.value = this.looks[key] || LOOKS[key][0];
-      return h("label", {}, w(key), select);
-    };
-    const central = h("input", { type: "checkbox", checked: this.looks.projection === "central",
-      onchange: () => { this.looks.projection = central.checked ? "central" : "parallel"; this.looked(); } });
-    const count = h("select", { onchange: () => this.ports.many(Number(count.value)) },
-      ...[1, 2, 3, 4, 5, 6].map((value) => h("option", { value }, String(value))));
-    count.value = this.ports.ports.length;
-    return [choice("hidden"), choice("lines"),
-      h("label", {}, w("central"), central), h("label", {}, w("ports"), count),
-      ...(this.record ? [] : [h("button", { onclick: () => this.halved() }, w("two_windows"))])];
   }
 
   // The picture that questions are about: that of the first port which has one.
@@ -263,7 +178,7 @@ class Studio {
     this.taught(head.shows === "seen");
     if (head.rev && this.file === file && this.ready) await this.revised(head);
     else if (file) await this.opened(file);
-    else if (!head.class) this.banner("open", this.openMenu());
+    else if (!head.class) this.banner("open", this.bar.openMenu());
   }
 
   async inClass(told) {
@@ -397,22 +312,8 @@ class Studio {
     return this.revised(head);
   }
 
-  // What takes long says how far it is, and can be stopped.
-  long() {
-    const now = Date.now();
-    const [first] = this.wire.waiting.values();
-    const was = this.stopButton.hidden;
-    this.stopButton.hidden = !first || now - first.since < 600;
-    if (this.stopButton.hidden !== was) this.state();
-    if (this.stopButton.hidden) return;
-    const { done, total, since } = first;
-    this.stopButton.textContent = `${w("stop")} · ${total ? Math.floor(100 * done / total) + " %" : Math.floor((now - since) / 1000) + " s"}`;
-  }
-
   state() {
-    $("state").textContent = !this.stopButton.hidden ? w("working")
-      : this.ready && !this.gone ? w(this.saved ? "saved" : "changed") : w("connecting");
-    $("state").className = !this.saved || this.gone ? "changed" : "";
+    this.bar.state();
   }
 
   // One change after the other; those that were not sent wait for the program.

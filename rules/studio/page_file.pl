@@ -146,7 +146,11 @@ script(words).
 script(link).
 script(picture).
 script(space).
+script(sight).
+script(pointing).
+script(port).
 script(ports).
+script(bar).
 script(turning).
 script(find).
 script(handles).

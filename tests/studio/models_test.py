@@ -173,16 +173,16 @@ for language in ("en", "ko"):
         browser.script("studio.asking.set('between(1, 1000000000, X), X < 0')"
                        "; studio.asking.ask()")
         told("what takes long can be stopped", browser.wait(
-            "!studio.stopButton.hidden && /\\d s$/.test(studio.stopButton"
+            "!studio.bar.stop.hidden && /\\d s$/.test(studio.bar.stop"
             ".textContent) && document.getElementById('state').textContent"
             " === arguments[0]",
             {"en": "working …", "ko": "계산 중 …"}[language], seconds=4))
         began = time.time()
-        browser.script("studio.stopButton.click()")
+        browser.script("studio.bar.stop.click()")
         told("stopped", browser.wait("Boolean(document.querySelector('.ask "
                                      ".bad'))") and
              time.time() - began < 3, time.time() - began)
-        told("and goes on", browser.wait("studio.stopButton.hidden") and
+        told("and goes on", browser.wait("studio.bar.stop.hidden") and
              browser.script("studio.asking.set('segment(S, _, _)'); "
                             "studio.asking.ask()") is None and
              browser.wait("document.querySelectorAll('.answers tbody tr')"

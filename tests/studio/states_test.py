@@ -296,12 +296,12 @@ def on_a_phone():
     browser.script("clearInterval(studio.watch)")
     sizes = browser.script("""
       const high = () => document.getElementById('bar').offsetHeight, was = high();
-      studio.stopButton.textContent = 'Stop · 88 s';
-      studio.stopButton.hidden = false;
+      studio.bar.stop.textContent = 'Stop · 88 s';
+      studio.bar.stop.hidden = false;
       studio.state();
       return [was, high()];""")
     check("the bar is as high as before", sizes[0] == sizes[1], sizes)
-    browser.script("studio.stopButton.hidden = true; studio.state()")
+    browser.script("studio.bar.stop.hidden = true; studio.state()")
     check("nor does it move", browser.script("return " + high) == sizes[0])
     browser.script("studio.paneTo('ports'); studio.chosen(['s10e1'], studio"
                    ".ports.ports[0])")
