@@ -74,8 +74,10 @@ Foreign predicates; see kernel.pl.
 %   see fill_contour/7 (there Known, too), or edges(Faceted): all outlines run
 %   along edges. Depth: see view_depth/5; Tolerance: what counts as equal, in a
 %   model of size [-1,1] (PL-5). A scene does not follow later changes, and is
-%   freed with its last reference. It is for one thread at a time: what is asked
-%   of it is noted in it.
+%   freed when it is closed, or with its last reference. It is for one thread at
+%   a time: what is asked of it is noted in it.
+
+%!  scene_close(+Scene:scene) is det.
 
 %!  scene_edge(+Scene:scene, ?S:id, ?E:int, -Length:number,
 %!             -Look:line_look) is nondet.

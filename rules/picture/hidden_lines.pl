@@ -42,8 +42,8 @@
                 assert_fact/1, retractall_facts/1, facts_transaction/1
               ]).
 :- use_module('../kernel',
-              [ scene_open/6, scene_edge/5, scene_near/2, occluder/7, overlap/9,
-                fill_drawn/4
+              [ scene_close/1, scene_open/6, scene_edge/5, scene_near/2,
+                occluder/7, overlap/9, fill_drawn/4
               ]).
 /** <module> Hidden lines: the picture of a world.
 
@@ -106,7 +106,8 @@ picture(Options) :-
             option(segments(Segments), Options, all),
             outlines(Which, Segments, Crease),
             open_scene(Scene, Options),
-            draw(Method, Scene, Which, Crease),
+            call_cleanup(draw(Method, Scene, Which, Crease),
+                         scene_close(Scene)),
             lines_given(Segments)
         )).
 

@@ -7,7 +7,7 @@
           ]).
 :- use_module('../drawing/drawing',
               [drawing_format/2, write_drawing_stream/3]).
-:- use_module('../kernel', [scene_mesh/5, stroke_octets/3]).
+:- use_module('../kernel', [scene_close/1, scene_mesh/5, stroke_octets/3]).
 :- use_module('../message/message_object', [objects_heard/2]).
 :- use_module('../picture/hidden_lines', [open_scene/2, picture/1]).
 :- use_module('../picture/role', [usual_crease/1]).
@@ -148,8 +148,9 @@ formatted(mesh, Options, More, Octets) :-
     open_scene(Scene, Options),
     usual_crease(Usual),
     option(crease(Crease), Options, Usual),
-    scene_mesh(Scene, Crease, point(X,Y,Z),
-               counts(Vertices,Triangles,Lines,Sharp), Octets),
+    call_cleanup(scene_mesh(Scene, Crease, point(X,Y,Z),
+                            counts(Vertices,Triangles,Lines,Sharp), Octets),
+                 scene_close(Scene)),
     More = _{ middle:[X,Y,Z], vertices:Vertices, triangles:Triangles,
               lines:Lines, sharp:Sharp }.
 formatted(Format, Options, _{}, Octets) :-

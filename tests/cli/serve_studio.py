@@ -451,6 +451,29 @@ refused("no text of a goal", "request_error.bad_key", '"goal"', "question",
 refused("no name", "request_error.bad_key", '"name"', "question", name=" ",
         goal="true")
 
+# ---- a model that is turned takes no more room ----
+
+turned = session()
+turned.ask("open", file="facts/pipe_tee.pl")
+
+
+def room():
+    """MB of the session's own."""
+    with open("/proc/%d/status" % turned.process.pid) as f:
+        return next(int(line.split()[1]) for line in f
+                    if line.startswith("RssAnon")) / 1024
+
+
+rooms = []
+for i in range(240):
+    if i in (40, 239):
+        rooms.append(room())
+    head, _ = turned.ask("view", format="strokes", size=[160, 120],
+                         view=[7.3 * i % 360, 30 + 3.1 * i % 60])
+check("views leave nothing behind", "error" not in head and
+      rooms[1] < rooms[0] + 25, rooms)
+turned.kill()
+
 # ---- rules are tried ----
 
 RULES = b"""% Creases of the second cube are no lines.
