@@ -25,6 +25,17 @@ ask_large_pages(void *memory, size_t bytes)
 #endif
 }
 
+void *
+sg_list_room(size_t n, size_t size)
+{
+  void *room = n < SIZE_MAX / size ? malloc((n + 1) * size) : NULL;
+
+  if (room) {
+    ask_large_pages(room, n * size);
+  }
+  return room;
+}
+
 bool
 sg_list_widen(void *item, size_t need, size_t *room, size_t size)
 {

@@ -41,6 +41,10 @@ sg_list_need_zeroed(void *item, size_t need, size_t *room, size_t size)
   return need <= *room || sg_list_widen_zeroed(item, need, room, size);
 }
 
+/* Room for n, and one more, at once; null: no memory. Owner: the caller,
+ * free(). */
+void *sg_list_room(size_t n, size_t size);
+
 /* No more room than n take; without memory for that it stays as it is. */
 void sg_list_trim(void *item, size_t n, size_t *room, size_t size);
 

@@ -1,6 +1,7 @@
 /* grid.c -- see grid.h */
 #include "grid.h"
 
+#include "engine/list.h"
 #include "number/bounds.h"
 
 #include <float.h>
@@ -26,15 +27,28 @@ enum {
   AN_ITEM = 64
 };
 
-static void
-shape_box(const sg_grid_shape *shape, double low[2], double high[2])
+/* The items that are entered, and where they are: one is looked at again only
+ * where its box does not say all. */
+typedef struct items {
+  size_t n;
+  sg_grid_shape_of *shape_of;
+  sg_grid_box_of *box_of; /* null: from the shape */
+  const void *data;
+  sg_grid_box *box; /* [n] */
+} items;
+
+static sg_grid_box
+box_of_shape(const sg_grid_shape *shape)
 {
+  sg_grid_box out = {{DBL_MAX, DBL_MAX}, {-DBL_MAX, -DBL_MAX}};
+
   for (unsigned i = 0; i < shape->corners; i++) {
     for (int k = 0; k < 2; k++) {
-      low[k] = sg_smaller(low[k], shape->at[i][k]);
-      high[k] = sg_larger(high[k], shape->at[i][k]);
+      out.low[k] = sg_smaller(out.low[k], shape->at[i][k]);
+      out.high[k] = sg_larger(out.high[k], shape->at[i][k]);
     }
   }
+  return out;
 }
 
 static unsigned
@@ -45,10 +59,10 @@ cells(double size, double cell, unsigned most)
   return n < most ? (unsigned)n : most;
 }
 
-/* The sides of the box of all items, and its corner; of their boxes, summed. */
+/* The boxes; the sides of that of all items, and its corner; of theirs,
+ * summed. */
 static void
-find_box(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of, const void *data,
-         double size[2], double sum[2])
+find_boxes(sg_grid *grid, const items *of, double size[2], double sum[2])
 {
   double high[2] = {-DBL_MAX, -DBL_MAX};
   sg_grid_shape shape;
@@ -56,20 +70,24 @@ find_box(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of, const void *data,
   sum[0] = sum[1] = 0.0;
 
   grid->low[0] = grid->low[1] = DBL_MAX;
-  for (size_t i = 0; i < n; i++) {
-    double from[2] = {DBL_MAX, DBL_MAX}, to[2] = {-DBL_MAX, -DBL_MAX};
+  for (size_t i = 0; i < of->n; i++) {
+    sg_grid_box *b = &of->box[i];
 
-    shape_of(data, i, &shape);
-    shape_box(&shape, from, to);
+    if (of->box_of) {
+      of->box_of(of->data, i, b);
+    } else {
+      of->shape_of(of->data, i, &shape);
+      *b = box_of_shape(&shape);
+    }
     for (int k = 0; k < 2; k++) {
-      grid->low[k] = sg_smaller(grid->low[k], from[k]);
-      high[k] = sg_larger(high[k], to[k]);
-      sum[k] += to[k] - from[k];
+      grid->low[k] = sg_smaller(grid->low[k], b->low[k]);
+      high[k] = sg_larger(high[k], b->high[k]);
+      sum[k] += b->high[k] - b->low[k];
     }
   }
   for (int k = 0; k < 2; k++) {
-    grid->low[k] = n ? grid->low[k] - grid->margin : 0.0;
-    size[k] = n ? high[k] - grid->low[k] + grid->margin : 1.0;
+    grid->low[k] = of->n ? grid->low[k] - grid->margin : 0.0;
+    size[k] = of->n ? high[k] - grid->low[k] + grid->margin : 1.0;
   }
 }
 
@@ -106,16 +124,28 @@ cell_of(const sg_grid *grid, int k, double x)
   return c <= 0.0 ? 0 : c < n ? (unsigned)c : n - 1;
 }
 
+static sg_grid_rows
+rows_of_box(const sg_grid *grid, const sg_grid_box *b)
+{
+  return (sg_grid_rows){.y0 = cell_of(grid, 1, b->low[1] - grid->margin),
+                        .y1 = cell_of(grid, 1, b->high[1] + grid->margin) + 1,
+                        .x0 = cell_of(grid, 0, b->low[0] - grid->margin),
+                        .x1 = cell_of(grid, 0, b->high[0] + grid->margin) + 1};
+}
+
 sg_grid_rows
 sg_grid_rows_of(const sg_grid *grid, const sg_grid_shape *shape)
 {
-  double low[2] = {DBL_MAX, DBL_MAX}, high[2] = {-DBL_MAX, -DBL_MAX};
+  sg_grid_box b = box_of_shape(shape);
 
-  shape_box(shape, low, high);
-  return (sg_grid_rows){.y0 = cell_of(grid, 1, low[1] - grid->margin),
-                        .y1 = cell_of(grid, 1, high[1] + grid->margin) + 1,
-                        .x0 = cell_of(grid, 0, low[0] - grid->margin),
-                        .x1 = cell_of(grid, 0, high[0] + grid->margin) + 1};
+  return rows_of_box(grid, &b);
+}
+
+/* Whether all cells of the box are the shape's. */
+static bool
+is_box(sg_grid_rows rows)
+{
+  return rows.y1 - rows.y0 <= FEW_ROWS || rows.x1 - rows.x0 == 1;
 }
 
 /* Widens x by the part of side p-q that lies between y = low and y = high. */
@@ -147,7 +177,7 @@ sg_grid_row(const sg_grid *grid, const sg_grid_shape *shape, sg_grid_rows rows,
   double high = low + grid->wide[1] + 2 * grid->margin;
   double x[2] = {DBL_MAX, -DBL_MAX};
 
-  if (rows.y1 - rows.y0 <= FEW_ROWS || rows.x1 - rows.x0 == 1) {
+  if (is_box(rows)) {
     return (sg_grid_columns){rows.x0, rows.x1};
   }
   if (y == 0) {
@@ -167,21 +197,29 @@ sg_grid_row(const sg_grid *grid, const sg_grid_shape *shape, sg_grid_rows rows,
                            cell_of(grid, 0, x[1] + grid->margin) + 1};
 }
 
-/* Counts the item in its cells (item null), or enters it there. Returns in how
- * many. */
+/* Counts item i in its cells, or enters it there once they are counted.
+ * Returns in how many. */
 static size_t
-enter(sg_grid *grid, const sg_grid_shape *shape, uint32_t *count,
-      uint32_t *item, uint32_t i)
+enter(sg_grid *grid, const items *of, size_t i)
 {
-  sg_grid_rows rows = sg_grid_rows_of(grid, shape);
+  uint32_t *item = grid->item, *count = grid->start + (item ? 1 : 2);
+  sg_grid_rows rows = rows_of_box(grid, &of->box[i]);
+  sg_grid_columns columns = {rows.x0, rows.x1};
+  bool all = is_box(rows);
+  sg_grid_shape shape;
   size_t entries = 0;
 
+  if (!all) {
+    of->shape_of(of->data, i, &shape);
+  }
   for (unsigned y = rows.y0; y < rows.y1; y++) {
-    sg_grid_columns columns = sg_grid_row(grid, shape, rows, y);
+    if (!all) {
+      columns = sg_grid_row(grid, &shape, rows, y);
+    }
     for (unsigned x = columns.x0; x < columns.x1; x++) {
       size_t cell = (size_t)y * grid->nx + x;
       if (item) {
-        item[count[cell]] = i;
+        item[count[cell]] = (uint32_t)i;
       }
       count[cell]++;
     }
@@ -203,14 +241,13 @@ most_entries(const sg_grid *grid, size_t n)
 
 /* All items: entered, or counted until they are too many. False: stopped. */
 static bool
-enter_all(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of, const void *data,
-          const sg_cancel *cancel, size_t *entries)
+enter_all(sg_grid *grid, const items *of, const sg_cancel *cancel,
+          size_t *entries)
 {
-  size_t asked = 0, most = most_entries(grid, n);
-  sg_grid_shape shape;
+  size_t asked = 0, most = most_entries(grid, of->n);
 
   *entries = 0;
-  for (size_t i = 0; i < n && *entries <= most; i++) {
+  for (size_t i = 0; i < of->n && *entries <= most; i++) {
     size_t done = *entries + AN_ITEM * i;
     if (i == 0 || done - asked > ASK_EVERY) {
       asked = done;
@@ -218,9 +255,7 @@ enter_all(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of, const void *data,
         return false;
       }
     }
-    shape_of(data, i, &shape);
-    *entries += enter(grid, &shape, grid->start + (grid->item ? 1 : 2),
-                      grid->item, (uint32_t)i);
+    *entries += enter(grid, of, i);
   }
   return true;
 }
@@ -228,47 +263,60 @@ enter_all(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of, const void *data,
 /* start[]: how many items each cell has, two places on. False: stopped, or no
  * memory. */
 static bool
-count_items(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
-            const void *data, bool along, const sg_cancel *cancel, bool *memory)
+count_items(sg_grid *grid, const items *of, bool along, const sg_cancel *cancel,
+            bool *memory)
 {
   double size[2], sum[2], cell, longer;
   size_t entries;
 
-  find_box(grid, n, shape_of, data, size, sum);
+  find_boxes(grid, of, size, sum);
   cell = sg_larger(SMALLEST * grid->margin,
-                   sqrt(size[0] * size[1] / ((double)n + 1.0)));
-  longer = along ? find_longer(sum, n, cell) : 1;
+                   sqrt(size[0] * size[1] / ((double)of->n + 1.0)));
+  longer = along ? find_longer(sum, of->n, cell) : 1;
   do {
     choose_cells(grid, size, cell, longer);
     cell *= 2;
     free(grid->start);
     grid->start = calloc((size_t)grid->nx * grid->ny + 2, sizeof *grid->start);
     *memory = grid->start != NULL;
-    if (!*memory || !enter_all(grid, n, shape_of, data, cancel, &entries)) {
+    if (!*memory || !enter_all(grid, of, cancel, &entries)) {
       return false;
     }
-  } while (entries > most_entries(grid, n));
+  } while (entries > most_entries(grid, of->n));
   return true;
 }
 
-bool
-sg_grid_init(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
-             const void *data, double margin, bool along,
-             const sg_cancel *cancel, bool *memory)
+static bool
+fill(sg_grid *grid, const items *of, bool along, const sg_cancel *cancel,
+     bool *memory)
 {
   size_t total, entries;
 
-  *grid = (sg_grid){.margin = margin};
-  if (!count_items(grid, n, shape_of, data, along, cancel, memory)) {
+  if (!count_items(grid, of, along, cancel, memory)) {
     return false;
   }
   total = (size_t)grid->nx * grid->ny;
   for (size_t c = 2; c < total + 2; c++) {
     grid->start[c] += grid->start[c - 1];
   }
-  grid->item = malloc((grid->start[total + 1] + 1) * sizeof *grid->item);
+  grid->item = sg_list_room(grid->start[total + 1], sizeof *grid->item);
   *memory = grid->item != NULL;
-  return *memory && enter_all(grid, n, shape_of, data, cancel, &entries);
+  return *memory && enter_all(grid, of, cancel, &entries);
+}
+
+bool
+sg_grid_init(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
+             sg_grid_box_of *box_of, const void *data, double margin,
+             bool along, const sg_cancel *cancel, bool *memory)
+{
+  items of = {n, shape_of, box_of, data, sg_list_room(n, sizeof *of.box)};
+  bool good;
+
+  *grid = (sg_grid){.margin = margin};
+  *memory = of.box != NULL;
+  good = *memory && fill(grid, &of, along, cancel, memory);
+  free(of.box);
+  return good;
 }
 
 void

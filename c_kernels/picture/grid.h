@@ -28,15 +28,20 @@ typedef struct sg_grid_shape {
 } sg_grid_shape;
 
 typedef void sg_grid_shape_of(const void *data, size_t i, sg_grid_shape *out);
+typedef struct sg_grid_box {
+  double low[2], high[2];
+} sg_grid_box;
+typedef void sg_grid_box_of(const void *data, size_t i, sg_grid_box *out);
 
 /* A grid of n items, about one cell for each, or fewer where large items would
  * be in too many. Its cells are squares, or for items that run `along` x about
- * as long as these. Things nearer than `margin`, which is not 0, have a cell in
+ * as long as these. box_of: the box of a shape, where it is known; else null.
+ * Things nearer than `margin`, which is not 0, have a cell in
  * common. False: stopped by the cancellation, or no memory (then *memory is
  * false). Owner: the caller, sg_grid_clear(). */
 bool sg_grid_init(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
-                  const void *data, double margin, bool along,
-                  const sg_cancel *cancel, bool *memory);
+                  sg_grid_box_of *box_of, const void *data, double margin,
+                  bool along, const sg_cancel *cancel, bool *memory);
 void sg_grid_clear(sg_grid *grid);
 
 /* The cells of a shape: rows y0 <= y < y1, in each of them the columns that

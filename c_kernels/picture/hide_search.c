@@ -298,7 +298,7 @@ class_init(sg_line_grid *lines, unsigned class, const sg_cancel *cancel,
   sg_grid *grid = &lines->grid[class];
 
   find_way(lines, class);
-  if (!sg_grid_init(grid, n, shape_of_stretch, &of, close, true, cancel,
+  if (!sg_grid_init(grid, n, shape_of_stretch, NULL, &of, close, true, cancel,
                     memory)) {
     return false;
   }
@@ -307,10 +307,10 @@ class_init(sg_line_grid *lines, unsigned class, const sg_cancel *cancel,
   }
   sg_grid_clear(grid);
   return arrange_stretches(lines, class, cancel, memory) &&
-         sg_grid_init(grid, n, shape_of_stretch, &of, close, true, cancel,
+         sg_grid_init(grid, n, shape_of_stretch, NULL, &of, close, true, cancel,
                       memory) &&
-         sg_grid_init(&lines->tip[class], n, shape_of_tip, &of, close, false,
-                      cancel, memory);
+         sg_grid_init(&lines->tip[class], n, shape_of_tip, NULL, &of, close,
+                      false, cancel, memory);
 }
 
 bool

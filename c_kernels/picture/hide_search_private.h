@@ -7,6 +7,7 @@
 
 #include "hide_search.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -34,8 +35,18 @@ static inline float
 sg_float_below(double x)
 {
   float f = (float)x;
+  int32_t bits;
 
-  return (double)f > x ? nextafterf(f, -INFINITY) : f;
+  if (!((double)f > x)) {
+    return f;
+  }
+  if (f == 0.0F) {
+    return -FLT_TRUE_MIN;
+  }
+  memcpy(&bits, &f, sizeof bits); /* in the order of the floats of its sign */
+  bits -= f > 0.0F ? 1 : -1;
+  memcpy(&f, &bits, sizeof f);
+  return f;
 }
 
 /* And far below this of a depth, and as much more as it rises. */

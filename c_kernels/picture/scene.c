@@ -4,6 +4,7 @@
 #include "scene.h"
 
 #include "crease.h"
+#include "engine/list.h"
 #include "number/bounds.h"
 #include "picture_points.h"
 #include "rows/keys.h"
@@ -187,7 +188,7 @@ look_at_faces(viewing *w)
   bool done;
 
   w->facing = calloc(d->polygons + 1, 1);
-  w->key = malloc((d->triangles + w->divided.n + 1) * sizeof *w->key);
+  w->key = sg_list_room(d->triangles + w->divided.n, sizeof *w->key);
   for (size_t i = 0; area && w->facing && w->key && i < d->triangles; i++) {
     const int32_t *v = d->corner[i];
     int32_t p = d->polygon_of[i];
@@ -268,16 +269,34 @@ mask_of(const viewing *w, uint32_t place)
   return mask;
 }
 
+/* The triangles are anywhere in memory: those that come soon are fetched. */
+static void
+fetch_soon(const viewing *w, size_t i)
+{
+  enum { CORNERS = 16, PLACES = 8 };
+  const sg_dense *d = &w->model->dense;
+
+  if (i + CORNERS < w->scene->masks) {
+    uint32_t place = (uint32_t)w->key[i + CORNERS];
+    __builtin_prefetch(&d->corner[place < d->triangles ? place : 0]);
+    place = (uint32_t)w->key[i + PLACES];
+    for (int k = 0; k < 3 && place < d->triangles; k++) {
+      __builtin_prefetch(w->scene->at[d->corner[place][k]]);
+    }
+  }
+}
+
 static bool
 make_masks(viewing *w)
 {
   sg_scene *scene = w->scene;
 
-  scene->mask = malloc((scene->masks + 1) * sizeof *scene->mask);
+  scene->mask = sg_list_room(scene->masks, sizeof *scene->mask);
   if (!scene->mask || !sg_sort_upper(w->key, scene->masks)) {
     return false;
   }
   for (size_t i = 0; i < scene->masks && !stop(w, i); i++) {
+    fetch_soon(w, i);
     scene->mask[i] = mask_of(w, (uint32_t)w->key[i]);
   }
   return true;
@@ -483,7 +502,7 @@ line_room(viewing *w)
   size_t most = w->model->lines + w->in->addeds, lies, folds;
   sg_scene *scene = w->scene;
 
-  scene->line = malloc((most + 1) * sizeof *scene->line);
+  scene->line = sg_list_room(most, sizeof *scene->line);
   if (w->in->addeds == 0 && w->facings.n == 0) {
     return scene->line != NULL;
   }

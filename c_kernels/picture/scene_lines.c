@@ -1,6 +1,7 @@
 /* scene_lines.c -- the lines of a model: one for the directed edges between two
  * vertices, with the polygons that use it (scene_model.h).
  */
+#include "engine/list.h"
 #include "number/bounds.h"
 #include "rows/disjoint.h"
 #include "rows/edge_pairs.h"
@@ -39,13 +40,11 @@ static bool
 joined_init(joined *j, sg_scene_builder *b)
 {
   const sg_dense *d = &b->model->dense;
-  size_t bytes = (d->edges + 1) * sizeof(uint32_t);
-
-  *j = (joined){.set = malloc(bytes),
+  *j = (joined){.set = sg_list_room(d->edges, sizeof(uint32_t)),
                 .cut = calloc(d->edges + 1, sizeof(bool)),
-                .first = malloc(bytes),
-                .line_of = malloc(bytes),
-                .copy_of = malloc(bytes)};
+                .first = sg_list_room(d->edges, sizeof(uint32_t)),
+                .line_of = sg_list_room(d->edges, sizeof(uint32_t)),
+                .copy_of = sg_list_room(d->edges, sizeof(uint32_t))};
   for (size_t i = 0; j->set && i < d->edges; i++) {
     j->set[i] = (uint32_t)i;
   }
@@ -211,7 +210,7 @@ make_uses(sg_scene_builder *b, const uint32_t *line_of, uint32_t **use_begin,
   uint32_t *begin = calloc(m->lines + 2, sizeof *begin);
 
   *use_begin = begin;
-  *use = malloc((d->list_begin[d->polygons] + 1) * sizeof **use);
+  *use = sg_list_room(d->list_begin[d->polygons], sizeof **use);
   if (!begin || !*use) {
     return false;
   }
@@ -397,7 +396,7 @@ sg_scene_make_lines(sg_scene_builder *b)
   bool done = joined_init(&j, b);
 
   if (done && (done = enter_cuts(b, &j))) {
-    m->line = malloc((find_lines(b, &j) + 1) * sizeof *m->line);
+    m->line = sg_list_room(find_lines(b, &j), sizeof *m->line);
     done = m->line != NULL;
   }
   if (done) {

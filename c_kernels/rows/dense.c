@@ -102,16 +102,6 @@ find_segments(const sg_dense_views *views, const int32_t *wanted, size_t n,
 /* Rows -------------------------------------------------------------------- */
 
 static bool
-add_row(rows *out, uint64_t key, size_t page, unsigned row)
-{
-  if (!sg_list_grow(&out->row, out->n, &out->room, sizeof *out->row)) {
-    return false;
-  }
-  out->row[out->n++] = (row_key){key, (uint32_t)page, row};
-  return true;
-}
-
-static bool
 set_begins(const sg_dense *d, rows *out)
 {
   out->begin = calloc(d->segments + 1, sizeof *out->begin);
@@ -140,6 +130,18 @@ may_have(const sg_dense *d, const sg_view *view, size_t page)
   return at < d->segments && d->segment[at] <= view->span[page][1];
 }
 
+/* Room for all rows that there may be: as memory, nothing before it is used. */
+static bool
+rows_room(const sg_dense *d, const sg_view *view, rows *out)
+{
+  size_t most = 0;
+
+  for (size_t i = 0; i < view->pages; i++) {
+    most += may_have(d, view, i) ? SG_PAGE_ROWS : 0;
+  }
+  return sg_list_need(&out->row, most, &out->room, sizeof *out->row);
+}
+
 /* The rows of `view` in the segments of `d`, by segment and the id in this
  * column. */
 static bool
@@ -149,6 +151,9 @@ gather(const sg_dense *d, const sg_view *view, unsigned column,
   size_t last = 0;
   bool sorted = true;
 
+  if (!rows_room(d, view, out)) {
+    return false;
+  }
   for (size_t i = 0; i < view->pages; i++) {
     if (i % 16 == 0 && (*stopped = sg_cancelled(cancel))) {
       return false;
@@ -165,9 +170,7 @@ gather(const sg_dense *d, const sg_view *view, unsigned column,
       uint64_t key =
           (uint64_t)s << ID_BITS | (uint32_t)view->column[column].page[i].i[r];
       sorted = sorted && (out->n == 0 || out->row[out->n - 1].key < key);
-      if (!add_row(out, key, i, r)) {
-        return false;
-      }
+      out->row[out->n++] = (row_key){key, (uint32_t)i, r};
     }
   }
   if (!sorted) {
@@ -206,20 +209,13 @@ cell(const sg_view *view, unsigned column, const row_key *row)
 
 /* Filling ------------------------------------------------------------------ */
 
-/* Never a block of no bytes: null means no memory. */
-static void *
-room_for(size_t n, size_t size)
-{
-  return malloc((n + 1) * size);
-}
-
 static bool
 fill_vertices(sg_dense *d, const sg_view *view, rows *from)
 {
   d->vertices = from->n;
   d->vertex_begin = from->begin;
-  d->vertex_id = room_for(from->n, sizeof *d->vertex_id);
-  d->at = room_for(from->n, sizeof *d->at);
+  d->vertex_id = sg_list_room(from->n, sizeof *d->vertex_id);
+  d->at = sg_list_room(from->n, sizeof *d->at);
   if (!d->vertex_id || !d->at) {
     return false;
   }
@@ -238,10 +234,10 @@ fill_edges(sg_dense *d, const sg_view *view, rows *from)
 {
   d->edges = from->n;
   d->edge_begin = from->begin;
-  d->edge_id = room_for(from->n, sizeof *d->edge_id);
-  d->from = room_for(from->n, sizeof *d->from);
-  d->to = room_for(from->n, sizeof *d->to);
-  d->real = room_for(from->n, sizeof *d->real);
+  d->edge_id = sg_list_room(from->n, sizeof *d->edge_id);
+  d->from = sg_list_room(from->n, sizeof *d->from);
+  d->to = sg_list_room(from->n, sizeof *d->to);
+  d->real = sg_list_room(from->n, sizeof *d->real);
   if (!d->edge_id || !d->from || !d->to || !d->real) {
     return false;
   }
@@ -272,9 +268,9 @@ fill_polygons(sg_dense *d, const sg_view *view, rows *from)
   }
   d->polygons = from->n;
   d->polygon_begin = from->begin;
-  d->polygon_id = room_for(from->n, sizeof *d->polygon_id);
-  d->list_begin = room_for(from->n, sizeof *d->list_begin);
-  d->list = room_for(items, sizeof *d->list);
+  d->polygon_id = sg_list_room(from->n, sizeof *d->polygon_id);
+  d->list_begin = sg_list_room(from->n, sizeof *d->list_begin);
+  d->list = sg_list_room(items, sizeof *d->list);
   if (!d->polygon_id || !d->list_begin || !d->list) {
     return false;
   }
@@ -298,9 +294,9 @@ fill_triangles(sg_dense *d, const sg_view *view, rows *from)
 {
   d->triangles = from->n;
   d->triangle_begin = from->begin;
-  d->triangle_id = room_for(from->n, sizeof *d->triangle_id);
-  d->polygon_of = room_for(from->n, sizeof *d->polygon_of);
-  d->corner = room_for(from->n, sizeof *d->corner);
+  d->triangle_id = sg_list_room(from->n, sizeof *d->triangle_id);
+  d->polygon_of = sg_list_room(from->n, sizeof *d->polygon_of);
+  d->corner = sg_list_room(from->n, sizeof *d->corner);
   if (!d->triangle_id || !d->polygon_of || !d->corner) {
     return false;
   }

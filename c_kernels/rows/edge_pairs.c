@@ -1,6 +1,8 @@
 /* edge_pairs.c -- see edge_pairs.h: a counting sort by the lower vertex, then
  * each bucket by itself. */
 #include "edge_pairs.h"
+
+#include "engine/list.h"
 #include "engine/search.h"
 
 #include "sort.h"
@@ -70,7 +72,7 @@ sg_edge_pairs_make(size_t n, const int32_t *from, const int32_t *to,
 {
   *stopped = false;
   *out = (sg_edge_pairs){.n = n,
-                         .key = malloc((n + 1) * sizeof *out->key),
+                         .key = sg_list_room(n, sizeof *out->key),
                          .bucket = calloc(vertices + 2, sizeof *out->bucket),
                          .vertices = vertices};
   if (!out->key || !out->bucket) {

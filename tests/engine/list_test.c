@@ -79,9 +79,28 @@ zeroes(void)
   free(bit);
 }
 
+static void
+rooms(void)
+{
+  enum { MUCH = 1 << 20 };
+  int64_t *much = sg_list_room(MUCH, sizeof *much);
+  char *none = sg_list_room(0, 1);
+
+  if (much && none) {
+    much[0] = much[MUCH] = 7;
+    none[0] = 7;
+  }
+  CHECK("room for one more", much && none);
+  CHECK("no room",
+        !sg_list_room(SIZE_MAX / 8, 8) && !sg_list_room(SIZE_MAX, 1));
+  free(much);
+  free(none);
+}
+
 int
 main(void)
 {
+  rooms();
   pushes();
   needs();
   zeroes();

@@ -173,9 +173,27 @@ ordered(int down, int up)
   free(m);
 }
 
+/* The float below is that of the C library. */
+static void
+floats_below(void)
+{
+  const double some[] = {0.0,       -0.0,     1.0,       -1.0,     0.1,
+                         -0.1,      1e-46,    -1e-46,    1e-45,    -1e-45,
+                         1e-40,     -1e-40,   3e38,      -3e38,    1.0 / 3,
+                         -1.0 / 3,  16777217, -16777217, 1 + 1e-9, 1 - 1e-9,
+                         -1 + 1e-9, -1 - 1e-9};
+
+  for (size_t i = 0; i < sizeof some / sizeof *some; i++) {
+    float below = sg_float_below(some[i]), next = nextafterf(below, INFINITY);
+    CHECK("float below", (double)below <= some[i] && (double)next > some[i]);
+  }
+  CHECK("none below infinity", sg_float_below(-INFINITY) == -INFINITY);
+}
+
 int
 main(void)
 {
+  floats_below();
   static const int size[] = {0, 1, 2, 3, 7, 30, 300, 2000};
   enum { SIZES = sizeof size / sizeof *size };
 

@@ -371,8 +371,8 @@ large_items(void)
 {
   enum { N = 120000 };
   sg_grid grid;
-  bool memory, done = sg_grid_init(&grid, N, large_shape, NULL, 1e-7, false,
-                                   NULL, &memory);
+  bool memory, done = sg_grid_init(&grid, N, large_shape, NULL, NULL, 1e-7,
+                                   false, NULL, &memory);
   size_t entries = done ? grid.start[(size_t)grid.nx * grid.ny] : 0;
 
   CHECK("many large items have wide cells",
@@ -382,9 +382,53 @@ large_items(void)
   sg_grid_clear(&grid);
 }
 
+static void
+thin_shape(const void *data, size_t i, sg_grid_shape *out)
+{
+  double x = (double)(i * 7919 % 100) / 100, y = (double)(i * 104729 % 97) / 97;
+
+  (void)data;
+  *out = (sg_grid_shape){3, {{x, y}, {x + 0.3, y + 0.2}, {x - 0.01, y + 0.25}}};
+}
+
+static void
+thin_box(const void *data, size_t i, sg_grid_box *out)
+{
+  sg_grid_shape shape;
+
+  thin_shape(data, i, &shape);
+  *out = (sg_grid_box){{shape.at[2][0], shape.at[0][1]},
+                       {shape.at[1][0], shape.at[2][1]}};
+}
+
+/* Boxes that are known make the same grid. */
+static void
+known_boxes(void)
+{
+  enum { N = 300 };
+  sg_grid from_shape, from_box;
+  bool memory;
+  bool done = sg_grid_init(&from_shape, N, thin_shape, NULL, NULL, 1e-7, false,
+                           NULL, &memory) &&
+              sg_grid_init(&from_box, N, thin_shape, thin_box, NULL, 1e-7,
+                           false, NULL, &memory);
+  size_t cells = done ? (size_t)from_shape.nx * from_shape.ny : 0;
+
+  CHECK("known boxes: cells",
+        done && from_box.nx == from_shape.nx && from_box.ny == from_shape.ny &&
+            memcmp(from_box.start, from_shape.start,
+                   (cells + 1) * sizeof *from_box.start) == 0);
+  CHECK("known boxes: items",
+        done && memcmp(from_box.item, from_shape.item,
+                       from_shape.start[cells] * sizeof *from_box.item) == 0);
+  sg_grid_clear(&from_shape);
+  sg_grid_clear(&from_box);
+}
+
 int
 main(void)
 {
+  known_boxes();
   random_scenes();
   CHECK("some masks are enough", left_out > 100);
   threads();
