@@ -36,8 +36,9 @@ linear_extruded(Node, Region, Terms) :-
     ->  region_islands(Region, Islands),
         outline_points(Islands, Points),
         slices(Node, Points, H, Twist, Scale, Slices),
+        smooth_argument(Node, Smooth),
         Turn is -Twist,
-        Maker = extrusion(Node, H, Turn, Scale, Slices),
+        Maker = extrusion(Node, Smooth, H, Turn, Scale, Slices),
         maplist(island_term(Maker), Islands, Terms0),
         maplist(centred(Center, H), Terms0, Terms)
     ;   Terms = []
@@ -52,9 +53,8 @@ centred(false, _, Term, Term).
 centred(true, H, Term, at([translate(0, 0, Z)], Term)) :-
     Z is -H/2.0.
 
-extrusion(Node, H, Turn, [A, B], Slices, Outline, Holes, Term) :-
+extrusion(Node, Smooth, H, Turn, [A, B], Slices, Outline, Holes, Term) :-
     Node = node(_, _, _, _, Place),
-    smooth_argument(Node, Smooth),
     (   Holes == []
     ->  Arguments = [height(H)|Smooth]
     ;   Arguments = [holes(Holes), height(H)|Smooth]
@@ -225,7 +225,8 @@ rotate_extruded(Node, Region, Terms) :-
         N is max(1, truncate(N0*abs(Angle)/360)),
         Degrees is abs(Angle),
         first_angle(Start, Angle, Side, First),
-        maplist(turned_island(Node, Degrees, N, First), Islands, Terms)
+        smooth_argument(Node, Smooth),
+        maplist(turned_island(Node, Smooth, Degrees, N, First), Islands, Terms)
     ).
 
 %   axis_side(Low, High, Node, Side): 1 when the region is right of the axis.
@@ -269,8 +270,8 @@ first_angle(Start, Angle, Side, First) :-
     ),
     First is First1 + min(0, Angle).
 
-turned_island(Node, Degrees, N, First, Island, Term) :-
-    island_term(turning_term(Node, Degrees, N), Island, Term0),
+turned_island(Node, Smooth, Degrees, N, First, Island, Term) :-
+    island_term(turning_term(Node, Smooth, Degrees, N), Island, Term0),
     (   turns_into_itself(Degrees, N, First)
     ->  Term = Term0
     ;   Term = at([rotate(z, First)], Term0)
@@ -284,9 +285,8 @@ turns_into_itself(Degrees, N, First) :-
         integer(Steps)
     ).
 
-turning_term(Node, Degrees, N, Outline, Holes, Term) :-
+turning_term(Node, Smooth, Degrees, N, Outline, Holes, Term) :-
     Node = node(_, _, _, _, Place),
-    smooth_argument(Node, Smooth),
     (   Degrees =:= 360
     ->  Arguments = [facets(N)|Smooth]
     ;   Arguments = [angle(Degrees), facets(N)|Smooth]

@@ -355,6 +355,29 @@ looks(Text, Looks) :-
              )),
     msort(Looks0, Looks).
 
+%   What it takes to read N squares apart, extruded or turned.
+
+extruded_inferences(How, N, Inferences) :-
+    findall(Text,
+            ( between(1, N, I),
+              X is 2*I,
+              format(atom(Text),
+                     "multmatrix([[1, 0, 0, ~w], [0, 1, 0, 0], [0, 0, 1, 0], \c
+                      [0, 0, 0, 1]]) { square(size = [1, 1]); }",
+                     [X]) ),
+            Texts),
+    atomic_list_concat([How, ' {'|Texts], All0),
+    atom_concat(All0, ' }', All),
+    statistics(inferences, I0),
+    csg(All, _),
+    statistics(inferences, I1),
+    Inferences is I1-I0.
+
+test(growth, [ forall(member(How, ['linear_extrude(height = 1)',
+                                   'rotate_extrude()'])),
+               true(Many < 5*Few) ]) :-
+    extruded_inferences(How, 250, Few),
+    extruded_inferences(How, 1000, Many).
 test(colour_of_all, Looks == [1.0-colour(rgb(255,0,0))]) :-
     looks("color([1,0,0,1]) { cube(); }", Looks).
 test(colours_of_parts, Looks == [ 1.0-colour(rgb(0,0,255)),
