@@ -271,6 +271,7 @@ class Studio {
     this.light("came", came);
     this.light("changed", changed);
     this.ports.ghost(went);
+    if (came.length + changed.length + went.length) this.light("chosen", []);    // what is chosen is red too
   }
 
   // What was changed here before another program wrote the file.

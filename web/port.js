@@ -62,7 +62,7 @@ export class Port extends Pointing {
     canvas.addEventListener("dblclick", (event) => this.doubled(event));
     canvas.addEventListener("keydown", (event) => this.keyed(event));
     this.fingers = new Map();
-    // The size that it was drawn in last is said too, when it begins.
+    // The size that it was drawn in last is told too, when it begins.
     const sized = calm(60, () => { if (String(this.size) !== String([canvas.clientWidth, canvas.clientHeight])) this.refresh(); });
     new ResizeObserver(() => sized()).observe(canvas);
   }
@@ -141,7 +141,10 @@ export class Port extends Pointing {
 
   async draw() {
     const { clientWidth, clientHeight } = this.canvas;
-    if (!(this.studio.ready || this.alone) || clientWidth < 24 || clientHeight < 24) return;
+    if (!(this.studio.ready || this.alone) || clientWidth < 24 || clientHeight < 24) {
+      this.size = null;
+      return;
+    }
     if (this.busy) {
       this.again = true;
       return;
@@ -236,7 +239,7 @@ export class Port extends Pointing {
   haunted = calm(60, async () => {
     const { shown } = this.picture;
     const { before } = kindOf(this.kind);
-    if (!shown || !before) return;
+    if (!shown || !before || !this.size) return;
     try {
       const reply = await before(this, ...this.size);
       if (shown === this.picture.shown && !reply.head.replaced) this.picture.ghost(strokesOf(reply), this.studio.ports.went);

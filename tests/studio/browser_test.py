@@ -563,7 +563,15 @@ def screens():
             "querySelectorAll('#bar button, .tabs button, #panes button')]."
             "filter(e => e.offsetParent).every(e => e.getBoundingClientRect()"
             ".right <= 321)"))
+    # What became of the model while another pane was shown.
+    front_page.ask("edit", set={"segment": 1, "path": [2, 2, 1], "value": 5})
+    check("320 px: the model of now", browser.wait(
+        "studio.rev === arguments[0]", front_page.ask("tree")[0]["rev"]))
     browser.script("studio.paneTo('ports')")
+    check("320 px: the port follows when it is shown", browser.wait(
+        "[...document.querySelectorAll('.port')].filter((p) => p.offsetParent)"
+        ".every((p) => p.dataset.rev === String(studio.rev))", seconds=20))
+    front_page.ask("undo")
     browser.emulate("clearDeviceMetricsOverride")
     browser.media(forced_colors="active")
     colours = browser.script("""
