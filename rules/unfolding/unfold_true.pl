@@ -11,6 +11,7 @@
 :- use_module('../polygon/triangulation', [complete_segments/0]).
 :- use_module('../unrolling/sphere_facet', [has_sphere/1, sphere_cut/2]).
 :- use_module('../unrolling/transition_facet', [takes_turns/1]).
+:- use_module('../stage', [stage/2]).
 :- use_module('../unrolling/true_development',
               [true_development/4, developable_part/3]).
 :- use_module('../unrolling/true_leaf', [composed_leaves/2]).
@@ -63,7 +64,7 @@ patterns(S, Wanted, Options0, Ds) :-
             ( true_part(T, Part), \+ part_removed(T, Part, Removed) ),
             Parts),
     option(cut(Cut), Manual, []),
-    maplist(unrolled(S, T, Cut, Options), Parts, Unrolled),
+    stage(develop, maplist(unrolled(S, T, Cut, Options), Parts, Unrolled)),
     unrolled_polygons(T, Parts, Ps),
     ord_union(Removed, Ps, Done),
     findall(P, ( p(T, P, _), polygon_drawn(T, P, _, _) ), All0),

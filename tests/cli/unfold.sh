@@ -50,6 +50,9 @@ assert abs(d[\"seam\"] - 18) < 1e-9 and abs(d[\"bound\"] - 18) < 1e-9'"
 check "in Korean" output '다각형 6개, 조각 1개$' sanggwan unfold "$box" --lang ko
 check "timings" eval \
   "sanggwan unfold -q $box --timings 2>&1 >/dev/null | grep -q '\"develop\":'"
+check "timings of what is unrolled" eval \
+  "sanggwan unfold -q facts/patterns/saddle.pl --true --timings 2>&1 >/dev/null |
+  grep -q '\"develop\":0[.]0*[1-9]'"
 check "a mesh" eval "sanggwan eval -q $box -o $TMP/box.stl &&
   sanggwan unfold -q $TMP/box.stl | grep -q 'area  *52 of 52'"
 check "several models" eval "[ \$(sanggwan unfold -q $box $box --no-lines |
