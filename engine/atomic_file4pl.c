@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <unistd.h>
 
 /* Why a file cannot be written, as messages name it. */
@@ -207,7 +208,27 @@ device_file(term_t file)
          stat(name, &st) == 0 && !S_ISREG(st.st_mode) && !S_ISDIR(st.st_mode);
 }
 
+enum { MEMORY_DEVICES = 1, NULL_DEVICE = 3 }; /* major, minor number */
+
+/* endless_file(+File) is semidet. */
+static foreign_t
+endless_file(term_t file)
+{
+  struct stat st;
+  char *name;
+
+  if (!PL_get_nchars(file, NULL, &name,
+                     CVT_ATOM | CVT_STRING | CVT_EXCEPTION | REP_FN) ||
+      stat(name, &st) != 0) {
+    return FALSE;
+  }
+  return S_ISBLK(st.st_mode) ||
+         (S_ISCHR(st.st_mode) && major(st.st_rdev) == MEMORY_DEVICES &&
+          minor(st.st_rdev) != NULL_DEVICE);
+}
+
 static const PL_extension predicates[] = {
+    {"endless_file", 1, endless_file, 0},
     {"device_file", 1, device_file, 0},
     {"atomic_open", 3, atomic_open, 0},
     {"atomic_scratch", 3, atomic_scratch, 0},

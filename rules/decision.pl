@@ -437,8 +437,8 @@ not_a_module(File, Id) :-
 
 :- multifile user:message_hook/3.
 
-%   Errors while loading are messages: keep the first, print none. One that does
-%   not know its place is kept as at(Error, Line).
+%   Errors while loading are messages: keep the first, print none, and read no
+%   further. One that does not know its place is kept as at(Error, Line).
 
 user:message_hook(Error, error, _) :-
     watching,
@@ -449,6 +449,13 @@ user:message_hook(Error, error, _) :-
         source_location(_, Line)
     ->  assertz(first_error(at(Error, Line)))
     ;   assertz(first_error(Error))
+    ),
+    to_end_of_file.
+
+to_end_of_file :-
+    (   prolog_load_context(stream, Stream)
+    ->  catch(seek(Stream, 0, eof, _), error(_, _), true)
+    ;   true
     ).
 
 %   with_first_error(:Goal, -Error): Error is unbound when there was none.

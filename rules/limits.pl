@@ -32,6 +32,7 @@ be raised, for the process: set_limit/2, on the command line `--limits`.
 %     - file     octets of a .csg or CityJSON file, read as a whole
 %     - text     octets of another text: plain facts are 30 MB a second
 %     - facets   corners of a primitive, for every facet has some
+%     - contacts looks at edges where polygons touch or cross themselves
 %     - nodes    leaves of a tree, each as often as it is used
 
 limit_default(depth, 128).
@@ -42,6 +43,7 @@ limit_default(fact, 16_000_000).
 limit_default(file, 16_000_000).
 limit_default(text, 500_000_000).
 limit_default(facets, 1_000_000).
+limit_default(contacts, 20_000_000).
 limit_default(nodes, 100_000).
 
 %!  limit_value(?Name, -Most:integer) is nondet.

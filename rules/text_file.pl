@@ -1,13 +1,17 @@
 :- module(sg_text_file,
           [ with_text/4,                % +Kind, +File, -Text, :Goal
-            with_text_again/3           % +Path, -Stream, :Goal
+            with_text_again/3,          % +Path, -Stream, :Goal
+            with_bytes/3                % +File, -Stream, :Goal
           ]).
-:- use_module(kernel, [atomic_scratch/3]).
+:- use_module(kernel, [atomic_scratch/3, endless_file/1]).
 :- use_module(limits, [limit_value/2, text_beyond/5]).
 /** <module> Files of text, looked through before they are read.
 */
 
-:- meta_predicate with_text(+, +, -, 0), with_text_again(+, -, 0).
+:- meta_predicate
+    with_text(+, +, -, 0),
+    with_text_again(+, -, 0),
+    with_bytes(+, -, 0).
 
 %!  with_text(+Kind, +File, -Text, :Goal) is semidet.
 %
@@ -46,6 +50,31 @@ with_text_again(Path, Stream, Goal) :-
         ),
         closed(Path, Path, Stream)).
 
+%!  with_bytes(+File, -Stream, :Goal) is semidet.
+%
+%   Call Goal once, with Stream on the octets of File, from their beginning.
+%   What can be read once only is copied first, and has the limit of a text.
+%
+%   @error as with_text/4
+
+with_bytes(File, Stream, Goal) :-
+    limit_value(text, Most),
+    Limit = limit(text, Most),
+    text_opened(File, Limit, text(Name, Path, Stream)),
+    setup_call_cleanup(
+        set_stream(Stream, type(binary)),
+        ( set_stream(Stream, record_position(false)),
+          (   Name == Path
+          ->  true
+          ;   size_file(Path, Size),
+              Size > Most
+          ->  throw(error(model_error(Limit), location(Name, 0, 0)))
+          ;   true
+          ),
+          once(Goal)
+        ),
+        closed(Name, Path, Stream)).
+
 size_limit(Kind, limit(Name, Most)) :-
     (   memberchk(Kind, [csg,json])
     ->  Name = file
@@ -76,9 +105,11 @@ closed(Name, Path, Stream) :-
 
 text_opened(-, Limit, text('<stdin>', Copy, Stream)) :-
     !,
+    has_an_end('<stdin>', '/dev/stdin'),
     set_stream(user_input, type(binary)),
     copied(user_input, Limit, Copy, Stream).
 text_opened(File, Limit, Text) :-
+    has_an_end(File, File),
     catch(open(File, read, In, [encoding(utf8)]), Error,
           cannot_read(File, Error)),
     (   exists_file(File)
@@ -88,6 +119,12 @@ text_opened(File, Limit, Text) :-
         call_cleanup(catch(copied(In, Limit, Copy, Stream), Error,
                            cannot_read(File, Error)),
                      close(In))
+    ).
+
+has_an_end(Name, File) :-
+    (   catch(endless_file(File), error(_, _), fail)
+    ->  throw(error(model_error(cannot_read(device)), location(Name, 0, 0)))
+    ;   true
     ).
 
 %   copied(In, Limit, Copy, Stream): no more than shows that it is too large.

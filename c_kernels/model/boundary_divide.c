@@ -204,6 +204,7 @@ sg_boundary_each_triangle(sg_boundary_maker *m, bool reader, size_t n,
     m->out->stuck++;
     return true;
   case SG_STOPPED:
+  case SG_TOO_MUCH: /* no guard says so */
     m->end = SG_BOUNDARY_STOPPED;
     return false;
   case SG_NO_SPACE:

@@ -194,6 +194,8 @@ typedef struct task {
   double off;     /* the farthest that a vertex is off the plane */
   double seen[3]; /* along which it is divided: the plane's normal, mostly */
   sg_work *work;
+  sg_work_guard guard;
+  size_t spare; /* steps that polygons may take beyond what their size gives */
   sg_triangles found;
   bool folded; /* the triangles of this polygon were found otherwise than along
                   its normal */
@@ -258,6 +260,7 @@ fill_work(task *t)
   if (!t->work && !(t->work = sg_work_open(t->seen))) {
     return false;
   }
+  sg_work_guard_by(t->work, &t->guard);
   sg_work_clear(t->work, t->seen);
   for (size_t i = 0; i < t->n; i++) {
     sg_point start, end;
@@ -292,13 +295,18 @@ find_triangles(task *t, int32_t bad[2])
 
   for (int i = 0; i < 2 && outcome == SG_STUCK; i++) {
     if ((i > 0 && !fill_work(t)) ||
-        !sg_work_resolve(t->work, i > 0 ? flat_reach(t->model) : 0)) {
-      return SG_NO_SPACE;
+        !sg_work_resolve(t->work, i > 0 ? flat_reach(t->model) : 0) ||
+        sg_work_ended(t->work) != SG_GOES_ON) {
+      return sg_work_outcome(t->work);
+    }
+    if (sg_work_all_apart(t->work)) {
+      t->guard.most = SIZE_MAX; /* it is a shape as others are */
     }
     t->found.n = 0;
     outcome = sg_work_triangulate(t->work, &t->found, &stuck, t->cancel);
     if (outcome == SG_STUCK && i == 0) {
       name_edge(t, stuck, bad);
+      i += sg_work_crossed_by_far(t->work, flat_reach(t->model));
     }
   }
   return outcome;
@@ -421,6 +429,8 @@ triangulate(task *t)
       }
     }
     return fault(t, SG_FAULT_EDGE, bad[0], bad[1], 0);
+  case SG_TOO_MUCH:
+    return fault(t, SG_FAULT_TANGLED, 0, 0, 0);
   case SG_STOPPED:
     t->stopped = true;
     return false;
@@ -510,6 +520,29 @@ find_gap(task *t, int32_t *gap)
   return true;
 }
 
+/* Where few contacts are to be resolved. */
+static size_t
+steps_of(size_t corners)
+{
+  return 16 * corners * (size_t)(1 + ilogb((double)corners + 1));
+}
+
+static void
+begin_steps(task *t)
+{
+  t->guard =
+      (sg_work_guard){.cancel = t->cancel, .most = t->spare + steps_of(t->n)};
+}
+
+static void
+end_steps(task *t)
+{
+  size_t of_size = steps_of(t->n), steps = t->guard.steps;
+  size_t beyond = steps > of_size ? steps - of_size : 0;
+
+  t->spare -= beyond < t->spare ? beyond : t->spare;
+}
+
 static bool
 do_polygon(task *t)
 {
@@ -536,9 +569,16 @@ do_polygon(task *t)
   if (!quick_triangle(t, &done)) {
     return false;
   }
+  if (done) {
+    return true;
+  }
   t->folded = false;
-  return done || ((t->n > 3 || fill_work(t)) && triangulate(t) &&
-                  (!t->folded || fault(t, SG_FAULT_FOLDED, 0, 0, 0)));
+  begin_steps(t);
+  bool good = (t->n > 3 || fill_work(t)) && triangulate(t) &&
+              (!t->folded || fault(t, SG_FAULT_FOLDED, 0, 0, 0));
+
+  end_steps(t);
+  return good;
 }
 
 /* ---- all polygons ------------------------------------------------------- */
@@ -597,8 +637,9 @@ complete_some(const sg_completion_input *in, task *t)
 {
   const sg_view *const all[] = {in->v, in->e, in->p, in->plane, in->t};
   sg_view some[5] = {{0}};
-  sg_completion_input of = {&some[0], &some[1], &some[2], &some[3], &some[4],
-                            NULL,     0,        in->see,  in->of};
+  sg_completion_input of = {&some[0], &some[1], &some[2], &some[3],
+                            &some[4], NULL,     0,        in->contacts,
+                            in->see,  in->of};
   bool good = true;
 
   for (int k = 0; k < 5 && good; k++) {
@@ -616,7 +657,7 @@ sg_complete(const sg_completion_input *in, sg_completion *out, bool *stopped,
             const sg_cancel *cancel)
 {
   model m = {.cancel = cancel};
-  task t = {.model = &m, .out = out, .cancel = cancel};
+  task t = {.model = &m, .out = out, .cancel = cancel, .spare = in->contacts};
 
   *out = (sg_completion){0};
   sg_key_table_init(&t.counts, 1);

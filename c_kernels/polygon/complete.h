@@ -34,6 +34,7 @@ typedef enum sg_fault_kind {
   SG_FAULT_OPEN,    /* does not close at vertex a; no plane, no triangles */
   SG_FAULT_NO_AREA, /* no plane, no triangles */
   SG_FAULT_EDGE,    /* edge a -> b has no third vertex: invalid; no triangles */
+  SG_FAULT_TANGLED, /* takes too many steps: no triangles */
   SG_FAULT_BENT,    /* not flat: `size` off its plane; used as its triangles */
   SG_FAULT_FOLDED   /* bent; seen along its normal its triangles overlap */
 } sg_fault_kind;
@@ -58,6 +59,7 @@ typedef struct sg_completion_input {
   const sg_view *v, *e, *p, *plane, *t;
   const int32_t *segment;
   size_t segments;
+  size_t contacts; /* steps (work.h) that all may take beyond their size's */
   /* What counts as flat in the whole model. False: stopped, or no memory. */
   bool (*see)(void *of, sg_flatness *out);
   void *of;

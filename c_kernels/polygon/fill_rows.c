@@ -64,6 +64,9 @@ what_of(const sg_polygon_fault *f)
     what.is = SG_FAULT_WHAT_NOT_FLAT;
     what.not_flat.distance = f->size;
     break;
+  case SG_FAULT_TANGLED:
+    what.is = SG_FAULT_WHAT_TANGLED;
+    break;
   case SG_FAULT_FOLDED:
     what.is = SG_FAULT_WHAT_FOLDED;
     break;
@@ -113,7 +116,7 @@ see_all(void *of, sg_flatness *out)
 
 /* Of n segments, null: of all. */
 static bool
-find_missing(sg_call *call, const int32_t *segment, size_t n,
+find_missing(sg_call *call, const int32_t *segment, size_t n, size_t contacts,
              sg_completion *found)
 {
   const sg_version *version = sg_call_version(call);
@@ -125,10 +128,10 @@ find_missing(sg_call *call, const int32_t *segment, size_t n,
     good = sg_version_view(version, READ[i], &view[i]);
   }
   good =
-      good &&
-      sg_complete(&(sg_completion_input){&view[0], &view[1], &view[2], &view[3],
-                                         &view[4], segment, n, see_all, call},
-                  found, &stopped, &call->cancel);
+      good && sg_complete(&(sg_completion_input){&view[0], &view[1], &view[2],
+                                                 &view[3], &view[4], segment, n,
+                                                 contacts, see_all, call},
+                          found, &stopped, &call->cancel);
   for (int i = 0; i < 5; i++) {
     sg_view_clear(&view[i]);
   }
@@ -137,7 +140,7 @@ find_missing(sg_call *call, const int32_t *segment, size_t n,
 
 bool
 sg_door_fill_triangles(sg_call *call, const sg_segments_asked *ss,
-                       sg_fault_fact_list *faults)
+                       size_t contacts, sg_fault_fact_list *faults)
 {
   bool all = ss->is == SG_SEGMENTS_ASKED_ALL;
   sg_completion found;
@@ -152,7 +155,7 @@ sg_door_fill_triangles(sg_call *call, const sg_segments_asked *ss,
     return false;
   }
   bool good = find_missing(call, all ? NULL : ss->these.at,
-                           all ? 0 : ss->these.n, &found) &&
+                           all ? 0 : ss->these.n, contacts, &found) &&
               add_rows(call, world, &found) &&
               list_faults(call, &found, faults);
 

@@ -52,20 +52,62 @@ static int32_t (*note_edges(const sg_work *work, size_t *n))[2]
   return edge;
 }
 
+sg_outcome
+sg_work_outcome(const sg_work *work)
+{
+  switch (sg_work_ended(work)) {
+  case SG_WAS_STOPPED:
+    return SG_STOPPED;
+  case SG_TOOK_TOO_MUCH:
+    return SG_TOO_MUCH;
+  case SG_GOES_ON:
+    break;
+  }
+  return SG_NO_SPACE;
+}
+
 static sg_outcome
 take_all(sg_work *work, sg_triangles *out, int32_t *edge,
          const sg_cancel *cancel)
 {
+  if ((*edge = sg_work_crossed(work)) != 0) {
+    return SG_STUCK;
+  }
+  if (!sg_work_pairs_ready(work)) {
+    return SG_NO_SPACE;
+  }
   while ((*edge = sg_work_next(work, 0)) != 0) { /* steps 2 and 6 */
     if (sg_cancelled(cancel)) {
       return SG_STOPPED;
     }
     sg_outcome outcome = one_triangle(work, *edge, out);
+    if (sg_work_ended(work) != SG_GOES_ON) {
+      return sg_work_outcome(work);
+    }
     if (outcome != SG_DONE) {
       return outcome;
     }
   }
   return SG_DONE;
+}
+
+/* One triangle may take long, too. */
+static sg_outcome
+take_all_guarded(sg_work *work, sg_triangles *out, int32_t *edge,
+                 const sg_cancel *cancel)
+{
+  sg_work_guard guard = {.cancel = cancel, .most = SIZE_MAX};
+  bool guarded = sg_work_is_guarded(work);
+
+  if (!guarded) {
+    sg_work_guard_by(work, &guard);
+  }
+  sg_outcome outcome = take_all(work, out, edge, cancel);
+
+  if (!guarded) {
+    sg_work_guard_by(work, NULL);
+  }
+  return outcome;
 }
 
 sg_outcome
@@ -78,7 +120,7 @@ sg_work_triangulate_moved(sg_work *work, double moved, sg_triangles *out,
   if (!of) {
     return SG_NO_SPACE;
   }
-  sg_outcome outcome = take_all(work, out, edge, cancel);
+  sg_outcome outcome = take_all_guarded(work, out, edge, cancel);
 
   if (outcome == SG_DONE) {
     sg_triangles fresh = {out->item ? out->item + before : NULL,

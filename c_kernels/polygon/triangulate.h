@@ -21,10 +21,14 @@ typedef struct sg_triangles {
 
 typedef enum sg_outcome {
   SG_DONE,
-  SG_STUCK,   /* an edge has no third vertex: the polygon is invalid */
-  SG_STOPPED, /* the cancellation said so */
-  SG_NO_SPACE /* no memory */
+  SG_STUCK,    /* an edge has no third vertex: the polygon is invalid */
+  SG_STOPPED,  /* the cancellation, or that of the work's guard, said so */
+  SG_TOO_MUCH, /* its guard said so */
+  SG_NO_SPACE  /* no memory */
 } sg_outcome;
+
+/* Why something of the work had no memory: or its guard has ended it. */
+sg_outcome sg_work_outcome(const sg_work *work);
 
 /* Takes triangles off until no edge is left, appending them to `out`. Stuck:
  * *edge is the edge that proves the polygon invalid (still living), and the

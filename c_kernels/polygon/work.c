@@ -75,8 +75,10 @@ sg_work_clear(sg_work *work, const double normal[3])
 {
   clear_points(work);
   close_indexes(work);
+  sg_work_pairs_clear(work);
   work->looked = 0;
   work->simple = SG_NOT_ASKED;
+  work->crossed[0] = work->crossed[1] = 0;
   forget_proven(work);
   sg_key_table_empty(&work->ids, SLOTS_KEPT);
   work->vertices = work->edges = work->oldest = work->youngest = 0;
@@ -92,9 +94,46 @@ sg_work_close(sg_work *work)
     close_indexes(work);
     free(work->vertex);
     sg_key_table_clear(&work->ids);
+    sg_work_pairs_clear(work);
     free(work->edge);
     free(work);
   }
+}
+
+void
+sg_work_guard_by(sg_work *work, sg_work_guard *guard)
+{
+  work->guard = guard;
+}
+
+bool
+sg_work_is_guarded(const sg_work *work)
+{
+  return work->guard != NULL;
+}
+
+sg_work_end
+sg_work_ended(const sg_work *work)
+{
+  return work->guard ? work->guard->end : SG_GOES_ON;
+}
+
+enum { STEPS_AN_ASK = 1 << 14 };
+
+bool
+sg_work_guard_ask(sg_work_guard *guard)
+{
+  if (guard->end == SG_GOES_ON && guard->steps > guard->most) {
+    guard->end = SG_TOOK_TOO_MUCH;
+  } else if (guard->end == SG_GOES_ON && sg_cancelled(guard->cancel)) {
+    guard->end = SG_WAS_STOPPED;
+  }
+  if (guard->end != SG_GOES_ON) {
+    guard->next = 0; /* each one asks, and is told */
+    return false;
+  }
+  guard->next = guard->steps + STEPS_AN_ASK;
+  return true;
 }
 
 int
@@ -261,6 +300,9 @@ sg_work_add(sg_work *work, int32_t start, int32_t end, int32_t et,
     return 0;
   }
   note_added(work, start, end);
+  if (work->pairs.open && !sg_work_pairs_add(work, e)) {
+    return 0;
+  }
   work->edges = e;
   work->living++;
   hang(work, e);
@@ -271,6 +313,9 @@ void
 sg_work_delete(sg_work *work, int32_t edge)
 {
   unhang(work, edge);
+  if (work->pairs.open) {
+    sg_work_pairs_drop(work, edge);
+  }
   work->edge[edge].living = false; /* the grid drops it when it comes by */
   work->living--;
 }
@@ -328,26 +373,6 @@ int32_t
 sg_work_entering(const sg_work *work, int32_t vertex, int32_t edge)
 {
   return edge ? work->edge[edge].in_younger : work->vertex[vertex].first_in;
-}
-
-/* Looks in both lists at once: the shorter one ends the search. */
-int32_t
-sg_work_pair(const sg_work *work, int32_t start, int32_t end)
-{
-  int32_t out = work->vertex[start].first_out;
-  int32_t in = work->vertex[end].first_in;
-
-  while (out && in) {
-    if (work->edge[out].edge.end == end) {
-      return out;
-    }
-    if (work->edge[in].edge.start == start) {
-      return in;
-    }
-    out = work->edge[out].out_younger;
-    in = work->edge[in].in_younger;
-  }
-  return 0;
 }
 
 /* ---- signs -------------------------------------------------------------- */
@@ -538,7 +563,8 @@ sg_work_scan_next(sg_work_scan *scan)
     scan->edge = sg_work_next(scan->work, scan->edge);
     return scan->edge;
   }
-  for (int32_t e; (e = sg_work_grid_walk_next(&scan->walk)) != 0;) {
+  for (int32_t e; (e = sg_work_grid_walk_next(&scan->walk)) != 0 &&
+                  sg_work_step(scan->work, 1);) {
     sg_work_edge_row *row = &scan->work->edge[e];
     if (!row->living) {
       sg_work_grid_walk_drop(&scan->walk);

@@ -28,6 +28,7 @@
 #ifndef SG_WORK_H
 #define SG_WORK_H
 
+#include "engine/cancel.h"
 #include "number/exact.h"
 
 #include <stdbool.h>
@@ -52,6 +53,26 @@ sg_work *sg_work_open(const double normal[3]);
 void sg_work_close(sg_work *work);
 /* Empties it for another polygon: as closing and opening, without the cost. */
 void sg_work_clear(sg_work *work, const double normal[3]);
+
+/* How far the work on polygons may go, and how far it went. A step is a look at
+ * an edge or a vertex. It asks `cancel`, too. Once it has ended, searches find
+ * nothing, and nothing that they answered means anything. */
+typedef enum sg_work_end {
+  SG_GOES_ON,
+  SG_WAS_STOPPED,
+  SG_TOOK_TOO_MUCH /* more than `most` steps */
+} sg_work_end;
+
+typedef struct sg_work_guard {
+  const sg_cancel *cancel;
+  size_t most, steps, next; /* next: when it asks again; begins with 0 */
+  sg_work_end end;
+} sg_work_guard;
+
+/* Borrows a guard, until the work is closed or has another; null: none. */
+void sg_work_guard_by(sg_work *work, sg_work_guard *guard);
+bool sg_work_is_guarded(const sg_work *work);
+sg_work_end sg_work_ended(const sg_work *work); /* without one it goes on */
 
 /* The axis that is dropped (0 x, 1 y, 2 z), for sg_point_ll(). */
 int sg_work_axis(const sg_work *work);
@@ -95,6 +116,9 @@ int32_t sg_work_leaving(const sg_work *work, int32_t vertex, int32_t edge);
 int32_t sg_work_entering(const sg_work *work, int32_t vertex, int32_t edge);
 /* The oldest living edge start -> end, 0: none. */
 int32_t sg_work_pair(const sg_work *work, int32_t start, int32_t end);
+
+/* Makes that quick where edges are many. False: no memory. */
+bool sg_work_pairs_ready(sg_work *work);
 
 /* The turn a, b, c seen from outside: +1 left. Exact. */
 int sg_work_turn(const sg_work *work, int32_t a, int32_t b, int32_t c);
@@ -185,6 +209,18 @@ int sg_work_take(sg_work *work, int32_t edge, int32_t v3);
  * is made to touch first: this is for contacts that rounding has opened, when
  * the exact way got stuck. False: no memory. */
 bool sg_work_resolve(sg_work *work, double reach);
+
+/* After sg_work_resolve(): an edge that another one crosses, or 0. Then none of
+ * the two is ever a side of a triangle. 0 may also mean that nobody looked. */
+int32_t sg_work_crossed(const sg_work *work);
+/* Whether edges meet in shared vertices only, and none is there twice, but for
+ * edges in opposite directions. Exact; false also where there is no memory. */
+bool sg_work_all_apart(sg_work *work);
+/* Whether these two miss the ends of each other, and their crossing misses all
+ * vertices, by more than 64 * reach: what is joined within reach leaves them
+ * so.
+ */
+bool sg_work_crossed_by_far(const sg_work *work, double reach);
 
 /* A vertex where as many edges enter as leave is in balance; returns the first
  * one that is not (the polygon does not close there), or SG_WORK_NONE. */

@@ -45,6 +45,8 @@ sg_work_take(sg_work *work, int32_t edge, int32_t v3)
 
 /* ---- resolving contacts ------------------------------------------------- */
 
+enum { STEPS_A_SPLIT = 64 }; /* for it needs memory */
+
 bool
 sg_work_move_edges(sg_work *work, int32_t from, int32_t to)
 {
@@ -97,12 +99,13 @@ split_at(sg_work *work, int32_t v, sg_meetings *found)
     const sg_work_edge *edge = &work->edge[e].edge;
     if (edge->start != v && edge->end != v && sg_work_near(work, e, v) &&
         sg_work_between(work, edge->start, edge->end, v) &&
+        sg_work_step(work, STEPS_A_SPLIT) &&
         !sg_meetings_push(found, &(sg_meeting){.edge = e})) {
       return false;
     }
   }
   sg_meetings_sort(found);
-  for (size_t i = 0; i < found->n; i++) {
+  for (size_t i = 0; i < found->n && sg_work_step(work, 1); i++) {
     if (!sg_work_split(work, found->item[i].edge, v)) {
       return false;
     }
@@ -148,7 +151,8 @@ winding(const sg_work *work, int32_t edge, int32_t opposite, int *out)
   if (!middle(work, &work->edge[edge].edge, &m)) {
     return false;
   }
-  for (int32_t e = work->oldest; e; e = work->edge[e].younger) {
+  for (int32_t e = work->oldest; e && sg_work_step(work, 1);
+       e = work->edge[e].younger) {
     const sg_point *a = &work->vertex[work->edge[e].edge.start].point;
     const sg_point *b = &work->vertex[work->edge[e].edge.end].point;
     if (e == edge || e == opposite) {
@@ -189,10 +193,30 @@ only_pairs(const sg_work *work, int32_t v)
   return true;
 }
 
+/* The same, where it is known already. */
+static bool
+winding_of(const sg_work *work, const int32_t *windings, int32_t edge,
+           int32_t opposite, int *out)
+{
+  int32_t stands = edge;
+
+  if (windings && windings[edge] == INT32_MIN) {
+    stands = opposite;
+  }
+  if (windings && windings[stands] != INT32_MIN &&
+      work->edge[edge].pair_younger == edge &&
+      work->edge[opposite].pair_younger == opposite) {
+    *out = windings[stands];
+    return true;
+  }
+  return winding(work, edge, opposite, out);
+}
+
 /* The pairs that are connected with `first`, one edge of each, marked as seen
- * by this search; returns how many. `out` has room for all edges. */
+ * by this search; returns how many. `out` has room for all edges. A vertex is
+ * looked at once: `done` has those. */
 static size_t
-connected(sg_work *work, int32_t first, int32_t *out)
+connected(sg_work *work, int32_t first, int32_t *out, bool *done)
 {
   sg_work_edge_row *edge = work->edge;
   size_t n = 0;
@@ -202,7 +226,9 @@ connected(sg_work *work, int32_t first, int32_t *out)
   for (size_t i = 0; i < n; i++) {
     int32_t end[2] = {edge[out[i]].edge.start, edge[out[i]].edge.end};
     for (int k = 0; k < 2; k++) {
-      int32_t e = only_pairs(work, end[k]) ? work->vertex[end[k]].first_out : 0;
+      bool goes_on = !done[end[k]] && only_pairs(work, end[k]);
+      int32_t e = goes_on ? work->vertex[end[k]].first_out : 0;
+      done[end[k]] = true;
       for (; e; e = edge[e].out_younger) {
         if (edge[e].seen != work->search) {
           edge[e].seen = edge[opposite_of(work, e)].seen = work->search;
@@ -214,14 +240,39 @@ connected(sg_work *work, int32_t first, int32_t *out)
   return n;
 }
 
+/* The windings that sg_work_windings() finds, where there are pairs and edges
+ * are many; else null. Owner: the caller, free(). */
+static int32_t *
+find_windings(sg_work *work, const int32_t *vertex, int32_t n)
+{
+  int32_t *around = NULL, e = work->oldest;
+
+  while (e && !opposite_of(work, e)) {
+    e = work->edge[e].younger;
+  }
+  if (e && work->pairs.open) {
+    around = malloc(((size_t)work->edges + 1) * sizeof *around);
+  }
+  for (e = 0; around && e <= work->edges; e++) {
+    around[e] = INT32_MIN;
+  }
+  if (around && !sg_work_windings(work, vertex, n, around)) {
+    free(around);
+    around = NULL;
+  }
+  return around;
+}
+
 /* Deletes the pairs of opposite edges outside all others (the polygon lies on
  * neither side): a spike, or a hole that shares an edge with what is round it.
  */
 static bool
-drop_outer_pairs(sg_work *work)
+drop_outer_pairs(sg_work *work, const int32_t *vertex, int32_t vertices)
 {
   int32_t *pair = malloc((work->living + 1) * sizeof *pair);
-  bool done = pair != NULL;
+  bool *seen = calloc((size_t)work->vertices + 1, sizeof *seen);
+  int32_t *windings = find_windings(work, vertex, vertices);
+  bool done = pair && seen;
 
   work->search++;
   for (int32_t e = 1; done && e <= work->edges; e++) {
@@ -231,8 +282,8 @@ drop_outer_pairs(sg_work *work)
         !(opposite = opposite_of(work, e))) {
       continue;
     }
-    size_t n = connected(work, e, pair);
-    done = winding(work, e, opposite, &around);
+    size_t n = connected(work, e, pair, seen);
+    done = winding_of(work, windings, e, opposite, &around);
     for (size_t i = 0; done && around == 0 && i < n; i++) {
       int32_t other = opposite_of(work, pair[i]);
       /* An edge may be there twice: both may find the same opposite. */
@@ -243,6 +294,8 @@ drop_outer_pairs(sg_work *work)
     }
   }
   free(pair);
+  free(seen);
+  free(windings);
   return done;
 }
 
@@ -258,11 +311,15 @@ split_edges(sg_work *work, const int32_t *vertex, int32_t n)
     if (work->simple == SG_SIMPLE) {
       return true;
     }
+    sg_work_note_crossed(work, vertex, n);
   }
-  for (int32_t v = 0; done && v < work->vertices; v++) {
+  for (int32_t v = 0; done && !work->crossed[0] && v < work->vertices; v++) {
     done = !sg_work_has_edges(work, v) || split_at(work, v, &found);
   }
   sg_meetings_clear(&found);
+  if (work->living > SG_WORK_FEW && !work->crossed[0]) {
+    sg_work_note_crossed(work, vertex, n);
+  }
   work->simple = SG_NOT_ASKED;
   return done;
 }
@@ -271,14 +328,19 @@ bool
 sg_work_resolve(sg_work *work, double reach)
 {
   int32_t *vertex = malloc(((size_t)work->vertices + 1) * sizeof *vertex);
+
+  work->crossed[0] = work->crossed[1] = 0;
   bool done = vertex && (reach <= 0 || sg_work_join_near(work, reach));
 
+  int32_t n = 0;
   if (done) {
-    int32_t n = sg_work_by_place(work, vertex);
-    done = merge_places(work, vertex, n) && split_edges(work, vertex, n);
+    n = sg_work_by_place(work, vertex);
+    done = merge_places(work, vertex, n) && sg_work_pairs_ready(work) &&
+           split_edges(work, vertex, n);
   }
+  done = done && (work->crossed[0] || drop_outer_pairs(work, vertex, n));
   free(vertex);
-  return done && drop_outer_pairs(work);
+  return done;
 }
 
 int32_t

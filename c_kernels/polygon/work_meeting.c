@@ -423,6 +423,9 @@ push_near(sg_candidates *walk, int32_t vertex, const double from[2])
   const double *at = walk->work->vertex[vertex].at;
 
   walk->work->looked++;
+  if (!sg_work_step(walk->work, 1)) {
+    return false;
+  }
   if (!sg_list_grow(&walk->near, walk->n, &walk->room, sizeof *walk->near)) {
     walk->no_memory = true;
     return false;
@@ -564,7 +567,7 @@ next_vertex(sg_candidates *walk)
   const sg_work *work = walk->work;
   int32_t v1 = walk->v1, v2 = walk->v2;
 
-  while (walk->phase == LEAVING) {
+  while (walk->phase == LEAVING && sg_work_step(work, 1)) {
     walk->edge = sg_work_leaving(work, v2, walk->edge);
     int32_t v = walk->edge ? work->edge[walk->edge].edge.end : 0;
     if (!walk->edge) {
@@ -573,7 +576,7 @@ next_vertex(sg_candidates *walk)
       return v;
     }
   }
-  while (walk->phase == ENTERING) {
+  while (walk->phase == ENTERING && sg_work_step(work, 1)) {
     walk->edge = sg_work_entering(work, v1, walk->edge);
     int32_t v = walk->edge ? work->edge[walk->edge].edge.start : 0;
     if (!walk->edge) {
@@ -583,7 +586,8 @@ next_vertex(sg_candidates *walk)
       return v;
     }
   }
-  for (int32_t v; (v = next_of_any(walk)) != SG_WORK_NONE;) {
+  for (int32_t v;
+       sg_work_step(work, 1) && (v = next_of_any(walk)) != SG_WORK_NONE;) {
     if (!sg_work_pair(work, v2, v) && !sg_work_pair(work, v, v1)) {
       return v;
     }

@@ -58,7 +58,9 @@ merge_near(sg_work *work, const rows *in, double reach)
   for (size_t i = 0; i < in->n; i++) {
     int32_t v = in->item[i].vertex;
     for (size_t j = i + 1;
-         j < in->n && in->item[j].along - in->item[i].along <= reach; j++) {
+         j < in->n && in->item[j].along - in->item[i].along <= reach &&
+         sg_work_step(work, 1);
+         j++) {
       int32_t w = in->item[j].vertex;
       if (!sg_work_has_edges(work, v) || !sg_work_has_edges(work, w) ||
           sg_distance(work->vertex[v].point.p, work->vertex[w].point.p) >
@@ -108,8 +110,8 @@ split_near(sg_work *work, const rows *in, int32_t edge, double reach,
   double high = fmax(work->vertex[a].at[0], work->vertex[b].at[0]) + reach;
   size_t n = 0;
 
-  for (size_t i = first_from(in, low); i < in->n && in->item[i].along <= high;
-       i++) {
+  for (size_t i = first_from(in, low);
+       i < in->n && in->item[i].along <= high && sg_work_step(work, 1); i++) {
     int32_t v = in->item[i].vertex;
     double at;
     if (v != a && v != b && sg_work_has_edges(work, v) &&

@@ -20,12 +20,20 @@ typedef struct sg_work_vertex_row {
 
 typedef struct sg_work_edge_row {
   sg_work_edge edge;
-  int32_t older, younger;         /* in the queue of all */
-  int32_t out_older, out_younger; /* among those leaving `start` */
-  int32_t in_older, in_younger;   /* among those entering `end` */
-  uint32_t seen;                  /* by the search of this number */
+  int32_t older, younger;           /* in the queue of all */
+  int32_t out_older, out_younger;   /* among those leaving `start` */
+  int32_t in_older, in_younger;     /* among those entering `end` */
+  int32_t pair_older, pair_younger; /* in its ring, when pairs are open */
+  uint32_t seen;                    /* by the search of this number */
   bool living;
 } sg_work_edge_row;
+
+/* Edges with the same two ends, the same way round, in a ring that the oldest
+ * begins. `first` has those rings, by start and end. */
+typedef struct sg_work_pairs {
+  bool open;
+  sg_key_table first; /* the oldest one's handle; 0: none is left */
+} sg_work_pairs;
 
 struct sg_work {
   int axis; /* dropped */
@@ -33,7 +41,10 @@ struct sg_work {
   sg_work_vertex_row *vertex; /* [vertices] */
   int32_t vertices;
   size_t vertex_room;
-  sg_key_table ids;       /* to their vertices */
+  sg_key_table ids; /* to their vertices */
+  sg_work_pairs pairs;
+  sg_work_guard *guard;   /* or null */
+  int32_t crossed[2];     /* edges that cross, or 0 */
   sg_work_edge_row *edge; /* [edges], [0] unused */
   int32_t edges;
   size_t edge_room;
@@ -59,6 +70,23 @@ sg_work_has_edges(const sg_work *work, int32_t v)
 {
   return work->vertex[v].first_out || work->vertex[v].first_in;
 }
+
+bool sg_work_guard_ask(sg_work_guard *guard);
+
+/* n steps more. False: it has ended. */
+static inline bool
+sg_work_step(const sg_work *work, size_t n)
+{
+  sg_work_guard *guard = work->guard;
+
+  return !guard || (guard->steps += n) < guard->next ||
+         sg_work_guard_ask(guard);
+}
+
+void sg_work_pairs_clear(sg_work *work);
+/* A new edge, a living one that goes. The first is false: no memory. */
+bool sg_work_pairs_add(sg_work *work, int32_t e);
+void sg_work_pairs_drop(sg_work *work, int32_t e);
 
 /* All living edges as segments [living]; null: no memory. Owner: caller. */
 sg_work_grid_segment *sg_work_segments(const sg_work *work);
@@ -88,6 +116,18 @@ bool sg_work_meets(const sg_work *work, int32_t v1, int32_t v2, int32_t e);
  * as not simple: then the other way is gone, which can tell. */
 void sg_work_note_simple(sg_work *work, const int32_t *vertex, int32_t n);
 bool sg_work_is_simple(sg_work *work);
+
+/* Of vertices as sg_work_by_place() gave them: notes in work->crossed two edges
+ * that cross where no vertex is, if the first edges met by a line that sweeps
+ * over them do. */
+void sg_work_note_crossed(sg_work *work, const int32_t *vertex, int32_t n);
+
+/* The same vertices. around[e]: how often the edges go round what is beyond e,
+ * of one edge for each two ends; the others are left alone. On this side of a
+ * pair of opposite edges it is as often. Pairs are open. False: edges meet not
+ * in ends alone, or no memory. */
+bool sg_work_windings(sg_work *work, const int32_t *vertex, int32_t n,
+                      int32_t *around);
 
 /* Builds the grid of the vertices that have edges, if it is missing or most of
  * them are gone. False: no memory. */
@@ -146,6 +186,10 @@ bool sg_work_move_edges(sg_work *work, int32_t from, int32_t to);
 /* Vertices nearer than `reach` become one, edges are split at vertices nearer
  * than that. False: no memory. */
 bool sg_work_join_near(sg_work *work, double reach);
+
+/* Do two edges cross in one point inside both, which is no vertex that has
+ * edges? Exact. */
+bool sg_work_crosses(const sg_work *work, int32_t e, int32_t other);
 
 bool sg_meetings_push(sg_meetings *out, const sg_meeting *met);
 void sg_meetings_sort(sg_meetings *met); /* by edge */

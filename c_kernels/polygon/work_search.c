@@ -209,13 +209,39 @@ plant(sg_work *work, int32_t *number, size_t n)
   return true;
 }
 
-/* Appends those of a tree that live. */
+/* A living edge between the ends of e, this way or the other; 0: there is none.
+ * Of edges with the same two ends a tree needs one, which may be gone. */
+static int32_t
+living_of(const sg_work *work, int32_t e)
+{
+  const sg_work_edge *edge = &work->edge[e].edge;
+
+  if (work->edge[e].living) {
+    return e;
+  }
+  int32_t same = sg_work_pair(work, edge->start, edge->end);
+
+  return same ? same : sg_work_pair(work, edge->end, edge->start);
+}
+
+/* Is e the first one between its ends? */
+static bool
+is_first(const sg_work *work, int32_t e)
+{
+  const sg_work_edge *edge = &work->edge[e].edge;
+  int32_t same = sg_work_pair(work, edge->start, edge->end);
+  int32_t other = sg_work_pair(work, edge->end, edge->start);
+
+  return (!same || same >= e) && (!other || other > e);
+}
+
+/* Appends those of a tree that are there. */
 static size_t
 take_living(const sg_work *work, const sg_work_tree *tree, int32_t *out,
             size_t n)
 {
   for (size_t i = 0; i < tree->n; i++) {
-    if (tree->number[i] > 0 && work->edge[tree->number[i]].living) {
+    if (tree->number[i] > 0 && living_of(work, tree->number[i])) {
       out[n++] = tree->number[i];
     }
   }
@@ -250,7 +276,7 @@ replant(sg_work *work, int trees)
   }
   for (int i = 0; i < f->n; i++) {
     number[n] = f->fresh[i];
-    n += work->edge[f->fresh[i]].living;
+    n += living_of(work, f->fresh[i]) != 0;
   }
   f->n = 0;
   return plant(work, number, n);
@@ -281,14 +307,16 @@ catch_up(sg_work *work)
     size_t n = 0;
 
     for (int32_t e = work->oldest; number && e; e = work->edge[e].younger) {
-      number[n++] = e;
+      number[n] = e;
+      n += is_first(work, e);
     }
     sg_work_grid_close(&work->grid); /* a new edge may be in many cells */
     *f = (sg_work_forest){.open = true, .upto = work->edges};
     return number && plant(work, number, n);
   }
   while (f->upto < work->edges) {
-    f->fresh[f->n++] = ++f->upto;
+    f->fresh[f->n] = ++f->upto;
+    f->n += is_first(work, f->upto);
     if (f->n == SG_WORK_FRESH && !replant(work, first_small(f))) {
       return false;
     }
@@ -339,6 +367,9 @@ is_apart(const void *data, const sg_work_box *box)
 {
   const searching *s = data;
 
+  if (!sg_work_step(s->work, 1)) {
+    return true;
+  }
   for (int k = 0; k < 2; k++) {
     if (box->high[k] < s->low[k] || box->low[k] > s->high[k]) {
       return true;
@@ -378,8 +409,9 @@ static bool
 is_in_way(void *data, int32_t e)
 {
   const searching *s = data;
+  int32_t living = living_of(s->work, e);
 
-  return s->work->edge[e].living && s->in_way(s->data, e);
+  return living && s->in_way(s->data, living);
 }
 
 /* An edge in the way of what a tree has: an edge or a fan; 0: none. */
@@ -433,6 +465,7 @@ sg_work_forest_find(sg_work *work, const int32_t corner[3],
                                          has_in_way, &s, 0});
     *found = s.found;
   }
+  *found = *found ? living_of(work, *found) : 0;
   return true;
 }
 
@@ -491,6 +524,9 @@ is_no_ring(const void *data, const sg_work_box *box)
   const double *p = s->work->vertex[s->v1].at, *q = s->work->vertex[s->v2].at;
   int32_t nearest = 0, farthest = 0;
 
+  if (!sg_work_step(s->work, 1)) {
+    return true;
+  }
   for (int k = 0; k < 2; k++) {
     nearest = farther(nearest, farther(box->first[k] - s->centre[k],
                                        s->centre[k] - box->last[k]));

@@ -10,6 +10,7 @@
 #include "work_private.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* By edge handle; 0 is none. */
 typedef struct node {
@@ -24,6 +25,9 @@ typedef struct sweep {
   int32_t root;
   int32_t before, after; /* of the gap where edges ended last */
   bool orderly;
+  bool alike;      /* edges with the same two ends count as one */
+  int32_t met[2];  /* edges that meet, which ended it */
+  int32_t *around; /* [edges + 1]: see sg_work_windings(), or null */
 } sweep;
 
 /* ---- the tree ----------------------------------------------------------- */
@@ -140,7 +144,7 @@ shared(const sg_work_edge *a, const sg_work_edge *b, int32_t *x, int32_t *y)
 }
 
 static bool
-apart(const sweep *s, int32_t e, int32_t other)
+apart(sweep *s, int32_t e, int32_t other)
 {
   const sg_work_edge *a = &s->work->edge[e].edge,
                      *b = &s->work->edge[other].edge;
@@ -150,8 +154,13 @@ apart(const sweep *s, int32_t e, int32_t other)
     return true;
   }
   int32_t v = shared(a, b, &x, &y);
-  return (v != SG_WORK_NONE && x != y && sg_work_turn(s->work, v, x, y)) ||
-         !sg_work_meets(s->work, a->start, a->end, other);
+  if ((v != SG_WORK_NONE && x != y && sg_work_turn(s->work, v, x, y)) ||
+      !sg_work_meets(s->work, a->start, a->end, other)) {
+    return true;
+  }
+  s->met[0] = e;
+  s->met[1] = other;
+  return false;
 }
 
 /* The line reaches the first end of e. False: e meets another edge. */
@@ -163,8 +172,8 @@ begin(sweep *s, int32_t e)
   for (int32_t at = s->root; at;) {
     int32_t a = first_end(s, at), b = last_end(s, at);
     int side = sg_work_turn(s->work, a, b, a == v ? last_end(s, e) : v);
-    if (side == 0) { /* they overlap, or v lies on the other */
-      return false;
+    if (side == 0 || !sg_work_step(s->work, 1)) {
+      return false; /* they overlap, or v lies on the other; or it ended */
     }
     up = at;
     *(side > 0 ? &before : &after) = at;
@@ -184,6 +193,17 @@ end(sweep *s, int32_t e)
   return apart(s, s->before, s->after);
 }
 
+/* Where edges with the same two ends count as one: is it this one? */
+static bool
+stands_alike(const sweep *s, int32_t e)
+{
+  const sg_work_edge *edge = &s->work->edge[e].edge;
+
+  return sg_work_pair(s->work, edge->start, edge->end) == e &&
+         (first_end(s, e) == edge->start ||
+          !sg_work_pair(s->work, edge->end, edge->start));
+}
+
 /* Of opposite edges one stands for both; false in *simple: there is an edge
  * twice, or from a vertex to itself. */
 static bool
@@ -192,6 +212,9 @@ stands(sweep *s, int32_t e, bool *simple)
   const sg_work_edge *edge = &s->work->edge[e].edge;
   bool opposite = sg_work_pair(s->work, edge->end, edge->start) != 0;
 
+  if (s->alike) {
+    return stands_alike(s, e);
+  }
   if (edge->start == edge->end ||
       sg_work_pair(s->work, edge->start, edge->end) != e) {
     *simple = false;
@@ -258,6 +281,46 @@ each_edge(sweep *s, int32_t v, bool ending)
   return simple;
 }
 
+/* How many edges there are from a to b. */
+static int32_t
+count(const sg_work *work, int32_t a, int32_t b)
+{
+  int32_t first = sg_work_pair(work, a, b), n = 0;
+
+  for (int32_t e = first; e; e = work->edge[e].pair_younger) {
+    n++;
+    if (work->edge[e].pair_younger == first) {
+      break;
+    }
+  }
+  return n;
+}
+
+/* The windings beyond the edges that begin at v, which are side by side, from
+ * the one before all of them on. */
+static void
+note_windings(sweep *s, int32_t v)
+{
+  int32_t e = 0, around;
+
+  for (int leaving = 0; leaving < 2 && !e; leaving++) {
+    e = leaving ? s->work->vertex[v].first_out : s->work->vertex[v].first_in;
+    while (e && (first_end(s, e) != v || !stands_alike(s, e))) {
+      e = leaving ? s->work->edge[e].out_younger : s->work->edge[e].in_younger;
+    }
+  }
+  while (e && s->node[e].before && first_end(s, s->node[e].before) == v) {
+    e = s->node[e].before;
+  }
+  around = e && s->node[e].before ? s->around[s->node[e].before] : 0;
+  for (; e && first_end(s, e) == v; e = s->node[e].after) {
+    int32_t end = last_end(s, e);
+
+    around += count(s->work, v, end) - count(s->work, end, v);
+    s->around[e] = around;
+  }
+}
+
 /* Over all vertices, in the order of their places. */
 static bool
 swept(sweep *s, const int32_t *vertex, int32_t n)
@@ -276,10 +339,26 @@ swept(sweep *s, const int32_t *vertex, int32_t n)
         !each_edge(s, v, true) || !each_edge(s, v, false)) {
       return false;
     }
-    note_orders(s, v);
+    if (s->around) {
+      note_windings(s, v);
+    } else if (!s->alike) {
+      note_orders(s, v);
+    }
     last = v;
   }
   return true;
+}
+
+static bool
+sweeps(sweep *s, const int32_t *vertex, int32_t n)
+{
+  s->order = malloc(((size_t)s->work->vertices + 1) * sizeof *s->order);
+  s->node = malloc(((size_t)s->work->edges + 1) * sizeof *s->node);
+  bool simple = s->order && s->node && swept(s, vertex, n);
+
+  free(s->order);
+  free(s->node);
+  return simple;
 }
 
 void
@@ -287,13 +366,34 @@ sg_work_note_simple(sg_work *work, const int32_t *vertex, int32_t n)
 {
   sweep s = {.work = work, .orderly = true};
 
-  s.order = malloc(((size_t)work->vertices + 1) * sizeof *s.order);
-  s.node = malloc(((size_t)work->edges + 1) * sizeof *s.node);
-  bool simple = s.order && s.node && swept(&s, vertex, n);
-  work->simple = simple ? SG_SIMPLE : SG_NOT_SIMPLE;
+  work->simple = sweeps(&s, vertex, n) ? SG_SIMPLE : SG_NOT_SIMPLE;
   work->orderly = s.orderly;
-  free(s.order);
-  free(s.node);
+}
+
+void
+sg_work_note_crossed(sg_work *work, const int32_t *vertex, int32_t n)
+{
+  sweep s = {.work = work, .alike = true};
+
+  if (!sweeps(&s, vertex, n) && s.met[0] &&
+      sg_work_crosses(work, s.met[0], s.met[1])) {
+    memcpy(work->crossed, s.met, sizeof work->crossed);
+  }
+}
+
+bool
+sg_work_windings(sg_work *work, const int32_t *vertex, int32_t n,
+                 int32_t *around)
+{
+  sweep s = {.work = work, .alike = true, .around = around};
+
+  return sweeps(&s, vertex, n);
+}
+
+bool
+sg_work_all_apart(sg_work *work)
+{
+  return !work->crossed[0] && sg_work_is_simple(work);
 }
 
 bool
@@ -424,14 +524,18 @@ goes_in(const sg_work *work, const int32_t corner[3], int i, int32_t v)
 }
 
 static bool
-edge_goes_in(const sg_work *work, const int32_t corner[3], int i)
+edge_goes_in(sg_work *work, const int32_t corner[3], int i)
 {
-  for (int32_t e = 0; (e = sg_work_leaving(work, corner[i], e)) != 0;) {
+  for (int32_t e = 0; (e = sg_work_leaving(work, corner[i], e)) != 0 &&
+                      sg_work_step(work, 1);) {
+    work->looked++;
     if (goes_in(work, corner, i, work->edge[e].edge.end)) {
       return true;
     }
   }
-  for (int32_t e = 0; (e = sg_work_entering(work, corner[i], e)) != 0;) {
+  for (int32_t e = 0; (e = sg_work_entering(work, corner[i], e)) != 0 &&
+                      sg_work_step(work, 1);) {
+    work->looked++;
     if (goes_in(work, corner, i, work->edge[e].edge.start)) {
       return true;
     }
@@ -457,13 +561,18 @@ sg_work_occupied(sg_work *work, const int32_t corner[3], bool *no_memory)
     return true;
   }
   sg_work_grid_walk_open(&walk, &work->tips, (const double(*)[2])at, 3);
-  for (int32_t v; (v = sg_work_grid_walk_next(&walk) - 1) >= 0;) {
+  for (int32_t v;
+       (v = sg_work_grid_walk_next(&walk) - 1) >= 0 && sg_work_step(work, 1);) {
     if (!sg_work_has_edges(work, v)) {
       sg_work_grid_walk_drop(&walk);
-    } else if (v == corner[0] || v == corner[1] || v == corner[2] ||
+      continue;
+    }
+    if (v == corner[0] || v == corner[1] || v == corner[2] ||
                beside((const double(*)[2])at, work->vertex[v].at)) {
       continue;
-    } else if (covers(work, corner, v)) {
+    }
+    work->looked++;
+    if (covers(work, corner, v)) {
       return true;
     } else if (work->orderly && is_convex(work, v)) {
       sg_work_grid_walk_drop(&walk);

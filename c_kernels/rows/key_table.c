@@ -131,6 +131,14 @@ sg_key_table_get(const sg_key_table *table, const uint32_t *key)
 }
 
 uint32_t *
+sg_key_table_find(const sg_key_table *table, const uint32_t *key)
+{
+  uint32_t *number = table->room ? find(table, key) + table->words : NULL;
+
+  return number && *number != SG_NO_KEY ? number : NULL;
+}
+
+uint32_t *
 sg_key_table_put(sg_key_table *table, const uint32_t *key)
 {
   if (2 * (table->n + 1) > table->room && !grow(table)) {

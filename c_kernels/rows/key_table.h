@@ -41,6 +41,10 @@ void sg_key_table_fetch(const sg_key_table *table, const uint32_t *key);
 /* The number of a key, SG_NO_KEY if it is not there. */
 uint32_t sg_key_table_get(const sg_key_table *table, const uint32_t *key);
 
+/* Where the number of a key stands, null if it is not there. Valid until the
+ * next put. */
+uint32_t *sg_key_table_find(const sg_key_table *table, const uint32_t *key);
+
 /* Where the number of a key stands; a new key starts with SG_NO_KEY and must
  * be given another number. Valid until the next put. Null: no memory. */
 uint32_t *sg_key_table_put(sg_key_table *table, const uint32_t *key);

@@ -203,6 +203,12 @@ Foreign predicates; see kernel.pl.
 %   True of a device, a pipe, a socket, links followed: what is there, but
 %   neither a file nor a folder.
 
+%!  endless_file(+File) is semidet.
+%
+%   True of a device that can be read without end, links followed: a disk, or
+%   one of those that give octets (/dev/zero). Not of /dev/null, and not of a
+%   terminal.
+
 /* - - - stdio4pl.c - - - */
 
 %!  stdio_apart(-In, -Out) is det.

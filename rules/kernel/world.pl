@@ -30,7 +30,8 @@ Foreign predicates; see kernel.pl.
 
 /* - - - fill_rows.c - - - */
 
-%!  fill_triangles(+Ss:segments_asked, -Faults:list(fault_fact)) is det.
+%!  fill_triangles(+Ss:segments_asked, +Contacts:count,
+%!                 -Faults:list(fault_fact)) is det.
 %
 %   Adds plane/6 for every polygon of the segments Ss, a list, or `all`,
 %   that has none, and t/6 for every polygon that has none, in row order;
@@ -49,6 +50,9 @@ Foreign predicates; see kernel.pl.
 %       explains; the triangles are used all the same
 %     - folded
 %       not flat either: along its normal its triangles cover each other
+%     - tangled
+%       it touches or crosses itself so often that more than Contacts looks at
+%       edges would be needed, beyond those that its size asks for: no triangles
 %
 %   The triangles are exact decisions; planes and Distance are rounded.
 

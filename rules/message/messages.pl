@@ -431,6 +431,13 @@ notice_en(polygon_edges(S, Count, P, V1, V2)) -->
       '  They cross or overlap themselves, or a hole is outside or runs the \c
        wrong way round.', nl,
       '  They are left out.' ].
+notice_en(tangled(S, Count, P, Most)) -->
+    [ 'polygons of segment ~d that touch or cross themselves too often: ~D \c
+       (the first is ~d)'-[S, Count, P], nl,
+      '  To divide them would take more than ~D looks at their edges.'-
+      [Most], nl, '  They are left out.', nl,
+      '  Divide them into polygons that do not touch themselves, or give \c
+       --limits contacts=N.' ].
 notice_en(no_area(S, Count, P)) -->
     [ 'polygons without area in segment ~d: ~D (the first is ~d)'-
       [S, Count, P], nl,

@@ -441,6 +441,12 @@ notice_ko(polygon_edges(S, Count, P, V1, V2)) -->
     [ '세그먼트 ~d의 다각형 ~D개가 자기 자신과 교차하거나 겹칩니다 (처음은 다각형 ~d의 \c
        꼭짓점 ~d, ~d 사이)'-[S, Count, P, V1, V2], nl,
       '  빼고 계속합니다.' ].
+notice_ko(tangled(S, Count, P, Most)) -->
+    [ '세그먼트 ~d의 다각형 ~D개는 자기 자신과 너무 자주 닿거나 교차합니다 \c
+       (처음은 ~d)'-[S, Count, P], nl,
+      '  나누려면 변을 ~D번 넘게 살펴야 합니다. 빼고 계속합니다.'-[Most], nl,
+      '  자기 자신과 닿지 않는 다각형으로 나누거나 --limits contacts=N을 \c
+       주십시오.' ].
 notice_ko(no_area(S, Count, P)) -->
     [ '세그먼트 ~d의 다각형 ~D개는 넓이가 없습니다 (처음은 ~d)'-
       [S, Count, P], nl,

@@ -37,12 +37,15 @@ model_en(cannot_read(io)) -->
 model_en(cannot_read(links)) -->
     [ 'links lead from one to the next without end', nl,
       '  Name a file, or correct the links (ls -l).' ].
+model_en(cannot_read(device)) -->
+    [ 'it is a device, whose octets have no end', nl,
+      '  Name a file.' ].
 model_en(cannot_read(long_name)) -->
     [ 'the name is too long for a file', nl,
       '  Most systems take 255 bytes, and 4,095 with the folders.' ].
 model_en(cannot_read(Why)) -->
     { \+ memberchk(Why, [missing, directory, permission, io, links,
-                         long_name]) },
+                         long_name, device]) },
     [ 'the file cannot be read: ~p'-[Why] ].
 model_en(cityjson(Path, Why)) -->
     [ 'CityJSON, at ~w: '-[Path] ],

@@ -38,12 +38,15 @@ model_ko(cannot_read(io)) -->
 model_ko(cannot_read(links)) -->
     [ '링크가 서로를 끝없이 가리킵니다', nl,
       '  파일을 지정하거나 링크를 바로잡으십시오(ls -l).' ].
+model_ko(cannot_read(device)) -->
+    [ '끝이 없는 장치입니다', nl,
+      '  파일을 주십시오.' ].
 model_ko(cannot_read(long_name)) -->
     [ '파일 이름이 너무 깁니다', nl,
       '  대부분의 시스템에서 255바이트, 폴더를 합해 4,095바이트까지입니다.' ].
 model_ko(cannot_read(Why)) -->
     { \+ memberchk(Why, [missing, directory, permission, io, links,
-                         long_name]) },
+                         long_name, device]) },
     [ '파일을 읽을 수 없습니다: ~p'-[Why] ].
 model_ko(cityjson(Path, Why)) -->
     [ 'CityJSON의 ~w: '-[Path] ],

@@ -15,6 +15,7 @@
               ]).
 :- use_module('../output', [asked_for/2, writing/3]).
 :- use_module('../plain', [plain_text/2]).
+:- use_module('../text_file', [with_bytes/3]).
 :- use_module('../store',
               [ segment/3, assert_fact/1, facts_transaction/1, fresh_id/3 ]).
 :- use_module(library(aggregate), [aggregate_all/3]).
@@ -91,10 +92,8 @@ read_mesh(File, Segments, Options) :-
 
 mesh_added(File, Format, Weld, One, Segments) :-
     fresh_id(segment, 0, S),
-    setup_call_cleanup(
-        open_bytes(File, Stream, Close),
-        mesh_add(Stream, Format, Weld, One, S, Result),
-        Close),
+    with_bytes(File, Stream,
+               mesh_add(Stream, Format, Weld, One, S, Result)),
     mesh_taken(Result, File, Segments).
 
 file_format(File, Format) :-
@@ -104,27 +103,6 @@ file_format(File, Format) :-
     ->  Format = Format0
     ;   Format = any
     ).
-
-open_bytes(-, user_input, true) :-
-    !,
-    set_stream(user_input, type(binary)).
-open_bytes(File, _, _) :-
-    exists_directory(File),
-    !,
-    throw(error(model_error(cannot_read(directory)), location(File, 0, 0))).
-open_bytes(File, Stream, close(Stream)) :-
-    catch(open(File, read, Stream, [type(binary)]), Error,
-          cannot_open(File, Error)),
-    set_stream(Stream, record_position(false)).
-
-cannot_open(File, error(Formal, _)) :-
-    (   Formal = existence_error(_, _)
-    ->  Why = missing
-    ;   Formal = permission_error(_, _, _)
-    ->  Why = permission
-    ;   Why = Formal
-    ),
-    throw(error(model_error(cannot_read(Why)), location(File, 0, 0))).
 
 mesh_taken(loaded(Parts, Grain, PassedOver), File, Segments) :-
     file_base(File, Base),

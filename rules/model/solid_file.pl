@@ -8,13 +8,14 @@
 :- use_module('../kernel',
               [ boundary_open/7, boundary_coarsen/3, boundary_close/1,
                 boundary_counts/2, boundary_meetings/3, boundary_add/2,
-                boundary_write/5, fill_triangles/2
+                boundary_write/5, fill_triangles/3
               ]).
 :- use_module(mesh,
               [ mesh_file_format/3, mesh_to_file/2, mesh_names/4,
                 mesh_outcome/1
               ]).
 :- use_module(model_writer, [write_model/1]).
+:- use_module('../limits', [limit_value/2]).
 :- use_module('../output', [asked_for/2]).
 :- use_module('../penetration/penetration', [penetrate/2]).
 :- use_module('../stage', [stage/2]).
@@ -198,7 +199,7 @@ rounds_kept(_, _, Boundary, Clean) :-
     fresh_id(segment, 0, Clean),
     boundary_add(Boundary, Clean),
     assert_fact(segment(Clean, solid, rounded)),
-    fill_triangles(all, _).
+    fill_all.
 
 %!  output_statistics(-Statistics) is det.
 %
@@ -355,7 +356,11 @@ rounded_copy(S, Single, Copy) :-
     ;   triangle_copy(S, false, soup, Triangles),
         triangle_copy(Triangles, Single, soup, Copy)
     ),
-    fill_triangles(all, _).                  % what has no area needs none
+    fill_all.                           % what has no area needs none
+
+fill_all :-
+    limit_value(contacts, Most),
+    fill_triangles(all, Most, _).
 
 triangle_copy(S, Single, Form, Copy) :-
     boundary_open([S], [], Single, 0.0, Form, false, Boundary),

@@ -7,9 +7,10 @@
             work_triangles/2            % +Work, -Triangles
           ]).
 :- use_module('../kernel',
-              [ fill_triangles/2, untriangulated_segments/1, work_oldest/4,
+              [ fill_triangles/3, untriangulated_segments/1, work_oldest/4,
                 work_triangulate/2
               ]).
+:- use_module('../limits', [limit_value/2]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
               [ e/5, from_p/5, p/3, t/6, assert_fact/1, facts_transaction/1,
@@ -22,7 +23,7 @@
 
 /** <module> Polygons into triangles.
 
-The kernel fill_triangles/2 triangulates whole segments (PL-6), work_triangles/2
+The kernel fill_triangles/3 triangulates whole segments (PL-6), work_triangles/2
 a polygon that lines have entered. Concave, hollow, several times hollow and
 internally cut polygons are all taken alike. tests/oracle/triangulation.pl is
 the rule, section 4 of the paper step by step; it gives the same triangles in
@@ -92,7 +93,8 @@ filled(Which) :-
     warn(Faults).
 
 filled(Which, Faults) :-
-    stage(complete, facts_transaction(( fill_triangles(Which, Faults0),
+    limit_value(contacts, Most),
+    stage(complete, facts_transaction(( fill_triangles(Which, Most, Faults0),
                                         refuse_open(Faults0),
                                         folded_parted(Faults0, Faults)
                                       ))).
@@ -107,7 +109,8 @@ folded_parted(Faults0, Faults) :-
     ->  Faults = Faults0
     ;   pairs_keys(Parted, Ss0),
         sort(Ss0, Ss),
-        fill_triangles(Ss, More),
+        limit_value(contacts, Most),
+        fill_triangles(Ss, Most, More),
         append(Faults0, More, Faults)
     ).
 
@@ -166,6 +169,7 @@ pattern_completed(D) :-
     warn(Faults).
 
 is_not_simple(fault(_, _, not_simple(_,_))).
+is_not_simple(fault(_, _, tangled)).
 
 refuse_open(Faults) :-
     (   member(fault(S, P, not_closed(V)), Faults)
@@ -177,6 +181,8 @@ warn(Faults) :-
     forall(setof(P-(V1-V2), member(fault(S, P, not_simple(V1, V2)), Faults),
                  Invalid),
            warn_not_simple(S, Invalid)),
+    forall(setof(P, member(fault(S, P, tangled), Faults), Ps),
+           warn_tangled(S, Ps)),
     forall(setof(P, member(fault(S, P, no_area), Faults), Ps),
            warn_no_area(S, Ps)),
     forall(setof(Off-P, member(fault(S, P, not_flat(Off)), Faults), Pairs),
@@ -188,6 +194,12 @@ warn_not_simple(S, [P-(V1-V2)|Others]) :-
     ;   length([P|Others], Count),
         warning(polygon_edges(S, Count, P, V1, V2))
     ).
+
+warn_tangled(S, Ps) :-
+    Ps = [P|_],
+    length(Ps, Count),
+    limit_value(contacts, Most),
+    warning(tangled(S, Count, P, Most)).
 
 warn_no_area(S, Ps) :-
     Ps = [P|_],

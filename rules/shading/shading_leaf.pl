@@ -9,7 +9,8 @@
 :- use_module('../csg/csg_matrix', [identity_matrix/1, rounded_matrix/2]).
 :- use_module('../csg/known_surface',
               [plain_surface/2, stands_for/2, term_surfaces/3]).
-:- use_module('../kernel', [fill_triangles/2, shape_write/4]).
+:- use_module('../kernel', [fill_triangles/3, shape_write/4]).
+:- use_module('../limits', [limit_value/2]).
 :- use_module('../primitive/primitive_facets', [finer_primitive/3]).
 :- use_module('../primitive/primitive',
               [ primitive_faces/3, primitive_name/2, primitive_parts/3,
@@ -232,7 +233,8 @@ term_triangles(Term, Points, Triangles, Bent) :-
     catch(facts_transaction(
               ( assert_fact(segment(S, Kind, Term)),
                 shape_write(S, Points, Chains, true),
-                fill_triangles([S], Faults),
+                limit_value(contacts, Most),
+                fill_triangles([S], Most, Faults),
                 findall(P-[A,B,C], t(S, P, _, A, B, C), Triangles),
                 throw(sg_triangles(Triangles,Faults)) )),
           sg_triangles(Triangles,Faults), true),

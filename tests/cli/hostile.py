@@ -1,6 +1,7 @@
 """Writes files that ask for too much into the folder ARGV[1], each named by the
 limit it breaks (tests/cli/hostile.sh)."""
 import os
+import random
 import sys
 
 folder = sys.argv[1]
@@ -90,3 +91,25 @@ write('large.csg', 'cube(size=[1,1,1],center=true);*group() {\n'
                 '\n}\n' % (i, i / 7) for i in range(15000)) + '}\n')
 write('nodes.flat.pl', 'segment(1,solid,union(['
       + ','.join(['box(size(1,1,1))'] * 105000) + '])).\n')
+
+
+# Polygons that cross, touch or run over themselves: random corners; few corners,
+# many times; edges on one line; a square that is gone round.
+def polygon(name, points, ring):
+    write(name, 'OFF\n%d 1 0\n' % len(points)
+          + ''.join('%r %r 0\n' % p for p in points)
+          + '%d %s\n' % (len(ring), ' '.join(map(str, ring))))
+
+
+random.seed(16)
+polygon('tangled.crosses.off',
+        [(random.random(), random.random()) for _ in range(200000)],
+        range(200000))
+few = [(random.randint(0, 99), random.randint(0, 99)) for _ in range(40)]
+polygon('tangled.few.off', few,
+        [5 * i % 40 + random.randrange(4) for i in range(40000)])
+n = 10000
+polygon('tangled.line.off', [(i, 0) for i in range(n)] + [(0, 5)],
+        [i // 2 if i % 2 else n - 1 - i // 2 for i in range(n)] + [n])
+polygon('tangled.round.off', [(0, 0), (1, 0), (1, 1), (0, 1)],
+        [i % 4 for i in range(20000)])

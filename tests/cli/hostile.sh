@@ -58,6 +58,23 @@ for file in "$work"/h/*.*; do
   esac
 done
 
+# Polygons that cannot be divided, or not in time: they are named and left out,
+# and a signal is heard meanwhile.
+for name in crosses few line round; do
+  bounded check "$work/h/tangled.$name.off"
+  check "tangled.$name" has 'left out'
+  check "tangled.$name.status" status_is 1
+  check "tangled.$name.words" no_prolog
+done
+check tangled.limit has '--limits contacts=N'
+"$sanggwan" check "$work/h/tangled.round.off" --limits contacts=1000000000 \
+  >"$work/out" 2>"$work/err" &
+sleep 1.5
+begin=$(date +%s%N)
+kill -TERM $!
+wait $!
+check tangled.signal test $((($(date +%s%N) - begin) / 1000000)) -lt 1000
+
 # Faults far behind the beginning of their facts, and long values of jobs.
 bounded check "$work/h/far.pl"
 check far.place has 'far.pl:400001:7: X of v is a'
@@ -160,6 +177,45 @@ status=$(
 )
 check endless status_is 3
 check endless.limit has '--limits text=N'
+
+status=$(
+  (ulimit -v 1500000 -t 2
+   yes | "$sanggwan" check - --from stl --limits text=1000000 \
+     >"$work/out" 2>"$work/err"
+   echo "${PIPESTATUS[1]}")
+)
+check endless.mesh status_is 3
+check endless.mesh.limit has '--limits text=N'
+
+# Devices without an end, in every reader: at once.
+for ending in pl csg json stl off obj ply; do
+  ln -s /dev/zero "$work/zero.$ending"
+  bounded check "$work/zero.$ending"
+  check "device.$ending" status_is 3
+  check "device.$ending.said" has 'is a device'
+done
+for option in --style --title-block; do
+  bounded draw facts/cube.pl --sheet A4 $option /dev/urandom -o "$work/a.svg"
+  check "device.$option" has 'is a device'
+done
+bounded check facts/cube.pl --rules /dev/zero
+check device.rules has 'is a device'
+for from in pl stl; do
+  "$sanggwan" check - --from $from </dev/zero >"$work/out" 2>"$work/err"
+  status=$?
+  check "device.stdin.$from" status_is 3
+  check "device.stdin.$from.said" has 'is a device'
+done
+
+# A rule file is read to its first error.
+yes 'a(1). b(1.' | head -1000000 >"$work/errors.pl"
+cat "$work/errors.pl" >"$work/pipe.pl" 2>/dev/null &
+for name in errors pipe; do
+  bounded check facts/cube.pl --rules "$work/$name.pl"
+  check "$name.status" status_is 3
+  check "$name.place" has "$name.pl:1:9:"
+done
+wait
 
 # Other readers: styles, title blocks, rules, goals.
 for name in depth.small.pl depth.prefix.pl digits.pl name.quoted.pl; do

@@ -37,7 +37,7 @@ Where a vertex was meant to lie on a line between two others, and does except
 rounding, a triangle may be thinner than rounding and look either way. Then
 chords are turned (work_thicken/4).
 
-fill_triangles/2 gives the same triangles in the same order.
+fill_triangles/3 gives the same triangles in the same order.
 
 @see [PL] section 4, row PL-6 of the requirements
 */

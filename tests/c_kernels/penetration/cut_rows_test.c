@@ -188,7 +188,7 @@ main(void)
                          add_cube_moved(world, SECOND, 0, 0.5));
   CHECK("planes", sg_door_fill_triangles(
                       &call, &(sg_segments_asked){.is = SG_SEGMENTS_ASKED_ALL},
-                      &(sg_fault_fact_list){0}));
+                      SIZE_MAX, &(sg_fault_fact_list){0}));
   CHECK("open", sg_door_cut_set_open(&call, &list, &set));
   sg_cut_set_keep(set);
   sg_cut_set_let_go(set); /* as when its handle is closed */

@@ -44,15 +44,15 @@ fills(void)
   sg_segments_asked asked = {.is = SG_SEGMENTS_ASKED_THESE};
   sg_fault_fact_list faults = {0};
 
-  CHECK("nothing", sg_door_fill_triangles(&call, &asked, &faults) &&
+  CHECK("nothing", sg_door_fill_triangles(&call, &asked, SIZE_MAX, &faults) &&
                        faults.n == 0 && rows_of(SG_PLANE) == 0);
   asked.these = (sg_int_list){(int32_t[]){CUBE}, 1, 1};
-  CHECK("the cube", sg_door_fill_triangles(&call, &asked, &faults) &&
+  CHECK("the cube", sg_door_fill_triangles(&call, &asked, SIZE_MAX, &faults) &&
                         faults.n == 0 && rows_of(SG_PLANE) == 6 &&
                         rows_of(SG_T) == 12);
   sg_call_rest(&call);
   asked.is = SG_SEGMENTS_ASKED_ALL;
-  CHECK("all", sg_door_fill_triangles(&call, &asked, &faults));
+  CHECK("all", sg_door_fill_triangles(&call, &asked, SIZE_MAX, &faults));
   CHECK("one is not closed",
         faults.n == 1 && faults.at[0].s == OPEN && faults.at[0].p == 1 &&
             faults.at[0].what.is == SG_FAULT_WHAT_NOT_CLOSED);

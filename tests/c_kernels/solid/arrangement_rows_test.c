@@ -213,7 +213,7 @@ main(void)
             add_cube_moved(world, SECOND, 0, 0.5) &&
             sg_door_fill_triangles(
                 &call, &(sg_segments_asked){.is = SG_SEGMENTS_ASKED_ALL},
-                &(sg_fault_fact_list){0}));
+                SIZE_MAX, &(sg_fault_fact_list){0}));
   sg_call_rest(&call);
   CHECK("cuts",
         sg_door_cut_set_open(&call, &(sg_id_pair_list){&pair, 1, 1}, &set) &&

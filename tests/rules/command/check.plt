@@ -9,7 +9,7 @@
 :- use_module(rules(model/mesh)).
 :- use_module(rules(command/report)).
 :- use_module(rules(store)).
-:- use_module(rules(kernel), [fill_triangles/2]).
+:- use_module(rules(kernel), [fill_triangles/3]).
 :- use_module(rules(polygon/triangulation), [complete_segments/0]).
 
 % Goal in a world that holds the OBJ or OFF text.
@@ -131,7 +131,7 @@ test(crossed) :-
     \+ memberchk(degenerate_face(1, 1), Ds).
 test(crossed_unevenly) :-
     with(obj, "v 0 0 0\nv 1 0 0\nv -0.3 1.4 0\nv 1 1 0\nf 1 2 3 4\n",
-         ( fill_triangles(all, _), model_defect(crossed_face(1, 1)) )).
+         ( fill_triangles(all, 1000, _), model_defect(crossed_face(1, 1)) )).
 test(crossed_is_fault, Weight == fault) :-
     defect_weight(crossed_face, Weight).
 test(bent) :-

@@ -89,6 +89,11 @@ file('turned.off', "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n\c
 3 0 1 2\n3 0 1 3\n3 1 2 3\n3 2 0 3\n").
 file('twice.off', "OFF\n4 5 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n\c
 3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 0 2 1\n").
+file('tangled.off', "OFF\n25 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 0\n4 0 0\n\c
+5 0 0\n6 0 0\n7 0 0\n8 0 0\n9 0 0\n10 0 0\n11 0 0\n12 0 0\n13 0 0\n\c
+14 0 0\n15 0 0\n16 0 0\n17 0 0\n18 0 0\n19 0 0\n20 0 0\n21 0 0\n\c
+22 0 0\n23 0 0\n0 5 0\n\c
+25 0 23 1 22 2 21 3 20 4 19 5 18 6 17 7 16 8 15 9 14 10 13 11 12 24\n").
 file('thin.off', "OFF\n5 6 0\n0 0 0\n2 0 0\n0 1 0\n0 0 1\n1 0 0\n\c
 3 0 2 1\n3 0 4 3\n3 4 1 3\n3 1 2 3\n3 2 0 3\n3 0 1 4\n").
 file('open.off', "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n\c
@@ -198,6 +203,8 @@ command(cells_parted(_,_), [unglue, 'facts/two_rooms.pl', '-o', @('a.pl')]).
 command(nothing_glued, [unglue, @('cube.pl'), '-o', @('a.pl')]).
 command(one_segment, [penetrate, @('cube.pl')]).
 command(points_alone(_), [penetrate, @('pin.pl')]).
+command(tangled(_,1,_,_),
+        [check, '--limits', 'contacts=1', @('tangled.off')]).
 command(no_area(_,1,_), [check, @('thin.off')]).
 command(not_flat(_,1,_,_), [check, @('bent.pl')]).
 command(polygon_edge(_,_,_,_), [check, @('bow.pl')]).
