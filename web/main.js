@@ -9,7 +9,8 @@ import { Link } from "./link.js";
 import { Bar, FORMATS } from "./bar.js";
 import { KINDS } from "./kinds.js";
 import { Tree } from "./tree.js";
-import { Asking, Why, Text, Rules } from "./panels.js";
+import { Asking, Why } from "./panels.js";
+import { Text, Rules } from "./editor.js";
 
 class Studio {
   constructor(link, wire) {

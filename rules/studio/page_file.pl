@@ -156,6 +156,7 @@ script(find).
 script(handles).
 script(tree).
 script(panels).
+script(editor).
 script(kinds).
 script(fold).
 script(pens).

@@ -901,6 +901,23 @@ def flows(language):
         "studio.text.field.value === arguments[0]", text))
     typed = "studio.text.field.value = arguments[0]; " \
             "studio.text.field.dispatchEvent(new Event('input'))"
+    check(language + ": its colours stand behind it", browser.script("""
+      const { field, colours } = studio.text, style = (e) => getComputedStyle(e);
+      const same = (key) => style(field)[key] === style(colours)[key];
+      const [a, b] = [field, colours].map((e) => e.getBoundingClientRect());
+      return colours.textContent === field.value + "\\n" && a.x === b.x && a.y === b.y &&
+        ["fontFamily", "fontSize", "lineHeight", "paddingLeft", "paddingTop", "tabSize", "borderLeftWidth"].every(same) &&
+        colours.querySelectorAll(".figure").length > 5;"""))
+    browser.script(typed, text + "% 한글 'x\nsegment(3, solid, 'a b', \"c\", X, 1.5e-3" + "\n" * 90)
+    check(language + ": each kind in its own", browser.script("""
+      const { field, colours } = studio.text;
+      field.scrollTop = 400;
+      field.dispatchEvent(new Event("scroll"));
+      return [...colours.querySelectorAll("span")].slice(-6).map((e) => e.className + " " + e.textContent)
+        .concat(String(colours.scrollTop === field.scrollTop && field.scrollTop === 400));""") == [
+        "comment % 한글 'x", "figure 3", "quoted 'a b'", 'quoted "c"', "variable X",
+        "figure 1.5e-3", "true"], browser.script("""
+      return [...studio.text.colours.querySelectorAll("span")].slice(-6).map((e) => e.className + " " + e.textContent)"""))
     browser.script(typed, text + "segment(3, ")
     check(language + ": a mistake is said", browser.wait(
         "!studio.text.wrong.hidden && studio.text.wrong.textContent"))
