@@ -66,6 +66,14 @@ family(ball,       twice, [5000,10000,20000,40000]).
 family(overlap,    union, [500,1000,2000,4000]).
 family(nested,     check, [1000,2000,4000,8000]).
 family(nested,     union, [1000,2000,4000,8000]).
+family(rings,      check, [100,200,400,800]).
+family(rings,      union, [100,200,400,800]).
+family(rings,      draw,  [100,200,400,800]).
+family(wedges,     render, [400,800,1600]).
+family(nested,     render, [400,800,1600]).
+family(row,        render, [1000,2000,4000]).
+family(squares,    eval,  [500,1000,2000,4000]).
+family(placings,   query, [1000,2000,4000,8000]).
 family(copies,     eval,  [400,800,1600,3200]).
 family(cylinder,   check, [1000,2000,4000]).
 family(cylinder,   union, [1000,2000,4000]).
@@ -144,7 +152,13 @@ verb_arguments(penetrate, File, [penetrate,'-q',File,'-o',Out], [Out]) :-
 verb_arguments(split, File,
                [split,'-q',File,'--plane','1,2,3,100','-o',Out], [Out]) :-
     output(obj, Out).
-verb_arguments(query, File, [query,'-q',File,'v(S, V, X, Y, Z)'], []).
+verb_arguments(query, File,
+               [ query,'-q','--limits','depth=100000,nodes=1000000',File,
+                 'v(S, V, X, Y, Z)' ],
+               []).
+verb_arguments(render, File,
+               [render,'-q','--size','320x200',File,'-o',Out], [Out]) :-
+    output(png, Out).
 verb_arguments(twice, File, [union,'-q',File,File,'-o',Out], [Out]) :-
     output(off, Out).
 verb_arguments(unfold, File, [unfold,'-q',File,'-o',Out], [Out]) :-
@@ -223,20 +237,22 @@ part(Stream, I) :-
              format(Stream, "endloop~nendfacet~n", []) )),
     format(Stream, "endsolid part~d~n", [I]).
 
-%   N circles of 12 corners united, each over its neighbours or apart.
+%   N circles of 12 corners united, each over its neighbours or apart; or
+%   squares apart.
 
-plane_family(circles, 1.5).
-plane_family(discs, 2.5).
+plane_family(circles, plane(1.5, "circle($fn = 12, r = 1)")).
+plane_family(discs, plane(2.5, "circle($fn = 12, r = 1)")).
+plane_family(squares, plane(2, "square(size = [1, 1])")).
 
-circles(Stream, N, Step) :-
+circles(Stream, N, plane(Step, Shape)) :-
     C is ceiling(sqrt(N)),
     format(Stream, "linear_extrude(height = 1) { union() {~n", []),
     forall(between(1, N, I),
            ( X is Step*(I mod C),
              Y is Step*(I//C),
              format(Stream, "multmatrix([[1, 0, 0, ~w], [0, 1, 0, ~w], \c
-                             [0, 0, 1, 0], [0, 0, 0, 1]]) \c
-                             { circle($fn = 12, r = 1); }~n", [X,Y]) )),
+                             [0, 0, 1, 0], [0, 0, 0, 1]]) { ~s; }~n",
+                    [X,Y,Shape]) )),
     format(Stream, "} }~n", []).
 
 %   A plate with N triangular holes.
@@ -252,6 +268,13 @@ segments(holes, N, Stream) :-
     format(Stream, "segment(1, solid, prism(outline(~w), holes(~w), \c
                     height(1))).~n",
            [[[-1,-1],[M,-1],[M,M],[-1,M]],Holes]).
+%   A box in N placings.
+segments(placings, N, Stream) :-
+    format(Stream, "segment(1, solid, ", []),
+    forall(between(1, N, _), write(Stream, 'at([translate(1,0,0)], ')),
+    write(Stream, 'box(size(1,1,1))'),
+    forall(between(1, N, _), write(Stream, ')')),
+    format(Stream, ").~n", []).
 %   N rods askew, each a segment.
 segments(rods, N, Stream) :-
     forall(between(1, N, I),

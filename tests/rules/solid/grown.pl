@@ -134,6 +134,13 @@ grown(nested, N, Shells, Volume) :-
             ( between(1, N, I), V is (2*I)**3*(-1)**(N-I) ),
             Vs),
     sum_list(Vs, Volume).
+%   N rings on twelve corners in each other, apart.
+grown(rings, N, Shells, Volume) :-
+    findall(Shell, ( between(1, N, I), ring(I, I+0.5, Shell) ), Shells),
+    findall(V,
+            ( between(1, N, I), V is 6*sin(pi/6)*((I+0.5)**2-I**2) ),
+            Vs),
+    sum_list(Vs, Volume).
 %   A sheet with N folds, as thick as they are high.
 grown(folds, N, [Shell], Volume) :-
     numlist(0, N, Is),
@@ -173,6 +180,24 @@ ball_volume(Bands, Round, V) :-
     B is pi*I/Bands,
     Area is Round/2*sin(2*pi/Round),
     V is Area/3*(cos(A)-cos(B))*(sin(A)**2+sin(A)*sin(B)+sin(B)**2).
+
+%   ring(Inner, Outer, Shell): twelve corners, one high.
+
+ring(Inner, Outer, shell(Points, Faces)) :-
+    findall(p(X,Y,Z),
+            ( member(Z, [0.0,1.0]), member(R, [Inner,Outer]),
+              between(0, 11, J),
+              A is pi*J/6, X is R*cos(A), Y is R*sin(A) ),
+            Points),
+    findall(Face, ( between(0, 11, J), ring_face(J, Face) ), Faces).
+
+%   Vertices are those of the floor, inside, then outside, and of the roof.
+
+ring_face(J, Face) :-
+    A is J+1, B is (J+1) mod 12+1,
+    C is A+12, D is B+12,
+    maplist(plus(24), [A,B,C,D], [A1,B1,C1,D1]),
+    member(Face, [[A,B,D,C],[A1,C1,D1,B1],[C,D,D1,C1],[B,A,A1,B1]]).
 
 tooth(I, [B-0.0,B-1.0,A-1.0,A-0.0|Corners], Rest) :-
     A is 2.0*I-0.5,

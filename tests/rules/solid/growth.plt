@@ -27,6 +27,7 @@ size(apart, 700, 2000).
 size(row, 1000, 3000).
 size(comb, 120, 300).
 size(base, 300, 1000).
+size(rings, 40, 150).
 
 grown_size(Family, N) :-
     size(Family, Few, All),
