@@ -547,6 +547,13 @@ def by_keyboard():
     browser.keys(ENTER)
     check("a menu by the keyboard", browser.script(
         "return document.activeElement.closest('.menu') !== null"))
+    check("what has the keyboard there stands out", browser.script("""
+      const { outlineColor } = getComputedStyle(document.activeElement);
+      return outlineColor !== "rgb(255, 255, 255)";"""))
+    check("formats stand below one another", browser.script("""
+      const rows = [...document.activeElement.closest(".menu").querySelectorAll(".formats")];
+      const at = rows.map((row) => [...row.querySelectorAll("button")].slice(0, 4).map((b) => Math.round(b.getBoundingClientRect().x)));
+      return at.every((row) => row.every((x, i) => x === at[0][i]));"""))
     browser.keys(ESCAPE)
     check("and out of it", browser.script(
         "return document.activeElement.dataset.word") == "export")
