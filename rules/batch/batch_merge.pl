@@ -6,6 +6,7 @@
 :- use_module(batch_report, [json_text/2, outcome/1]).
 :- use_module('../json_value', [json_value/2]).
 :- use_module('../output', [writing/3]).
+:- use_module('../plain', [plain_text/2]).
 :- use_module('../text_file', [with_text/4]).
 :- use_module(library(apply), [foldl/4, maplist/2]).
 :- use_module(library(lists), [append/3, member/2, nth1/3, reverse/2]).
@@ -172,11 +173,24 @@ place_text(Places, Text, Place) :-
 :- public result_of/3.
 
 result_of(Places, Dict, Head) :-
+    result_text(Places, _, Dict, Head).
+
+result_text(Places, Text, Dict, Head) :-
     place_text(Places, Text, place(File, _, Head, _)),
     (   json_value(Text, Dict),
         is_line(Dict)
     ->  true
     ;   throw(error(model_error(manifest(no_report)), location(File, 0, 0)))
+    ).
+
+%   result_line(Places, Line) is nondet: the text of a line, as it is if it has
+%   nothing that is not seen.
+
+result_line(Places, Line) :-
+    result_text(Places, Text, Dict, _),
+    (   plain_text(Text, Text)
+    ->  Line = Text
+    ;   json_text(Dict, Line)
     ).
 
 is_line(Line) :-
@@ -201,7 +215,7 @@ json_written(Places, Counts, Out) :-
     json_text(Dict, CountsText),
     format(Out, '{"jobs":~d,"outcomes":~w,"results":[', [N, CountsText]),
     State = first(true),
-    forall(place_text(Places, Text, _),
+    forall(result_line(Places, Text),
            ( (   arg(1, State, true)
              ->  nb_setarg(1, State, false)
              ;   write(Out, ',')

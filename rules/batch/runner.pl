@@ -17,6 +17,7 @@
               [ run_state_reset/0, interrupts_noted/1, is_interrupted/0,
                 stops/0, count_of/2, run_status/1 ]).
 :- use_module('../language', [language/1]).
+:- use_module('../plain', [plain_text/2]).
 :- use_module(library(lists), [member/2]).
 :- use_module(library(option), [option/2, option/3]).
 /** <module> A batch: the jobs of a manifest, in processes of their own.
@@ -86,7 +87,8 @@ jobs_listed(Manifest, Options) :-
     forall(( manifest_job(Manifest, true, Job),
              wanted(Job, Options),
              Job = job(_, Name, _, _, _, _, _, _) ),
-           format("~w~n", [Name])).
+           ( plain_text(Name, Plain),
+             format("~w~n", [Plain]) )).
 
 only_known(Manifest, Options) :-
     (   option(only(Names), Options),

@@ -113,6 +113,11 @@ for limit in depth fact name; do
 done
 bounded batch "$work/both.jsonl" --list
 check json.both is "$(cat "$work/out")" "$(printf '\360\237\230\200x')"
+printf '%s\n' '{"job":"a\u001b[2J\u202eb","verb":"check","files":["h/cube.pl"]}' \
+  >"$work/control.jsonl"
+bounded batch "$work/control.jsonl" --list
+check json.control status_is 0
+check json.control.plain no_control "$work/out"
 for name in half dict; do
   bounded batch "$work/$name.jsonl" --list
   check "json.$name" status_is 3
@@ -130,6 +135,17 @@ for rest in '"seconds":1,"files":[],"said":{}' \
   check "merge.${rest:0:40}" status_is 3
   check "merge.${rest:0:40}.words" no_prolog
 done
+printf '%s\n' '{"job":"a","number":1,"outcome":"done","seconds":1,"files":[],"said":[]}' \
+  >"$work/report.jsonl"
+printf '{"job":"b\342\200\256","number":2,"outcome":"done","seconds":1,"files":[],"said":[]}\n' \
+  >>"$work/report.jsonl"
+bounded batch --merge "$work/report.jsonl" -o "$work/merged.json"
+check merge.control status_is 0
+check merge.control.plain no_control "$work/merged.json"
+printf '%s\n' '{"job":"a","number":1,"outcome":"done","broken":"\u00' \
+  >"$work/report.jsonl"
+bounded batch --merge "$work/report.jsonl" -o "$work/merged.json"
+check merge.unparsed hasnt broken "$work/merged.json"
 bounded batch --merge /dev/null -o "$work/merged.json"
 check merge.device status_is 3
 
