@@ -33,6 +33,7 @@ be raised, for the process: set_limit/2, on the command line `--limits`.
 %     - text     octets of another text: plain facts are 30 MB a second
 %     - facets   corners of a primitive, for every facet has some
 %     - contacts looks at edges where polygons touch or cross themselves
+%     - variants variants of a problem
 %     - nodes    leaves of a tree, each as often as it is used
 
 limit_default(depth, 128).
@@ -44,6 +45,7 @@ limit_default(file, 16_000_000).
 limit_default(text, 500_000_000).
 limit_default(facets, 1_000_000).
 limit_default(contacts, 20_000_000).
+limit_default(variants, 10_000).
 limit_default(nodes, 100_000).
 
 %!  limit_value(?Name, -Most:integer) is nondet.

@@ -273,6 +273,8 @@ limit_en(text) -->
     [ 'octets of a text' ].
 limit_en(facets) -->
     [ 'corners of a primitive' ].
+limit_en(variants) -->
+    [ 'variants of a problem' ].
 limit_en(nodes) -->
     [ 'leaves of a tree, each as often as it is used' ].
 

@@ -265,6 +265,8 @@ limit_ko(text) -->
     [ '텍스트의 바이트' ].
 limit_ko(facets) -->
     [ '기본 입체 하나의 꼭짓점' ].
+limit_ko(variants) -->
+    [ '문제 하나의 변형' ].
 limit_ko(nodes) -->
     [ '트리의 리프, 쓰이는 횟수만큼' ].
 

@@ -2,14 +2,16 @@
           [ problems_read/3             % +File, -Problems, -Pupils
           ]).
 :- use_module('../generator', [generated/2, generator_fault/3]).
+:- use_module('../limits', [limit_value/2]).
 :- use_module('../model/model_text', [next_term/5, place_error/2]).
 :- use_module('../sheet/sheet_paper', [paper/3]).
 :- use_module('../text_file', [with_text/4]).
 :- use_module(problem_item, [item_fault/3, items_fault/2, title_items/2]).
-:- use_module(library(apply), [maplist/2, maplist/3]).
+:- use_module(library(apply), [foldl/4, maplist/2, maplist/3]).
 :- use_module(library(lists), [append/2, append/3, member/2, nth1/3]).
 :- use_module(library(pairs), [pairs_values/2]).
 :- use_module(library(sha), [sha_hash/3]).
+:- use_module(library(solution_sequences), [limit/2]).
 /** <module> Files of problems for a class.
 
 A file of problems is data, as a model file. It has
@@ -84,7 +86,7 @@ problems_read(File, Problems, Pupils) :-
            )),
     findall(problem(Name, Model, Items, Variants, Sheet, Place),
             ( member(problem(Name,Model,Items)-Place, Rows),
-              variants(Name, Rows, Variants),
+              variants(Name, Rows, Place, Variants),
               sheet_of(Name, Rows, Place, Sheet) ),
             Problems),
     findall(Names, member(pupils(Names)-_, Rows), Lists),
@@ -165,26 +167,48 @@ values(Source, Place, Values) :-
     (   \+ ground(Source)
     ->  place_error(Place, problem(variable))
     ;   \+ generator_fault([in(V, Source)], V, _),
-        catch(findall(V, generated([in(V, Source)], '.'), Values0),
+        limit_value(variants, Most),
+        Enough is Most+1,
+        catch(findall(V, limit(Enough, generated([in(V, Source)], '.')),
+                      Values0),
               generator_error(_), fail),
         Values0 = [_|_],
+        few_enough([Values0], Place),
         maplist(number, Values0)
     ->  Values = Values0
     ;   place_error(Place, problem(values(Source)))
     ).
 
+%   few_enough(Lists, Place): one of each of Lists makes no more variants than a
+%   problem may have.
+
+few_enough(Lists, Place) :-
+    limit_value(variants, Most),
+    foldl(times_length, Lists, 1, N),
+    (   N =< Most
+    ->  true
+    ;   place_error(Place, limit(variants, Most))
+    ).
+
+times_length(List, N0, N) :-
+    length(List, Length),
+    N is N0*Length.
+
 names_problem(drawn(Name, _, _, _), Name).
 names_problem(sheet(_, Names, _), Name) :-
     member(Name, Names).
 
-%   variants(Name, Rows, Variants): each value of one parameter with each of the
+%   variants(Name, Rows, Place, Variants): each value of one parameter with each
+%   of the
 %   others; one without settings if nothing varies. If there is a seed, their
 %   order is as drawn.
 
-variants(Name, Rows, Variants) :-
+variants(Name, Rows, Place, Variants) :-
     findall(Parameter-Values,
             member(drawn(Name,Parameter,Values,_)-_, Rows),
             Ranges),
+    pairs_values(Ranges, Lists),
+    few_enough(Lists, Place),
     findall(Settings, chosen(Ranges, Settings), Variants0),
     findall(Seed,
             ( member(drawn(Name,_,_,Seed)-_, Rows), Seed \== none ),

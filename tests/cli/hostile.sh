@@ -124,6 +124,18 @@ for name in half dict; do
   check "json.$name.words" no_prolog
 done
 
+# Problems of too many variants.
+for values in 1..2000000 '1..200), variant(a, s, 1..200' \
+  "[$(seq -s, 12000)]"; do
+  printf "problem(a, 'h/cube.pl', []).\nsheet('A4', [a], []).\n%s\n" \
+    "variant(a, r, ${values//), variant/).
+variant})." >"$work/problems.pl"
+  bounded problems "$work/problems.pl" -o "$work/problems"
+  check "problem.${values:0:9}" status_is 3
+  check "problem.${values:0:9}.limit" has '--limits variants=N'
+  check "problem.${values:0:9}.short" short
+done
+
 # Reports of batches that no batch has written.
 deep=$(printf '[%.0s' $(seq 300))
 for rest in '"seconds":1,"files":[],"said":{}' \
