@@ -271,23 +271,27 @@ get_output(sg_call *call, term_t t, sg_output *out)
 static bool
 is_plain(const IOSTREAM *out, const char *text, size_t n)
 {
-  bool plain = out->encoding == ENC_UTF8 && out->newline == SIO_NL_POSIX &&
-               (out->flags & SIO_FBUF) && !out->tee;
+  unsigned others = 0;
 
-  for (size_t i = 0; plain && i < n; i++) {
-    plain = (text[i] >= ' ' && text[i] <= '~') || text[i] == '\n';
+  for (size_t i = 0; i < n; i++) {
+    others |= (text[i] < ' ' || text[i] > '~') & (text[i] != '\n');
   }
-  return plain;
+  return others == 0 && out->encoding == ENC_UTF8 &&
+         out->newline == SIO_NL_POSIX && (out->flags & SIO_FBUF) && !out->tee;
 }
 
 static void
 move_position(IOPOS *position, const char *text, size_t n)
 {
+  const char *end = text + n, *newline;
+
   position->charno += (int64_t)n;
-  for (size_t i = 0; i < n; i++) {
-    position->linepos = text[i] == '\n' ? 0 : position->linepos + 1;
-    position->lineno += text[i] == '\n';
+  while ((newline = memchr(text, '\n', (size_t)(end - text)))) {
+    position->lineno++;
+    position->linepos = 0;
+    text = newline + 1;
   }
+  position->linepos += (int)(end - text);
 }
 
 /* Fills the buffer by as much as it has room for, and empties it by the octet
