@@ -2,9 +2,9 @@
 
        swipl -p foreign=build bench/boolean_many.pl -- many|apart|tree|instance
 
-   many: SPHERES (700) on a jittered grid, each meeting some others, in one call;
-   apart: farther from each other, so that none meets another. If OPERANDS names
-   a folder each is written there, N.off, for peers.
+   many: SPHERES (700) on a jittered grid, each meeting some others, in one
+   call; apart: farther from each other, so that none meets another. If OPERANDS
+   names a folder each is written there, N.off, for peers.
    tree: 1,000 primitives, each meeting at most 10 others, in one expression;
    the first evaluation, then each leaf moved in turn and the tree evaluated
    again. MOVES of the leaves (all unless told) are moved. By the clock, and in

@@ -102,8 +102,8 @@ int get_name(sg_call *call, term_t t, const char **out);
 #define put_name(t, x) PL_put_chars(t, PL_ATOM | REP_UTF8, (size_t)-1, x)
 
 /* Streams; a text is a string, or what the file of a stream has from its
- * beginning, wherever that is. What is written to a text output is UTF-8, and the
- * stream encodes it. Whether it is one is seen when it is used. */
+ * beginning, wherever that is. What is written to a text output is UTF-8, and
+ * the stream encodes it. Whether it is one is seen when it is used. */
 int get_input(sg_call *call, term_t t, sg_input *out);
 int get_output(sg_call *call, term_t t, sg_output *out);
 int get_text_output(sg_call *call, term_t t, sg_output *out);

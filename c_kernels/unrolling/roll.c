@@ -1,6 +1,7 @@
 /* roll.c -- see roll.h. */
 #include "roll.h"
 
+#include "engine/list.h"
 #include "number/vector.h"
 
 #include <math.h>
@@ -113,17 +114,17 @@ panel_start(const sg_roll *r, size_t i)
 static bool
 choose_panels(sg_roll *r)
 {
-  double before = 0, now = 0, *sum;
+  double before = 0, now = 0;
+  size_t room = 0;
 
   for (r->panels = FEWEST;; r->panels *= 2) {
-    if (!(sum = realloc(r->sum, (r->panels + 1) * sizeof *sum))) {
+    if (!sg_list_need(&r->sum, r->panels + 1, &room, sizeof *r->sum)) {
       return false;
     }
-    r->sum = sum;
     now = 0;
     for (size_t i = 0; i < r->panels; i++) {
-      sum[i + 1] = integral(r, panel_start(r, i), panel_start(r, i + 1));
-      now += sum[i + 1];
+      r->sum[i + 1] = integral(r, panel_start(r, i), panel_start(r, i + 1));
+      now += r->sum[i + 1];
     }
     if (r->panels == MOST || fabs(now - before) <= 2e-15 * now) {
       return true;

@@ -4,7 +4,8 @@
 :- use_module('../sheet/dash', [stroke_runs/4]).
 :- use_module(drawing_shading, [shading_images/5]).
 :- use_module(image_text, [image_base64/2]).
-:- use_module('../kernel', [points_text/2, points_written/4, thousandths_text/2]).
+:- use_module('../kernel',
+              [points_text/2, points_written/4, thousandths_text/2]).
 :- use_module(ink,
               [ fold_lines/4, ink_width/2, ink_colour/3, ink_runs/2,
                 ink_lines/4, dashes_option/3

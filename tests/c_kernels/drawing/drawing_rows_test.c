@@ -223,6 +223,56 @@ written(void)
                                "-9223372036854775.808,-9223372036854775.808"));
 }
 
+typedef struct page {
+  char text[64];
+  size_t n;
+} page;
+
+static bool
+write_page(void *data, const char *text, size_t n)
+{
+  page *p = data;
+
+  if (n > sizeof p->text) {
+    return false;
+  }
+  memcpy(p->text, text, p->n = n);
+  return true;
+}
+
+static bool
+is_written(const sg_sheet_point *point, size_t n, const char *wanted)
+{
+  sg_sheet_point at[4];
+  page p = {"", 0};
+  const sg_output out = {write_page, &p};
+
+  memcpy(at, point, n * sizeof *at);
+  return sg_door_points_written(&call, &out, "<\"",
+                                &(sg_sheet_point_list){at, n, n}, "\"/>") &&
+         p.n == strlen(wanted) && memcmp(p.text, wanted, p.n) == 0;
+}
+
+static void
+streamed(void)
+{
+  const sg_sheet_point few[] = {{0, -1}, {-12340, 1005}};
+  const sg_sheet_point far[] = {{INT64_MIN, INT64_MAX}, {INT64_MIN, INT64_MIN}};
+  int64_t number[] = {0, -1, 12340};
+  sg_bytes text = {0};
+
+  CHECK("nothing between", is_written(few, 0, "<\"\"/>"));
+  CHECK("points between", is_written(few, 2, "<\"0,-0.001 -12.34,1.005\"/>"));
+  CHECK("the stream refuses", !is_written(far, 2, ""));
+  CHECK("numbers",
+        sg_door_thousandths_text(&call, &(sg_integer_list){number, 3, 3},
+                                 &text) &&
+            text.n == 14 && memcmp(text.at, "0 -0.001 12.34", 14) == 0);
+  CHECK("no numbers", sg_door_thousandths_text(
+                          &call, &(sg_integer_list){number, 0, 0}, &text) &&
+                          text.n == 0);
+}
+
 static bool
 is_png(const sg_bytes *bytes)
 {
@@ -285,6 +335,7 @@ main(void)
   travels();
   crossings();
   written();
+  streamed();
   dots();
   smooth();
   sg_call_close(&call);
