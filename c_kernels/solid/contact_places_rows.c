@@ -122,14 +122,18 @@ is_there(const leaf *l, sg_relation relation, int32_t id)
 }
 
 /* The edge that the leaf had before, of which `part` is a part; 0: it is none.
- */
+ * What a user wrote of origins may go round. */
 static int32_t
 whole_edge(const leaf *l, int32_t part)
 {
   int32_t found = 0;
   uint32_t e = (uint32_t)part;
 
-  while ((e = sg_key_table_get(&l->whole, &(uint32_t){e})) != SG_NO_KEY) {
+  for (size_t i = 0; i < l->whole.n; i++) {
+    e = sg_key_table_get(&l->whole, &(uint32_t){e});
+    if (e == SG_NO_KEY) {
+      break;
+    }
     if (is_there(l, SG_LEAF_E, (int32_t)e)) {
       found = (int32_t)e;
     }
