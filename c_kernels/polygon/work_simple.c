@@ -568,7 +568,7 @@ sg_work_occupied(sg_work *work, const int32_t corner[3], bool *no_memory)
       continue;
     }
     if (v == corner[0] || v == corner[1] || v == corner[2] ||
-               beside((const double(*)[2])at, work->vertex[v].at)) {
+        beside((const double(*)[2])at, work->vertex[v].at)) {
       continue;
     }
     work->looked++;
