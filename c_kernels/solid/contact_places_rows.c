@@ -216,8 +216,9 @@ find_features(sg_call *call, leaf *l)
     if (none) {
       continue;
     }
-    uint32_t *number =
-        sg_key_table_put(&out->number, &(uint32_t){(uint32_t)place.v});
+    const uint32_t key = (uint32_t)place.v;
+    uint32_t *number = sg_key_table_put(&out->number, &key);
+
     if (!number) {
       return sg_call_no_memory(call);
     }
