@@ -70,6 +70,20 @@ typedef struct sg_bvh {
   double origin[3], unit;
 } sg_bvh;
 
+/* Box i of a level. */
+static inline sg_box32
+sg_bvh_box(const sg_bvh *tree, unsigned level, size_t i)
+{
+  const sg_box4 *four = &tree->level[level][i / SG_BVH_WIDTH];
+  sg_box32 box;
+
+  for (int c = 0; c < 3; c++) {
+    box.lo[c] = four->lo[c][i % SG_BVH_WIDTH];
+    box.hi[c] = four->hi[c][i % SG_BVH_WIDTH];
+  }
+  return box;
+}
+
 /* The frame of a tree over boxes inside `all`, and a box in it. The box round
  * several, let out, is that round each of them, let out. */
 sg_bvh_frame sg_bvh_frame_of(const sg_box *all);

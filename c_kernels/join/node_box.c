@@ -23,30 +23,12 @@ struct sg_node_boxes {
 
 /* ---- whether it is worth it ---- */
 
-/* One box of a level. */
-typedef struct one_box {
-  float lo[3], hi[3];
-} one_box;
-
-static one_box
-box_at(const sg_bvh *tree, unsigned level, size_t i)
-{
-  const sg_box4 *group = &tree->level[level][i / SG_BVH_WIDTH];
-  one_box out;
-
-  for (int c = 0; c < 3; c++) {
-    out.lo[c] = group->lo[c][i % SG_BVH_WIDTH];
-    out.hi[c] = group->hi[c][i % SG_BVH_WIDTH];
-  }
-  return out;
-}
-
 /* How many boxes below box i of a level overlap `box`, up to `most`. */
 static size_t
-count_met(const sg_bvh *tree, unsigned level, size_t i, const one_box *box,
+count_met(const sg_bvh *tree, unsigned level, size_t i, const sg_box32 *box,
           size_t most)
 {
-  one_box own = box_at(tree, level, i);
+  sg_box32 own = sg_bvh_box(tree, level, i);
   size_t met = 0;
 
   for (int c = 0; c < 3; c++) {
@@ -72,7 +54,7 @@ is_crowded(const sg_bvh *tree)
   size_t step = tree->n / SOME + 1, asked = 0, met = 0;
 
   for (size_t i = 0; i < tree->n; i += step) {
-    one_box box = box_at(tree, 0, i);
+    sg_box32 box = sg_bvh_box(tree, 0, i);
 
     asked++;
     for (size_t k = 0; k < tree->count[tree->levels - 1]; k++) {

@@ -176,23 +176,10 @@ longest_side(const sg_box32 *box)
   return side;
 }
 
-static sg_box32
-box_of(const sg_bvh *tree, unsigned level, uint32_t at)
-{
-  const sg_box4 *four = &tree->level[level][at / SG_BVH_WIDTH];
-  sg_box32 box;
-
-  for (int k = 0; k < 3; k++) {
-    box.lo[k] = four->lo[k][at % SG_BVH_WIDTH];
-    box.hi[k] = four->hi[k][at % SG_BVH_WIDTH];
-  }
-  return box;
-}
-
 static node
 node_of(const sg_bvh *tree, unsigned level, uint32_t at)
 {
-  return (node){box_of(tree, level, at), level, at, 0};
+  return (node){sg_bvh_box(tree, level, at), level, at, 0};
 }
 
 /* The nodes below one: from SG_BVH_WIDTH * at to before this. */
@@ -210,7 +197,7 @@ static sg_box
 box_of_points(const walker *k, unsigned level, uint32_t at)
 {
   const sg_bvh *tree = k->points;
-  sg_box32 near = box_of(tree, level, at);
+  sg_box32 near = sg_bvh_box(tree, level, at);
   sg_box box;
 
   for (int c = 0; c < 3; c++) {
