@@ -65,7 +65,7 @@ close_indexes(sg_work *work)
 {
   sg_work_grid_close(&work->grid);
   sg_work_grid_close(&work->ends);
-  sg_work_grid_close(&work->tips);
+  sg_work_tips_clear(work);
   sg_work_forest_clear(&work->forest);
   sg_work_places_clear(work);
 }
@@ -274,7 +274,7 @@ note_added(sg_work *work, int32_t start, int32_t end)
     forget_proven(work);
     sg_work_grid_close(&work->ends);
     sg_work_places_clear(work);
-    sg_work_grid_close(&work->tips);
+    sg_work_tips_clear(work);
     if (work->simple == SG_SIMPLE) {
       work->simple = SG_NOT_ASKED;
     }

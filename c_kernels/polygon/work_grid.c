@@ -25,14 +25,13 @@ greater(double a, double b)
 
 /* ---- the shape ---------------------------------------------------------- */
 
-/* The main direction: the sum of the segments' doubled angles, weighed by
- * length, halved. */
-static void
-main_direction(const sg_work_grid_segment *segment, size_t n, double out[2])
+void
+sg_work_main_direction(const sg_work_grid_segment *segment, size_t n,
+                       size_t step, double out[2])
 {
   double c = 0, s = 0;
 
-  for (size_t i = 0; i < n; i++) {
+  for (size_t i = 0; i < n; i += step) {
     double x = segment[i].to[0] - segment[i].from[0];
     double y = segment[i].to[1] - segment[i].from[1];
     double length = sqrt(x * x + y * y);
@@ -159,7 +158,7 @@ sg_work_grid_open(sg_work_grid *grid, sg_grid_of of,
   *grid = (sg_work_grid){.expected = n};
   grid->origin[0] = n ? segment[0].from[0] : 0;
   grid->origin[1] = n ? segment[0].from[1] : 0;
-  main_direction(segment, n, grid->along);
+  sg_work_main_direction(segment, n, 1, grid->along);
   measure(grid, segment, n, &box);
   choose_cells(grid, of, &box, n);
   /* The box's corner becomes the origin. */

@@ -36,6 +36,11 @@ typedef struct sg_work_grid {
   size_t expected; /* segments that shaped it */
 } sg_work_grid;
 
+/* The main direction of each step-th of n segments, a unit vector: the sum of
+ * their doubled angles, weighed by length, halved. */
+void sg_work_main_direction(const sg_work_grid_segment *segment, size_t n,
+                            size_t step, double out[2]);
+
 /* What will be put in: the segments themselves, or their ends as points. */
 typedef enum sg_work_grid_of {
   SG_GRID_OF_SEGMENTS,

@@ -382,8 +382,15 @@ is_free(sg_candidates *walk, const int32_t corner[3])
   return no_edge_blocks(walk, &t);
 }
 
-/* (I) and (II). In a simple relation it is mostly quicker to see if an ear is
- * free. */
+static bool
+any_hub(const sg_work *work, const int32_t corner[3])
+{
+  return sg_work_is_hub(work, corner[0]) || sg_work_is_hub(work, corner[1]) ||
+         sg_work_is_hub(work, corner[2]);
+}
+
+/* (I) and (II). In a simple relation it is quicker to see if an ear is free,
+ * unless very much hangs on a corner: trees have that by angle. */
 static bool
 fits(sg_candidates *walk, int32_t v3)
 {
@@ -394,7 +401,8 @@ fits(sg_candidates *walk, int32_t v3)
     return false;
   }
   if (walk->phase != ANY && work->living > SG_WORK_FEW &&
-      !sg_work_looked_far(work) && sg_work_is_simple(work)) {
+      !(sg_work_looked_far(work) && any_hub(work, corner)) &&
+      sg_work_is_simple(work)) {
     if (sg_work_occupied(work, corner, &walk->no_memory)) {
       return false;
     }
@@ -452,21 +460,63 @@ collect_cell(sg_candidates *walk, int32_t column, int32_t row,
   return true;
 }
 
-/* Goes on to the next ring that may have a vertex on the left; false: there is
+/* ---- far rings, by a tree ---- */
+
+typedef struct collecting {
+  sg_candidates *walk;
+  double from[2];
+} collecting;
+
+static bool
+collect_nearer(void *data, int32_t v, bool nearer)
+{
+  collecting *c = data;
+
+  c->walk->n = nearer ? 0 : c->walk->n;
+  return push_near(c->walk, v, c->from);
+}
+
+/* The edges that hang on an end first or last: one of them is the wall there,
+ * mostly. */
+static void
+add_walls(const sg_work *work, int32_t v, sg_work_ring *of)
+{
+  const sg_work_vertex_row *row = &work->vertex[v];
+  int32_t wall[4] = {row->first_in, row->last_in, row->first_out,
+                     row->last_out};
+
+  for (int i = 0; i < 4; i++) {
+    if (wall[i]) {
+      of->blocker[of->blockers++] = wall[i];
+    }
+  }
+}
+
+/* The vertices of the next ring that has one which may fit; false: there is
  * none, or no memory. */
 static bool
-skip_rings(sg_candidates *walk, const int32_t centre[2])
+collect_far(sg_candidates *walk, const double from[2], const int32_t centre[2])
 {
-  sg_work *work = walk->work;
+  collecting data = {walk, {from[0], from[1]}};
+  sg_work_ring of = {.v1 = walk->v1,
+                     .v2 = walk->v2,
+                     .centre = {centre[0], centre[1]},
+                     .found = collect_nearer,
+                     .data = &data};
 
-  work->looked++;
-  if (walk->ring == 0 || !sg_work_looked_far(work)) {
-    return true;
+  add_walls(walk->work, walk->v1, &of);
+  add_walls(walk->work, walk->v2, &of);
+  for (int i = 0; i < SG_BLOCKERS && walk->blocker[i]; i++) {
+    of.blocker[of.blockers++] = walk->blocker[i];
   }
-  if (!sg_work_next_ring(work, walk->v1, walk->v2, centre, &walk->ring)) {
+  if (!sg_work_next_ring(walk->work, &of, &walk->ring)) {
     walk->no_memory = true;
   }
-  return !walk->no_memory && walk->ring < INT32_MAX;
+  if (walk->no_memory || walk->ring == INT32_MAX) {
+    return false;
+  }
+  walk->ring++;
+  return true;
 }
 
 /* The vertices of the next ring of cells round the edge's middle; false: no
@@ -480,8 +530,9 @@ collect_ring(sg_candidates *walk)
 
   middle(walk, from);
   sg_work_grid_cell(grid, from, centre);
-  if (!skip_rings(walk, centre)) {
-    return false;
+  walk->work->looked++;
+  if (sg_work_looked_far(walk->work)) {
+    return collect_far(walk, from, centre);
   }
   r = walk->ring++;
   int32_t bottom = centre[1] - r, top = centre[1] + r;

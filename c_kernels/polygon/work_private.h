@@ -53,9 +53,10 @@ struct sg_work {
   uint32_t search;   /* the number of the last one */
   sg_work_grid grid; /* of living edges, when grid.open */
   sg_work_grid ends; /* of vertices that have edges, + 1, when ends.open */
-  sg_work_grid tips; /* of those that can be in an ear, when tips.open */
   size_t looked;     /* at edges, vertices and rings, by sg_candidates_next() */
   sg_work_forest forest; /* of living edges, when forest.open */
+  sg_work_tree tips;     /* of the vertices that can be in an ear, when */
+  size_t tipped;         /* > 0: the edges that there were then */
   sg_work_tree places;   /* of the vertices in `ends`, when planted */
   bool planted, rounded; /* the second: a vertex there is */
   enum { SG_NOT_ASKED, SG_SIMPLE, SG_NOT_SIMPLE } simple;
@@ -129,6 +130,10 @@ void sg_work_note_crossed(sg_work *work, const int32_t *vertex, int32_t n);
 bool sg_work_windings(sg_work *work, const int32_t *vertex, int32_t n,
                       int32_t *around);
 
+/* An edge of a vertex that has one: what is asked for there mostly lies along
+ * it, so trees of vertices are halved across it. */
+sg_work_grid_segment sg_work_side_of(const sg_work *work, int32_t v);
+
 /* Builds the grid of the vertices that have edges, if it is missing or most of
  * them are gone. False: no memory. */
 bool sg_work_ends_ready(sg_work *work);
@@ -160,21 +165,40 @@ sg_work_looked_far(const sg_work *work)
   return work->looked > 16 * (size_t)work->edges + 1024;
 }
 
+/* Does so much hang on a vertex that trees have it by angle? */
+bool sg_work_is_hub(const sg_work *work, int32_t v);
+
 /* Whether an edge is in the way. */
 typedef bool sg_work_in_way(void *data, int32_t edge);
 
+sg_work_corners sg_work_corners_of(const sg_work *work,
+                                   const int32_t corner[3]);
 /* *found: a living edge that is in the way, of those near the triangle, which
  * is counter-clockwise; 0: none is. False: no memory. */
 bool sg_work_forest_find(sg_work *work, const int32_t corner[3],
                          sg_work_in_way *in_way, void *data, int32_t *found);
 
-/* *ring: the first from *ring on, of rings of cells of `ends` round the centre,
- * that may have a vertex left of v1-v2; INT32_MAX: there is none. `ends` are
- * ready. False: no memory. */
-bool sg_work_next_ring(sg_work *work, int32_t v1, int32_t v2,
-                       const int32_t centre[2], int32_t *ring);
-/* When `ends` are closed. */
+/* The vertices that are asked for as third ones of v1-v2: round a cell of
+ * `ends`. */
+enum { SG_WORK_BLOCKERS = 12 };
+
+typedef struct sg_work_ring {
+  int32_t v1, v2, centre[2];
+  int32_t blocker[SG_WORK_BLOCKERS]; /* [blockers]: living edges */
+  int blockers;
+  /* Given a vertex; nearer: what it was given before is no more in the ring.
+   * False: an end of the search. */
+  bool (*found)(void *data, int32_t v, bool nearer);
+  void *data;
+} sg_work_ring;
+
+/* *ring: the first from *ring on, of rings of cells round the centre, that may
+ * have such a vertex, with those that it may have given to found(); INT32_MAX:
+ * there is none. `ends` are ready. False: no memory. */
+bool sg_work_next_ring(sg_work *work, const sg_work_ring *of, int32_t *ring);
+/* When `ends` are closed, when a new vertex may be there. */
 void sg_work_places_clear(sg_work *work);
+void sg_work_tips_clear(sg_work *work);
 
 /* False if v is certainly not on the edge: a cheap question first. */
 bool sg_work_near(const sg_work *work, int32_t edge, int32_t v);

@@ -1,5 +1,5 @@
-/* work_search.c -- what work_tree.h is for: edges in a triangle, and how far
- * the next vertex on one side of an edge is. See work_private.h.
+/* work_search.c -- what work_tree.h is for: edges in a triangle. See
+ * work_private.h.
  *
  * Layer: kernel. What is left out is certainly apart; who asks decides exactly.
  */
@@ -32,9 +32,17 @@ box_of_edge(const sg_work *work, int32_t e)
   return box;
 }
 
-/* Does so much hang on a vertex that it is asked for by angle? */
-static bool
-is_hub(const sg_work *work, int32_t v)
+static sg_work_grid_segment
+segment_of_edge(const sg_work *work, int32_t e)
+{
+  const double *p = work->vertex[work->edge[e].edge.start].at;
+  const double *q = work->vertex[work->edge[e].edge.end].at;
+
+  return (sg_work_grid_segment){{p[0], p[1]}, {q[0], q[1]}};
+}
+
+bool
+sg_work_is_hub(const sg_work *work, int32_t v)
 {
   int n = 0;
 
@@ -68,9 +76,9 @@ spoke_of(const sg_work *work, int32_t e)
   const sg_work_edge *edge = &work->edge[e].edge;
   spoke out = {SG_WORK_NONE, 0, e};
 
-  if (is_hub(work, edge->start)) {
+  if (sg_work_is_hub(work, edge->start)) {
     out.hub = edge->start;
-  } else if (is_hub(work, edge->end)) {
+  } else if (sg_work_is_hub(work, edge->end)) {
     out.hub = edge->end;
   }
   if (out.hub != SG_WORK_NONE) {
@@ -116,7 +124,7 @@ open_fan(const sg_work *work, const spoke *of, size_t n, sg_work_fan *out)
     number[i] = of[i].edge;
     box[i] = box_of_edge(work, of[i].edge);
   }
-  return sg_work_tree_open(&out->tree, number, box, n, true);
+  return sg_work_tree_open(&out->tree, number, box, NULL, n, true);
 }
 
 static sg_work_box
@@ -147,8 +155,9 @@ plant_spokes(const sg_work *work, const spoke *of, size_t n, sg_work_plant *out)
 {
   int32_t *number = malloc((n + 1) * sizeof *number);
   sg_work_box *box = malloc((n + 1) * sizeof *box);
+  sg_work_grid_segment *segment = calloc(n + 1, sizeof *segment);
   size_t items = 0;
-  bool good = number && box;
+  bool good = number && box && segment;
 
   out->edges = n;
   out->fan = malloc((n / FAN + 1) * sizeof *out->fan);
@@ -168,15 +177,17 @@ plant_spokes(const sg_work *work, const spoke *of, size_t n, sg_work_plant *out)
     }
     for (size_t k = i; k < end; k++) {
       number[items] = of[k].edge;
+      segment[items] = segment_of_edge(work, of[k].edge);
       box[items++] = box_of_edge(work, of[k].edge);
     }
   }
   if (!good) {
     free(number);
     free(box);
+    free(segment);
     return false;
   }
-  return sg_work_tree_open(&out->tree, number, box, items, false);
+  return sg_work_tree_open(&out->tree, number, box, segment, items, false);
 }
 
 /* Adds a tree of living edges. False: no memory. */
@@ -338,8 +349,7 @@ sg_work_forest_clear(sg_work_forest *forest)
 typedef struct searching {
   const sg_work *work;
   const int32_t *corner;
-  double at[3][2];
-  double low[2], high[2];
+  sg_work_corners at;
   const sg_work_plant *plant; /* the one that is asked */
   int32_t hub;                /* of the fan that is asked */
   sg_work_in_way *in_way;
@@ -347,40 +357,20 @@ typedef struct searching {
   int32_t found;
 } searching;
 
-/* Whether a box is plainly on the right of side a-b: far more than anything is
- * rounded. */
-static bool
-is_right_of(const double a[2], const double b[2], const sg_work_box *box)
-{
-  double x = b[0] - a[0], y = b[1] - a[1];
-  double cx = y > 0 ? box->low[0] : box->high[0];
-  double cy = x > 0 ? box->high[1] : box->low[1];
-  double slack =
-      0x1p-46 * ((fabs(a[0]) + fabs(b[0])) * (fabs(cy) + fabs(a[1])) +
-                 (fabs(a[1]) + fabs(b[1])) * (fabs(cx) + fabs(a[0])));
-
-  return x * (cy - a[1]) - y * (cx - a[0]) < -slack;
-}
-
 static bool
 is_apart(const void *data, const sg_work_box *box)
 {
   const searching *s = data;
 
-  if (!sg_work_step(s->work, 1)) {
-    return true;
-  }
-  for (int k = 0; k < 2; k++) {
-    if (box->high[k] < s->low[k] || box->low[k] > s->high[k]) {
-      return true;
-    }
-  }
-  for (int i = 0; i < 3; i++) {
-    if (is_right_of(s->at[i], s->at[(i + 1) % 3], box)) {
-      return true;
-    }
-  }
-  return false;
+  return !sg_work_step(s->work, 1) || sg_work_box_apart(&s->at, box);
+}
+
+static bool
+is_slab_apart(const void *data, const sg_work_slab *slab)
+{
+  const searching *s = data;
+
+  return sg_work_slab_apart(&s->at, slab);
 }
 
 /* Whether all corners but the hub lie to the right of all spokes from the first
@@ -424,8 +414,11 @@ find_in(searching *s, int32_t number)
   const sg_work_fan *fan = &s->plant->fan[~number];
 
   s->hub = fan->hub;
-  return sg_work_tree_go(
-      &(sg_work_tree_walk){&fan->tree, is_apart, is_beside, is_in_way, s, 0});
+  return sg_work_tree_go(&(sg_work_tree_walk){.tree = &fan->tree,
+                                              .skips = is_apart,
+                                              .passes = is_beside,
+                                              .ends = is_in_way,
+                                              .data = s});
 }
 
 static bool
@@ -435,6 +428,21 @@ has_in_way(void *data, int32_t number)
 
   s->found = find_in(s, number);
   return s->found != 0;
+}
+
+sg_work_corners
+sg_work_corners_of(const sg_work *work, const int32_t corner[3])
+{
+  sg_work_corners out;
+
+  for (int k = 0; k < 2; k++) {
+    for (int i = 0; i < 3; i++) {
+      out.at[i][k] = work->vertex[corner[i]].at[k];
+    }
+    out.low[k] = fmin(fmin(out.at[0][k], out.at[1][k]), out.at[2][k]);
+    out.high[k] = fmax(fmax(out.at[0][k], out.at[1][k]), out.at[2][k]);
+  }
+  return out;
 }
 
 bool
@@ -449,135 +457,19 @@ sg_work_forest_find(sg_work *work, const int32_t corner[3],
   if (!catch_up(work)) {
     return false;
   }
-  for (int k = 0; k < 2; k++) {
-    for (int i = 0; i < 3; i++) {
-      s.at[i][k] = work->vertex[corner[i]].at[k];
-    }
-    s.low[k] = fmin(fmin(s.at[0][k], s.at[1][k]), s.at[2][k]);
-    s.high[k] = fmax(fmax(s.at[0][k], s.at[1][k]), s.at[2][k]);
-  }
+  s.at = sg_work_corners_of(work, corner);
   for (int i = 0; i < f->n && !*found; i++) {
     *found = is_in_way(&s, f->fresh[i]) ? f->fresh[i] : 0;
   }
   for (int i = f->trees - 1; i >= 0 && !*found; i--) {
     s.plant = &f->tree[i];
-    sg_work_tree_go(&(sg_work_tree_walk){&s.plant->tree, is_apart, NULL,
-                                         has_in_way, &s, 0});
+    sg_work_tree_go(&(sg_work_tree_walk){.tree = &s.plant->tree,
+                                         .skips = is_apart,
+                                         .skips_slab = is_slab_apart,
+                                         .ends = has_in_way,
+                                         .data = &s});
     *found = s.found;
   }
   *found = *found ? living_of(work, *found) : 0;
   return true;
-}
-
-/* ---- rings -------------------------------------------------------------- */
-
-/* All vertices of the grid of ends, if none is rounded. False: no memory. */
-static bool
-plant_ends(sg_work *work)
-{
-  size_t n = 0;
-  int32_t *number = malloc(((size_t)work->vertices + 1) * sizeof *number);
-  sg_work_box *box = malloc(((size_t)work->vertices + 1) * sizeof *box);
-
-  if (!number || !box) {
-    free(number);
-    free(box);
-    return false;
-  }
-  work->rounded = false;
-  for (int32_t v = 0; v < work->vertices; v++) {
-    const double *at = work->vertex[v].at;
-
-    if (sg_work_has_edges(work, v)) {
-      box[n] = (sg_work_box){{at[0], at[1]}, {at[0], at[1]}, {0}, {0}};
-      sg_work_grid_cell(&work->ends, at, box[n].first);
-      memcpy(box[n].last, box[n].first, sizeof box[n].last);
-      number[n++] = v;
-      work->rounded = work->rounded || work->vertex[v].point.exactly;
-    }
-  }
-  work->planted = sg_work_tree_open(&work->places, number, box, n, false);
-  if (!work->planted) {
-    sg_work_tree_close(&work->places);
-  }
-  return work->planted;
-}
-
-typedef struct ring_search {
-  const sg_work *work;
-  int32_t v1, v2, centre[2];
-  int32_t from, best;
-} ring_search;
-
-static int32_t
-farther(int32_t a, int32_t b)
-{
-  return a > b ? a : b;
-}
-
-/* No vertex there is left of v1-v2, exactly; or none is in the rings asked
- * for. */
-static bool
-is_no_ring(const void *data, const sg_work_box *box)
-{
-  const ring_search *s = data;
-  const double *p = s->work->vertex[s->v1].at, *q = s->work->vertex[s->v2].at;
-  int32_t nearest = 0, farthest = 0;
-
-  if (!sg_work_step(s->work, 1)) {
-    return true;
-  }
-  for (int k = 0; k < 2; k++) {
-    nearest = farther(nearest, farther(box->first[k] - s->centre[k],
-                                       s->centre[k] - box->last[k]));
-    farthest = farther(farthest, farther(s->centre[k] - box->first[k],
-                                         box->last[k] - s->centre[k]));
-  }
-  if (nearest >= s->best || farthest < s->from) {
-    return true;
-  }
-  const double corner[2] = {q[1] > p[1] ? box->low[0] : box->high[0],
-                            q[0] > p[0] ? box->high[1] : box->low[1]};
-
-  return sg_orient2d(p, q, corner) <= 0;
-}
-
-static bool
-note_ring(void *data, int32_t v)
-{
-  ring_search *s = data;
-  int32_t cell[2];
-
-  if (sg_work_has_edges(s->work, v) && v != s->v1 && v != s->v2) {
-    sg_work_grid_cell(&s->work->ends, s->work->vertex[v].at, cell);
-    int32_t x = abs(cell[0] - s->centre[0]), y = abs(cell[1] - s->centre[1]);
-    int32_t ring = farther(x, y);
-
-    s->best = ring >= s->from && ring < s->best ? ring : s->best;
-  }
-  return false;
-}
-
-bool
-sg_work_next_ring(sg_work *work, int32_t v1, int32_t v2,
-                  const int32_t centre[2], int32_t *ring)
-{
-  if (!work->planted && !plant_ends(work)) {
-    return false;
-  }
-  ring_search s = {work, v1, v2, {centre[0], centre[1]}, *ring, INT32_MAX};
-
-  if (!work->rounded) {
-    sg_work_tree_go(&(sg_work_tree_walk){&work->places, is_no_ring, NULL,
-                                         note_ring, &s, SG_WORK_NONE});
-    *ring = s.best;
-  }
-  return true;
-}
-
-void
-sg_work_places_clear(sg_work *work)
-{
-  sg_work_tree_close(&work->places);
-  work->planted = false;
 }

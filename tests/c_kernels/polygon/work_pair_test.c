@@ -202,7 +202,7 @@ test_by_far(void)
 
 /* ---- shapes of n corners ---- */
 
-typedef enum shape { FLOWER, SPIKES, TWO_ENDS, TIMES } shape;
+typedef enum shape { FLOWER, SPIKES, RAGGED, STRIP, TWO_ENDS, TIMES } shape;
 
 static int32_t
 enter(sg_work *work, double x, double y)
@@ -223,8 +223,9 @@ go_to(sg_work *work, int32_t *last, int32_t to)
   *last = to;
 }
 
-/* Petals round one vertex; spikes without a width on a base; edges on one line
- * that all overlap; a square that is gone round many times. */
+/* Petals round one vertex; spikes without a width on a base; a ragged star; a
+ * strip; edges on one line that all overlap; a square that is gone round many
+ * times. */
 static void
 make(sg_work *work, shape of, int n)
 {
@@ -245,6 +246,15 @@ make(sg_work *work, shape of, int n)
     go_to(work, &last, foot);
     go_to(work, &last, top);
     go_to(work, &last, foot);
+  }
+  for (int i = 0; i < n && of == RAGGED; i++) {
+    double a = 6.283185307179586 * ((i + 0.5) / n - 0.5);
+    double r = 0.2 + fmod(i * 0.6180339887, 1);
+    go_to(work, &last, enter(work, 3 + r * cos(a), r * sin(a)));
+  }
+  for (int i = 1; i < n && of == STRIP; i++) {
+    go_to(work, &last,
+          i < n / 2 ? enter(work, i, 0) : enter(work, n - 1 - i, 10));
   }
   for (int i = 1; i < n / 2 && of == TWO_ENDS; i++) {
     go_to(work, &last, enter(work, n - i, 0));
@@ -296,10 +306,10 @@ static void
 test_steps(void)
 {
   enum { FEW_CORNERS = 3000, MANY = 24000 };
-  static const shape quick[] = {FLOWER, SPIKES};
+  static const shape quick[] = {FLOWER, SPIKES, RAGGED, STRIP};
   size_t few, many;
 
-  for (int i = 0; i < 2; i++) {
+  for (int i = 0; i < 4; i++) {
     CHECK("few", divide(quick[i], FEW_CORNERS, SIZE_MAX, &few) == SG_DONE);
     CHECK("many", divide(quick[i], MANY, SIZE_MAX, &many) == SG_DONE);
     CHECK("no more than n log n", many < 16 * few);
