@@ -94,11 +94,17 @@ try_to_divide(sg_boundary_maker *m, const double (*at)[3], size_t n,
   if (!sg_newell_plane(&sum, &plane)) {
     return SG_STUCK;
   }
-  return fill_work(m, at, n, plane.n) && sg_work_resolve(m->work, reach) &&
-                 note_splits(m)
-             ? sg_work_triangulate_moved(m->work, moved, &m->found, &edge,
-                                         m->cancel)
-             : SG_NO_SPACE;
+  if (!fill_work(m, at, n, plane.n)) {
+    return SG_NO_SPACE;
+  }
+  sg_outcome outcome = sg_work_resolve_asking(m->work, reach, m->cancel);
+
+  if (outcome != SG_DONE) {
+    return outcome;
+  }
+  return note_splits(m) ? sg_work_triangulate_moved(m->work, moved, &m->found,
+                                                    &edge, m->cancel)
+                        : SG_NO_SPACE;
 }
 
 /* True if the triangles have all vertices of the face: none was taken for

@@ -91,22 +91,51 @@ take_all(sg_work *work, sg_triangles *out, int32_t *edge,
   return SG_DONE;
 }
 
+/* The work has a guard: that of the caller, or this one. */
+static bool
+guard_begins(sg_work *work, sg_work_guard *guard, const sg_cancel *cancel)
+{
+  bool guarded = sg_work_is_guarded(work);
+
+  *guard = (sg_work_guard){.cancel = cancel, .most = SIZE_MAX};
+  if (!guarded) {
+    sg_work_guard_by(work, guard);
+  }
+  return !guarded;
+}
+
+static void
+guard_ends(sg_work *work, bool begun)
+{
+  if (begun) {
+    sg_work_guard_by(work, NULL);
+  }
+}
+
 /* One triangle may take long, too. */
 static sg_outcome
 take_all_guarded(sg_work *work, sg_triangles *out, int32_t *edge,
                  const sg_cancel *cancel)
 {
-  sg_work_guard guard = {.cancel = cancel, .most = SIZE_MAX};
-  bool guarded = sg_work_is_guarded(work);
-
-  if (!guarded) {
-    sg_work_guard_by(work, &guard);
-  }
+  sg_work_guard guard;
+  bool begun = guard_begins(work, &guard, cancel);
   sg_outcome outcome = take_all(work, out, edge, cancel);
 
-  if (!guarded) {
-    sg_work_guard_by(work, NULL);
-  }
+  guard_ends(work, begun);
+  return outcome;
+}
+
+sg_outcome
+sg_work_resolve_asking(sg_work *work, double reach, const sg_cancel *cancel)
+{
+  sg_work_guard guard;
+  bool begun = guard_begins(work, &guard, cancel);
+  bool done = sg_work_resolve(work, reach);
+  sg_outcome outcome = done && sg_work_ended(work) == SG_GOES_ON
+                           ? SG_DONE
+                           : sg_work_outcome(work);
+
+  guard_ends(work, begun);
   return outcome;
 }
 

@@ -30,6 +30,11 @@ typedef enum sg_outcome {
 /* Why something of the work had no memory: or its guard has ended it. */
 sg_outcome sg_work_outcome(const sg_work *work);
 
+/* sg_work_resolve(), which asks: SG_DONE, SG_STOPPED, SG_TOO_MUCH, SG_NO_SPACE.
+ */
+sg_outcome sg_work_resolve_asking(sg_work *work, double reach,
+                                  const sg_cancel *cancel);
+
 /* Takes triangles off until no edge is left, appending them to `out`. Stuck:
  * *edge is the edge that proves the polygon invalid (still living), and the
  * triangles found before it stay in `out`. The edges are used up. */

@@ -66,6 +66,7 @@ typedef enum sg_work_end {
 typedef struct sg_work_guard {
   const sg_cancel *cancel;
   size_t most, steps, next; /* next: when it asks again; begins with 0 */
+  size_t polled;            /* how often what is no step might have asked */
   sg_work_end end;
 } sg_work_guard;
 

@@ -170,7 +170,8 @@ sg_door_work_delete(sg_call *call, sg_work *work, int32_t e)
 bool
 sg_door_work_resolve(sg_call *call, sg_work *work, double reach)
 {
-  return sg_work_resolve(work, reach) || sg_call_no_memory(call);
+  return sg_work_resolve_asking(work, reach, &call->cancel) == SG_DONE ||
+         sg_call_ended(call);
 }
 
 bool

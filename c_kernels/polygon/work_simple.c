@@ -416,7 +416,7 @@ static int
 by_place(const void *a, const void *b, void *work)
 {
   int32_t v = *(const int32_t *)a, w = *(const int32_t *)b;
-  int order = sg_work_place(work, v, w);
+  int order = sg_work_poll(work) ? sg_work_place(work, v, w) : 0;
 
   return order ? order : (v > w) - (v < w);
 }

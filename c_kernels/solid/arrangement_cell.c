@@ -126,10 +126,12 @@ triangulate(taking *k, double reach, int32_t *edge, const sg_cancel *cancel)
   sg_outcome outcome = sg_work_triangulate(k->work, &k->found, &stuck, cancel);
 
   for (int i = 0; i < 2 && outcome == SG_STUCK; i++) {
-    if (!restore_edges(k) || !sg_work_resolve(k->work, reaches[i])) {
-      return SG_NO_SPACE;
+    outcome = restore_edges(k)
+                  ? sg_work_resolve_asking(k->work, reaches[i], cancel)
+                  : SG_NO_SPACE;
+    if (outcome == SG_DONE) {
+      outcome = sg_work_triangulate(k->work, &k->found, &stuck, cancel);
     }
-    outcome = sg_work_triangulate(k->work, &k->found, &stuck, cancel);
   }
   *edge = stuck;
   return outcome;

@@ -332,6 +332,30 @@ test_steps(void)
   sg_work_close(work);
 }
 
+/* A sort asks, too; and what has no guard of its own has one as long as it is
+ * resolved. */
+static void
+test_asking(void)
+{
+  static const shape shapes[] = {SPIKES, RAGGED, TWO_ENDS};
+
+  for (int i = 0; i < 3; i++) {
+    sg_work *work = sg_work_open((double[3]){0, 0, 1});
+    int asked = 1;
+    sg_cancel cancel = {stop, &asked};
+
+    make(work, shapes[i], 3000);
+    CHECK("stopped", sg_work_resolve_asking(work, 0, &cancel) == SG_STOPPED);
+    CHECK("by the sort", asked == 2);
+    CHECK("no guard is left", !sg_work_is_guarded(work));
+    sg_work_close(work);
+    work = sg_work_open((double[3]){0, 0, 1});
+    make(work, shapes[i], 30);
+    CHECK("resolved", sg_work_resolve_asking(work, 0, NULL) == SG_DONE);
+    sg_work_close(work);
+  }
+}
+
 int
 main(void)
 {
@@ -340,5 +364,6 @@ main(void)
   test_crossed();
   test_by_far();
   test_steps();
+  test_asking();
   return check_report();
 }
