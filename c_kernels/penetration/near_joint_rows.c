@@ -35,24 +35,14 @@ find_ends(const bend *at, int32_t end[2])
 /* Whether the edge that would replace those through the vertex meets no other.
  * -1: no memory. */
 static int
-is_free(const bend *at, sg_meetings *met)
+is_free(const bend *at)
 {
   int32_t end[2];
+  int meets = find_ends(at, end)
+                  ? sg_work_meeting_but(at->work, end[0], end[1], at->v)
+                  : 1;
 
-  if (!find_ends(at, end)) {
-    return 0;
-  }
-  if (!sg_work_meeting(at->work, end[0], end[1], met)) {
-    return -1;
-  }
-  for (size_t i = 0; i < met->n; i++) {
-    const sg_work_edge *edge = sg_work_get(at->work, met->item[i].edge);
-
-    if (edge->start != at->v && edge->end != at->v) {
-      return 0;
-    }
-  }
-  return 1;
+  return meets < 0 ? -1 : !meets;
 }
 
 /* The oldest edge out of the vertex that does not go to `start`, 0: none. */
@@ -92,7 +82,6 @@ typedef struct merging {
   sg_cut_handle *handle;
   const sg_entered_polygon_list *works;
   sg_key_table number; /* segment, polygon -> of works */
-  sg_meetings met;
 } merging;
 
 /* Where the joint is in polygon k of its piece. False: not there. */
@@ -120,9 +109,7 @@ merge(sg_call *call, merging *m, const sg_piece_joint *joint)
   int fits = 1;
 
   for (int k = 0; k < 2 && fits > 0; k++) {
-    fits = find_bend(m, point, &joint->piece1, k, &at[k])
-               ? is_free(&at[k], &m->met)
-               : 0;
+    fits = find_bend(m, point, &joint->piece1, k, &at[k]) ? is_free(&at[k]) : 0;
   }
   if (fits <= 0) {
     return fits == 0 || sg_call_no_memory(call);
@@ -168,7 +155,6 @@ sg_door_cut_merge_near(sg_call *call, sg_cut_handle *handle,
             sg_call_missing(call, "cut_point", 2)) &&
            merge(call, &m, joint);
   }
-  sg_meetings_clear(&m.met);
   sg_key_table_clear(&m.number);
   return good;
 }

@@ -163,6 +163,9 @@ typedef struct sg_meetings {
  * `out`; false: no memory. Owner of out->item: caller, sg_meetings_clear(). */
 bool sg_work_meeting(sg_work *work, int32_t v1, int32_t v2, sg_meetings *out);
 void sg_meetings_clear(sg_meetings *met);
+/* Is there one, other than those that end in vertex `but`? 1: there is, 0:
+ * there is none; -1: no memory. Exact. */
+int sg_work_meeting_but(sg_work *work, int32_t v1, int32_t v2, int32_t but);
 
 /* PL-6 steps 3, 4 (I) and 4 (II) as one join: the third vertices V3 of edge
  * v1 -> v2, each once. Ends of edges leaving v2 first, then starts of edges

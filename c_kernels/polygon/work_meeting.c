@@ -136,11 +136,15 @@ meet(const sg_work *work, int32_t v1, int32_t v2, const sg_work_edge *edge,
     return false;
   }
   bool shared = v1 == a || v1 == b || v2 == a || v2 == b;
-  int side_a = shared ? 0 : sg_work_turn(work, v1, v2, a);
-  int side_b = shared ? 0 : sg_work_turn(work, v1, v2, b);
   int side_1 = shared ? 0 : sg_work_turn(work, a, b, v1);
   int side_2 = shared ? 0 : sg_work_turn(work, a, b, v2);
-  if (side_a * side_b > 0 || side_1 * side_2 > 0) {
+  if (side_1 * side_2 > 0) { /* asked first: a line that goes on nearly straight
+                                is on one side of the edges that it passed */
+    return false;
+  }
+  int side_a = shared ? 0 : sg_work_turn(work, v1, v2, a);
+  int side_b = shared ? 0 : sg_work_turn(work, v1, v2, b);
+  if (side_a * side_b > 0) {
     return false;
   }
   if (side_a && side_b && side_1 && side_2) {
@@ -216,6 +220,24 @@ sg_meetings_clear(sg_meetings *met)
 {
   free(met->item);
   *met = (sg_meetings){0};
+}
+
+int
+sg_work_meeting_but(sg_work *work, int32_t v1, int32_t v2, int32_t but)
+{
+  sg_work_scan scan;
+
+  if (!sg_work_scan_open(&scan, work, (const int32_t[2]){v1, v2}, 2)) {
+    return -1;
+  }
+  for (int32_t e; (e = sg_work_scan_next(&scan)) != 0;) {
+    const sg_work_edge *edge = &work->edge[e].edge;
+    if (edge->start != but && edge->end != but &&
+        sg_work_meets(work, v1, v2, e)) {
+      return 1;
+    }
+  }
+  return 0;
 }
 
 /* ---- PL-6 step 4 (II) --------------------------------------------------- */

@@ -88,6 +88,20 @@ test_hash(void)
   sg_work_close(s.work);
 }
 
+/* Whether what is said of the edges that do not end in a vertex is not so. */
+static bool
+meeting_but(const scene *s, int32_t v1, int32_t v2, int32_t but,
+            const sg_meetings *all)
+{
+  int want = 0;
+
+  for (size_t i = 0; i < all->n; i++) {
+    const sg_work_edge *edge = sg_work_get(s->work, all->item[i].edge);
+    want |= edge->start != but && edge->end != but;
+  }
+  return sg_work_meeting_but(s->work, v1, v2, but) != want;
+}
+
 static void
 test_meeting(int vertices, int grid, int edges, int rounds)
 {
@@ -117,6 +131,7 @@ test_meeting(int vertices, int grid, int edges, int rounds)
         }
       }
       bad += i != out.n;
+      bad += meeting_but(&s, v1, v2, pick(vertices), &out);
       if (k % 5 == 4 && sg_work_edges(s.work)) { /* and after changes */
         sg_work_delete(s.work, sg_work_next(s.work, 0));
         sg_work_add(s.work, v1, v2, 1, 0);
