@@ -176,10 +176,9 @@ add_split_edge(entering *in, const sg_outline_edge *edge)
 
 /* The ends of its pieces. */
 static bool
-enter_ends(entering *in, int32_t p)
+enter_ends(entering *in, const sg_cut_polygon *polygon)
 {
   const sg_cut_set *set = in->set;
-  const sg_cut_polygon *polygon = sg_cut_set_polygon(set, in->s, p);
 
   for (size_t i = 0; polygon && i < polygon->n; i++) {
     const sg_cut_piece *piece = &set->piece[set->entering[polygon->first + i]];
@@ -197,14 +196,19 @@ sg_cut_enter_outline(const sg_cut_set *set, const sg_outlines *all, size_t i,
                      sg_work *work)
 {
   const sg_outline *polygon = &all->polygon[i];
+  const sg_cut_polygon *cut = sg_cut_set_polygon(set, polygon->s, polygon->p);
+  size_t ends = cut ? 2 * cut->n : 0;
   entering in = {set, work, polygon->s, SG_DONE};
 
+  if (!sg_work_expect(work, polygon->n + ends, polygon->n + 2 * ends)) {
+    return SG_NO_SPACE;
+  }
   for (size_t k = 0; k < polygon->n; k++) {
     if (!add_split_edge(&in, &all->edge[polygon->first + k])) {
       return in.outcome;
     }
   }
-  (void)enter_ends(&in, polygon->p);
+  (void)enter_ends(&in, cut);
   return in.outcome;
 }
 

@@ -66,7 +66,7 @@ close_indexes(sg_work *work)
   sg_work_grid_close(&work->grid);
   sg_work_grid_close(&work->ends);
   sg_work_tips_clear(work);
-  sg_work_forest_clear(&work->forest);
+  sg_work_forest_close(work);
   sg_work_places_clear(work);
 }
 
@@ -156,6 +156,15 @@ int
 sg_work_axis(const sg_work *work)
 {
   return work->axis;
+}
+
+bool
+sg_work_expect(sg_work *work, size_t vertices, size_t edges)
+{
+  return sg_list_need(&work->vertex, vertices, &work->vertex_room,
+                      sizeof *work->vertex) &&
+         sg_list_need(&work->edge, edges + 1, &work->edge_room,
+                      sizeof *work->edge);
 }
 
 /* ---- vertices ----------------------------------------------------------- */

@@ -54,6 +54,9 @@ void sg_work_close(sg_work *work);
 /* Empties it for another polygon: as closing and opening, without the cost. */
 void sg_work_clear(sg_work *work, const double normal[3]);
 
+/* Room for so many of them in all, at once. False: no memory. */
+bool sg_work_expect(sg_work *work, size_t vertices, size_t edges);
+
 /* How far the work on polygons may go, and how far it went. A step is a look at
  * an edge or a vertex. It asks `cancel`, too. Once it has ended, searches find
  * nothing, and nothing that they answered means anything. */

@@ -54,11 +54,11 @@ struct sg_work {
   sg_work_grid grid; /* of living edges, when grid.open */
   sg_work_grid ends; /* of vertices that have edges, + 1, when ends.open */
   size_t looked;     /* at edges, vertices and rings, by sg_candidates_next() */
-  sg_work_forest forest; /* of living edges, when forest.open */
-  sg_work_tree tips;     /* of the vertices that can be in an ear, when */
-  size_t tipped;         /* > 0: the edges that there were then */
-  sg_work_tree places;   /* of the vertices in `ends`, when planted */
-  bool planted, rounded; /* the second: a vertex there is */
+  sg_work_forest *forest; /* of living edges; null: none */
+  sg_work_tree tips;      /* of the vertices that can be in an ear, when */
+  size_t tipped;          /* > 0: the edges that there were then */
+  sg_work_tree places;    /* of the vertices in `ends`, when planted */
+  bool planted, rounded;  /* the second: a vertex there is */
   enum { SG_NOT_ASKED, SG_SIMPLE, SG_NOT_SIMPLE } simple;
   bool orderly;      /* and if simple: the inside is left of every edge */
   int32_t proven[3]; /* the last triangle in whose way nothing was */
@@ -176,6 +176,7 @@ typedef bool sg_work_in_way(void *data, int32_t edge);
 
 sg_work_corners sg_work_corners_of(const sg_work *work,
                                    const int32_t corner[3]);
+void sg_work_forest_close(sg_work *work);
 /* *found: a living edge that is in the way, of those near the triangle, which
  * is counter-clockwise; 0: none is. False: no memory. */
 bool sg_work_forest_find(sg_work *work, const int32_t corner[3],

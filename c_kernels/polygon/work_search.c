@@ -194,7 +194,7 @@ plant_spokes(const sg_work *work, const spoke *of, size_t n, sg_work_plant *out)
 static bool
 plant(sg_work *work, int32_t *number, size_t n)
 {
-  sg_work_forest *f = &work->forest;
+  sg_work_forest *f = work->forest;
   sg_work_plant *fresh = &f->tree[f->trees];
   spoke *of = malloc((n + 1) * sizeof *of);
   bool any = false;
@@ -264,7 +264,7 @@ take_living(const sg_work *work, const sg_work_tree *tree, int32_t *out,
 static bool
 replant(sg_work *work, int trees)
 {
-  sg_work_forest *f = &work->forest;
+  sg_work_forest *f = work->forest;
   size_t room = (size_t)f->n, n = 0;
 
   for (int i = trees; i < f->trees; i++) {
@@ -306,24 +306,36 @@ first_small(const sg_work_forest *f)
   return first;
 }
 
+/* A forest of one tree. False: no memory. */
+static bool
+open_forest(sg_work *work)
+{
+  int32_t *number = malloc((work->living + 1) * sizeof *number);
+  size_t n = 0;
+
+  work->forest = calloc(1, sizeof *work->forest);
+  if (!number || !work->forest) {
+    free(number);
+    return false;
+  }
+  for (int32_t e = work->oldest; e; e = work->edge[e].younger) {
+    number[n] = e;
+    n += is_first(work, e);
+  }
+  sg_work_grid_close(&work->grid); /* a new edge may be in many cells */
+  work->forest->upto = work->edges;
+  return plant(work, number, n);
+}
+
 /* Puts in the edges that came since; all anew where most are gone. False: no
  * memory. */
 static bool
 catch_up(sg_work *work)
 {
-  sg_work_forest *f = &work->forest;
+  sg_work_forest *f = work->forest;
 
-  if (!f->open) {
-    int32_t *number = malloc((work->living + 1) * sizeof *number);
-    size_t n = 0;
-
-    for (int32_t e = work->oldest; number && e; e = work->edge[e].younger) {
-      number[n] = e;
-      n += is_first(work, e);
-    }
-    sg_work_grid_close(&work->grid); /* a new edge may be in many cells */
-    *f = (sg_work_forest){.open = true, .upto = work->edges};
-    return number && plant(work, number, n);
+  if (!f) {
+    return open_forest(work);
   }
   while (f->upto < work->edges) {
     f->fresh[f->n] = ++f->upto;
@@ -336,12 +348,15 @@ catch_up(sg_work *work)
 }
 
 void
-sg_work_forest_clear(sg_work_forest *forest)
+sg_work_forest_close(sg_work *work)
 {
-  while (forest->trees > 0) {
-    clear_plant(&forest->tree[--forest->trees]);
+  sg_work_forest *f = work->forest;
+
+  while (f && f->trees > 0) {
+    clear_plant(&f->tree[--f->trees]);
   }
-  *forest = (sg_work_forest){0};
+  free(f);
+  work->forest = NULL;
 }
 
 /* ---- in a triangle ------------------------------------------------------ */
@@ -449,7 +464,7 @@ bool
 sg_work_forest_find(sg_work *work, const int32_t corner[3],
                     sg_work_in_way *in_way, void *data, int32_t *found)
 {
-  const sg_work_forest *f = &work->forest;
+  const sg_work_forest *f;
   searching s = {
       .work = work, .corner = corner, .in_way = in_way, .data = data};
 
@@ -457,6 +472,7 @@ sg_work_forest_find(sg_work *work, const int32_t corner[3],
   if (!catch_up(work)) {
     return false;
   }
+  f = work->forest;
   s.at = sg_work_corners_of(work, corner);
   for (int i = 0; i < f->n && !*found; i++) {
     *found = is_in_way(&s, f->fresh[i]) ? f->fresh[i] : 0;

@@ -99,7 +99,6 @@ typedef struct sg_work_plant {
 } sg_work_plant;
 
 typedef struct sg_work_forest {
-  bool open;
   sg_work_plant tree[SG_WORK_TREES];
   int trees;
   int32_t fresh[SG_WORK_FRESH];
@@ -107,7 +106,5 @@ typedef struct sg_work_forest {
   int32_t upto; /* the numbers to this one have been put in */
   size_t held;  /* in trees */
 } sg_work_forest;
-
-void sg_work_forest_clear(sg_work_forest *forest);
 
 #endif
