@@ -198,28 +198,25 @@ give(asking *a, term_t args, sg_row row, bool *shared)
          (!a->retracts || retract_answer(a, row));
 }
 
-/* Gives the answer a->next when nothing can go wrong but memory: no variable
- * stands twice, nothing is tried and nothing retracted. */
-static int
-give_plain(asking *a, term_t args)
+/* Whether a row is given by unification alone: what it left where that fails is
+ * undone by the failure. So it is where no variable stands twice, or the row is
+ * the only one, and nothing is tried and nothing retracted. */
+static bool
+is_plain(const asking *a)
 {
-  sg_row row = a->next;
-
-  a->next = sg_walk_next(&a->walk);
-  return unify_row(a, args, row, NULL);
+  return a->plain || (a->next == SG_NO_ROW && !a->strict && !a->retracts);
 }
 
-/* Gives the answer a->next or, when that is none after all, one after it.
- * False: no answer, or an exception is pending. */
+/* Gives `row`, which comes before a->next, or, when that is none after all, one
+ * after it. False: no answer, or an exception is pending. */
 static int
-give_next(asking *a, term_t args)
+give_next(asking *a, term_t args, sg_row row)
 {
-  while (a->next != SG_NO_ROW) {
-    sg_row row = a->next;
+  while (row != SG_NO_ROW) {
     bool shared = false;
-    fid_t frame;
-    a->next = next_answer(a, args);
-    if (PL_exception(0) || !(frame = PL_open_foreign_frame())) {
+    fid_t frame = PL_exception(0) ? 0 : PL_open_foreign_frame();
+
+    if (!frame) {
       return FALSE;
     }
     if (give(a, args, row, &shared)) {
@@ -237,6 +234,8 @@ give_next(asking *a, term_t args)
       sg_walk_rewind(&a->walk);
       a->next = next_answer(a, args);
     }
+    row = a->next;
+    a->next = row == SG_NO_ROW ? SG_NO_ROW : next_answer(a, args);
   }
   return FALSE;
 }
@@ -256,8 +255,11 @@ static foreign_t
 answer(asking *a, bool kept, term_t args)
 {
   asking *keep = a;
+  sg_row row = a->next;
 
-  if (!(a->plain ? give_plain(a, args) : give_next(a, args))) {
+  a->next = row == SG_NO_ROW ? SG_NO_ROW : next_answer(a, args);
+  if (!(row != SG_NO_ROW && is_plain(a) ? unify_row(a, args, row, NULL)
+                                        : give_next(a, args, row))) {
     return asking_end(a, kept, FALSE);
   }
   if (a->next == SG_NO_ROW) {
