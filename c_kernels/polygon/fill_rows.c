@@ -169,45 +169,67 @@ sg_door_fill_triangles(sg_call *call, const sg_segments_asked *ss,
 /* Segments that are asked for, ascending, and which of them were seen. */
 typedef struct seen {
   const sg_int_list *ss;
-  bool *there;  /* [ss->n] */
-  int32_t last; /* rows of a segment mostly stand together */
+  bool *there; /* [ss->n] */
+  size_t left; /* not seen yet */
 } seen;
 
 static void
-see_row(void *reader, const sg_live_row *row)
+see_segment(seen *all, int32_t s)
 {
-  seen *all = reader;
-  int32_t s = sg_row_int(row, 0);
-  size_t at =
-      s == all->last ? SIZE_MAX : sg_find_id(all->ss->at, all->ss->n, s);
+  size_t at = sg_find_id(all->ss->at, all->ss->n, s);
 
-  all->last = s;
-  if (at != SIZE_MAX) {
+  if (at != SIZE_MAX && !all->there[at]) {
     all->there[at] = true;
+    all->left--;
+  }
+}
+
+/* Rows of a segment mostly stand together: many pages have those of one. */
+static void
+see_page(seen *all, const sg_view *view, size_t page)
+{
+  const uint64_t *live = view->live[page];
+  const int32_t *s = view->column[0].page[page].i;
+  bool one = view->span && view->span[page][0] == view->span[page][1];
+  int32_t last = 0;
+
+  for (unsigned i = sg_live_next(live, 0); i < SG_PAGE_ROWS && all->left > 0;
+       i = one ? SG_PAGE_ROWS : sg_live_next(live, i + 1)) {
+    if (s[i] != last) {
+      see_segment(all, last = s[i]);
+    }
   }
 }
 
 /* Those that have rows of a relation (has), or that have none, are left. */
 static bool
-leave(sg_call *call, sg_relation relation, bool has, sg_int_list *ss)
+leave(sg_call *call, const sg_version *version, sg_relation relation, bool has,
+      sg_int_list *ss)
 {
-  seen all = {.ss = ss, .there = sg_call_alloc(call, ss->n)};
+  seen all = {ss, sg_call_alloc(call, ss->n), ss->n};
+  bool stopped = false;
   size_t n = 0;
+  sg_view view;
 
   if (!all.there) {
     return false;
   }
-  memset(all.there, 0, ss->n);
-  if (ss->n > 0 && !sg_each_row(call, relation, see_row, &all)) {
-    return false;
+  if (!sg_version_view(version, relation, &view)) {
+    return sg_call_no_memory(call);
   }
+  memset(all.there, 0, ss->n);
+  for (size_t page = 0; page < view.pages && all.left > 0 && !stopped; page++) {
+    see_page(&all, &view, page);
+    stopped = sg_cancelled(&call->cancel);
+  }
+  sg_view_clear(&view);
   for (size_t i = 0; i < ss->n; i++) {
     if (all.there[i] == has) {
       ss->at[n++] = ss->at[i];
     }
   }
   ss->n = n;
-  return true;
+  return !stopped;
 }
 
 static void
@@ -229,5 +251,6 @@ sg_door_untriangulated_segments(sg_call *call, sg_int_list *ss)
     return false;
   }
   ss->n = sg_sort_ids(ss->at, ss->n);
-  return leave(call, SG_T, false, ss) && leave(call, SG_P, true, ss);
+  return leave(call, version, SG_T, false, ss) &&
+         leave(call, version, SG_P, true, ss);
 }
