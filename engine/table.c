@@ -339,15 +339,11 @@ sg_table_find_run(const sg_table *table, const sg_map *map, const sg_value *row)
 }
 
 sg_row
-sg_table_find(sg_table *table, const sg_map *map, const sg_value *row)
+sg_table_find_indexed(sg_table *table, const sg_map *map, const sg_value *row)
 {
   const sg_relation_info *info = table->info;
   sg_index *index = &table->index[0];
-  sg_row found = sg_table_find_run(table, map, row);
 
-  if (found != SG_NO_ROW) {
-    return found;
-  }
   for (uint32_t r = sg_index_first(index, sg_index_hash(info, info->key, row));
        r != SG_NO_ROW; r = sg_index_next(index, r)) {
     if (sg_map_shows(map, r) &&
@@ -357,6 +353,14 @@ sg_table_find(sg_table *table, const sg_map *map, const sg_value *row)
     }
   }
   return SG_NO_ROW;
+}
+
+sg_row
+sg_table_find(sg_table *table, const sg_map *map, const sg_value *row)
+{
+  sg_row found = sg_table_find_run(table, map, row);
+
+  return found != SG_NO_ROW ? found : sg_table_find_indexed(table, map, row);
 }
 
 static bool

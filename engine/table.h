@@ -240,9 +240,11 @@ void sg_table_unlink(sg_table *table, sg_row row);
 bool sg_table_link_key(sg_table *table, const sg_map *map, sg_row row);
 
 /* The live row that has row's values in the key's columns: if it is in a run;
- * in a run or in the key's index, which is whole. */
+ * if it is in the key's index, which is whole; in either. */
 sg_row sg_table_find_run(const sg_table *table, const sg_map *map,
                          const sg_value *row);
+sg_row sg_table_find_indexed(sg_table *table, const sg_map *map,
+                             const sg_value *row);
 sg_row sg_table_find(sg_table *table, const sg_map *map, const sg_value *row);
 
 #endif

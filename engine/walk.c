@@ -60,7 +60,7 @@ sg_version_find(const sg_version *version, sg_relation relation,
   table->lookups++;
   found = sg_table_find_run(table, version->map[relation], row);
   if (found == SG_NO_ROW && sg_index_build(&table->index[0], table)) {
-    found = sg_table_find(table, version->map[relation], row);
+    found = sg_table_find_indexed(table, version->map[relation], row);
   }
   pthread_mutex_unlock(&world->lock);
   return found;
