@@ -83,12 +83,22 @@ above(const double t[3][3], const double p[3])
   return -sg_orient3d(t[0], t[1], t[2], p);
 }
 
-/* Which side of t's plane each corner of `of` is on. */
+static bool
+is_at(const double p[3], const double q[3])
+{
+  return p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
+}
+
+/* Which side of t's plane each corner of `of` is on: corners in common are in
+ * it. */
 static void
 sides(const double t[3][3], const double of[3][3], int side[3])
 {
   for (int i = 0; i < 3; i++) {
-    side[i] = above(t, of[i]);
+    bool common =
+        is_at(t[0], of[i]) || is_at(t[1], of[i]) || is_at(t[2], of[i]);
+
+    side[i] = common ? 0 : above(t, of[i]);
   }
 }
 

@@ -135,6 +135,36 @@ normal_of(const double *const p[4], int i, int j, int k, double out[3])
   sg_cross(u, w, out);
 }
 
+/* How much the four points span, from the first, and the square of the longest
+ * way from there. */
+static double
+volume_of(const double *const p[4], double *square)
+{
+  double way[3][3], n[3];
+
+  *square = 0.0;
+  for (int i = 0; i < 3; i++) {
+    sg_minus(p[i + 1], p[0], way[i]);
+    *square = sg_larger(*square, sg_dot(way[i], way[i]));
+  }
+  sg_cross(way[0], way[1], n);
+  return fabs(sg_dot(n, way[2]));
+}
+
+/* Most are, which takes no root to see: no face of what they span is larger
+ * than the square of the longest side, and that is at most twice the longest
+ * way from a corner. Rounding takes no 2^-40 of all this. */
+static bool
+are_far_from_flat(const sg_cut_set *set, const double *const p[4])
+{
+  double square, volume = volume_of(p, &square);
+  double least = volume * 0x1p-3;
+
+  return square > 1e-100 && square < 1e100 &&
+         least > square * set->flat_within &&
+         least * least > 0x1p-80 * square * square * square;
+}
+
 /* Whether four points are in one plane: exactly, or the least height of what
  * they span is within the tolerance. No normal of a sliver is asked. */
 static bool
@@ -142,6 +172,9 @@ are_flat(const sg_cut_set *set, const double *const p[4])
 {
   double n[3], way[3], area = 0.0, volume;
 
+  if (are_far_from_flat(set, p)) {
+    return false;
+  }
   if (sg_orient3d(p[0], p[1], p[2], p[3]) == 0) {
     return true;
   }

@@ -11,6 +11,7 @@
 #include "doors/penetration.h"
 #include "engine/list.h"
 #include "engine/search.h"
+#include "join/apart.h"
 #include "join/bvh_join.h"
 #include "join/self_leaf.h"
 
@@ -118,6 +119,7 @@ sg_cut_open_clear(sg_cut_handle *handle)
   free(handle->segment);
   free(handle->pair);
   free(handle->candidate);
+  free(handle->apart);
   free(handle->quiet);
   free(handle->own);
   free(handle->sharing);
@@ -126,6 +128,7 @@ sg_cut_open_clear(sg_cut_handle *handle)
   handle->segment = NULL;
   handle->pair = NULL;
   handle->candidate = NULL;
+  handle->apart = NULL;
   handle->own = NULL;
   handle->sharing = NULL;
   handle->segments = handle->pairs = 0;
@@ -141,6 +144,8 @@ typedef struct join {
   sg_bvh_pair *pair;
   size_t pairs;
   uint32_t **number; /* [segments][leaves], from 1; 0: none yet; null: none */
+  sg_apart *apart;   /* [aparts], of triangles by number */
+  size_t aparts, apart_room;
 } join;
 
 /* A leaf without one of its corners. */
@@ -173,12 +178,28 @@ take_pairs(join *j, bool curve)
   }
 }
 
+/* Of the triangle that came last. False: no memory. */
+static bool
+add_apart(join *j)
+{
+  const sg_cut_model *model = &j->handle->set.model;
+  double corner[3][3];
+
+  if (!sg_list_grow(&j->apart, j->aparts, &j->apart_room, sizeof *j->apart)) {
+    return false;
+  }
+  sg_cut_model_corners(model, (uint32_t)model->triangles - 1, corner);
+  sg_apart_make((const double(*)[3])corner, j->handle->reach,
+                &j->apart[j->aparts++]);
+  return true;
+}
+
 /* Adds a leaf to the model. False: no memory. */
 static bool
-add_leaf(sg_cut_handle *handle, const sg_leaf_tree *tree, uint32_t row,
-         uint32_t *number)
+add_leaf(join *j, const sg_leaf_tree *tree, uint32_t row, uint32_t *number)
 {
-  sg_cut_model *model = &handle->set.model;
+  const sg_cut_handle *handle = j->handle;
+  sg_cut_model *model = &j->handle->set.model;
   sg_leaf leaf = sg_leaf_at(tree, &handle->views, row);
   bool known;
 
@@ -190,7 +211,7 @@ add_leaf(sg_cut_handle *handle, const sg_leaf_tree *tree, uint32_t row,
   *number = !known        ? REFUSED
             : tree->curve ? (uint32_t)model->edges
                           : (uint32_t)model->triangles;
-  return true;
+  return tree->curve || !known || add_apart(j);
 }
 
 /* The number in the model of the leaf at `at` of the tree of segment `place`,
@@ -209,25 +230,83 @@ number_of(join *j, size_t place, uint32_t at, uint32_t *out)
   }
   uint32_t *number = &j->number[place][at];
 
-  if (*number == 0 &&
-      !add_leaf(j->handle, tree, tree->boxes->item[at], number)) {
+  if (*number == 0 && !add_leaf(j, tree, tree->boxes->item[at], number)) {
     return false;
   }
   *out = *number;
   return true;
 }
 
-/* The box of a leaf, as exact as its corners. */
+/* The box of an edge. */
 static sg_box
-box_of(const sg_cut_model *model, bool curve, uint32_t number)
+edge_box(const sg_cut_model *model, uint32_t number)
 {
-  const uint32_t *v = curve ? model->edge[number].v : model->triangle[number].v;
+  const uint32_t *v = model->edge[number].v;
   sg_box box = sg_box_none();
 
-  for (int i = 0; i < (curve ? 2 : 3); i++) {
+  for (int i = 0; i < 2; i++) {
     sg_box_add(&box, model->vertex[v[i]].at);
   }
   return box;
+}
+
+/* Two triangles have nothing in common, and nothing that could touch. */
+static bool
+are_apart(const join *j, uint32_t a, uint32_t b)
+{
+  const sg_cut_model *model = &j->handle->set.model;
+  const uint32_t *v = model->triangle[a].v, *w = model->triangle[b].v;
+  const sg_leaf_vertex *at = model->vertex;
+
+  return sg_apart_by_plane(
+             &j->apart[a],
+             (const double *const[3]){at[w[0]].at, at[w[1]].at, at[w[2]].at}) ||
+         sg_apart_by_plane(
+             &j->apart[b],
+             (const double *const[3]){at[v[0]].at, at[v[1]].at, at[v[2]].at});
+}
+
+/* All corners of triangle a are corners of b. */
+static bool
+are_twins(const sg_cut_model *model, uint32_t a, uint32_t b)
+{
+  for (int i = 0; i < 3; i++) {
+    const double *p = model->vertex[model->triangle[a].v[i]].at;
+    bool is = false;
+
+    for (int k = 0; k < 3 && !is; k++) {
+      const double *q = model->vertex[model->triangle[b].v[k]].at;
+
+      is = p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
+    }
+    if (!is) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* A hit whose exact boxes overlap is a candidate. */
+static void
+keep_hit(join *j, bool curve, uint32_t a, uint32_t b)
+{
+  sg_cut_handle *handle = j->handle;
+  sg_box of_edge;
+  const sg_box *box = &of_edge;
+
+  if (curve) {
+    of_edge = edge_box(&handle->set.model, a);
+  } else {
+    box = &j->apart[a].box;
+  }
+  if (sg_box_overlap(box, &j->apart[b].box, handle->reach)) {
+    if (!curve) {
+      handle->apart[handle->candidates] = are_apart(j, a, b);
+      handle->twins = handle->twins || are_twins(&handle->set.model, a, b);
+    }
+    handle->candidate[handle->candidates][0] = a;
+    handle->candidate[handle->candidates++][1] = b;
+  }
 }
 
 /* Makes candidates of hits; those whose exact boxes miss are dropped. */
@@ -235,18 +314,17 @@ static bool
 keep_hits(sg_call *call, join *j, const sg_bvh_hits *hits)
 {
   sg_cut_handle *handle = j->handle;
-  size_t room = handle->candidates;
+  size_t room = handle->candidates, apart_room = room;
 
   if (!sg_list_need(&handle->candidate, handle->candidates + hits->n, &room,
-                    sizeof *handle->candidate)) {
+                    sizeof *handle->candidate) ||
+      !sg_list_need(&handle->apart, handle->candidates + hits->n, &apart_room,
+                    sizeof *handle->apart)) {
     return sg_call_no_memory(call);
   }
-  uint32_t(*candidate)[2] = handle->candidate;
-
   for (size_t k = 0; k < hits->n; k++) {
     const sg_bvh_hit *hit = &hits->hit[k];
     const size_t *place = j->place[hit->pair];
-    const sg_cut_model *model = &handle->set.model;
     uint32_t a, b;
 
     if (k % ASKED == ASKED - 1 && sg_cancelled(&call->cancel)) {
@@ -256,15 +334,8 @@ keep_hits(sg_call *call, join *j, const sg_bvh_hits *hits)
         !number_of(j, place[1], hit->b, &b)) {
       return sg_call_no_memory(call);
     }
-    if (a == REFUSED || b == REFUSED) {
-      continue;
-    }
-    sg_box of_a = box_of(model, handle->tree[place[0]]->tree->curve, a - 1);
-    sg_box of_b = box_of(model, false, b - 1);
-
-    if (sg_box_overlap(&of_a, &of_b, handle->reach)) {
-      candidate[handle->candidates][0] = a - 1;
-      candidate[handle->candidates++][1] = b - 1;
+    if (a != REFUSED && b != REFUSED) {
+      keep_hit(j, handle->tree[place[0]]->tree->curve, a - 1, b - 1);
     }
   }
   return true;
@@ -336,6 +407,9 @@ sg_cut_quiet(sg_call *call, sg_cut_handle *handle)
   if (!(handle->quiet = calloc(handle->curve_candidates + 1, 1))) {
     return sg_call_no_memory(call);
   }
+  if (!handle->twins) {
+    return true;
+  }
   sg_sort_end end = sg_cut_find_quiet(
       &handle->set.model, (const uint32_t(*)[2])handle->candidate,
       handle->curve_candidates, handle->quiet, &call->cancel);
@@ -363,6 +437,7 @@ sg_cut_join(sg_call *call, sg_cut_handle *handle)
     free(j.number[i]);
   }
   free(j.number);
+  free(j.apart);
   free(j.pair);
   free(j.place);
   return handle->joined;

@@ -11,7 +11,7 @@
 #include <string.h>
 
 enum {
-  FEW = 8,    /* edges of a polygon that are read for each of its triangles */
+  FEW = 4,    /* edges of a polygon that are read for each of its triangles */
   KNOWN = 8,  /* beside bits 1, 2, 4: edges 0, 1, 2 are real */
   EDGE = 0x1c /* columns of e/5: its vertices and type */
 };

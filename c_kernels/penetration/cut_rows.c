@@ -172,7 +172,7 @@ sg_door_cut_find(sg_call *call, sg_cut_handle *handle)
   for (size_t k = 0; k < handle->curve_candidates; k++) {
     const uint32_t *pair = handle->candidate[k];
 
-    if ((!handle->without_quiet || !handle->quiet[k]) &&
+    if (!handle->apart[k] && (!handle->without_quiet || !handle->quiet[k]) &&
         sg_cut_set_enter(&handle->set, pair[0], pair[1]) < 0) {
       return sg_call_no_memory(call);
     }

@@ -37,7 +37,9 @@ typedef struct sg_cut_handle {
   sg_leaf_views views;                 /* of the version */
   uint32_t (*candidate)[2];            /* triangles, and then curve edges */
   size_t candidates, curve_candidates; /* the second: where those begin */
-  bool joined;                         /* the candidates are there */
+  uint8_t *apart; /* [curve_candidates] that have nothing in common, nor near */
+  bool twins;     /* some have the same corners: else none are quiet */
+  bool joined;    /* the candidates are there */
   bool few; /* of many sheets that touch some are enough: cut_few_sheets/1 */
   uint8_t
       *quiet; /* [curve_candidates] cut_coincident.h; null: not asked for yet */

@@ -74,6 +74,9 @@ each_pair(sg_call *call, sg_resolving *job, use_pair *use, use_pair *quiet)
     if (i % ASKED == ASKED - 1 && sg_cancelled(&call->cancel)) {
       return false;
     }
+    if (handle->apart[i] && !handle->quiet[i]) {
+      continue;
+    }
     get_leaf(job, handle->candidate[i][0], &leaf[0]);
     get_leaf(job, handle->candidate[i][1], &leaf[1]);
     if (leaf[0].s != leaf[1].s) {
@@ -128,7 +131,7 @@ each_crossing(sg_call *call, sg_resolving *job)
       break;
     }
     const uint32_t *pair = handle->candidate[i / 2];
-    uint32_t k = chain.first[pair[i % 2]];
+    uint32_t k = handle->apart[i / 2] ? SG_NO_KEY : chain.first[pair[i % 2]];
     sg_resolve_leaf leaf;
 
     if (k != SG_NO_KEY) {
