@@ -1,5 +1,7 @@
 #include "atomic_file.h"
 
+#include "content.h"
+#include "left_over.h"
 #include "real_path.h"
 
 #include <errno.h>
@@ -14,7 +16,7 @@
 #include <sys/xattr.h>
 #include <unistd.h>
 
-enum { MOST_NAMES = 100, MOST_HELD = 64, BLOCK = 1 << 16, ACL_BYTES = 4096 };
+enum { MOST_NAMES = 100, MOST_HELD = 64, ACL_BYTES = 4096 };
 
 static const char acl[] = "system.posix_acl_access";
 
@@ -24,6 +26,7 @@ typedef struct entry {
   char *own;     /* what is written; null: it is `held`, and has no name */
   int held;      /* or -1 */
   char *old;     /* during a commit: what was at `path` before, or null */
+  bool locked;   /* what is held is, so that it is known for ours */
   bool in_place; /* the content of `path` is replaced, not the file */
   bool placed;
   pid_t process; /* a fork drops none of its parent's */
@@ -50,8 +53,8 @@ new_file(const char *folder, size_t n, const char *ending, mode_t mode,
 
   snprintf(old, sizeof(old), "/proc/self/fd/%d", *fd);
   for (int i = 0; i < MOST_NAMES; i++) {
-    char name[] = ".sanggwan-............";
-    unsigned char random[12];
+    char name[] = SG_LEFT_NAME "............";
+    unsigned char random[SG_LEFT_LETTERS];
     if (getrandom(random, sizeof(random), 0) != (ssize_t)sizeof(random)) {
       return errno;
     }
@@ -101,19 +104,27 @@ new_nameless(entry *e, mode_t mode, int *fd)
     return false;
   }
   held++;
+  e->locked = sg_left_lock(file);
   *fd = file;
   return true;
 }
 
-/* Gives a file without one a name. */
+/* Gives a file without one a name: its own, if nothing is there yet. */
 static int
 name_held(entry *e)
 {
-  int fd = e->held;
+  char fd[32];
+  int held_fd = e->held;
 
-  return e->own ? 0
-                : new_file(e->path, sg_folder_length(e->path), "", 0, &e->own,
-                           &fd);
+  if (e->own) {
+    return 0;
+  }
+  snprintf(fd, sizeof(fd), "/proc/self/fd/%d", e->held);
+  e->placed = linkat(AT_FDCWD, fd, AT_FDCWD, e->path, AT_SYMLINK_FOLLOW) == 0;
+  return e->placed
+             ? 0
+             : new_file(e->path, sg_folder_length(e->path),
+                        e->locked ? SG_LEFT_ENDING : "", 0, &e->own, &held_fd);
 }
 
 static int
@@ -319,71 +330,6 @@ sg_atomic_scratch(const char *ending, uint64_t *id, char **path)
 
 /* ---- committing -------------------------------------------------------- */
 
-static int
-copy_bytes(int from, int to)
-{
-  char block[BLOCK];
-  ssize_t n;
-
-  while ((n = read(from, block, sizeof(block))) > 0) {
-    for (ssize_t done = 0, k; done < n; done += k) {
-      if ((k = write(to, block + done, (size_t)(n - done))) < 0) {
-        if (errno != EINTR) {
-          return errno;
-        }
-        k = 0;
-      }
-    }
-  }
-  return n < 0 ? errno : 0;
-}
-
-/* Makes room for all of `size` bytes before the first one is changed. */
-static int
-reserve(int fd, off_t size)
-{
-  struct stat st;
-  int error;
-
-  if (fstat(fd, &st) != 0) {
-    return errno;
-  }
-  if (size <= st.st_size) {
-    return 0;
-  }
-  error = posix_fallocate(fd, st.st_size, size - st.st_size);
-  if (error == ENOSPC || error == EDQUOT || error == EFBIG) {
-    return ftruncate(fd, st.st_size) == 0 ? error : errno;
-  }
-  return 0;
-}
-
-/* The file `to` gets the content of the file `own`. */
-static int
-replace_content(const char *own, const char *to)
-{
-  int from = open(own, O_RDONLY | O_CLOEXEC);
-  int file = open(to, O_WRONLY | O_NOFOLLOW | O_CLOEXEC);
-  int error = from < 0 || file < 0 ? errno : 0;
-  struct stat st;
-
-  if (!error && fstat(from, &st) != 0) {
-    error = errno;
-  }
-  if (!error && !(error = reserve(file, st.st_size)) &&
-      !(error = copy_bytes(from, file)) &&
-      (ftruncate(file, st.st_size) != 0 || fsync(file) != 0)) {
-    error = errno;
-  }
-  if (from >= 0) {
-    close(from);
-  }
-  if (file >= 0 && close(file) != 0 && !error) {
-    error = errno;
-  }
-  return error;
-}
-
 /* Gives what is at the path another name too; false: it cannot be. */
 static bool
 keep_file(entry *e)
@@ -411,7 +357,7 @@ keep_content(entry *e)
 
   if (!error) {
     close(fd);
-    error = replace_content(e->path, e->old);
+    error = sg_content_replace(e->path, e->old);
   }
   return error;
 }
@@ -424,7 +370,7 @@ undo(entry *e)
   bool back = true;
 
   if (e->old && e->in_place) {
-    back = !e->placed || replace_content(e->old, e->path) == 0;
+    back = !e->placed || sg_content_replace(e->old, e->path) == 0;
   } else if (e->old) {
     back = rename(e->old, e->path) == 0;
   } else if (e->placed) {
@@ -447,6 +393,9 @@ place(entry *e, bool alone)
   bool there = lstat(e->path, &st) == 0;
   int error;
 
+  if (e->placed) {
+    return 0;
+  }
   if (there && !S_ISREG(st.st_mode)) {
     return S_ISDIR(st.st_mode) ? EISDIR : EXDEV; /* made meanwhile */
   }
@@ -464,7 +413,7 @@ place(entry *e, bool alone)
   error = keep_content(e);
   if (!error) {
     e->placed = true;
-    error = replace_content(e->own, e->path);
+    error = sg_content_replace(e->own, e->path);
   }
   return error;
 }
@@ -518,7 +467,9 @@ finish(const uint64_t *id, size_t n)
     if (e->old) {
       unlink(e->old);
     }
-    unlink(e->own);
+    if (e->own) {
+      unlink(e->own);
+    }
     release(e);
     *at = e->next;
     e->next = done;
@@ -535,6 +486,7 @@ sync_folders(entry *done)
     entry *e = done;
     done = e->next;
     if (!done || !same_folder(done->path, e->path)) {
+      sg_left_swept(e->path);
       sg_atomic_sync_folder(e->path);
     }
     free_entry(e);

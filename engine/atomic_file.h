@@ -1,12 +1,13 @@
 /* atomic_file.h -- files that appear whole, several at once, or not at all.
  *
  * Layer: engine; no Prolog. A file is written without a name, so that nothing
- * of it stays whatever ends the process. When it is complete, it gets one that
- * nobody can guess, beside the one that it is to have, and the two change
- * places in one step. Where the file system has no files without a name (NFS),
- * or there are many, it has the first of these names while it is written, too.
- * Errors are values of errno, 0 is success. Any thread may call any of these at
- * any time.
+ * of it stays whatever ends the process. When it is complete, it gets its own
+ * if that is free, else one that nobody can guess, beside it, and the two
+ * change places in one step. What a process that is killed just then leaves
+ * there, the next commit in this folder takes away (left_over.h). Where the
+ * file system has no files without a name (NFS), or there are many, it has the
+ * first of these names while it is written, too. Errors are values of errno, 0
+ * is success. Any thread may call any of these at any time.
  */
 #ifndef SG_ATOMIC_FILE_H
 #define SG_ATOMIC_FILE_H

@@ -2,7 +2,7 @@
 
 import { $, h, arrows } from "./dom.js";
 import { w, otherTongue } from "./words.js";
-import { LOOKS } from "./link.js";
+import { LOOKS, lookCalled } from "./link.js";
 
 export const FORMATS = {
   drawing: ["pdf", "svg", "dxf", "hpgl", "png", "eps", "json"],
@@ -77,7 +77,7 @@ export class Bar {
     const { studio } = this;
     const choice = (key) => {
       const select = h("select", { onchange: () => { studio.looks[key] = select.value; studio.looked(); } },
-        ...LOOKS[key].map((value) => h("option", { value }, w(value))));
+        ...LOOKS[key].map((value) => h("option", { value }, lookCalled(value))));
       select.value = studio.looks[key] || LOOKS[key][0];
       return h("label", {}, w(key), select);
     };
@@ -86,7 +86,7 @@ export class Bar {
     const count = h("select", { onchange: () => studio.ports.many(Number(count.value)) },
       ...[1, 2, 3, 4, 5, 6].map((value) => h("option", { value }, String(value))));
     count.value = studio.ports.ports.length;
-    return [choice("hidden"), choice("lines"),
+    return [choice("hidden"), choice("lines"), choice("up"),
       h("label", {}, w("central"), central), h("label", {}, w("ports"), count),
       ...(studio.record ? [] : [h("button", { onclick: () => studio.halved() }, w("two_windows"))])];
   }

@@ -3,7 +3,8 @@
 import { $, h, calm } from "./dom.js";
 import { w, tongue } from "./words.js";
 import { textOf } from "./wire.js";
-import { eyeWords } from "./kinds.js";
+import { eyeWords, upWords } from "./kinds.js";
+import { LOOKS } from "./link.js";
 
 const VERBS = { drawing: "draw", shaded: "render", pattern: "unfold", model: "convert" };
 
@@ -40,15 +41,13 @@ async function exportPage(studio) {
   calm(60000, () => URL.revokeObjectURL(address))();
 }
 
-const LOOKS = ["projection", "hidden", "lines"];
-
 // The options of a drawing of what a port shows.
 function drawingWords(port) {
   const { kind, settings, studio } = port;
-  if (kind === "sheet") return ["--sheet", settings.paper, "--language", tongue()];
-  if (kind === "section") return ["--section", `${settings.axis}=${port.at}`];
+  if (kind === "sheet") return ["--sheet", settings.paper, "--language", tongue(), ...upWords(studio)];
+  if (kind === "section") return ["--section", `${settings.axis}=${port.at}`, ...upWords(studio)];
   const looks = kind === "apart" ? { hidden: "removed", ...studio.looks } : studio.looks;
-  const words = LOOKS.flatMap((key) => (looks[key] ? ["--" + key, looks[key]] : []));
+  const words = Object.keys(LOOKS).flatMap((key) => (looks[key] ? ["--" + key, looks[key]] : []));
   if (kind === "apart") return [...eyeWords(port), "--explode", String(port.factor), ...words];
   if (port.turns) return [...eyeWords(port), ...words];
   return port.slow ? words : ["--view", kind, ...words];
@@ -57,6 +56,7 @@ function drawingWords(port) {
 function shadedWords(port) {
   const { projection } = port.studio.looks;
   return [...eyeWords(port), "--shade", port.settings.shade || "lambert", ...(projection ? ["--projection", projection] : []),
+    ...upWords(port.studio),
     ...(port.kind === "section" ? ["--section", `${port.settings.axis}=${port.at}`] : [])];
 }
 

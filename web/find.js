@@ -1,8 +1,9 @@
 // Ctrl-K: any command, name or predicate, by a part of what it is called.
 
 import { h, calm } from "./dom.js";
-import { w, otherTongue } from "./words.js";
+import { w, tongue, otherTongue } from "./words.js";
 import { kindsOf } from "./kinds.js";
+import { LOOKS, lookCalled } from "./link.js";
 import { Lost } from "./wire.js";
 
 const MOST = 30;
@@ -11,7 +12,7 @@ const MOST = 30;
 function commands(studio) {
   const named = (...words) => words.join(": ");
   const { change, looks, ports } = studio;
-  const look = (key, values) => values.map((value) => [named(w(key), w(value)), () => {
+  const look = (key, values) => values.map((value) => [named(w(key), lookCalled(value)), () => {
     looks[key] = value;
     studio.looked();
   }]);
@@ -20,7 +21,7 @@ function commands(studio) {
     ...["tree", "text", "rules"].map((pane) => [w(pane), () => { studio.paneTo("left"); studio.leftTo(pane); }]),
     [w("clear"), () => studio.asking.clear()], [w("larger"), () => ports.enlarge(ports.focused())],
     ...kindsOf(studio).map((kind) => [named(w("menu"), w(kind)), () => ports.focused().turnTo(kind)]),
-    ...look("hidden", ["dashed", "removed", "shown"]), ...look("lines", ["feature", "all", "penetration"]),
+    ...["hidden", "lines", "up"].flatMap((key) => look(key, LOOKS[key])),
     [w("central"), () => {
       looks.projection = looks.projection === "central" ? "parallel" : "central";
       studio.looked();
@@ -79,7 +80,8 @@ export function find(studio) {
     if (/^[a-z]\w+$/.test(text)) {
       try {
         const { head } = await studio.wire.ask("complete", { text });
-        predicates = head.words.map(({ word, doc }) => [word, () => studio.asking.set(word.split("/")[0] + "("), doc]);
+        predicates = head.words.filter(({ kind }) => kind !== "request")
+          .map(({ word, doc, ko }) => [word, () => studio.asking.set(word.split("/")[0] + "("), tongue() === "ko" ? ko : doc]);
       } catch (error) {
         if (!(error instanceof Lost)) throw error;
       }

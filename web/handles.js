@@ -131,7 +131,7 @@ export class Handles {
     const { picture } = port;
     port.knobs ??= picture.svg.appendChild(s("g", { class: "handles" }));
     const held = port.knobs.contains(document.activeElement) ? document.activeElement.dataset.name : null;
-    const space = port.kind === "section" ? null : spaceOf(port, picture.shown?.place);
+    const space = port.kind === "section" ? null : spaceOf(port, picture.shown);
     if (!space) {
       port.knobs.replaceChildren();
       return;
@@ -139,7 +139,7 @@ export class Handles {
     const { scale, seen, where } = space;
     const size = picture.svg.getScreenCTM()?.a || 1;
     port.knobs.replaceChildren(...this.list.flatMap((one) => {
-      const way = seen(one.axis);
+      const way = seen(one.axis, one.middle);
       const far = Math.hypot(...way);
       if (far < 0.15 * scale * Math.hypot(...one.axis)) return [];    // it goes to the eye
       const from = where(one.middle);

@@ -40,6 +40,9 @@ function viewKeys(port, width, height) {
   return keys;
 }
 
+// Which axis points up, if it is another one.
+export const upWords = ({ looks: { up } }) => (up ? ["--up", up] : []);
+
 export const eyeWords = (port) => ["--view", port.angles.map((angle) => angle.toFixed(4)).join(",")];
 
 // `before`: by the rules that the model follows, while others are tried.
@@ -106,7 +109,8 @@ const shaded = {
     const fine = port.drag ? 0.5 : Math.min(2, window.devicePixelRatio || 1);
     port.dots = [width, height].map((n) => Math.max(1, Math.round(n * fine)));
     port.words = [...eyeWords(port), "--size", port.dots.join("x"),
-      ...(port.studio.looks.projection === "central" ? ["--projection", "central"] : [])];
+      ...(port.studio.looks.projection === "central" ? ["--projection", "central"] : []),
+      ...upWords(port.studio)];
     port.coarse = Boolean(port.drag);
     return port.studio.wire.ask("shaded", { options: [...port.words, "--shade", port.settings.shade,
       "--smooth", port.drag ? "1" : "4", "--background", "none"] });
@@ -123,7 +127,7 @@ const sheet = {
     return [choice(port, "paper", "paper", PAPERS), ...penTools(port, slider)];
   },
   ask: async (port) => {
-    const options = ["--sheet", port.settings.paper, "--language", document.documentElement.lang];
+    const options = ["--sheet", port.settings.paper, "--language", document.documentElement.lang, ...upWords(port.studio)];
     const reply = await port.studio.wire.ask("sheet", port.settings.pens ? { options, pens: true } : { options });
     port.after = () => penShown(port, reply);
     return reply;

@@ -1,12 +1,17 @@
 // The address of the page: behind the # the secret, if it has that, and what is seen.
 
 import { calm } from "./dom.js";
+import { w } from "./words.js";
 
 export const LOOKS = {
   projection: ["parallel", "central"],
   hidden: ["dashed", "removed", "shown"],
   lines: ["feature", "all", "penetration"],
+  up: ["z", "y", "x"],
 };
+
+// What a value of these is called: an axis as it is.
+export const lookCalled = (value) => (value.length > 1 ? w(value) : value);
 
 export class Link {
   constructor() {

@@ -265,6 +265,7 @@ class Studio {
     this.tree.forget();
     this.tried();
     for (const layer of ["chosen", "hover"]) this.light(layer, []);
+    for (const port of this.ports.ports) if (!port.alone) port.emptied();
   }
 
   // What the rules that are tried made of the lines.

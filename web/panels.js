@@ -3,6 +3,7 @@
 import { h, calm, say } from "./dom.js";
 import { w, said, tongue, reworded } from "./words.js";
 import { Lost, textOf } from "./wire.js";
+import { upWords } from "./kinds.js";
 
 const QUICK = 1000;       // ms: what is asked again by itself
 const NAME = /\b(s\d+(?:[epvj]-?\d+)?|l\d+)\b/;
@@ -12,6 +13,15 @@ function linked(text, studio) {
   const parts = text.split(new RegExp(NAME, "g"));
   return parts.map((part, i) => i % 2
     ? h("button", { class: "name", onclick: () => studio.chosen([part]) }, part) : part);
+}
+
+// An explanation: a line that is too long goes on further in than it began.
+function explained(text, studio, wrong) {
+  return h("pre", { class: wrong ? "bad" : "" }, ...text.split("\n").map((line, i, lines) => {
+    const one = h("span", { class: "step" }, ...linked(line + (i + 1 < lines.length ? "\n" : ""), studio));
+    one.style.setProperty("--in", /^ */.exec(line)[0].length + 2);
+    return one;
+  }));
 }
 
 export class Asking {
@@ -84,8 +94,8 @@ export class Asking {
     try {
       const { head } = await this.studio.wire.ask("complete", { text: word[0] });
       const before = this.box.value.slice(0, word.index);
-      this.words.replaceChildren(...head.words.slice(0, 12).map(({ word: name, doc }) =>
-        h("option", { value: before + name.split("/")[0] }, doc)));
+      this.words.replaceChildren(...head.words.slice(0, 12).map(({ word: name, doc, ko }) =>
+        h("option", { value: before + name.split("/")[0] }, tongue() === "ko" ? ko : doc)));
     } catch (error) {
       if (!(error instanceof Lost)) throw error;
     }
@@ -244,7 +254,7 @@ export class Why {
       const { head, body } = await this.studio.wire.ask("explain", { item, lang: tongue(), options });
       const text = head.error ? said(head.error) : textOf(body.slice(0, head.stdout)).trimEnd();
       return [h("p", { class: "chip" }, h("strong", {}, item)),
-        h("pre", { class: head.error ? "bad" : "" }, ...linked(text, this.studio))];
+        explained(text, this.studio, head.error)];
     });
     await again();
   }
@@ -259,11 +269,11 @@ export class Why {
     const { lines, projection } = studio.looks;
     const looks = [...(port && port.turns ? ["--view", port.angles.map((angle) => angle.toFixed(6)).join(",")]
       : port && !port.slow ? ["--view", port.kind] : []),
-    ...(lines ? ["--lines", lines] : []), ...(projection ? ["--projection", projection] : [])];
+    ...(lines ? ["--lines", lines] : []), ...(projection ? ["--projection", projection] : []), ...upWords(studio)];
     for (const item of explain) {
       const { head, body } = await studio.wire.ask("explain", { item, lang: tongue(), options: looks });
       const text = head.error ? said(head.error) : textOf(body.slice(0, head.stdout)).trimEnd();
-      parts.push(h("pre", { class: head.error ? "bad" : "" }, ...linked(text, studio)));
+      parts.push(explained(text, studio, head.error));
     }
     if (!explain.length) parts.push(h("p", { class: "quiet", "data-word": "nothing_why" }));
     if (edge && studio.isText) {

@@ -1,6 +1,7 @@
 // A picture: strokes as numbers, what is lit, and which line is near a point.
 
 import { s } from "./dom.js";
+import { Nearest } from "./nearest.js";
 
 // Which segment is meant by another one, and whether it has its edges: parts of
 // what is taken apart have, and patterns of facets. These have both halves of an
@@ -26,7 +27,7 @@ export function strokesOf({ head, body }) {
       whole: !of.edges && e > 0 });
     i += 5 + e + 2 * p;
   }
-  return { strokes, looks: head.looks, sheet: head.sheet, place: head.place, texts: head.texts || [] };
+  return { strokes, looks: head.looks, sheet: head.sheet, place: head.place, central: head.central, texts: head.texts || [] };
 }
 
 const pair = (points, i) => `${points[2 * i]} ${points[2 * i + 1]}`;
@@ -56,8 +57,24 @@ const FILLING = new Set(["hatching", "fold_up", "fold_down", "number", "face_nam
 
 export const nameOf = (segment, edge) => (edge === undefined ? `s${segment}` : `s${segment}e${edge}`);
 
-// The strokes that have a name.
-export const named = ({ strokes }) => strokes.filter(({ edges, whole }) => edges.length || whole);
+// A name as numbers: those of a segment and, if it is that of an edge, this.
+const numbersOf = (name) => /^s(\d+)(?:e(-?\d+))?$/.exec(name)?.slice(1).filter(Boolean).map(Number) || [];
+
+// Which segments, and of each segment which edges.
+function numbered(names) {
+  const whole = new Set(), edges = new Map();
+  for (const name of names) {
+    const [segment, edge] = numbersOf(name);
+    if (edge !== undefined) addEdge(edges, segment, edge);
+    else if (segment !== undefined) whole.add(segment);
+  }
+  return { whole, edges };
+}
+
+function addEdge(edges, segment, edge) {
+  if (!edges.has(segment)) edges.set(segment, new Set());
+  edges.get(segment).add(edge);
+}
 
 export class Picture {
   constructor(layers = ["gone", "came", "changed", "lit", "hover", "chosen"]) {
@@ -92,6 +109,7 @@ export class Picture {
     this.shown = picture;
     this.where = where;
     this.drawn = null;
+    this.nearest = null;
     const paths = picture.looks.map(() => "");
     for (const stroke of picture.strokes) paths[stroke.look] += wholePath(stroke);
     this.lines.replaceChildren(...picture.looks.map(([visibility, role], i) =>
@@ -139,8 +157,12 @@ export class Picture {
 
   // Whether a line shows the edge of that name.
   draws(name) {
-    this.drawn ??= new Set(this.shown.strokes.flatMap(({ segment, edges }) => Array.from(edges, (edge) => nameOf(segment, edge))));
-    return this.drawn.has(name);
+    if (!this.drawn) {
+      this.drawn = new Map();
+      for (const { segment, edges } of this.shown.strokes) for (const edge of edges) addEdge(this.drawn, segment, edge);
+    }
+    const [segment, edge] = numbersOf(name);
+    return Boolean(this.drawn.get(segment)?.has(edge));
   }
 
   // Lights the lines of these names, a Set of s2, s2e7; of a whole segment what
@@ -152,11 +174,15 @@ export class Picture {
     if (!this.shown) return;
     const { strokes, looks } = this.shown;
     const hidden = ({ look }) => looks[look][0] === "hidden";
-    const seen = new Set(strokes.filter((stroke) => !hidden(stroke)).map(({ segment }) => segment));
-    const whole = (stroke) => names.has(`s${stroke.segment}`) && !FILLING.has(looks[stroke.look][1])
+    const lit = numbered(names);
+    const seen = new Set(lit.whole.size ? strokes.filter((stroke) => !hidden(stroke)).map(({ segment }) => segment) : []);
+    const whole = (stroke) => lit.whole.has(stroke.segment) && !FILLING.has(looks[stroke.look][1])
       && !(hidden(stroke) && seen.has(stroke.segment));
-    const d = names.size ? strokes.map((stroke) => (whole(stroke) ? wholePath(stroke)
-      : partPath(stroke, (edge) => names.has(nameOf(stroke.segment, edge))))).join("") : "";
+    const part = (stroke) => {
+      const edges = lit.edges.get(stroke.segment);
+      return edges ? partPath(stroke, (edge) => edges.has(edge)) : "";
+    };
+    const d = names.size ? strokes.map((stroke) => (whole(stroke) ? wholePath(stroke) : part(stroke))).join("") : "";
     const unseen = !ends || !this.where ? [] : Object.entries(ends).filter(([name]) => names.has(name) && !this.draws(name));
     this.layers[layer].setAttribute("d", d + unseen.map(([, at]) => `M${at.map((v) => this.where(v).join(" ")).join("L")}`).join(""));
   }
@@ -180,34 +206,14 @@ export class Picture {
       ? found.stroke.whole ? wholePath(found.stroke) : partPath(found.stroke, (edge) => edge === found.edge) : "");
   }
 
-  // The line nearest to a point of the screen, if one is within some pixels; a
-  // visible one before a hidden one.
+  // The line nearest to a point of the screen, if one is within some pixels.
   near(clientX, clientY, within = 9) {
     const matrix = this.svg.getScreenCTM();
     if (!this.shown || !matrix) return null;
     const { x, y } = new DOMPoint(clientX, clientY).matrixTransform(matrix.inverse());
-    let best = null;
-    let least = (within / matrix.a) ** 2;
-    for (const stroke of named(this.shown)) {
-      const { points, edges } = stroke;
-      const n = points.length / 2;
-      const behind = this.shown.looks[stroke.look][0] === "hidden" ? 4 : 1;
-      for (let i = 0; i + 1 < n + (stroke.closed ? 1 : 0); i++) {
-        const j = (i + 1) % n;
-        const ax = points[2 * i], ay = points[2 * i + 1];
-        const dx = points[2 * j] - ax, dy = points[2 * j + 1] - ay;
-        const along = dx * dx + dy * dy;
-        const t = along ? Math.max(0, Math.min(1, ((x - ax) * dx + (y - ay) * dy) / along)) : 0;
-        const far = ((ax + t * dx - x) ** 2 + (ay + t * dy - y) ** 2) * behind;
-        if (far < least) {
-          least = far;
-          const edge = edges.length >= n - 1 ? edges[i] : edges[0];
-          best = { stroke, edge, segment: stroke.segment, name: nameOf(stroke.segment, edge),
-            role: this.shown.looks[stroke.look][1] };
-        }
-      }
-    }
-    return best;
+    this.nearest ??= new Nearest(this.shown);
+    const found = this.nearest.at(x, y, within / matrix.a);
+    return found && { ...found, name: nameOf(found.segment, found.edge) };
   }
 
   // The edges of the piece of a pattern, or of the hole in one, that a point of

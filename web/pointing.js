@@ -2,7 +2,8 @@
 
 import { say } from "./dom.js";
 import { w } from "./words.js";
-import { named, nameOf } from "./picture.js";
+import { nameOf } from "./picture.js";
+import { named } from "./nearest.js";
 import { Sight } from "./sight.js";
 
 export class Pointing extends Sight {
@@ -49,7 +50,7 @@ export class Pointing extends Sight {
   moved(event) {
     if (!this.drag) {
       const found = this.near(event);
-      this.pointAt(found, found || this.kind !== "unfold" ? [] : this.picture.pieceAt(event.clientX, event.clientY));
+      this.pointAt(found, found || this.kind !== "unfold" || !this.names ? [] : this.picture.pieceAt(event.clientX, event.clientY));
       return;
     }
     if (this.fingers.size === 2) {
@@ -133,7 +134,7 @@ export class Pointing extends Sight {
   }
 
   walk(step) {
-    if (!this.picture.shown) return;
+    if (!this.picture.shown || !this.names) return;
     const strokes = named(this.picture.shown);
     if (!strokes.length) return;
     this.at = step ? (this.at + step + strokes.length) % strokes.length : 0;

@@ -181,6 +181,7 @@ export class Port extends Pointing {
     this.canvas.classList.remove("empty");
     this.element.classList.toggle("flat", ["unfold", "sheet", "problem"].includes(this.kind));
     this.element.dataset.rev = head.rev;
+    this.rev = head.rev;
     this.under = null;
     this.pointed = "";
     this.remark.title = "";
@@ -214,7 +215,7 @@ export class Port extends Pointing {
   showStrokes(reply) {
     const { head } = reply;
     const strokes = strokesOf(reply);
-    this.picture.show(strokes, spaceOf(this, strokes.place)?.where);
+    this.picture.show(strokes, spaceOf(this, strokes)?.where);
     this.took = head.ms ?? 0;
     const { fits } = kindOf(this.kind);
     if (fits && !this.zoomed) this.picture.fit(fits === "bar" ? fits : null);
@@ -276,19 +277,32 @@ export class Port extends Pointing {
     this.folding.draw(this.picture.own(), this.angles, clientWidth, clientHeight, this.picture.lit);
   }
 
+  // Its names are those of the model, and not those of one before.
+  get names() {
+    return this.alone || this.studio.record || this.rev === this.studio.rev;
+  }
+
   near(event, within = 9) {
+    if (!this.names) return null;
     if (this.kind !== "folded") return this.picture.near(event.clientX, event.clientY, within);
     const box = this.canvas.getBoundingClientRect();
     return this.folding?.near([event.clientX - box.x, event.clientY - box.y], within);
   }
 
-  // No picture is better than that of before.
-  failed(error) {
+  // Nothing of what was shown can be pointed at any more.
+  emptied() {
     this.canvas.classList.add("empty");
     this.picture.clear();
+    this.folding = null;
     this.image.hidden = true;
     this.more.hidden = true;
     this.remark.textContent = "";
+    this.tell("");
+  }
+
+  // No picture is better than that of before.
+  failed(error) {
+    this.emptied();
     this.tell(error.head ? said(error.head.error) : String(error));
   }
 }

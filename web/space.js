@@ -1,6 +1,8 @@
-// Where points of the model are in a picture.
+// Where points of the model are in a picture, and how a picture says so.
 
 const VIEWS = { front: [270, 90], right: [0, 90], top: [270, 0], left: [180, 90], back: [90, 90], bottom: [270, 180] };
+// What comes to be x, y and z when another axis points up.
+const UP = { z: (v) => v, y: ([x, y, z]) => [x, -z, y], x: ([x, y, z]) => [-z, y, x] };
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
 // Where the eye is, and where right and up are, of a view in degrees.
@@ -11,15 +13,26 @@ export function axes([theta, phi]) {
     up: [-Math.cos(p) * Math.cos(t), -Math.cos(p) * Math.sin(t), Math.sin(p)] };
 }
 
-// Of a port with a picture that has this place: which way on its sheet one goes, and
-// where one comes to. Null, if the rays are not parallel, or nothing is known of them.
-export function spaceOf(port, place) {
+// Of a port with a picture: where a point of the model comes to on its sheet, and
+// which way from there another one goes, for one unit more. Null, if nothing is
+// known of its rays.
+export function spaceOf(port, picture) {
   const angles = ["iso", "section"].includes(port.kind) ? port.angles : VIEWS[port.kind];
-  const { projection, up: top } = port.studio.looks;
-  if (!angles || !place || (projection ?? "parallel") !== "parallel" || (top ?? "z") !== "z") return null;
-  const { right, up } = axes(angles);
+  const { place, central } = picture || {};
+  if (!angles || !place) return null;
+  const { eye, right, up } = axes(angles);
+  const turned = UP[port.studio.looks.up || "z"];
   const [scale, x, y, left, high] = place;
-  const seen = (v) => [dot(right, v) * scale, -dot(up, v) * scale];
-  const where = (v) => seen(v).map((n, k) => n + (k ? high + y * scale : left - x * scale));
+  // Of one unit at that depth how much is seen.
+  const nearer = (v) => (central ? (central[0] + central[1]) / (central[0] - dot(eye, v)) : 1) * scale;
+  const where = (at) => {
+    const v = turned(at), by = nearer(v);
+    return [left + dot(right, v) * by - x * scale, high - dot(up, v) * by + y * scale];
+  };
+  const seen = (way, at) => {
+    const step = 1e-6 / (Math.hypot(...way) || 1) * (central ? central[0] : 1);
+    const [from, to] = [where(at), where(at.map((n, k) => n + way[k] * step))];
+    return to.map((n, k) => (n - from[k]) / step);
+  };
   return { scale, seen, where };
 }

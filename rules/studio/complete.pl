@@ -2,13 +2,15 @@
           [ completed/4                 % +World, :Names, +Head, -Reply
           ]).
 :- use_module('../decision', [decision/4]).
+:- use_module('../message/about_ko', [about_ko/2, form_about_ko/2]).
+:- use_module('../message/decision_ko', [decision_ko/2]).
 :- use_module('../primitive/primitive', [primitive/1, primitive_form/2]).
 :- use_module('../spelling', [near_words/3]).
 :- use_module('../store', [param/2, relation/3, segment/3]).
 :- use_module(world_state, [in_state/3]).
 :- use_module(request, [request_error/1]).
 :- use_module(library(apply), [maplist/3]).
-:- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(lists), [append/3, member/2, memberchk/2]).
 /** <module> What a beginning of a word may become: relations, predicates,
 primitives, decisions, requests, and the names of the model.
 */
@@ -86,7 +88,38 @@ first_words(Most, Words, First, Left) :-
     length(First, Taken),
     append(First, _, Words).
 
-word_dict(word(Name, Kind, Doc), _{word:Name, kind:Kind, doc:Doc}).
+%   Doc is a text, or a dict of texts in both languages.
+
+word_dict(word(Name, Kind, Doc), _{word:Name, kind:Kind, doc:En, ko:Ko}) :-
+    (   is_dict(Doc)
+    ->  _{en:En, ko:Ko} :< Doc
+    ;   in_korean(Kind, Name, Doc, Ko0)
+    ->  En = Doc,
+        Ko = Ko0
+    ;   En = Doc,
+        Ko = Doc
+    ).
+
+%   in_korean(Kind, Name, Doc, Ko) is semidet.
+
+in_korean("primitive", _, Form, Ko) :-
+    form_about_ko(Form, Ko).
+in_korean("decision", Name, _, Ko) :-
+    name_arity(Name, Word, Arity),
+    decision_ko(Word/Arity, Ko).
+in_korean(Kind, Name, _, Ko) :-
+    memberchk(Kind, ["relation","predicate"]),
+    name_arity(Name, Word, Arity),
+    (   about_ko(Word/Arity, Ko)
+    ->  true
+    ;   about_ko(Word, Ko)
+    ->  true
+    ).
+
+name_arity(Text, Word, Arity) :-
+    split_string(Text, "/", "", [Name,Digits]),
+    atom_string(Word, Name),
+    number_string(Arity, Digits).
 
 %   known_word(Names, Word), model_word(Word): Word is word(Name, Kind, Doc),
 %   texts.

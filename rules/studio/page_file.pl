@@ -145,6 +145,7 @@ script(wire).
 script(words).
 script(link).
 script(picture).
+script(nearest).
 script(space).
 script(sight).
 script(pointing).

@@ -7,13 +7,14 @@
           ]).
 :- use_module('../drawing/drawing',
               [drawing_format/2, write_drawing_stream/3]).
-:- use_module('../kernel', [scene_close/1, scene_mesh/5, stroke_octets/3]).
+:- use_module('../kernel', 
+              [scene_close/1, scene_mesh/5, stroke_octets/3, view_range/5]).
 :- use_module('../message/message_object', [objects_heard/2]).
 :- use_module('../picture/hidden_lines', [open_scene/2, picture/1]).
 :- use_module('../picture/role', [usual_crease/1]).
 :- use_module('../picture/view',
-              [ named_view/3, set_projection/1, set_view/1, set_view/3,
-                with_up/2 ]).
+              [ current_view/4, named_view/3, set_projection/1, set_view/1,
+                set_view/3, with_up/2 ]).
 :- use_module('../sheet/sheet', [sheet_strokes/5]).
 :- use_module('../sheet/stroke', [all_strokes/2]).
 :- use_module('../spelling', [near_words/3]).
@@ -142,7 +143,11 @@ picture_made(Options, Goal) :-
 formatted(strokes, Options, More, Octets) :-
     !,
     sheet_strokes(210-148, Options, Sheet, Place, Strokes),
-    placed_body(Sheet, Place, Strokes, More, Octets).
+    placed_body(Sheet, Place, Strokes, More0, Octets),
+    (   centre(Rho, Near)
+    ->  More = More0.put(central, [Rho,Near])
+    ;   More = More0
+    ).
 formatted(mesh, Options, More, Octets) :-
     !,
     open_scene(Scene, Options),
@@ -156,6 +161,13 @@ formatted(mesh, Options, More, Octets) :-
 formatted(Format, Options, _{}, Octets) :-
     drawing_format(Format, Type),
     printed_octets(Type, sg_port:drawing_out(Format, Options), Octets).
+
+%   centre(Rho, Near) is semidet: how far the eye is from the origin, and how
+%   much farther the nearest vertex is, if the projection is central.
+
+centre(Rho, Near) :-
+    current_view(Theta, Phi, Rho, central),
+    view_range(Theta, Phi, Near, _, _).
 
 :- public cut_pictured/4.
 

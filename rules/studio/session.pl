@@ -377,8 +377,7 @@ words_completed(request(_, Head, _), Session, Reply, "") :-
 callable_word(_, "request", Name, Doc) :-
     request(Do, _, _),
     atom_string(Do, Name),
-    request_words(Do, Words),
-    Doc = Words.en.
+    request_words(Do, Doc).
 callable_word(Names, Kind, Name, Doc) :-
     call(Names, Kind, Name, Doc).
 

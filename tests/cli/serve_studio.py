@@ -90,6 +90,13 @@ refused("help of what", "request_error.bad_key", '"of"', "help", of=1)
 head, _ = s.ask("complete", text="lin")
 check("complete", {"line/9", "line"} <= {w["word"] for w in head["words"]},
       head)
+english = [(w["word"], w["doc"]) for letter in "abcdefghijklmnopqrstuvwxyz"
+           for more in ["", *"aeioulrhtsndc_"]
+           for w in s.ask("complete", text=letter + more)[0]["words"]
+           if w["doc"] and w["doc"] == w["ko"] and (
+               w["kind"] not in ("primitive", "segment", "parameter") or
+               ", or " in w["doc"])]
+check("each word in Korean", english == [], english)
 head, _ = s.ask("complete", text="dorw")
 check("meant", "draw/1" in [w["word"] for w in head["words"]] or
       head["words"] == [], head)

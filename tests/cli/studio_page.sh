@@ -4,5 +4,5 @@
 cd "$here" || exit 2
 . tests/studio/asked.bash
 
-in_browser browser_test.py turning_test.py
+in_browser browser_test.py lines_test.py turning_test.py
 finish

@@ -2,13 +2,15 @@
  * is there: nothing, files of any mode, several names of one file, links, and
  * folders that somebody makes meanwhile. Nothing else is ever left behind.
  *
- * covers: real_path */
+ * covers: content, left_over, real_path */
 #include "engine/atomic_file.h"
+#include "engine/left_over.h"
 #include "tests/check.h"
 
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -397,6 +399,77 @@ nameless(void)
   clear();
 }
 
+/* Whether there is a file of that name; it is taken away. */
+static bool
+taken(const char *path)
+{
+  return unlink(path) == 0;
+}
+
+static void
+save(const char *path)
+{
+  uint64_t id;
+  size_t failed;
+  int fd;
+
+  CHECK("saved", sg_atomic_open(path, &id, &fd) == 0 &&
+                     write(fd, "new", 3) == 3 && close(fd) == 0 &&
+                     sg_atomic_commit(&id, 1, &failed) == 0);
+}
+
+/* What a killed process left is taken away, and nothing else. */
+static void
+left_over(void)
+{
+  static const char *const other[] = {
+      ".sanggwan-aaaaaaaaaaaa",  ".sanggwan-aaaaaaaaaaa~",
+      ".sanggwan-aaaaaaaaaaa1~", ".sanggwan-aaaaaaaaaaaa~~",
+      "sanggwan-aaaaaaaaaaaa~",  ".sanggwan-cccccccccccc~",
+      ".sanggwan-dddddddddddd~"};
+  const char *left = ".sanggwan-bbbbbbbbbbbb~";
+  pid_t child;
+  int status, fd;
+
+  clear();
+  CHECK("folders", mkdir("y", 0700) == 0 && mkdir("z", 0700) == 0);
+  for (unsigned i = 0; i < 7; i++) {
+    make(other[i], "theirs", 0600);
+  }
+  CHECK("another name", link(other[5], "z/link") == 0);
+  fd = open(other[6], O_RDONLY);
+  CHECK("held", fd >= 0 && sg_left_lock(fd));
+  make(left, "ours", 0600);
+  save("z/a"); /* another folder; then this one */
+  CHECK("there", access(left, F_OK) == 0);
+  save("a");
+  CHECK("gone", !taken(left));
+  for (unsigned i = 0; i < 7; i++) {
+    CHECK("theirs", taken(other[i]));
+  }
+  close(fd);
+  CHECK("tidy", taken("z/a") && taken("z/link") && rmdir("z") == 0);
+
+  /* Killed at any moment. */
+  for (int i = 0; i < 60; i++) {
+    if ((child = fork()) == 0) {
+      for (;;) {
+        save("a");
+        save("y/b");
+      }
+    }
+    usleep(500 + draw(3000));
+    kill(child, SIGKILL);
+    waitpid(child, &status, 0);
+  }
+  save("y/b");
+  save("a");
+  CHECK("nothing is left in one", strangers() == 0);
+  CHECK("nor in the other", chdir("y") == 0 && strangers() == 0 && taken("b") &&
+                                chdir("..") == 0 && rmdir("y") == 0);
+  clear();
+}
+
 int
 main(void)
 {
@@ -414,6 +487,7 @@ main(void)
   }
   dropped();
   nameless();
+  left_over();
   masked();
   moved();
   if (geteuid() == 0) {
