@@ -6,6 +6,9 @@ import { eyeWords } from "./kinds.js";
 
 const SIDES = ["front", "top", "right", "left", "back", "bottom"];
 const MOST_NAMES = 1500;
+// What the page fetches when it is wanted, of that what a file may want.
+const LATE = ["find", "fold", "kept", "pens"];
+const LATER = new RegExp(`import\\("\\./(${LATE.join("|")})\\.js"\\)`, "g");
 
 function base64(body) {
   let text = "";
@@ -72,7 +75,7 @@ export async function recorded(studio, told) {
     told(0.3 + i / items.length * 0.7);
   }
   const words = await (await fetch("words.json")).json();
-  return { words, views, names, reasons, replies, asks,
+  return { words, asked: answered?.goal, views, names, reasons, replies, asks,
     hello: { file: studio.file, models: [studio.file], owner: false, rev: 0 },
     refused: { words: { en: words.kept_only[0], ko: words.kept_only[1] } } };
 }
@@ -88,10 +91,10 @@ async function bundled() {
     const imports = /^import \{([^}]*)\} from "\.\/(\w+)\.js";$/gm;
     for (const [, , from] of text.matchAll(imports)) await add(from);
     const names = [...text.matchAll(/^export (?:async )?(?:const|class|function) ([\w$]+)/gm)].map(([, one]) => one);
-    const body = text.replace(imports, "const {$1} = M.$2;").replace(/import\("\.\/(find|fold)\.js"\)/g, "M.$1").replace(/^export /gm, "");
+    const body = text.replace(imports, "const {$1} = M.$2;").replace(LATER, "M.$1").replace(/^export /gm, "");
     out += `M.${name} = await (async () => {\n${body}\nreturn { ${names.join(", ")} };\n})();\n`;
   };
-  for (const name of ["find", "fold"]) await add(name);
+  for (const name of LATE) await add(name);
   await add("main");
   return `(async () => {\n"use strict";\n${out}})();`;
 }

@@ -5,12 +5,6 @@ import { Lost } from "./wire.js";
 const octets = (text) => Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0)).buffer;
 const turnOf = (a, b) => Math.abs(((a - b + 540) % 360) - 180);
 
-// What was recorded, if this page is a file.
-export function recordOf() {
-  const element = document.getElementById("record");
-  return element ? JSON.parse(element.textContent) : null;
-}
-
 export class Kept extends EventTarget {
   constructor(record) {
     super();

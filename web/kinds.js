@@ -8,7 +8,6 @@
 import { h } from "./dom.js";
 import { w } from "./words.js";
 import { Lost } from "./wire.js";
-import { penTools, penShown } from "./pens.js";
 
 const MM = 25.4 / 96;
 
@@ -119,16 +118,32 @@ const shaded = {
 
 const PAPERS = ["A4", "A3", "A2", "A4-portrait", "A3-portrait"];
 
+function penTools(port) {
+  port.along = port.along ?? 1;
+  const wanted = h("input", { type: "checkbox", checked: Boolean(port.settings.pens),
+    onchange: () => { port.set("pens", wanted.checked); } });
+  const label = h("label", { class: "tick" }, wanted, h("span", { "data-word": "pens" }));
+  const range = slider(port, "pen_way", () => port.along, (along) => { port.along = along; port.after?.(); },
+    { min: 0, max: 1 });
+  range.hidden = !port.settings.pens;
+  return [label, range];
+}
+
 const sheet = {
   slow: true,
   fits: "frame",
   tools: (port) => {
     port.settings.paper = port.settings.paper || "A3";
-    return [choice(port, "paper", "paper", PAPERS), ...penTools(port, slider)];
+    return [choice(port, "paper", "paper", PAPERS), ...penTools(port)];
   },
   ask: async (port) => {
     const options = ["--sheet", port.settings.paper, "--language", document.documentElement.lang, ...upWords(port.studio)];
-    const reply = await port.studio.wire.ask("sheet", port.settings.pens ? { options, pens: true } : { options });
+    if (!port.settings.pens) {
+      port.after = null;
+      return port.studio.wire.ask("sheet", { options });
+    }
+    const { penShown } = await import("./pens.js");
+    const reply = await port.studio.wire.ask("sheet", { options, pens: true });
     port.after = () => penShown(port, reply);
     return reply;
   },

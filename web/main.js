@@ -3,7 +3,6 @@
 import { $, h, arrows, calm, say } from "./dom.js";
 import { w, wordsLoaded, reworded, said } from "./words.js";
 import { Wire, Lost } from "./wire.js";
-import { Kept, recordOf } from "./kept.js";
 import { Ports } from "./ports.js";
 import { Link } from "./link.js";
 import { Bar, FORMATS } from "./bar.js";
@@ -230,16 +229,18 @@ class Studio {
 
   async opened(file, remark, keys = {}) {
     if (!file) return;
-    keys = { ...keys, ...(file === this.file && this.sent ? { upload: true } : {}) };
+    const before = this.ready && this.file, { sent } = this;
+    keys = { ...keys, ...(file === this.file && sent ? { upload: true } : {}) };
     this.sent = Boolean(keys.upload);
-    if (file !== this.file) this.forget();
+    const another = file !== this.file;
+    if (another) for (const port of this.ports.ports) if (!port.alone) port.emptied();
     this.file = file;
     document.body.classList.remove("bare");
     this.ports.fitted();
-    $("file").textContent = file;
-    document.title = `${file} · ${w("title")}`;
+    this.titled();
     try {
       const { head } = await this.wire.ask("open", { file, ...keys });
+      if (another) this.forget();
       this.segments = head.segments;
       this.tree.sets = this.tree.sets.filter(({ rev }) => rev === undefined);
       this.ready = true;
@@ -250,10 +251,25 @@ class Studio {
       if (this.text.dirty) this.text.done();
       const names = this.link.taken("chosen");
       if (names) await this.chosen(names.split(","));
+      if (document.body.dataset.half === "ports") this.other.postMessage({ begun: true });
+      if (this.record?.asked) {
+        this.asking.box.value = this.record.asked;
+        this.asking.ask();
+      }
     } catch (error) {
+      if (error.head && before && this.file === file) {         // that one is open still
+        Object.assign(this, { file: before, sent });
+        this.titled();
+        this.ports.refresh();
+      }
       this.failed(error, error.head && error.head.error.code === "request_error.journal_of_another"
         ? [["recover", () => this.recovered(file)], ["forget", () => this.opened(file, null, { replay: false })]] : []);
     }
+  }
+
+  titled() {
+    $("file").textContent = this.file;
+    document.title = `${this.file} · ${w("title")}`;
   }
 
   // What was chosen, asked and explained is of the model that was open.
@@ -265,7 +281,6 @@ class Studio {
     this.tree.forget();
     this.tried();
     for (const layer of ["chosen", "hover"]) this.light(layer, []);
-    for (const port of this.ports.ports) if (!port.alone) port.emptied();
   }
 
   // What the rules that are tried made of the lines.
@@ -422,12 +437,25 @@ class Studio {
   }
 
   half(which) {
+    const ports = which === "ports";
     document.body.dataset.half = which;
-    this.other ??= new BroadcastChannel("studio");
-    this.other.onmessage = ({ data: { layer, names, ends, chosen } }) => {
+    this.paneTo(which);
+    if (this.other) return;
+    this.other = new BroadcastChannel("studio");
+    if (ports) window.addEventListener("pagehide", () => this.other.postMessage({ ended: true }));
+    this.other.onmessage = ({ data: { layer, names, ends, chosen, begun, ended } }) => {
       if (layer) this.ports.light(layer, names, ends);
-      else if (document.body.dataset.half === "left") {
+      else if (ports) return;
+      else if (begun) {
+        this.half("left");
+        this.light("chosen", this.names);
+        this.lightAll("lit", this.asking.shows || []).catch(() => {});
+      } else if (ended) {
+        delete document.body.dataset.half;
+        this.paneTo("ports");
+      } else if (document.body.dataset.half === "left") {
         this.names = chosen;
+        this.news(chosen[0]);
         this.why.show(chosen, this.from);
       }
     };
@@ -542,7 +570,8 @@ class Studio {
 
 // The program hears of the page before the words are there.
 const link = new Link();
-const record = recordOf();
-const wire = record ? new Kept(record) : new Wire(link.secret);
+const recorded = document.getElementById("record");             // if this page is a file
+const record = recorded && JSON.parse(recorded.textContent);
+const wire = record ? new (await import("./kept.js")).Kept(record) : new Wire(link.secret);
 await wordsLoaded(record);
 window.studio = new Studio(link, wire);

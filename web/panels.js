@@ -17,7 +17,7 @@ function linked(text, studio) {
 
 // An explanation: a line that is too long goes on further in than it began.
 function explained(text, studio, wrong) {
-  return h("pre", { class: wrong ? "bad" : "" }, ...text.split("\n").map((line, i, lines) => {
+  return !text ? h("p", { class: "quiet", "data-word": "nothing_why" }) : h("pre", { class: wrong ? "bad" : "" }, ...text.split("\n").map((line, i, lines) => {
     const one = h("span", { class: "step" }, ...linked(line + (i + 1 < lines.length ? "\n" : ""), studio));
     one.style.setProperty("--in", /^ */.exec(line)[0].length + 2);
     return one;

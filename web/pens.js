@@ -1,23 +1,12 @@
 // The way of a plotter's pens: its order, its length, and how long it takes.
 
-import { h, s } from "./dom.js";
+import { s } from "./dom.js";
 import { w } from "./words.js";
 
 // Millimetres a second, drawing and lifted; seconds to lift and lower a pen once.
 const SPEED = 200;
 const LIFTED = 400;
 const LIFT = 0.1;
-
-export function penTools(port, slider) {
-  port.along = port.along ?? 1;
-  const wanted = h("input", { type: "checkbox", checked: Boolean(port.settings.pens),
-    onchange: () => { port.set("pens", wanted.checked); } });
-  const label = h("label", { class: "tick" }, wanted, h("span", { "data-word": "pens" }));
-  const range = slider(port, "pen_way", () => port.along, (along) => { port.along = along; port.after(); },
-    { min: 0, max: 1 });
-  range.hidden = !port.settings.pens;
-  return [label, range];
-}
 
 const length = (points) => {
   let sum = 0;

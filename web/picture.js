@@ -22,7 +22,8 @@ export function strokesOf({ head, body }) {
     const [look, segment, ends, e, p] = n.subarray(i, i + 5);
     const edges = n.subarray(i + 5, i + 5 + e);
     const points = n.subarray(i + 5 + e, i + 5 + e + 2 * p);
-    const of = laid.get(segment) || { segment, edges: true };
+    // The edges of a section are those of what is left, and not of the model.
+    const of = laid.get(segment) || { segment, edges: !head.section };
     strokes.push({ look, segment: of.segment, closed: ends >> 2 === 2, edges: of.edges ? edges.map((edge) => edgeIn(of, edge)) : [], points,
       whole: !of.edges && e > 0 });
     i += 5 + e + 2 * p;
@@ -187,15 +188,24 @@ export class Picture {
     this.layers[layer].setAttribute("d", d + unseen.map(([, at]) => `M${at.map((v) => this.where(v).join(" ")).join("L")}`).join(""));
   }
 
-  // Lines that another picture of the same view has, or none; where they are in this one.
-  ghost(picture, names) {
-    let d = "";
+  // Lines that another picture of the same view has, or none; where they are in this
+  // one, which is looked at with them if it is `whole`.
+  ghost(picture, names, whole) {
+    let d = "", [left, top, right, bottom] = [0, 0, 0, 0];
     if (picture?.place && this.shown?.place) {
       const [[s0, x0, y0, l0, t0], [s1, x1, y1, l1, t1]] = [picture.place, this.shown.place];
       const moved = (n, i) => (i % 2 ? t1 + (y1 - y0) * s1 + (n - t0) * s1 / s0 : l1 + (x0 - x1) * s1 + (n - l0) * s1 / s0);
       for (const stroke of picture.strokes) {
-        d += partPath({ ...stroke, points: Array.from(stroke.points, moved) }, (edge) => names.has(nameOf(stroke.segment, edge)));
+        if (![...stroke.edges].some((edge) => names.has(nameOf(stroke.segment, edge)))) continue;
+        const ghost = { ...stroke, points: Array.from(stroke.points, moved) };
+        d += partPath(ghost, (edge) => names.has(nameOf(stroke.segment, edge)));
+        const box = this.around([ghost]);
+        [left, top, right, bottom] = [Math.min(left, box[0]), Math.min(top, box[1]), Math.max(right, box[2]), Math.max(bottom, box[3])];
       }
+    }
+    if (whole) {
+      const [wide, high] = this.shown.sheet;
+      this.look(left, top, Math.max(wide, right) - left, Math.max(high, bottom) - top);
     }
     this.layers.gone.setAttribute("d", d);
   }

@@ -243,7 +243,7 @@ export class Port extends Pointing {
     if (!shown || !before || !this.size) return;
     try {
       const reply = await before(this, ...this.size);
-      if (shown === this.picture.shown && !reply.head.replaced) this.picture.ghost(strokesOf(reply), this.studio.ports.went);
+      if (shown === this.picture.shown && !reply.head.replaced) this.picture.ghost(strokesOf(reply), this.studio.ports.went, !this.zoomed);
     } catch (error) {
       if (error.message !== "interrupted") this.picture.ghost(null);
       else this.haunted();

@@ -23,8 +23,9 @@ for name in ("pipe_tee.pl", "figures/fig13.pl"):
 env = dict(os.environ, XDG_STATE_HOME=os.path.join(folder, "state"))
 GOLDEN = os.path.join(here, "first_picture.txt")
 CONTROL = "\ue009"
-QUIET = "studio.ready && studio.ports.ports.every(p => !p.busy && p.rev === " \
-        "studio.rev && !p.canvas.classList.contains('empty'))"
+QUIET = "studio.ready && studio.ports.ports.every(p => !p.element.offsetParent" \
+        " || (!p.busy && p.rev === studio.rev && " \
+        "!p.canvas.classList.contains('empty')))"
 # The first port has this size, whatever is written above it.
 SIZED = """
   const sheet = new CSSStyleSheet();
@@ -172,6 +173,63 @@ def without_a_line():
     browser.wait(QUIET)
 
 
+def sections():
+    """The lines of a section are those of what is left: they are named by their
+    segment, and a line of the model that has a number of theirs is not lit."""
+    browser.script("studio.ports.ports[0].turnTo('section')")
+    browser.wait(QUIET)
+    names = browser.script("""
+      const { strokes, looks } = studio.ports.ports[0].picture.shown;
+      return strokes.filter(({ look }) => looks[look][1] !== "hatching").map(({ edges, whole }) => [edges.length, whole]);""")
+    check("a section has no edges of the model", names and
+          all(name == [0, True] for name in names), names[:5])
+    found = browser.script("""
+      const port = studio.ports.ports[0], box = port.canvas.getBoundingClientRect();
+      for (let x = box.x; x < box.right; x += 5) {
+        const found = port.near({ clientX: x, clientY: box.y + box.height / 2 });
+        if (found) return found.name;
+      }""")
+    check("its lines are of a segment", found in ("s1", "s2"), found)
+    browser.script("studio.ports.ports[0].turnTo('iso')")
+    browser.wait(QUIET)
+
+
+def no_such_file():
+    """What was open is open still, and says so."""
+    browser.script("return studio.opened('nothing.pl').then(() => 1)")
+    check("not there", browser.wait(
+        "!document.getElementById('banner').hidden") and browser.wait(QUIET))
+    check("it is the other one", browser.script(
+        "return [studio.file, document.getElementById('file').textContent, "
+        "document.title.split(' ')[0]]") == ["fig13.pl"] * 3)
+    check("and is shown", browser.script(
+        "return studio.ports.ports.every(p => p.picture.shown)"))
+    browser.script("document.querySelector('#banner button').click()")
+
+
+def on_a_phone():
+    """Each port has room, whatever their number; the answers take what they need."""
+    browser.script("studio.ports.enlarge(studio.ports.ports[0])")
+    for count in range(1, 7):
+        browser.script("""
+          studio.ports.many(arguments[0]);
+          if (studio.ports.one) studio.ports.enlarge(studio.ports.one);""", count)
+        browser.wait(QUIET)
+        room = browser.script("""
+          return studio.ports.ports.map(({ element }) => {
+            const { x, y, right, bottom } = element.getBoundingClientRect();
+            return [x, y, right, bottom];
+          });""")
+        check("room for %d" % count, all(
+            right - x > 150 and bottom - y > 150 for x, y, right, bottom in room)
+            and sum((right - x + 6) * (bottom - y + 6)
+                    for x, y, right, bottom in room) > 0.97 * 380 * 716, room)
+    browser.script("studio.paneTo('asking')")
+    high = browser.script("return [...document.querySelectorAll('#asking .panel')"
+                          "].map((panel) => panel.clientHeight)")
+    check("reasons have the rest", high[0] < 150 and high[1] > 500, high)
+
+
 PATTERN = "studio.ports.ports.find((p) => p.kind === 'unfold')"
 NEAR = """
   const port = %s, box = port.canvas.getBoundingClientRect();
@@ -251,6 +309,8 @@ for language in ("en", "ko"):
             first_picture()
             pointed_at()
             without_a_line()
+            sections()
+            no_such_file()
             names_of_now()
         else:
             browser.open(front.address)
@@ -264,4 +324,13 @@ for language in ("en", "ko"):
     finally:
         browser.end()
         front.end()
+front = Front(program, models, "fig13.pl", (), env)
+browser = Browser(390, 844, "en", mobile=True)
+try:
+    browser.open(front.address)
+    browser.wait(QUIET)
+    on_a_phone()
+finally:
+    browser.end()
+    front.end()
 checks.finish()
