@@ -47,7 +47,7 @@ class Studio {
     this.wire.addEventListener("away", this.away);
     this.wire.addEventListener("refused", () => this.banner("no_secret"));
     this.wire.addEventListener("restarted", () => this.opened(this.file, "restarted"));
-    this.wire.addEventListener("revision", (event) => this.revised(event.detail));
+    this.wire.addEventListener("revision", ({ detail }) => this.heard(detail));
     this.wire.addEventListener("file", () => this.fileChanged());
     this.wire.addEventListener("shown", (event) => this.taught(event.detail.shown));
     this.wire.addEventListener("saved", async () => {
@@ -182,39 +182,14 @@ class Studio {
   }
 
   async inClass(told) {
-    const { Problems } = await import("./problems.js");
-    if (!this.problems) {
-      this.problems = new Problems(this);
-      this.tabbed("problems", this.problems);
-      reworded($("left"));
-    }
-    document.body.classList.toggle("bare", !this.file);
-    document.body.classList.toggle("teacher", told.teacher);
-    $("panes").querySelector("[data-to=left]").dataset.word = "problems";
-    reworded($("panes"));
-    this.leftTo("problems");
-    if (!told.teacher) this.paneTo("left");
-    this.problems.greeted(told);
+    (await import("./problems.js")).joined(this, told);
   }
 
   // The teacher shows a picture to all, or does no more.
-  taught(on) {
-    const [port] = this.ports.ports;
-    if (on && port.kind === "taught") {
-      port.refresh();
-      return;
-    }
-    if (on === (port.kind === "taught")) return;
-    const { activeElement } = document;
-    if (on) this.own = [port.kind, this.ports.one];
-    const [kind, one] = this.own;
-    port.turnTo(on ? "taught" : kind);
-    this.ports.only(on ? port : one);
-    if (on) {
-      this.paneTo("ports");
-      say(w("taught"));
-    }
-    activeElement?.focus();
+  async taught(on) {
+    if (!on && this.ports.ports[0].kind !== "taught") return;
+    const { taught } = await import("./taught.js");
+    taught(this, on);
   }
 
   // Told once, however often the page tries meanwhile.
@@ -251,7 +226,7 @@ class Studio {
       if (this.text.dirty) this.text.done();
       const names = this.link.taken("chosen");
       if (names) await this.chosen(names.split(","));
-      if (document.body.dataset.half === "ports") this.other.postMessage({ begun: true });
+      if (document.body.dataset.half === "ports") this.other?.postMessage({ begun: true });
       if (this.record?.asked) {
         this.asking.box.value = this.record.asked;
         this.asking.ask();
@@ -296,6 +271,13 @@ class Studio {
     await this.opened(file, null, { replay: "journal" });
     this.saved = false;
     if (this.ready) this.fileChanged();
+  }
+
+  // Another window has another revision, or another file.
+  heard(head) {
+    const { file } = head;
+    if (!file || file === this.file) return this.revised(head);
+    return this.opened(file, null, this.models.includes(file) ? {} : { upload: true });
   }
 
   // Every pane shows the new revision.
@@ -429,36 +411,16 @@ class Studio {
     this.other?.postMessage({ layer, names: [...names], ends });
   }
 
-  // The two monitors as two windows, which tell each other what is pointed at.
+  // The two monitors as two windows.
   halved() {
-    const { token } = this.wire;
-    window.open(`?half=ports#${token}`, "_blank", "popup,width=1200,height=900");
+    window.open(`?half=ports#${this.wire.token}`, "_blank", "popup,width=1200,height=900");
     this.half("left");
   }
 
-  half(which) {
-    const ports = which === "ports";
+  async half(which) {
     document.body.dataset.half = which;
-    this.paneTo(which);
-    if (this.other) return;
-    this.other = new BroadcastChannel("studio");
-    if (ports) window.addEventListener("pagehide", () => this.other.postMessage({ ended: true }));
-    this.other.onmessage = ({ data: { layer, names, ends, chosen, begun, ended } }) => {
-      if (layer) this.ports.light(layer, names, ends);
-      else if (ports) return;
-      else if (begun) {
-        this.half("left");
-        this.light("chosen", this.names);
-        this.lightAll("lit", this.asking.shows || []).catch(() => {});
-      } else if (ended) {
-        delete document.body.dataset.half;
-        this.paneTo("ports");
-      } else if (document.body.dataset.half === "left") {
-        this.names = chosen;
-        this.news(chosen[0]);
-        this.why.show(chosen, this.from);
-      }
-    };
+    const { half } = await import("./half.js");
+    half(this, which);
   }
 
   // Also names that have no line of their own: polygons, vertices, joints,

@@ -41,7 +41,7 @@ function wholePath(stroke) {
 }
 
 // The part of a stroke that shows the edges for which `of` holds.
-function partPath(stroke, of) {
+export function partPath(stroke, of) {
   const { edges, points } = stroke;
   const pieces = points.length / 2 - 1;
   if (edges.length < pieces) {
@@ -186,28 +186,6 @@ export class Picture {
     const d = names.size ? strokes.map((stroke) => (whole(stroke) ? wholePath(stroke) : part(stroke))).join("") : "";
     const unseen = !ends || !this.where ? [] : Object.entries(ends).filter(([name]) => names.has(name) && !this.draws(name));
     this.layers[layer].setAttribute("d", d + unseen.map(([, at]) => `M${at.map((v) => this.where(v).join(" ")).join("L")}`).join(""));
-  }
-
-  // Lines that another picture of the same view has, or none; where they are in this
-  // one, which is looked at with them if it is `whole`.
-  ghost(picture, names, whole) {
-    let d = "", [left, top, right, bottom] = [0, 0, 0, 0];
-    if (picture?.place && this.shown?.place) {
-      const [[s0, x0, y0, l0, t0], [s1, x1, y1, l1, t1]] = [picture.place, this.shown.place];
-      const moved = (n, i) => (i % 2 ? t1 + (y1 - y0) * s1 + (n - t0) * s1 / s0 : l1 + (x0 - x1) * s1 + (n - l0) * s1 / s0);
-      for (const stroke of picture.strokes) {
-        if (![...stroke.edges].some((edge) => names.has(nameOf(stroke.segment, edge)))) continue;
-        const ghost = { ...stroke, points: Array.from(stroke.points, moved) };
-        d += partPath(ghost, (edge) => names.has(nameOf(stroke.segment, edge)));
-        const box = this.around([ghost]);
-        [left, top, right, bottom] = [Math.min(left, box[0]), Math.min(top, box[1]), Math.max(right, box[2]), Math.max(bottom, box[3])];
-      }
-    }
-    if (whole) {
-      const [wide, high] = this.shown.sheet;
-      this.look(left, top, Math.max(wide, right) - left, Math.max(high, bottom) - top);
-    }
-    this.layers.gone.setAttribute("d", d);
   }
 
   hover(found) {

@@ -233,7 +233,7 @@ export class Port extends Pointing {
 
   // Lines that the rules that are tried took away, where they were before.
   haunt() {
-    this.picture.ghost(null);
+    this.picture.layers.gone.setAttribute("d", "");
     if (this.studio.ports.went.size && kindOf(this.kind).before) this.haunted();
   }
 
@@ -242,11 +242,10 @@ export class Port extends Pointing {
     const { before } = kindOf(this.kind);
     if (!shown || !before || !this.size) return;
     try {
-      const reply = await before(this, ...this.size);
-      if (shown === this.picture.shown && !reply.head.replaced) this.picture.ghost(strokesOf(reply), this.studio.ports.went, !this.zoomed);
+      const [reply, { ghost }] = [await before(this, ...this.size), await import("./ghost.js")];
+      if (shown === this.picture.shown && !reply.head.replaced) ghost(this.picture, strokesOf(reply), this.studio.ports.went, !this.zoomed);
     } catch (error) {
-      if (error.message !== "interrupted") this.picture.ghost(null);
-      else this.haunted();
+      if (error.message === "interrupted") this.haunted();
     }
   });
 

@@ -1,6 +1,6 @@
 // The problems of a class: a pupil answers them, a teacher sees who did.
 
-import { h, calm, say } from "./dom.js";
+import { $, h, calm, say } from "./dom.js";
 import { w, tongue, reworded } from "./words.js";
 import { Lost } from "./wire.js";
 
@@ -210,3 +210,20 @@ export const posed = (port) => {
   const { reply } = port.studio.problems;
   return reply ? Promise.resolve(reply) : Promise.reject(new Lost("none"));
 };
+
+// The page is that of a class; `told` says of whom in it.
+export function joined(studio, told) {
+  const { body } = document;
+  if (!studio.problems) {
+    studio.problems = new Problems(studio);
+    studio.tabbed("problems", studio.problems);
+    reworded($("left"));
+  }
+  body.classList.toggle("bare", !studio.file);
+  body.classList.toggle("teacher", told.teacher);
+  $("panes").querySelector("[data-to=left]").dataset.word = "problems";
+  reworded($("panes"));
+  studio.leftTo("problems");
+  if (!told.teacher) studio.paneTo("left");
+  studio.problems.greeted(told);
+}

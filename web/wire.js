@@ -1,6 +1,10 @@
 // The way to the program: requests out, replies and events in.
 
+import { w } from "./words.js";
+
 const HELLO = 0;
+const MOST = 1048000;            // octets of a request
+const encoder = new TextEncoder();
 const decoder = new TextDecoder();
 
 // Who this page is in a class: known to it and the program alone.
@@ -15,10 +19,17 @@ function pupil() {
 
 export class Lost extends Error {}
 
+// A longer one ends the connection.
+function tooLong() {
+  const said = w("too_long");
+  return Object.assign(new Error("too_long"), { head: { error: { code: "too_long", words: { en: said, ko: said } } } });
+}
+
 export class Wire extends EventTarget {
   constructor(token) {
     super();
     this.token = token;
+    this.page = crypto.getRandomValues(new Uint32Array(2)).join("");
     this.number = HELLO;
     this.extra = {};
     this.waiting = new Map();
@@ -95,12 +106,16 @@ export class Wire extends EventTarget {
   ask(request, keys = {}) {
     if (!this.open) return Promise.reject(new Lost("away"));
     if (this.slow && this.waiting.has(this.slow)) this.send({ do: "stop", of: this.slow });
-    this.number += 1;
-    const id = this.number;
+    const id = this.number + 1;
     this.slow = ["unfold", "fold", "sheet"].includes(request) ? id : 0;
+    // The ports of another window are others, though they are called the same.
+    const port = keys.port && { port: `${this.page} ${keys.port}` };
+    const text = JSON.stringify({ ...this.extra, ...keys, ...port, id, do: request, progress: request !== "view" });
+    if (text.length > MOST / 3 && encoder.encode(text).length > MOST) return Promise.reject(tooLong());
+    this.number = id;
     return new Promise((resolve, reject) => {
       this.waiting.set(id, { resolve, reject, since: Date.now() });
-      this.send({ ...this.extra, ...keys, id, do: request, progress: request !== "view" });
+      this.socket.send(text);
     });
   }
 

@@ -22,22 +22,33 @@
 %!  model_text(+File, -Text, -Steps, -Journal, +Head:dict) is det.
 %
 %   Text is what File holds, or what it held when its journal began, if Head
-%   wants that; Steps are the changes since that the journal has. Journal is
-%   file(Path) or `none`, as Head says.
+%   wants that, or if there is no such file any more, but were changes; Steps
+%   are the changes since that the journal has. Journal is file(Path) or `none`,
+%   as Head says.
 %
 %   @error request_error(What), model_error(What)
 
 model_text(File, Text, Steps, Journal, Head) :-
-    catch(read_file_to_string(File, Text0, [encoding(utf8)]), error(_, _),
-          load_model(File)),            % says what is wrong
     wanted_path(Head, File, Path),
-    (   get_dict(replay, Head, "journal"),
-        Path \== none,
-        journal_whole(Path, Text, Steps)
+    (   Path \== none,
+        journal_counts(Head, File, Path, Text, Steps)
     ->  Journal = file(Path),
         rules_allowed(Steps, Head)
-    ;   Text = Text0,
+    ;   catch(read_file_to_string(File, Text, [encoding(utf8)]), error(_, _),
+              load_model(File)),        % says what is wrong
         text_steps(Path, Text, Head, Steps, Journal)
+    ).
+
+%   journal_counts(Head, File, Path, Text, Steps) is semidet: what the journal
+%   Path has counts, whatever File holds.
+
+journal_counts(Head, File, Path, Text, Steps) :-
+    (   get_dict(replay, Head, Replay)
+    ->  Replay == "journal",
+        journal_whole(Path, Text, Steps)
+    ;   \+ exists_file(File),
+        journal_whole(Path, Text, Steps),
+        Steps = [_|_]
     ).
 
 %   text_steps(Path, Text, Head, Steps, Journal): the steps from Text on that

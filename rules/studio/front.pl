@@ -13,7 +13,8 @@
               [ behind_begun/1, embed_begun/1, host_allowed/2, is_loopback/1,
                 new_secret/1, origin_allowed/2, pupil_secret/1, same_secret/2,
                 security_header/2 ]).
-:- use_module(page_file, [page_file/4, page_file_stays/1]).
+:- use_module(page_file,
+              [page_file/4, page_file_stays/1, page_files_expected/0]).
 :- use_module(visitor,
               [ download_taken/3, picture_shown/0,
                 visitor_answered/3, visitor_asks/4, visitor_expected/3,
@@ -86,6 +87,10 @@ front(Model, Options, 130) :-
     retractall(front_(_, _, _)),
     assertz(front_(Front, Token, Model)),
     class_begun(Problems, Model),       % before anybody may ask
+    % While library(http) is loaded, the session opens the model, and the files
+    % of the page are made: who opens the page first waits for neither.
+    ( Model == none -> true ; visitor_expected(Front, owner, Model) ),
+    page_files_expected,
     place_name(Host, Name),
     % A connection that waits for its next request has a worker, and a page that
     % was just opened has six of them.
@@ -99,7 +104,6 @@ front(Model, Options, 130) :-
     class_opened(Class, Page),
     flush_output,
     opened_in_browser(Options, Address),
-    ( Model == none -> true ; visitor_expected(Front, owner, Model) ),
     setup_call_cleanup(true, watching,
                        ( pages_closed, visitors_ended,
                          front_socket_gone(Host) )).

@@ -1,6 +1,7 @@
 :- module(sg_page_file,
           [ page_file/4,                % +Path, +Coding, -Type, -Octets
-            page_file_stays/1           % +Path
+            page_file_stays/1,          % +Path
+            page_files_expected/0
           ]).
 :- use_module('../message/studio_words', [studio_word/3]).
 :- use_module('../part', [carried_file/2]).
@@ -40,6 +41,14 @@ page_file(Path, Coding, Type, Octets) :-
     ->  Octets = Plain
     ;   Octets = Packed
     ).
+
+%!  page_files_expected is det.
+%
+%   Somebody will ask for the files: they are made meanwhile, in a thread.
+
+page_files_expected :-
+    thread_create(catch(page_file(/, plain, _, _), _, true), _,
+                  [detached(true)]).
 
 %!  page_file_stays(+Path) is semidet.
 %
@@ -165,6 +174,9 @@ script(keep).
 script(kept).
 script(files).
 script(problems).
+script(half).
+script(ghost).
+script(taught).
 
 %   page_words(Text): the words of the page in both languages, as JSON: {Key:
 %   [English, Korean]}.

@@ -323,7 +323,7 @@ routed(Visitor, Head, Body) :-
         ;   true
         ),
         sent(Socket, Head2.put(id, Id), Body),
-        revision_heard(Visitor, Socket, Head),
+        revision_heard(Do, Visitor, Socket, Head),
         saving_heard(Do, Visitor, Socket, Head)
     ),
     !.
@@ -375,13 +375,21 @@ book_kept(Do, Visitor, Head0, Head) :-
     ;   Head = Head0
     ).
 
-revision_heard(Visitor, Socket, Head) :-
+%   revision_heard(Do, Visitor, Socket, Head): the other pages hear of a new
+%   revision, and of another file.
+
+revision_heard(Do, Visitor, Socket, Head) :-
     Revision = Head.rev,
     (   revision_(Visitor, Revision)
     ->  true
     ;   retractall(revision_(Visitor, _)),
         assertz(revision_(Visitor, Revision)),
-        told(Visitor, Socket, _{event:"revision", rev:Revision})
+        (   Do == "open",
+            get_dict(file, Head, File)
+        ->  Event = _{event:"revision", rev:Revision, file:File}
+        ;   Event = _{event:"revision", rev:Revision}
+        ),
+        told(Visitor, Socket, Event)
     ).
 
 %   saving_heard(Do, Visitor, Socket, Head): what is saved has no new revision.

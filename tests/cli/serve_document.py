@@ -452,6 +452,24 @@ s = session()
 head, _ = s.ask("open", file=model, journal=journal)
 check("what lacks its newline", s.ask("text")[1] == told, head)
 s.kill()
+# The file is gone: what was changed is there still, and can be saved.
+os.remove(model)
+s = session()
+head, _ = s.ask("open", file=model, journal=journal)
+check("no file, but changes", head.get("replayed") == 3 and
+      s.ask("text")[1] == told and s.ask("tree")[0]["saved"] is False, head)
+head, _ = s.ask("open", file=model, journal=work + "/none.journal")
+check("no file, no changes", code(head) == "model_error.cannot_read", head)
+head, _ = s.ask("save")
+check("saved, it is there", "error" not in head and read(model) == told, head)
+s.kill()
+with open(model, "w") as f:
+    f.write(TEXT)
+s = session()
+head, _ = s.ask("open", file=model, journal=journal, replay=False)
+for value in (30, 31):
+    s.ask("edit", set={"segment": 1, "path": [1, 1], "value": value})
+s.kill()
 with open(model, "a") as f:
     f.write("% changed\n")
 s = session()

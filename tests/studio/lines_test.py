@@ -264,6 +264,42 @@ def names_of_now():
     check("and again", browser.wait(QUIET) and browser.script(NEAR))
 
 
+def two_windows():
+    """Of one document: the ports of both are drawn, and what is open is so in both."""
+    first = browser.ask("GET", "/window")
+    second = browser.ask("POST", "/window/new", {"type": "window"})["handle"]
+    browser.ask("POST", "/window", {"handle": second})
+    browser.open(front.address)
+    check("another window", browser.wait(QUIET))
+    browser.script("for (let i = 0; i < 12; i++) studio.ports.ports[0].turn(9, 0)")
+    browser.ask("POST", "/window", {"handle": first})
+    browser.script("for (let i = 0; i < 12; i++) studio.ports.ports[0].turn(-9, 0)")
+    seen = []
+    for window, file in ((first, "fig13.pl"), (second, "pipe_tee.pl")):
+        browser.ask("POST", "/window", {"handle": window})
+        browser.script("return studio.opened(arguments[0]).then(() => 1)", file)
+        for one in (first, second):
+            browser.ask("POST", "/window", {"handle": one})
+            browser.wait("studio.file === arguments[0] && " + QUIET, file)
+            seen.append(browser.script("""
+              return [document.getElementById("file").textContent, studio.rev,
+                studio.ports.ports[0].rev, // turned as each window likes
+                ...studio.ports.ports.slice(1).map(({ rev, picture }) => [rev, picture.shown.strokes.length])];"""))
+    check("both show the one, then the other", seen[0] == seen[1] != seen[2] and
+          seen[2] == seen[3] and seen[0][0] == "fig13.pl", seen)
+    browser.ask("DELETE", "/window")
+    browser.ask("POST", "/window", {"handle": first})
+
+
+def too_much():
+    """More than a request may have is said, and ends nothing."""
+    browser.script("studio.asking.set('x'.repeat(1100000)); studio.asking.ask()")
+    check("too much", browser.wait(
+        "document.querySelector('.answers .bad')?.textContent.length > 20") and
+        browser.script("return studio.wire.open && !studio.wire.waiting.size"))
+    browser.script("studio.asking.set(''); studio.asking.clear()")
+
+
 def long_lines():
     """What goes on in the next line stands further in."""
     browser.script("studio.chosen(['s10e21'], studio.ports.ports[0])")
@@ -312,6 +348,8 @@ for language in ("en", "ko"):
             sections()
             no_such_file()
             names_of_now()
+            two_windows()
+            too_much()
         else:
             browser.open(front.address)
             browser.wait(QUIET)
