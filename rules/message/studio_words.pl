@@ -123,8 +123,8 @@ studio_word(feature, 'edges of the shape', '형상의 모서리').
 studio_word(all, 'all edges', '모든 모서리').
 studio_word(penetration, 'penetration lines alone', '상관선만').
 studio_word(too_long,
-    'This is more than a megabyte. Send it as a file: Open, A file of this computer.',
-    '1메가바이트보다 깁니다. 파일로 보내십시오: 열기, 이 컴퓨터의 파일.').
+    'This is more than a megabyte. Open it as a file of this computer.',
+    '1메가바이트보다 깁니다. 이 컴퓨터의 파일로 여십시오.').
 studio_word(up, 'Axis that points up', '위를 향하는 축').
 studio_word(two_windows, 'Two windows', '두 창으로').
 studio_word(central, 'Perspective', '중심 투상').

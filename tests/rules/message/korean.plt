@@ -57,7 +57,7 @@ polite_file(File) :-
     file_base_name(File, Name),
     \+ sub_atom(Name, 0, _, _, usage),
     \+ sub_atom(Name, 0, _, _, explain),
-    \+ memberchk(Name, ['session_ko.pl']).
+    \+ memberchk(Name, ['about_ko.pl','session_ko.pl']).
 
 %   Particles with one form alone after what is filled in, and those that stand
 %   apart from it.
