@@ -307,11 +307,13 @@ remove_row(sg_index *index, const sg_table *table, sg_row row)
 
 bool
 sg_index_row_has(const sg_index *index, const sg_table *table, sg_row row,
-                 int32_t s, int32_t member)
+                 int32_t s, const int32_t *member, size_t n)
 {
   for (members m = members_of(index, table, row); members_next(&m);) {
-    if (m.s == s && m.id == member) {
-      return true;
+    for (size_t i = 0; m.s == s && i < n; i++) {
+      if (m.id == member[i]) {
+        return true;
+      }
     }
   }
   return false;

@@ -59,9 +59,9 @@ bool sg_index_is_whole(const sg_index *index, const struct sg_table *table);
 /* False: so many rows wait that a look at all rows costs less, as long as it is
  * asked seldom. Who then looks at all rows counts it in `searches`. */
 bool sg_index_pays(const sg_index *index, const struct sg_table *table);
-/* True if a row that was written has this member. */
+/* True if a row that was written has one of these members. */
 bool sg_index_row_has(const sg_index *index, const struct sg_table *table,
-                      sg_row row, int32_t s, int32_t member);
+                      sg_row row, int32_t s, const int32_t *member, size_t n);
 /* Links the rows that wait, `rows` slots more. False: no memory, nothing is
  * linked any more. */
 bool sg_index_build_some(sg_index *index, const struct sg_table *table,

@@ -346,6 +346,11 @@ sg_walk_opening sg_walk_try(sg_walk *walk, const sg_version *version,
                             const sg_value *row);
 bool sg_walk_open_member(sg_walk *walk, const sg_version *version,
                          sg_relation relation, int32_t s, int32_t member);
+/* The rows that have one of n such ids, or several: at the cost of one walk
+ * where all rows are looked at. */
+bool sg_walk_open_members(sg_walk *walk, const sg_version *version,
+                          sg_relation relation, int32_t s,
+                          const int32_t *member, size_t n);
 /* True if there is a row that such a walk finds, or no memory to look. */
 bool sg_version_has_member(const sg_version *version, sg_relation relation,
                            int32_t s, int32_t member);

@@ -258,9 +258,10 @@ may_match(const sg_walk *walk, const sg_page *page)
          sg_page_may_have(page, walk->row[0].i);
 }
 
-/* Gathers the rows with the member that is asked for: a look at all. */
+/* Gathers the rows with a member that is asked for: a look at all. */
 static bool
-gather_members(sg_walk *walk, const sg_table *table, const sg_index *index)
+gather_members(sg_walk *walk, const sg_table *table, const sg_index *index,
+               const int32_t *member, size_t n)
 {
   const sg_map *map = walk->version->map[walk->relation];
   size_t pages = map ? map->chunks * SG_CHUNK_PAGES : 0;
@@ -273,7 +274,7 @@ gather_members(sg_walk *walk, const sg_table *table, const sg_index *index)
     for (unsigned place = sg_live_next(live->word, 0); place < SG_PAGE_ROWS;
          place = sg_live_next(live->word, place + 1)) {
       sg_row row = (sg_row)(page * SG_PAGE_ROWS) + place;
-      if (sg_index_row_has(index, table, row, walk->row[0].i, walk->row[1].i) &&
+      if (sg_index_row_has(index, table, row, walk->row[0].i, member, n) &&
           !gather_row(walk, row)) {
         return false;
       }
@@ -416,9 +417,24 @@ sg_walk_open(sg_walk *walk, const sg_version *version, sg_relation relation,
   return open_walk(walk, version, relation, mask, row, true) == SG_WALK_OPEN;
 }
 
+/* The same, by the index. */
+static bool
+gather_linked(sg_walk *walk, const sg_index *index, const int32_t *member,
+              size_t n)
+{
+  for (size_t i = 0; i < n; i++) {
+    walk->row[1].i = member[i];
+    if (!gather(walk, index, sg_index_hash_member(walk->row[0].i, member[i]))) {
+      return false;
+    }
+  }
+  return true;
+}
+
 bool
-sg_walk_open_member(sg_walk *walk, const sg_version *version,
-                    sg_relation relation, int32_t s, int32_t member)
+sg_walk_open_members(sg_walk *walk, const sg_version *version,
+                     sg_relation relation, int32_t s, const int32_t *member,
+                     size_t n)
 {
   sg_world *world = version->world;
   sg_table *table = &world->table[relation];
@@ -430,23 +446,29 @@ sg_walk_open_member(sg_walk *walk, const sg_version *version,
   }
   walk_init(walk, version, relation, 0x01);
   walk->row[0].i = s;
-  walk->row[1].i = member;
   walk->gathered = true;
   pthread_mutex_lock(&world->lock);
   if (sg_index_pays(index, table)) {
     table->lookups++;
-    done = sg_index_build(index, table) &&
-           gather(walk, index, sg_index_hash_member(s, member));
+    done =
+        sg_index_build(index, table) && gather_linked(walk, index, member, n);
   } else {
     index->searches++;
     atomic_fetch_add_explicit(&table->scans, 1, memory_order_relaxed);
-    done = gather_members(walk, table, index);
+    done = gather_members(walk, table, index, member, n);
   }
   pthread_mutex_unlock(&world->lock);
   if (!done) {
     sg_walk_close(walk);
   }
   return done;
+}
+
+bool
+sg_walk_open_member(sg_walk *walk, const sg_version *version,
+                    sg_relation relation, int32_t s, int32_t member)
+{
+  return sg_walk_open_members(walk, version, relation, s, &member, 1);
 }
 
 bool

@@ -26,8 +26,10 @@ want_polygon(sg_call *call, sg_resolving *job, int32_t s, int32_t p)
   return true;
 }
 
+/* The polygons that have one of these edges. */
 static bool
-want_polygons_of(sg_call *call, sg_resolving *job, int32_t s, int32_t e)
+want_polygons_of(sg_call *call, sg_resolving *job, int32_t s,
+                 const sg_int_list *edges)
 {
   sg_walk walk;
   bool good = true;
@@ -35,8 +37,9 @@ want_polygons_of(sg_call *call, sg_resolving *job, int32_t s, int32_t e)
   if (!sg_index_ready(job->handle->version, SG_P, 0, &call->cancel)) {
     return false;
   }
-  if (!sg_walk_open_member(&walk, job->handle->version, SG_P,
-                           sg_resolving_segment(job, s), e)) {
+  if (!sg_walk_open_members(&walk, job->handle->version, SG_P,
+                            sg_resolving_segment(job, s), edges->at,
+                            edges->n)) {
     return sg_call_no_memory(call);
   }
   for (sg_row row; good && (row = sg_walk_next(&walk)) != SG_NO_ROW;) {
@@ -47,31 +50,41 @@ want_polygons_of(sg_call *call, sg_resolving *job, int32_t s, int32_t e)
   return good;
 }
 
+/* The edges from v1 to v2. */
+static bool
+add_edges(sg_call *call, const sg_resolving *job, int32_t s, int32_t v1,
+          int32_t v2, sg_int_list *out)
+{
+  const sg_version *version = job->handle->version;
+  const sg_value row[SG_MAX_COLUMNS] = {
+      [0].i = sg_resolving_segment(job, s), [2].i = v1, [3].i = v2};
+  sg_walk walk;
+  bool good = true;
+
+  if (!sg_index_ready(version, SG_E, 0x0d, &call->cancel)) {
+    return false;
+  }
+  if (!sg_walk_open(&walk, version, SG_E, 0x0d, row)) {
+    return sg_call_no_memory(call);
+  }
+  for (sg_row found; good && (found = sg_walk_next(&walk)) != SG_NO_ROW;) {
+    good =
+        sg_int_list_add(call, out, sg_version_value(version, SG_E, found, 1).i);
+  }
+  sg_walk_close(&walk);
+  return good;
+}
+
 /* The polygons on both sides of a divided edge. */
 static bool
 want_neighbours(sg_call *call, sg_resolving *job, const sg_resolve_split *split)
 {
-  bool good = true;
+  const int32_t *v = split->v;
+  sg_int_list edges = {0};
 
-  for (int turn = 0; turn < 2 && good; turn++) {
-    sg_value row[SG_MAX_COLUMNS] = {[0].i = sg_resolving_segment(job, split->s),
-                                    [2].i = split->v[turn],
-                                    [3].i = split->v[!turn]};
-    sg_walk walk;
-
-    if (!sg_index_ready(job->handle->version, SG_E, 0x0d, &call->cancel)) {
-      return false;
-    }
-    if (!sg_walk_open(&walk, job->handle->version, SG_E, 0x0d, row)) {
-      return sg_call_no_memory(call);
-    }
-    for (sg_row found; good && (found = sg_walk_next(&walk)) != SG_NO_ROW;) {
-      int32_t e = sg_version_value(job->handle->version, SG_E, found, 1).i;
-      good = want_polygons_of(call, job, split->s, e);
-    }
-    sg_walk_close(&walk);
-  }
-  return good;
+  return add_edges(call, job, split->s, v[0], v[1], &edges) &&
+         add_edges(call, job, split->s, v[1], v[0], &edges) &&
+         (edges.n == 0 || want_polygons_of(call, job, split->s, &edges));
 }
 
 static bool

@@ -3,15 +3,15 @@
 
 #include "engine/search.h"
 
-/* The polygons with an edge, or of the triangles with a vertex. */
+/* The polygons with one of n edges, or of the triangles with a vertex. */
 static bool
 add_members(sg_call *call, const sg_version *version, sg_relation relation,
-            int32_t s, int32_t member, sg_int_list *out)
+            int32_t s, const int32_t *member, size_t n, sg_int_list *out)
 {
   sg_walk walk;
   bool good = true;
 
-  if (!sg_walk_open_member(&walk, version, relation, s, member)) {
+  if (!sg_walk_open_members(&walk, version, relation, s, member, n)) {
     return sg_call_no_memory(call);
   }
   for (sg_row r; good && (r = sg_walk_next(&walk)) != SG_NO_ROW;) {
@@ -27,6 +27,7 @@ add_of_edges(sg_call *call, const sg_version *version, int32_t s, int32_t v,
              sg_int_list *out)
 {
   const sg_value from[SG_MAX_COLUMNS] = {[0].i = s, [2].i = v};
+  sg_int_list edges = {0};
   sg_walk walk;
   bool good = true;
 
@@ -34,12 +35,12 @@ add_of_edges(sg_call *call, const sg_version *version, int32_t s, int32_t v,
     return sg_call_no_memory(call);
   }
   for (sg_row r; good && (r = sg_walk_next(&walk)) != SG_NO_ROW;) {
-    int32_t e = sg_version_value(version, SG_E, r, 1).i;
-
-    good = add_members(call, version, SG_P, s, e, out);
+    good =
+        sg_int_list_add(call, &edges, sg_version_value(version, SG_E, r, 1).i);
   }
   sg_walk_close(&walk);
-  return good;
+  return good && (edges.n == 0 ||
+                  add_members(call, version, SG_P, s, edges.at, edges.n, out));
 }
 
 bool
@@ -49,7 +50,7 @@ sg_polygons_at(sg_call *call, const sg_version *version, int32_t s, int32_t v,
   size_t from = out->n;
 
   if (!add_of_edges(call, version, s, v, out) ||
-      (out->n == from && !add_members(call, version, SG_T, s, v, out))) {
+      (out->n == from && !add_members(call, version, SG_T, s, &v, 1, out))) {
     return false;
   }
   if (out->n > from) {

@@ -225,13 +225,13 @@ test_view(void)
 /* ---- lists, terms, members ---------------------------------------------- */
 
 static size_t
-polygons_of_edge(sg_world *world, int32_t e)
+polygons_of_edges(sg_world *world, const int32_t *e, size_t edges)
 {
   const sg_version *version = sg_world_version(world);
   sg_walk walk;
   size_t n = 0;
 
-  if (sg_walk_open_member(&walk, version, SG_P, 1, e)) {
+  if (sg_walk_open_members(&walk, version, SG_P, 1, e, edges)) {
     while (sg_walk_next(&walk) != SG_NO_ROW) {
       n++;
     }
@@ -239,6 +239,12 @@ polygons_of_edge(sg_world *world, int32_t e)
   }
   sg_version_drop(version);
   return n;
+}
+
+static size_t
+polygons_of_edge(sg_world *world, int32_t e)
+{
+  return polygons_of_edges(world, &e, 1);
 }
 
 static void
@@ -271,6 +277,8 @@ test_members(void)
   }
   CHECK("300 polygons", polygons_of_edge(world, 3) == 300);
   CHECK("none on edge 4", polygons_of_edge(world, 4) == 0);
+  CHECK("each once", polygons_of_edges(world, es + 1, 3) == 300 &&
+                         polygons_of_edges(world, es, 0) == 0);
   CHECK("one less", sg_world_retract(world, SG_P, row) &&
                         polygons_of_edge(world, 3) == 299);
   p[1].i = 999;
@@ -282,6 +290,59 @@ test_members(void)
   sg_world_retract_all(world, SG_P);
   CHECK("all gone", polygons_of_edge(world, 3) == 0);
   CHECK("valid without", sg_world_is_valid(world));
+  sg_world_drop(world);
+}
+
+enum { LOTS = 1 << 17 }; /* rows that are looked through a few times */
+
+/* LOTS rows of edge i, from vertex 1 to 2, and of polygon i with edges i and
+ * i + 1, or with i alone. */
+static void
+fill_many(sg_world *world)
+{
+  static int32_t s[LOTS], id[LOTS], one[LOTS], two[LOTS], list[LOTS][3];
+  static const int32_t *lists[LOTS];
+  const void *const edge[] = {s, id, one, two, one};
+  const void *const polygon[] = {s, id, lists};
+
+  for (int32_t i = 0; i < LOTS; i++) {
+    s[i] = one[i] = 1;
+    two[i] = 2;
+    id[i] = i + 1;
+    list[i][0] = i + 1 < LOTS ? 2 : 1;
+    list[i][1] = i + 1;
+    list[i][2] = i + 2;
+    lists[i] = list[i];
+  }
+  CHECK("vertices", fill_vertices(world, 1, 1, 2));
+  CHECK("many edges",
+        sg_world_add_many(world, SG_E, LOTS, edge, NULL) == SG_OK);
+  CHECK("many polygons",
+        sg_world_add_many(world, SG_P, LOTS, polygon, NULL) == SG_OK);
+}
+
+/* Asked seldom, all rows are looked at; asked often, an index is made. */
+static void
+test_many_members(void)
+{
+  sg_world *world = sg_world_open();
+  const int32_t es[] = {9, 8, 500, LOTS, 9};
+  size_t before, after;
+  sg_statistics of;
+  bool right = true;
+
+  fill_many(world);
+  sg_world_statistics(world, SG_P, &of);
+  before = of.index_bytes;
+  CHECK("several at once", polygons_of_edges(world, es, 5) == 7);
+  sg_world_statistics(world, SG_P, &of);
+  CHECK("no index", of.index_bytes == before);
+  for (int i = 0; i < 50; i++) {
+    right = right && polygons_of_edges(world, es, 5) == 7;
+  }
+  sg_world_statistics(world, SG_P, &of);
+  after = of.index_bytes;
+  CHECK("the same by an index", right && after > before);
   sg_world_drop(world);
 }
 
@@ -473,6 +534,7 @@ main(void)
   test_bulk();
   test_view();
   test_members();
+  test_many_members();
   test_terms();
   test_fresh();
   test_questions();
