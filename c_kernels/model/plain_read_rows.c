@@ -252,6 +252,7 @@ read_value(reader *r, const sg_column_info *info, sg_plain_column *to,
            size_t row)
 {
   int32_t value;
+  int64_t moved;
 
   switch (info->type) {
   case SG_FLOAT:
@@ -267,11 +268,15 @@ read_value(reader *r, const sg_column_info *info, sg_plain_column *to,
   case SG_TERM:
     break;
   }
-  if (!read_int(r, &value) || (names_segment(info->name) &&
-                               (value <= 0 || value > INT32_MAX - r->shift))) {
+  if (!read_int(r, &value)) {
     return NOT_PLAIN;
   }
-  to->i[row] = value + (names_segment(info->name) ? r->shift : 0);
+  moved = (int64_t)value + (names_segment(info->name) ? r->shift : 0);
+  if (names_segment(info->name) &&
+      (value <= 0 || moved <= 0 || moved > INT32_MAX)) {
+    return NOT_PLAIN;
+  }
+  to->i[row] = (int32_t)moved;
   return TAKEN;
 }
 

@@ -93,6 +93,30 @@ test_square(void)
   sg_plain_facts_free(facts);
 }
 
+/* Where the first fact of "v(2,1,0,0,0). " ends, of a segment that is shifted
+ * so far. */
+static size_t
+taken(int32_t shift)
+{
+  static const char vertex[] = "v(2,1,0,0,0). ";
+  sg_text_place end;
+  sg_plain_facts *facts = facts_of(vertex, sizeof vertex - 1, shift, &end);
+
+  sg_plain_facts_free(facts);
+  return (size_t)end.octet;
+}
+
+/* Numbers of segments are from 1 to the greatest, wherever they are shifted. */
+static void
+test_shift(void)
+{
+  CHECK("to the greatest", taken(INT32_MAX - 2) == 14);
+  CHECK("past it", taken(INT32_MAX - 1) == 0);
+  CHECK("down to 1", taken(-1) == 14);
+  CHECK("to 0", taken(-2) == 0);
+  CHECK("below", taken(INT32_MIN) == 0);
+}
+
 static void
 test_no_text(void)
 {
@@ -298,6 +322,7 @@ main(int argc, char **argv)
   sg_call_open(&call, NULL, NULL);
   call.world = sg_world_open();
   test_square();
+  test_shift();
   test_no_text();
   test_wrong();
   sg_world *world = call.world;
