@@ -295,8 +295,8 @@ test_members(void)
 
 enum { LOTS = 1 << 17 }; /* rows that are looked through a few times */
 
-/* LOTS rows of edge i, from vertex 1 to 2, and of polygon i with edges i and
- * i + 1, or with i alone. */
+/* LOTS rows of edge i, from vertex 1 to 2, some to 1, and of polygon i with
+ * edges i and i + 1, or with i alone. */
 static void
 fill_many(sg_world *world)
 {
@@ -307,7 +307,7 @@ fill_many(sg_world *world)
 
   for (int32_t i = 0; i < LOTS; i++) {
     s[i] = one[i] = 1;
-    two[i] = 2;
+    two[i] = i % 1000 == 7 ? 1 : 2;
     id[i] = i + 1;
     list[i][0] = i + 1 < LOTS ? 2 : 1;
     list[i][1] = i + 1;
@@ -319,6 +319,42 @@ fill_many(sg_world *world)
         sg_world_add_many(world, SG_E, LOTS, edge, NULL) == SG_OK);
   CHECK("many polygons",
         sg_world_add_many(world, SG_P, LOTS, polygon, NULL) == SG_OK);
+}
+
+/* How many edges are from vertex 1 to v. */
+static size_t
+edges_to(sg_world *world, int32_t v)
+{
+  const sg_version *version = sg_world_version(world);
+  const sg_value row[SG_MAX_COLUMNS] = {{.i = 1}, {0}, {.i = 1}, {.i = v}};
+  sg_walk walk;
+  size_t n = 0;
+
+  if (sg_walk_open(&walk, version, SG_E, 0x0d, row)) {
+    while (sg_walk_next(&walk) != SG_NO_ROW) {
+      n++;
+    }
+    sg_walk_close(&walk);
+  }
+  sg_version_drop(version);
+  return n;
+}
+
+/* Many at a time, where all of them live. */
+static void
+test_many_edges(sg_world *world)
+{
+  sg_value row[SG_MAX_COLUMNS] = {{.i = 1}, {.i = 1008}};
+  const sg_version *version = sg_world_version(world);
+  sg_row gone = sg_version_find(version, SG_E, row);
+
+  sg_version_drop(version);
+  CHECK("few of many", edges_to(world, 1) == (LOTS + 992) / 1000);
+  CHECK("most", edges_to(world, 2) == LOTS - (LOTS + 992) / 1000);
+  CHECK("none", edges_to(world, 3) == 0);
+  sg_world_retract_all(world, SG_P);
+  CHECK("one less", sg_world_retract(world, SG_E, gone) &&
+                        edges_to(world, 1) == (LOTS + 992) / 1000 - 1);
 }
 
 /* Asked seldom, all rows are looked at; asked often, an index is made. */
@@ -343,6 +379,7 @@ test_many_members(void)
   sg_world_statistics(world, SG_P, &of);
   after = of.index_bytes;
   CHECK("the same by an index", right && after > before);
+  test_many_edges(world);
   sg_world_drop(world);
 }
 
