@@ -216,6 +216,12 @@ $(FAILING): tests/memory/failing_malloc.c $(B)/deps.mk
 	$(CC) $(CFLAGS) $(WARN) -Wno-sign-conversion -fno-builtin $(PL_CFLAGS) \
 	  -shared $< -o $@
 
+# How long a program works without asking whether it is to stop.
+UNASKED := $(B)/tests/unasked.so
+$(UNASKED): tests/polls/unasked.c $(B)/deps.mk
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(WARN) -Wno-pedantic -shared $< -o $@ -ldl -lrt
+
 # The rules compiled: tests load them in a quarter of the time (load_rules.pl).
 $(B)/rules.qlf: $(B)/sanggwan.so $(RULES)
 	@echo ":- module(sg_rules, []). :- use_module('$(CURDIR)/rules/sanggwan.pl', [])." \
@@ -223,7 +229,7 @@ $(B)/rules.qlf: $(B)/sanggwan.so $(RULES)
 	swipl -q -f none -p foreign=$(B) --on-warning=status --on-error=status \
 	  -g "qcompile('$(B)/rules.pl',[include(user)])" -t halt
 
-test: all $(B)/rules.qlf $(C_TESTS) $(EMBEDS) $(B)/docs/example $(CHECKERS) $(FAILING)
+test: all $(B)/rules.qlf $(C_TESTS) $(EMBEDS) $(B)/docs/example $(CHECKERS) $(FAILING) $(UNASKED)
 	@$(or $(if $(strip $(C_TESTS) $(EMBEDS) $(PLTS) $(CLIS)),tests/run), \
 	  echo 'no test is called so: $(T)' >&2; exit 2;) \
 	  $(C_TESTS) $(EMBEDS) $(PLTS) $(CLIS)
@@ -237,7 +243,7 @@ check-rules: $(B)/rules.qlf $(B)/documentation.pl $(CHECKERS)
 	@tests/run $(PLTS)
 check-embed: $(EMBEDS)
 	@tests/run $^
-check-cli: all $(B)/rules.qlf $(B)/docs/example $(CHECKERS) $(FAILING)
+check-cli: all $(B)/rules.qlf $(B)/docs/example $(CHECKERS) $(FAILING) $(UNASKED)
 	@tests/run $(CLIS)
 
 # Do the tests notice faults? N mutants of lines drawn by SEED; PART is a part
@@ -245,7 +251,7 @@ check-cli: all $(B)/rules.qlf $(B)/docs/example $(CHECKERS) $(FAILING)
 N    ?= 20
 SEED ?= 1
 PART ?=
-mutants: all $(CHECKERS) $(FAILING)
+mutants: all $(CHECKERS) $(FAILING) $(UNASKED)
 	@tools/mutants $(N) $(SEED) $(PART)
 
 # --- checkers --------------------------------------------------------------

@@ -249,10 +249,12 @@ join_itself(sg_self_joiner *j, const sg_bvh *tree, sg_pool *pool,
   j->only = (sg_bvh_pair){tree, tree};
   j->pair = &j->only;
   bool good =
-      sg_self_stars_open(j, tree, &r.stars) &&
+      sg_self_stars_open(j, tree, &r.stars) && !sg_cancelled(cancel) &&
       sg_fans_open(tree, read_place, &r, j->of->by_place, &r.fans) &&
+      !sg_cancelled(cancel) &&
       (j->of->reach > 0 ||
        sg_spines_open(tree, read_place, &r, j->of->by_place, &r.spines)) &&
+      !sg_cancelled(cancel) &&
       sg_node_boxes_open(tree, j->of->reach, read_place, &r, cancel,
                          &r.boxes) &&
       sg_bvh_join_itself(tree, j->of->reach, wants_pair, j,

@@ -126,7 +126,7 @@ sg_resolving_want(sg_call *call, sg_resolving *job)
   bool good = want_covered(call, job);
 
   for (size_t i = 0; i < r->split.n && good; i++) {
-    good = sg_resolving_goes_on(call, i) &&
+    good = !sg_cancelled(&call->cancel) && /* it may look at many rows */
            want_neighbours(call, job, &r->split.item[i]);
   }
   for (size_t i = r->first_inside; i < r->place.n && good; i++) {

@@ -150,9 +150,13 @@ least_edge(sg_call *call, const leaf *l, int32_t v, unsigned column,
   sg_value at[SG_MAX_COLUMNS] = {[0].i = l->s};
   sg_walk walk;
 
+  const uint16_t mask = (uint16_t)(1U << 0 | 1U << column);
+
   at[column].i = v;
-  if (!sg_walk_open(&walk, l->version, SG_E, (uint16_t)(1U << 0 | 1U << column),
-                    at)) {
+  if (!sg_index_ready(l->version, SG_E, mask, &call->cancel)) {
+    return false;
+  }
+  if (!sg_walk_open(&walk, l->version, SG_E, mask, at)) {
     return sg_call_no_memory(call);
   }
   for (sg_row r; (r = sg_walk_next(&walk)) != SG_NO_ROW;) {
@@ -209,7 +213,7 @@ find_features(sg_call *call, leaf *l)
     sg_contact_place place = out->place.item[i];
     bool none;
 
-    if (sg_cancel_every(&call->cancel, i) ||
+    if (sg_cancelled(&call->cancel) || /* it may look at many rows */
         !find_feature(call, l, &place, &none)) {
       return false;
     }

@@ -1,0 +1,62 @@
+#!/bin/bash
+# polls.sh -- no kernel works long without asking whether it is to stop: what a
+# signal waits for. Counted in processor time, whatever else the machine does.
+. "$(dirname "$0")/harness.bash"
+cd "$here" || exit 2
+case $(ldd "$sanggwan") in
+*san.so*)
+  echo 'skipped: polls: a sanitizer is slow'
+  finish
+  ;;
+esac
+
+# Balls of 4 N (N - 1) triangles, and a ragged star of 50 N corners.
+awk -v n=200 'function at(i, j) {
+  return i == 0 ? 1 : i == n ? (n - 1) * 2 * n + 2 : (i - 1) * 2*n + j % (2*n) + 2
+}
+BEGIN { pi = 3.14159265358979
+  for (x = 0; x < 2; x++) {
+    file = "'"$work"'/ball" x ".obj"
+    for (i = 0; i <= n; i++) for (j = 0; j < (i % n ? 2 * n : 1); j++)
+      printf "v %.15f %.15f %.15f\n", 0.7 * x + sin(pi*i/n) * cos(pi*j/n), \
+        sin(pi*i/n) * sin(pi*j/n), cos(pi*i/n) > file
+    for (i = 0; i < n; i++) for (j = 0; j < 2 * n; j++) {
+      if (i < n - 1) print "f", at(i, j), at(i+1, j), at(i+1, j+1) > file
+      if (i > 0) print "f", at(i, j), at(i+1, j+1), at(i, j+1) > file
+    }
+  }
+  file = "'"$work"'/star.off"
+  m = 50 * n
+  print "OFF\n" m, 1, 0 > file
+  for (i = 0; i < m; i++) {
+    r = 0.2 + (i * 0.6180339887) % 1
+    printf "%.15f %.15f 0\n", r * cos(2*pi*i/m), r * sin(2*pi*i/m) > file
+  }
+  printf "%d", m > file
+  for (i = 0; i < m; i++) printf " %d", i > file
+  print "" > file
+}'
+
+most=0
+# asks NAME ARGUMENT...: at least every 140 ms of its processor time.
+asks() {
+  local name=$1 took
+  shift
+  UNASKED=$work/unasked LD_PRELOAD=$B/tests/unasked.so \
+    "$sanggwan" "$@" >"$work/out" 2>"$work/err" </dev/null
+  status=$?
+  check "$name: done" status_is 0
+  took=$(head -n 1 "$work/unasked")
+  [ "$took" -lt 140 ] || sed -n 2,12p "$work/unasked"
+  check "$name: asks" test "$took" -lt 140
+  [ "$took" -le "$most" ] || most=$took
+}
+asks check check "$work/ball0.obj"
+asks star check "$work/star.off"
+asks union union -q "$work/ball0.obj" "$work/ball1.obj" -o "$work/a.off"
+asks render render -q "$work/ball0.obj" -o "$work/a.png"
+asks split split -q "$work/ball0.obj" --plane 0,0,1,-0.1 -o "$work/a.stl"
+asks convert convert -q "$work/ball0.obj" -o "$work/a.pl"
+printf 'counted: the longest of 6 commands without a question took %d ms\n' \
+  "$most"
+finish
