@@ -78,19 +78,16 @@ copy_edges(taking *k)
     const sg_work_edge *edge = sg_work_get(k->work, e);
     int32_t v1 = sg_work_id(k->work, edge->start);
     int32_t v2 = sg_work_id(k->work, edge->end);
-
     uint32_t key[2];
-
-    bool line = sg_arrangement_is_line(k->a, k->leaf, v1, v2);
     bool fold = edge->et == 0 && edge->label == 0;
+    bool line = edge->et != 0 || sg_arrangement_is_line(k->a, k->leaf, v1, v2);
 
     k->edge[k->edges++] = *edge;
     border_key(v1, v2, key);
-    if ((edge->et != 0 || (fold && line)) &&
-        !sg_key_table_add(&k->border, key)) {
+    if (line && (edge->et != 0 || fold) && !sg_key_table_add(&k->border, key)) {
       return false;
     }
-    if (edge->et == 0 && !fold && !line &&
+    if (!line && !fold &&
         !sg_key_table_add(&k->auxiliary,
                           (uint32_t[2]){(uint32_t)v1, (uint32_t)v2})) {
       return false;
