@@ -9,6 +9,7 @@
             whole_number/2              % +Number0, -Number
           ]).
 :- use_module(angle, [exact_sin_cos/3]).
+:- use_module(kernel, [has_part/2]).
 :- use_module(spelling, [near_words/3]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [member/2]).
@@ -74,28 +75,18 @@ formula_function(atan2, 2).
 %   True when Term, or a part of it, is a formula and no mere number.
 
 has_formula(Term) :-
-    is_formula(Term),
+    formula_parts(Parts),
+    has_part(Term, Parts).
+
+:- dynamic formula_parts_/1.
+
+formula_parts(Parts) :-
+    formula_parts_(Parts),
     !.
-has_formula(Term) :-
-    compound(Term),
-    compound_name_arity(Term, _, N),
-    N > 0,
-    formula_from(1, N, Term).
-
-%   formula_from(I, N, Term): in the arguments I to N of Term. The last one is
-%   a last call, for it may be the rest of a long list.
-
-formula_from(N, N, Term) :-
-    !,
-    arg(N, Term, Argument),
-    has_formula(Argument).
-formula_from(I, N, Term) :-
-    arg(I, Term, Argument),
-    (   has_formula(Argument)
-    ->  true
-    ;   I1 is I+1,
-        formula_from(I1, N, Term)
-    ).
+formula_parts(Parts) :-
+    findall(Name/Arity, ( formula_function(Name, Arity), Arity > 0 ), List),
+    Parts =.. [parts,pi,param/1|List],
+    assertz(formula_parts_(Parts)).
 
 %!  is_formula(@Term) is semidet.
 %

@@ -4,6 +4,7 @@
  * Layer: rows.
  */
 #include "plain_facts_rows.h"
+#include "vertex_list.h"
 
 #include "engine/search.h"
 #include "rows/by_segment.h"
@@ -11,10 +12,6 @@
 
 #include <stdlib.h>
 #include <string.h>
-
-typedef struct edge {
-  int32_t from, to;
-} edge;
 
 /* Edges that are made, as columns of e/5. */
 typedef struct new_edges {
@@ -27,8 +24,8 @@ typedef struct polygons {
   sg_world *world;
   const sg_version *version;
   const sg_plain_rows *rows;
-  edge *scratch; /* of one polygon, [longest + 1] */
-  int32_t *half; /* the same */
+  sg_list_edge *scratch; /* of one polygon, [longest + 1] */
+  int32_t *half;         /* the same */
   new_edges made;
   int32_t *next; /* [segments]: the next edge of a list of vertices, 0: it has
                     edges of its own */
@@ -37,54 +34,17 @@ typedef struct polygons {
 
 /* ---- one polygon -------------------------------------------------------- */
 
-SG_ORDER(compare_edges, edge, SG_BY(from) SG_BY(to));
-
-/* Three edges or more, none twice, none of one vertex; as many end at a vertex
- * as start there. Sorts them. */
+/* Sorts the edges. */
 static bool
-is_sound(edge *e, size_t n, int32_t *half)
+is_sound(sg_list_edge *e, size_t n, int32_t *half)
 {
-  bool sound = n >= 3;
+  int32_t what[2];
 
-  qsort(e, n, sizeof *e, compare_edges);
-  for (size_t i = 0; i < n; i++) {
-    sound = sound && e[i].from != e[i].to &&
-            (i == 0 || compare_edges(&e[i - 1], &e[i]) != 0);
-    half[i] = e[i].to;
-  }
-  qsort(half, n, sizeof *half, sg_compare_ids);
-  for (size_t i = 0; i < n; i++) {
-    sound = sound && half[i] == e[i].from;
-  }
-  return sound;
-}
-
-/* The edges of a list of vertices, of n words: a negative one is a jump. */
-static bool
-take_vertices(const int32_t *v, size_t n, edge *out, size_t *edges)
-{
-  bool jumps = false;
-
-  *edges = 0;
-  if (n == 0 || v[0] <= 0) {
-    return false;
-  }
-  for (size_t i = 1; i < n; i++) {
-    if (v[i] > 0) {
-      out[(*edges)++] = (edge){abs(v[i - 1]), v[i]};
-    } else if (v[i] == 0 || i + 1 == n || v[i + 1] <= 0) {
-      return false;
-    }
-    jumps = jumps || v[i] < 0;
-  }
-  if (!jumps && v[n - 1] != v[0]) {
-    out[(*edges)++] = (edge){v[n - 1], v[0]};
-  }
-  return true;
+  return sg_border_find_fault(e, n, half, what) == SG_BORDER_GOOD;
 }
 
 static bool
-take_edges(const polygons *p, int32_t s, const int32_t *list, edge *out)
+take_edges(const polygons *p, int32_t s, const int32_t *list, sg_list_edge *out)
 {
   for (int32_t i = 0; i < list[0]; i++) {
     sg_row row = sg_version_find(
@@ -174,7 +134,7 @@ ready(polygons *p, size_t i, const int32_t **list)
     return take_edges(p, s, *list, p->scratch) &&
            is_sound(p->scratch, n, p->half);
   }
-  if (!take_vertices(*list + 1, n, p->scratch, &edges)) {
+  if (!sg_vertex_list_edges(*list + 1, n, p->scratch, &edges)) {
     return false;
   }
   *list = make_edges(p, s, next, edges);

@@ -18,7 +18,7 @@
               [ is_node_term/1, node_parts/4, map_operands/3,
                 check_node_term/1
               ]).
-:- use_module('../kernel', [kept_leaves/2]).
+:- use_module('../kernel', [id_list/2, kept_leaves/2]).
 :- use_module('../primitive/primitive_rows',
               [add_primitive/2, primitive_rows/3, rows_left_out/0]).
 :- use_module(csg_record,
@@ -376,7 +376,10 @@ term_leaves(Term, Count0, Count) :-
     ).
 
 operands_leaves(Operands, Count0, Count) :-
-    (   is_list(Operands)
+    (   id_list(Operands, 1)
+    ->  length(Operands, N),
+        Count is Count0+N
+    ;   is_list(Operands)
     ->  foldl(term_leaves, Operands, Count0, Count)
     ;   Count = Count0                  % a fault of its own
     ).

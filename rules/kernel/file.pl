@@ -34,6 +34,16 @@ Foreign predicates; see kernel.pl.
 %   order. plain_facts_add/2 adds the rows of a Relation, for p/3 also the edges
 %   of lists of vertices. It fails if one is wrong: some may be there then.
 
+/* - - - vertex_list_rows.c - - - */
+
+%!  vertex_list_fault(+S:id, +Vs:list(int), -Fault:vertex_list_fault) is semidet.
+%!  chain_fault(+S:id, +Vs:list(int), -Fault:chain_fault) is semidet.
+%
+%   True when Vs is no list of vertices of segment S as a polygon has, or a
+%   chain: Fault is `list`, it has no edges (vertex_list_edges/2); else
+%   missing(V), S has no vertex V; else as polygon_fault/2 says, or chain(V), V
+%   has an edge to itself.
+
 /* - - - csg_text_rows.c - - - */
 
 %!  csg_nodes(+Stream:input, +File:name, +Limits:text_limits,
@@ -243,3 +253,24 @@ Foreign predicates; see kernel.pl.
 %
 %   Stream reads Bytes octets, from From on, of the parts of the rules that the
 %   program carries (part.pl). Plain Prolog carries none.
+
+/* - - - parts4pl.c - - - */
+
+%!  has_part(+Term, +Parts) is semidet.
+%
+%   True when Term, an atom or a compound, or a part of it is one of Parts: a
+%   compound whose arguments are atoms, and Name/Arity of compounds.
+%
+%   @error type_error(acyclic_term, Term)
+
+%!  plain_value(+Term, +Depth) is semidet.
+%
+%   True when Term has only atoms, integers, finite floats, and Depth levels of
+%   compounds at most, of which a list is one; so no variable, text or dict.
+%
+%   @error type_error(acyclic_term, Term)
+
+%!  id_list(+List, +Least) is semidet.
+%
+%   True when List is a list of integers from Least to 2147483647, none of
+%   them 0.

@@ -16,8 +16,9 @@
               [ with_plain_facts/3, plain_taken/3, plain_added/2,
                 plain_segments/2
               ]).
-:- use_module('../csg/csg', [complete_tree/1, is_node/1]).
+:- use_module('../csg/csg', [complete_tree/1]).
 :- use_module('../csg/csg_term', [is_node_term/1]).
+:- use_module('../kernel', [chain_fault/3, vertex_list_fault/3]).
 :- use_module('../polygon/polygon_list',
               [vertex_list_edges/2, polygon_fault/2]).
 :- use_module('../formula', [renamed_parameters/3]).
@@ -505,25 +506,25 @@ later_polygon(form(edges, S, P, Es, Place), Numbers, Numbers) :-
     ).
 
 list_polygon_added(S, P, List, Place, Numbers0, Numbers) :-
-    (   vertex_list_edges(List, Edges)
-    ->  true
-    ;   place_error(Place, 3, polygon(S, P, list))
+    (   vertex_list_fault(S, List, Fault)
+    ->  (   Fault = missing(V)
+        ->  place_error(Place, 3, missing(v, S, V))
+        ;   place_error(Place, 3, polygon(S, P, Fault))
+        )
+    ;   no_polygon_of_curve(S, P, Place)
     ),
-    forall(member(V-_, Edges), known_vertex(S, V, Place, 3)),
-    sound_polygon(Edges, S, P, Place),
+    vertex_list_edges(List, Edges),
     edges_added(Edges, S, Place, Es, Numbers0, Numbers),
     row_added(p(S, P, Es), Place).
-
-known_vertex(S, V, Place, Argument) :-
-    (   has_vertex(S, V)
-    ->  true
-    ;   place_error(Place, Argument, missing(v, S, V))
-    ).
 
 sound_polygon(Edges, S, P, Place) :-
     (   polygon_fault(Edges, Why)
     ->  place_error(Place, 3, polygon(S, P, Why))
-    ;   once(segment(S, curve, _))
+    ;   no_polygon_of_curve(S, P, Place)
+    ).
+
+no_polygon_of_curve(S, P, Place) :-
+    (   once(segment(S, curve, _))
     ->  place_error(Place, 1, curve_polygon(S, P))
     ;   true
     ).
@@ -532,17 +533,20 @@ later_curve(later(curve(S, Chain), Place), Numbers0, Numbers) :-
     chain_added(S, Place, Chain, Numbers0, Numbers).
 
 chain_added(S, Place, Chain, Numbers0, Numbers) :-
-    forall(member(V, Chain), known_vertex(S, V, Place, 2)),
-    chain_edges(Chain, S, Place, Edges),
+    (   chain_fault(S, Chain, Fault)
+    ->  (   Fault = missing(V)
+        ->  place_error(Place, 2, missing(v, S, V))
+        ;   Fault = chain(V),
+            place_error(Place, 2, chain(S, V))
+        )
+    ;   chain_edges(Chain, Edges)
+    ),
     edges_added(Edges, S, Place, _, Numbers0, Numbers).
 
-chain_edges([_], _, _, []) :-
+chain_edges([_], []) :-
     !.
-chain_edges([V, W|Vs], S, Place, [V-W|Edges]) :-
-    (   V =\= W
-    ->  chain_edges([W|Vs], S, Place, Edges)
-    ;   place_error(Place, 2, chain(S, V))
-    ).
+chain_edges([V, W|Vs], [V-W|Edges]) :-
+    chain_edges([W|Vs], Edges).
 
 %   edges_added(Edges, S, Place, Es, Numbers0, Numbers): rows of e/5 for the
 %   edges V1-V2, numbered from the next number of S on.
@@ -571,13 +575,18 @@ numbered_edges([V1-V2|Edges], S, Place, E0, [E0|Es], E) :-
 %   curve has plain polygons.
 
 segment_completed(Later, File, S) :-
-    \+ ( once(segment(S, curve, _)), has_polygon(S, _) ),
+    (   once(segment(S, Kind, Term))
+    ->  true
+    ;   Kind = none,
+        Term = none
+    ),
+    \+ ( Kind == curve, has_polygon(S, _) ),
     (   has_edges(S)
     ->  true
-    ;   is_node(S)
+    ;   is_node_term(Term)
     ->  true
     ;   rows_left_out,
-        once(( segment(S, _, Term), is_primitive(Term) )),
+        is_primitive(Term),
         \+ has_vertex(S, _)
     ->  true
     ;   member(later(curve(S, [_]), _), Later)
@@ -587,11 +596,11 @@ segment_completed(Later, File, S) :-
     ->  place_error(Place, no_edges(S))
     ;   throw(error(model_error(no_edges(S)), location(File, 0, 0)))
     ),
-    (   once(segment(S, _, _))
-    ->  true
-    ;   segment_kind(S, Kind),
+    (   Kind == none
+    ->  segment_kind(S, Made),
         file_name(File, Name),
-        assert_fact(segment(S, Kind, Name))
+        assert_fact(segment(S, Made, Name))
+    ;   true
     ).
 
 segment_kind(S, Kind) :-

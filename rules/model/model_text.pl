@@ -14,6 +14,7 @@
             model_float/2               % +Value, -Float
           ]).
 :- use_module('../decimal', [decimal_comma/4]).
+:- use_module('../kernel', [id_list/2, plain_value/2]).
 :- use_module('../limits', [limit_value/2]).
 :- use_module('../plain', [cut_term/2]).
 :- use_module('../text_file', [with_text_again/3]).
@@ -22,7 +23,6 @@
               [param/2, relation/3, relation_column/5, column_domain/3]).
 :- use_module(formula_term, [formed_term/3, formed_wish/3]).
 :- use_module(look_term, [is_look/1, is_light/1, look_expected/2]).
-:- use_module(library(apply), [maplist/2]).
 :- use_module(library(lists), [member/2]).
 /** <module> The text of a model file: facts, each checked against the schema.
 
@@ -459,15 +459,12 @@ typed(distance, Value, Float) :-
 typed(number, Value, Value) :-
     model_float(Value, _).
 typed(steps, Steps, Steps) :-
-    is_list(Steps),
-    maplist(is_step, Steps).
+    id_list(Steps, -0x7fffffff).
 typed(chain, Chain, Chain) :-
-    is_list(Chain),
     Chain = [_|_],
-    maplist(is_id, Chain).
+    id_list(Chain, 1).
 typed(ids, Ids, Ids) :-
-    is_list(Ids),
-    maplist(is_id, Ids).
+    id_list(Ids, 1).
 typed(one_of(Values), Value, Value) :-
     atomic(Value),
     memberchk(Value, Values).
@@ -484,53 +481,20 @@ typed(text, Text, Atom) :-
     atom_string(Atom, Text).
 typed(text, Text, Text) :-
     atomic(Text),
-    plain_term(Text, 0),
+    plain_value(Text, 0),
     Text \== [].
 typed(look, Property, Property) :-
     is_look(Property).
 typed(light, Property, Property) :-
     is_light(Property).
 typed(ground, Term, Term) :-
-    ground(Term),
     limit_value(depth, Depth),
-    plain_term(Term, Depth).
+    plain_value(Term, Depth).
 
 is_id(Id) :-
     integer(Id),
     Id > 0,
     Id =< 0x7fffffff.
-
-is_step(Step) :-
-    integer(Step),
-    Step =\= 0,
-    Id is abs(Step),
-    is_id(Id).
-
-%   Atoms, numbers that are neither rationals nor infinite, and compounds of
-%   them; neither strings nor dicts, so that names compare as one expects.
-
-plain_term(Term, _) :-
-    (   atom(Term)
-    ;   Term == []
-    ),
-    !.
-plain_term(Term, _) :-
-    number(Term),
-    !,
-    (   integer(Term)
-    ->  true
-    ;   model_float(Term, _)
-    ).
-plain_term(Term, Depth) :-
-    compound(Term),
-    \+ is_dict(Term),
-    Depth > 0,
-    Depth1 is Depth-1,
-    (   is_list(Term)
-    ->  Arguments = Term
-    ;   compound_name_arguments(Term, _, Arguments)
-    ),
-    forall(member(Argument, Arguments), plain_term(Argument, Depth1)).
 
 %!  model_float(+Value, -Float) is semidet.
 %

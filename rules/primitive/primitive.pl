@@ -11,6 +11,7 @@
             primitive_parts/3           % +Term, -Parts, -Surfaces
           ]).
 :- use_module(bezier, [bezier_shape/2]).
+:- use_module('../kernel', [has_part/2]).
 :- use_module(placing,
               [ motion_mirrors/1, motion_stretch/2, moved/3, moved_vector/3,
                 step_motion/2
@@ -333,6 +334,32 @@ is_primitive(Term) :-
 %   and a comma be written for the point. Angles and factors are left alone.
 
 comma_argument(Term, Argument) :-
+    comma_parts(Parts),
+    has_part(Term, Parts),
+    comma_argument_in(Term, Argument).
+
+%   comma_parts(Parts): all such arguments that there are, as of has_part/2.
+
+:- dynamic comma_parts_/1.
+
+comma_parts(Parts) :-
+    comma_parts_(Parts),
+    !.
+comma_parts(Parts) :-
+    findall(Of/2,
+            ( primitive_row(_, _, Wanted, _, _), comma_form(Wanted, Of) ),
+            List0),
+    sort(List0, List),
+    Parts =.. [parts|List],
+    assertz(comma_parts_(Parts)).
+
+comma_form(Wanted, Of) :-
+    member(argument(Of, Forms, _), Wanted),
+    member(Length, [length,radius]),
+    memberchk([Length], Forms),
+    memberchk([Length, Length], Forms).
+
+comma_argument_in(Term, Argument) :-
     compound(Term),
     compound_name_arguments(Term, Name, Arguments),
     (   primitive_row(Name, _, Wanted, _, _)
@@ -342,12 +369,9 @@ comma_argument(Term, Argument) :-
         integer(Whole),
         integer(Part),
         Part >= 0,
-        memberchk(argument(Of, Forms, _), Wanted),
-        member(Length, [length,radius]),
-        memberchk([Length], Forms),
-        memberchk([Length, Length], Forms)
+        comma_form(Wanted, Of)
     ;   member(Inner, Arguments),
-        comma_argument(Inner, Argument)
+        comma_argument_in(Inner, Argument)
     ).
 
 %!  primitive_kind(+Term, -Kind) is det.
