@@ -206,10 +206,17 @@ bool
 sg_host_text(term_t t, unsigned flags, char **out)
 {
   size_t n;
+  char *text;
   int done;
 
+  /* BUF_MALLOC would give what Prolog frees, too, of a term that is written in
+   * more than 4 kB (SWI-Prolog 9.0). */
   PL_STRINGS_MARK();
-  done = PL_get_nchars(t, &n, out, flags | BUF_MALLOC | REP_UTF8);
+  done = PL_get_nchars(t, &n, &text, flags | BUF_STACK | REP_UTF8);
+  if (done) {
+    *out = PL_malloc(n + 1);
+    memcpy(*out, text, n + 1);
+  }
   PL_STRINGS_RELEASE();
   return done;
 }

@@ -5,6 +5,7 @@
  * look at each for every question. A term is walked with a stack of its own,
  * so it may be as deep as there is memory; one that is in itself is refused.
  */
+#include "host.h"
 #include "install.h"
 #include "list.h"
 #include "world4pl.h"
@@ -17,6 +18,7 @@
 typedef struct level {
   size_t next, arity; /* of a list: 0 */
   bool open;          /* a list without an end, and so is its tail */
+  bool tail;          /* one that is such a tail */
 } level;
 
 typedef enum verdict { GO_ON, FOUND, FAILED } verdict;
@@ -25,6 +27,7 @@ typedef struct walk {
   SG_LIST_OF(level) stack;
   SG_LIST_OF(term_t) at; /* references, one more than levels were ever there */
   size_t steps;
+  size_t tails; /* of the levels */
   verdict (*look)(const struct walk *w, term_t t, int type);
   const void *data;
 } walk;
@@ -51,8 +54,9 @@ go_down(walk *w, term_t t, int type)
   level l = {.next = 1};
   atom_t name;
 
-  l.open = type == PL_LIST_PAIR &&
-           (is_open_tail(w) || PL_skip_list(t, 0, NULL) != PL_LIST);
+  l.tail = type == PL_LIST_PAIR && is_open_tail(w);
+  l.open =
+      type == PL_LIST_PAIR && (l.tail || PL_skip_list(t, 0, NULL) != PL_LIST);
   if ((type == PL_TERM || l.open) &&
       !PL_get_compound_name_arity(t, &name, &l.arity)) {
     return false;
@@ -64,6 +68,7 @@ go_down(walk *w, term_t t, int type)
       return fresh && PL_resource_error("memory");
     }
   }
+  w->tails += l.tail;
   return SG_PUSH(w->stack, l) || PL_resource_error("memory");
 }
 
@@ -97,7 +102,7 @@ walk_term(walk *w, term_t t)
     if (++w->steps % 262144 == 0 && PL_handle_signals() < 0) {
       good = false;
     } else if (!next_argument(w, l)) {
-      w->stack.n--;
+      w->tails -= w->stack.item[--w->stack.n].tail;
     } else {
       own = w->at.item[w->stack.n];
       type = PL_term_type(own);
@@ -233,6 +238,25 @@ plain_value(term_t t, term_t most)
     return FALSE;
   }
   return walk_term(&w, t) != FOUND && !PL_exception(0);
+}
+
+/* ---- depth -------------------------------------------------------------- */
+
+static verdict
+look_deep(const walk *w, term_t t, int type)
+{
+  const size_t *depth = w->data;
+
+  (void)t;
+  return is_compound(type) && w->stack.n - w->tails >= *depth ? FOUND : GO_ON;
+}
+
+bool
+sg_host_is_deeper(term_t t, size_t depth)
+{
+  walk w = {.look = look_deep, .data = &depth};
+
+  return !PL_is_acyclic(t) || walk_term(&w, t) == FOUND || PL_exception(0);
 }
 
 /* ---- id_list ------------------------------------------------------------ */

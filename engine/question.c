@@ -6,6 +6,7 @@
 #include "host.h"
 
 #include <limits.h>
+#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -347,6 +348,32 @@ put_value(term_t t, const value *v)
   }
 }
 
+/* What writes a term goes down the C stack of this thread. */
+enum { SHALLOW = 100, STACK_OF_LEVEL = 2048 };
+
+static size_t
+stack_left(void)
+{
+  pthread_attr_t attributes;
+  void *low = NULL;
+  size_t size = 0;
+  char here;
+
+  if (pthread_getattr_np(pthread_self(), &attributes) != 0) {
+    return 0;
+  }
+  pthread_attr_getstack(&attributes, &low, &size);
+  pthread_attr_destroy(&attributes);
+  return (size_t)(&here - (char *)low);
+}
+
+static bool
+is_too_deep(term_t t)
+{
+  return sg_host_is_deeper(t, SHALLOW) &&
+         sg_host_is_deeper(t, stack_left() / STACK_OF_LEVEL);
+}
+
 const char *
 sanggwan_text(sanggwan_query *query, int column)
 {
@@ -358,7 +385,7 @@ sanggwan_text(sanggwan_query *query, int column)
     return v ? v->text : NULL;
   }
   term_t t = PL_new_term_ref();
-  if (!t || !put_value(t, v) ||
+  if (!t || !put_value(t, v) || is_too_deep(t) ||
       !sg_host_text(t, CVT_ATOM | CVT_STRING | CVT_WRITEQ, &v->text)) {
     v->text = NULL;
     PL_clear_exception();

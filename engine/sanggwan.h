@@ -191,7 +191,10 @@ bool sanggwan_double(const sanggwan_query *query, int column, double *out);
 
 /* As text: an atom or string as it is, every other term as Prolog writes it so
  * that it reads back ("0.5", "[1,2,3]", "lpi(1-(1-2),2-7)"). Stays until the
- * next answer is looked for. Null: no such column, no answer, no memory. */
+ * next answer is looked for. Null: no such column, no answer, no memory, or a
+ * term in itself, or one so deep that the stack of this thread could not hold
+ * what writes it: 100 levels are always written, else 2 kB are needed for
+ * each. */
 const char *sanggwan_text(sanggwan_query *query, int column);
 
 #ifdef __cplusplus

@@ -43,8 +43,11 @@ has a fixed slot in each world's table (decision4pl.c).
                 ended_world/1
               ]).
 :- use_module(part, [whole_program/0]).
+:- use_module(limits, [limit_value/2]).
 :- use_module(text_file, [with_text/4]).
+:- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
 :- use_module(library(lists), [member/2, memberchk/2]).
+:- use_module(library(pairs), [group_pairs_by_key/2]).
 :- use_module(library(error), [must_be/2]).
 :- use_module(library(occurs), [sub_term/2]).
 
@@ -394,6 +397,7 @@ free_module(Module, Id) :-
     catch('$destroy_module'(Module), error(_, _), true).
 
 load_rules(Text, File, Module, Id) :-
+    nb_setval(sg_rule_clauses, 0-none),
     with_text(program, Text, text(_, _, Stream),
               with_first_error(
                   load_files(Module:Id, [stream(Stream), silent(true)]),
@@ -408,6 +412,7 @@ load_rules(Text, File, Module, Id) :-
 
 system:term_expansion(Clause, _) :-
     watching,
+    one_clause_more,
     clause_of(Clause, Module:Head),
     \+ prolog_load_context(module, Module),
     predicate_property(Module:Head, defined),
@@ -415,6 +420,26 @@ system:term_expansion(Clause, _) :-
     \+ predicate_property(Module:Head, multifile),
     functor(Head, Name, Arity),
     throw(error(defined_elsewhere(Module:Name/Arity), _)).
+
+%   one_clause_more: not above the limit, else the file is read no further.
+
+one_clause_more :-
+    nb_getval(sg_rule_clauses, N0-Last),
+    prolog_load_context(term_position, Position),
+    stream_position_data(char_count, Position, Place),
+    (   Place == Last                   % another module expands it
+    ->  true
+    ;   N is N0+1,
+        nb_setval(sg_rule_clauses, N-Place),
+        within_clauses(N)
+    ).
+
+within_clauses(N) :-
+    limit_value(clauses, Most),
+    (   N =< Most
+    ->  true
+    ;   throw(error(limit(clauses, Most), _))
+    ).
 
 %   clause_of(+Clause, -Head) is semidet: Head is Module:Plain.
 
@@ -481,7 +506,11 @@ throw_rules_error(Error, File) :-
         Line = 0,
         Column = 0
     ),
-    throw(error(model_error(rules(Formal)), location(File, Line, Column))).
+    (   Formal = limit(_, _)
+    ->  What = Formal
+    ;   What = rules(Formal)
+    ),
+    throw(error(model_error(What), location(File, Line, Column))).
 
 error_place(file(_, Line, Column, _), Line, Column).
 error_place(file(_, Line), Line, 0).
@@ -501,9 +530,10 @@ error_place(stream(_, Line, Column, _), Line, Column).
 rules_defined(Module, File, Decisions) :-
     findall(Name/Arity, defined(Module, Name, Arity), Defined),
     findall(PI, ( member(PI, Defined), is_decision(PI) ), Decisions),
+    mentions(Module, Defined, Mentions),
     forall(( member(PI, Defined),
              \+ is_decision(PI),
-             \+ mentioned(Module, Defined, PI)
+             \+ mentioned(PI, Mentions)
            ),
            no_decision(Module, PI, File)),
     (   Decisions == []
@@ -521,18 +551,34 @@ is_decision(Name/Arity) :-
     slot_(_, Name, Arity, _),
     !.
 
-%   True when a clause of another predicate of Module has Name in its body: a
-%   call, or a closure that lacks some of its arguments.
+%   mentions(Module, Defined, Mentions): Mentions has, by the names of Defined,
+%   which of Defined have this name in the body of a clause: a call, or a closure
+%   that lacks some of its arguments.
 
-mentioned(Module, Defined, Name/Arity) :-
-    member(Other, Defined),
+mentions(Module, Defined, Mentions) :-
+    findall(Name-true, member(Name/_, Defined), Names0),
+    sort(Names0, Names1),
+    list_to_assoc(Names1, Names),
+    findall(Of-(Name/Arity),
+            ( member(Name/Arity, Defined),
+              functor(Head, Name, Arity),
+              clause(Module:Head, Body),
+              sub_term(Goal, Body),
+              callable(Goal),
+              functor(Goal, Of, _),
+              get_assoc(Of, Names, true)
+            ),
+            Pairs0),
+    sort(Pairs0, Pairs),
+    group_pairs_by_key(Pairs, Groups),
+    list_to_assoc(Groups, Mentions).
+
+%   mentioned(PI, Mentions): by another predicate than itself.
+
+mentioned(Name/Arity, Mentions) :-
+    get_assoc(Name, Mentions, By),
+    member(Other, By),
     Other \== Name/Arity,
-    Other = OtherName/OtherArity,
-    functor(Head, OtherName, OtherArity),
-    clause(Module:Head, Body),
-    sub_term(Goal, Body),
-    callable(Goal),
-    functor(Goal, Name, _),
     !.
 
 no_decision(Module, Name/Arity, File) :-

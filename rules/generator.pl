@@ -4,6 +4,7 @@
             generated/2                 % +Generators, +Folder
           ]).
 :- use_module(decimal, [decimal_number/2]).
+:- use_module(limits, [limit_value/2]).
 :- use_module(library(csv), [csv_options/2, csv_read_row/3]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [append/3, member/2, nth1/3]).
@@ -134,6 +135,7 @@ file_text(Text) :-
 %   of files are those in Folder.
 %
 %   @error generator_error(What): range(Source), its ends are no numbers;
+%   limit(values, Count, Most);
 %   steps(Step); glob(Pattern), there is no such file; rows(File, Line, Why)
 %   with Why missing, no_table, not_utf8, no_column(Name, Known), or
 %   width(N, Wanted)
@@ -161,6 +163,7 @@ value(between(Low, High, Step), _, V) :-
     First is rationalize(Low),
     By is rationalize(Step),
     N is floor((rationalize(High)-First)/By),
+    few_values(N+1),
     between(0, N, I),
     Exact is First + I*By,
     (   integer(Exact)
@@ -178,8 +181,17 @@ value(rows(File, Columns), Folder, Values) :-
 whole_range(Source, Low, High, V) :-
     (   integer(Low),
         integer(High)
-    ->  between(Low, High, V)
+    ->  few_values(High-Low+1),
+        between(Low, High, V)
     ;   generator_error(range(Source))
+    ).
+
+few_values(Number) :-
+    Count is Number,
+    limit_value(values, Most),
+    (   Count =< Most
+    ->  true
+    ;   generator_error(limit(values, Count, Most))
     ).
 
 generator_error(What) :-

@@ -31,8 +31,10 @@ be raised, for the process: set_limit/2, on the command line `--limits`.
 %     - fact     characters of a fact
 %     - file     octets of a .csg or CityJSON file, read as a whole
 %     - text     octets of another text: plain facts are 30 MB a second
+%     - clauses  clauses of a rule file
 %     - facets   corners of a primitive, for every facet has some
 %     - contacts looks at edges where polygons touch or cross themselves
+%     - values   values of a variable in a manifest or of a variant
 %     - variants variants of a problem
 %     - nodes    leaves of a tree, each as often as it is used
 
@@ -43,8 +45,10 @@ limit_default(name, 65_536).
 limit_default(fact, 16_000_000).
 limit_default(file, 16_000_000).
 limit_default(text, 500_000_000).
+limit_default(clauses, 100_000).
 limit_default(facets, 1_000_000).
 limit_default(contacts, 20_000_000).
+limit_default(values, 10_000_000).
 limit_default(variants, 10_000).
 limit_default(nodes, 100_000).
 

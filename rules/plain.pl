@@ -7,6 +7,7 @@
             plain_json/2                % +Out, :Goal
           ]).
 :- use_module(library(apply), [foldl/4, maplist/3]).
+:- use_module(library(terms), [term_size/2]).
 /** <module> What comes from files, as it may be shown to people.
 
 Names in files may hold what moves the cursor, sets a title or turns writing
@@ -199,15 +200,23 @@ plain_kind(Value, Short, Plain) :-
 
 %!  cut_term(+Term, -Cut) is det.
 %
-%   Cut is Term without most of the elements of its long lists: some more are
-%   left than plain_term/2 shows. An error that is raised is copied several
-%   times.
+%   Cut is Term, for who catches the error that has it. If Term is large, more
+%   than 100,000 words of memory, most of the elements of its long lists are
+%   left out: some more stay than plain_term/2 shows, and `...` stands for the
+%   others. An error that is raised is copied several times.
 
 cut_term(Term, Cut) :-
+    (   term_size(Term, Size),
+        Size > 100_000
+    ->  cut_lists(Term, Cut)
+    ;   Cut = Term
+    ).
+
+cut_lists(Term, Cut) :-
     \+ compound(Term),
     !,
     Cut = Term.
-cut_term(Term, Cut) :-
+cut_lists(Term, Cut) :-
     left_of_list(Most),
     (   Term = [_|_]
     ->  cut_list(Term, Most, Cut)
@@ -223,14 +232,14 @@ cut_list(List, N, Cut) :-
         List = [Term0|Terms0]
     ->  (   N > 0
         ->  Cut = [Term|Terms],
-            cut_term(Term0, Term),
+            cut_lists(Term0, Term),
             N1 is N-1,
             cut_list(Terms0, N1, Terms)
         ;   Cut = [...]
         )
     ;   List == []
     ->  Cut = []
-    ;   cut_term(List, Cut)
+    ;   cut_lists(List, Cut)
     ).
 
 %!  plain_lines(+Kind, +Lines, -Plain) is det.

@@ -21,14 +21,18 @@
 %   finds that.
 %   What can be read once only, as `-`, standard input, or a pipe, is copied
 %   to a temporary file, Path then, that vanishes with Text: it is looked
-%   through first, and places in it are found again.
+%   through first, and places in it are found again. It is looked through as it
+%   comes, so what breaks a limit early is not copied to its end. Of a Kind
+%   facts(Check), call(Check, Text) is called of its first million octets, with
+%   a Text of these: it may raise an error.
 %
 %   @error model_error(cannot_read(Why)), model_error(limit(Name, Most)), with
 %   location(Name, Line, Column)
 
-with_text(Kind, File, Text, Goal) :-
+with_text(Kind0, File, Text, Goal) :-
+    kind_check(Kind0, Kind, Check),
     size_limit(Kind, Limit),
-    text_opened(File, Limit, Text), % may wait for input: no signals in a setup
+    text_opened(File, Limit, Kind-Check, Text), % may wait for input: no signals in a setup
     Text = text(Name, Path, Stream),
     setup_call_cleanup(
         asserta(decoding(Stream, Name)),
@@ -36,6 +40,13 @@ with_text(Kind, File, Text, Goal) :-
           once(Goal)
         ),
         closed(Name, Path, Stream)).
+
+kind_check(Kind0, Kind, Check) :-
+    (   Kind0 = facts(Check)
+    ->  Kind = facts
+    ;   Kind = Kind0,
+        Check = none
+    ).
 
 %!  with_text_again(+Path, -Stream, :Goal) is semidet.
 %
@@ -60,7 +71,7 @@ with_text_again(Path, Stream, Goal) :-
 with_bytes(File, Stream, Goal) :-
     limit_value(text, Most),
     Limit = limit(text, Most),
-    text_opened(File, Limit, text(Name, Path, Stream)),
+    text_opened(File, Limit, bytes-none, text(Name, Path, Stream)),
     setup_call_cleanup(
         set_stream(Stream, type(binary)),
         ( set_stream(Stream, record_position(false)),
@@ -103,12 +114,12 @@ closed(Name, Path, Stream) :-
     ;   delete_file(Path)
     ).
 
-text_opened(-, Limit, text('<stdin>', Copy, Stream)) :-
+text_opened(-, Limit, Check, text('<stdin>', Copy, Stream)) :-
     !,
     has_an_end('<stdin>', '/dev/stdin'),
     set_stream(user_input, type(binary)),
-    copied(user_input, Limit, Copy, Stream).
-text_opened(File, Limit, Text) :-
+    copied(user_input, '<stdin>', Limit, Check, Copy, Stream).
+text_opened(File, Limit, Check, Text) :-
     has_an_end(File, File),
     catch(open(File, read, In, [encoding(utf8)]), Error,
           cannot_read(File, Error)),
@@ -116,9 +127,7 @@ text_opened(File, Limit, Text) :-
     ->  Text = text(File, File, In)
     ;   Text = text(File, Copy, Stream),
         set_stream(In, encoding(octet)),
-        call_cleanup(catch(copied(In, Limit, Copy, Stream), Error,
-                           cannot_read(File, Error)),
-                     close(In))
+        call_cleanup(copied(In, File, Limit, Check, Copy, Stream), close(In))
     ).
 
 has_an_end(Name, File) :-
@@ -127,16 +136,67 @@ has_an_end(Name, File) :-
     ;   true
     ).
 
-%   copied(In, Limit, Copy, Stream): no more than shows that it is too large.
+%   copied(In, Name, Limit, Check, Copy, Stream): no more than shows that it is
+%   too large, or otherwise wrong.
 
-copied(In, limit(_, Most), Copy, Stream) :-
+copied(In, Name, limit(_, Most), Check, Copy, Stream) :-
     Enough is Most+1,
     atomic_scratch('.pl', _, Copy),
-    setup_call_cleanup(
-        open(Copy, write, Out, [type(binary)]),
-        copy_stream_data(In, Out, Enough),
-        close(Out)),
+    catch(setup_call_cleanup(
+              open(Copy, write, Out, [type(binary)]),
+              parts_copied(In, Out, Enough, first(1_000_000),
+                           copy(Name, Check, Copy)),
+              close(Out)),
+          Error,
+          ( delete_file(Copy),
+            not_copied(Name, Error) )),
     open(Copy, read, Stream, [encoding(utf8)]).
+
+%   parts_copied(In, Out, Left, Part, Copy): each part is as large as what was
+%   copied before it, so what is looked through again is no more than that.
+
+parts_copied(In, Out, Left, Part, Copy) :-
+    arg(1, Part, Size),
+    N is min(Left, Size),
+    copy_stream_data(In, Out, N),
+    Left1 is Left-N,
+    (   Left1 =:= 0
+    ->  true
+    ;   peek_byte(In, -1)
+    ->  true
+    ;   flush_output(Out),
+        Copy = copy(Name, Kind-Check, File),
+        begins_well(Kind, Name, File),
+        (   Part = first(_),
+            Check \== none
+        ->  with_text_again(File, Stream,
+                            call(Check, text(Name, File, Stream)))
+        ;   true
+        ),
+        (   Part = first(_)
+        ->  Next = next(Size)
+        ;   Twice is 2*Size,
+            Next = next(Twice)
+        ),
+        parts_copied(In, Out, Left1, Next, Copy)
+    ).
+
+begins_well(Kind, Name, File) :-
+    (   memberchk(Kind, [facts,program,json,lines]),
+        setup_call_cleanup(
+            open(File, read, Stream, [encoding(utf8)]),
+            text_beyond(Kind, Stream, What, Line, Column),
+            close(Stream))
+    ->  throw(error(model_error(What), location(Name, Line, Column)))
+    ;   true
+    ).
+
+not_copied(Name, error(Formal, Context)) :-
+    Formal \= model_error(_),
+    !,
+    cannot_read(Name, error(Formal, Context)).
+not_copied(_, Error) :-
+    throw(Error).
 
 %   Prolog warns of every fact with bytes that are no UTF-8, again when it is
 %   read once more, and names temporary files. Of all that becomes one warning

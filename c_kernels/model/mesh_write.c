@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { BUFFER = 65536, ASK_EVERY = 4096, STL_HEADER = 80 };
@@ -209,27 +210,54 @@ put_facet(sg_writer *w, const int32_t *v)
   put_text(w, "    endloop\n  endfacet\n");
 }
 
-/* Segments one after the other: faces come in any order, so each run of faces
- * of a segment must be gathered first. */
+/* The faces of segment s are face[begin[s]] .. face[begin[s + 1] - 1], in their
+ * order; they come in any. Null: no memory. free() both. */
+static bool
+sort_by_segment(const sg_mesh *mesh, size_t **begin, size_t **face)
+{
+  const int32_t *segment = mesh->face.segment;
+  size_t n = mesh->face.count;
+  size_t *at = calloc(mesh->segments + 2, sizeof *at);
+
+  *begin = at;
+  *face = malloc((n + 1) * sizeof **face);
+  if (!at || !*face) {
+    return false;
+  }
+  for (size_t i = 0; i < n; i++) {
+    at[segment[i] + 2]++;
+  }
+  for (size_t s = 2; s < mesh->segments + 2; s++) {
+    at[s] += at[s - 1];
+  }
+  for (size_t i = 0; i < n; i++) {
+    (*face)[at[segment[i] + 1]++] = i;
+  }
+  return true;
+}
+
+/* Segments one after the other. */
 static bool
 write_stl(sg_writer *w)
 {
-  const sg_mesh_lists *face = &w->mesh->face;
-  size_t n;
+  size_t *begin, *face, n;
 
-  for (size_t s = 0, i = 0; s < w->mesh->segments; s++) {
+  if (!sort_by_segment(w->mesh, &begin, &face)) {
+    fail(w, SG_MESH_NO_MEMORY, "");
+  }
+  for (size_t s = 0; !w->failed && s < w->mesh->segments; s++) {
     put_text(w, "solid ");
     put_name(w, s);
     put_text(w, "\n");
-    for (i = 0; i < face->count && tick(w); i++) {
-      if ((size_t)face->segment[i] == s) {
-        put_facet(w, corners(face, i, &n));
-      }
+    for (size_t i = begin[s]; i < begin[s + 1] && tick(w); i++) {
+      put_facet(w, corners(&w->mesh->face, face[i], &n));
     }
     put_text(w, "endsolid ");
     put_name(w, s);
     put_precision(w, "");
   }
+  free(begin);
+  free(face);
   return !w->failed;
 }
 

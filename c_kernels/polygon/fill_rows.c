@@ -4,6 +4,7 @@
 #include "engine/search.h"
 #include "rows/append_rows.h"
 #include "rows/grain_rows.h"
+#include "rows/key_table.h"
 #include "rows/live_rows.h"
 
 #include <string.h>
@@ -14,20 +15,25 @@
 static bool
 number_triangles(sg_call *call, sg_world *world, sg_triangle_rows *rows)
 {
-  for (size_t i = 0; i < rows->n; i++) {
+  sg_key_table first;
+  bool good = true;
+
+  sg_key_table_init(&first, 1);
+  for (size_t i = 0; good && i < rows->n; i++) {
     int32_t s = rows->s[i];
-    size_t last = i;
-    if (rows->t[i] == 0) { /* its segment's first */
-      if ((rows->t[i] = sg_call_fresh(call, world, SG_T, s)) == 0) {
-        return false;
-      }
-      continue;
+    uint32_t *id = sg_key_table_put(&first, (const uint32_t[]){(uint32_t)s});
+
+    good = id || sg_call_no_memory(call);
+    if (good && *id == SG_NO_KEY) {
+      *id = (uint32_t)sg_call_fresh(call, world, SG_T, s);
+      good = *id != 0;
     }
-    while (rows->s[--last] != s) {
+    if (good) {
+      rows->t[i] += (int32_t)*id;
     }
-    rows->t[i] = rows->t[last] + 1;
   }
-  return true;
+  sg_key_table_clear(&first);
+  return good;
 }
 
 static bool

@@ -203,7 +203,25 @@ is_line(Line) :-
     is_list(Files),
     maplist(string, Files),
     get_dict(said, Line, Said),
-    is_list(Said).
+    is_list(Said),
+    get_dict(outcome, Line, Outcome),
+    (   memberchk(Outcome, ["done", "cached"])
+    ->  true
+    ;   string(Outcome),
+        get_dict(status, Line, _),
+        get_dict(error, Line, Error),
+        is_error(Error)
+    ).
+
+%   is_error(Error): what is not done says why, if it knows.
+
+is_error(Error) :-
+    (   is_dict(Error),
+        get_dict(words, Error, Words)
+    ->  is_dict(Words),
+        forall(get_dict(_, Words, Text), string(Text))
+    ;   true
+    ).
 
 %   json_written(Places, Counts, Out)
 

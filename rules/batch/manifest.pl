@@ -281,6 +281,8 @@ generator_failed(What, Place) :-
     (   What = range(Source)
     ->  source_text(Source, Text),
         entry_error(Place, range(Text))
+    ;   What = limit(_, _, _)
+    ->  place_error(Place, What)
     ;   entry_error(Place, What)
     ).
 

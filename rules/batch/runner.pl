@@ -78,8 +78,18 @@ wanted(job(_, Name, _, _, _, _, _, _), Options) :-
     ;   true
     ),
     (   option(only(Names), Options)
-    ->  memberchk(Name, Names)
+    ->  once(called(Name, Names, _))
     ;   true
+    ).
+
+%   called(Name, Names, One): One of Names is Name, or as it is printed.
+
+called(Name, Names, One) :-
+    (   memberchk(Name, Names)
+    ->  One = Name
+    ;   plain_text(Name, Plain),
+        member(One, Names),
+        atom_string(One, Plain)
     ).
 
 jobs_listed(Manifest, Options) :-
@@ -92,9 +102,9 @@ jobs_listed(Manifest, Options) :-
 
 only_known(Manifest, Options) :-
     (   option(only(Names), Options),
-        findall(Name,
+        findall(One,
                 ( manifest_job(Manifest, false, job(_, Name, _, _, _, _, _, _)),
-                  memberchk(Name, Names) ),
+                  called(Name, Names, One) ),
                 Known),
         member(Name, Names),
         \+ memberchk(Name, Known)

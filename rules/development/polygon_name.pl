@@ -9,6 +9,7 @@
             neighbours/3                % +S, +P, -Qs
           ]).
 :- use_module(leaf_face, [leaf_face/5]).
+:- use_module('../plain', [plain_text/2]).
 :- use_module('../csg/placed_surface', [drawn_polygon/4]).
 :- use_module('../primitive/primitive_face', [face_of/3]).
 :- use_module('../store',
@@ -263,7 +264,8 @@ facets(Whats, _, Whats).
 
 %!  segments_named(+Name, -Ss:list) is det.
 %
-%   Ss are the segments of this number or name, ascending.
+%   Ss are the segments of this number or name, ascending. If none has the name,
+%   they are those whose name is printed so (plain_text/2).
 
 segments_named(S, Ss) :-
     integer(S),
@@ -274,7 +276,18 @@ segments_named(S, Ss) :-
     ).
 segments_named(Name, Ss) :-
     findall(S, ( segment(S, _, Term), called(Term, Name) ), Ss0),
-    sort(Ss0, Ss).
+    (   Ss0 == [],
+        atom(Name)
+    ->  findall(S, ( segment(S, _, Term), shown_as(Term, Name) ), Ss1)
+    ;   Ss1 = Ss0
+    ),
+    sort(Ss1, Ss).
+
+shown_as(Term, Name) :-
+    title(Term, Title),
+    atom(Title),
+    plain_text(Title, Shown),
+    atom_string(Name, Shown).
 
 called(Name, Name) :-
     !.

@@ -208,10 +208,22 @@ syntax_words(float_overflow) -->
     !,
     [ 'the number is too large' ].
 syntax_words(What) -->
+    { plain_syntax(What, Words) },
+    !,
+    [ '~w'-[Words] ].
+syntax_words(What) -->
     '$messages':syntax_error(What),
     !.
 syntax_words(What) -->
     [ '~w'-[What] ].
+
+%   plain_syntax(What, Words): where Prolog has a word of its own only.
+
+plain_syntax(illegal_character, 'Illegal character').
+plain_syntax(colon_expected, 'Key:Value expected between { and }').
+plain_syntax(key_expected, 'Key expected between { and }').
+plain_syntax(duplicate_key(_), 'A key stands twice between { and }').
+plain_syntax(comma_or_close_expected, 'Comma or } expected').
 
 %!  loading_fault(:Words, +Formal)// is det.
 %

@@ -271,8 +271,12 @@ limit_en(file) -->
     [ 'octets of a .csg or CityJSON file' ].
 limit_en(text) -->
     [ 'octets of a text' ].
+limit_en(clauses) -->
+    [ 'clauses of a rule file' ].
 limit_en(facets) -->
     [ 'corners of a primitive' ].
+limit_en(values) -->
+    [ 'values of a variable' ].
 limit_en(variants) -->
     [ 'variants of a problem' ].
 limit_en(nodes) -->

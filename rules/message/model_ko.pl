@@ -263,8 +263,12 @@ limit_ko(file) -->
     [ '.csg나 CityJSON 파일의 바이트' ].
 limit_ko(text) -->
     [ '텍스트의 바이트' ].
+limit_ko(clauses) -->
+    [ '규칙 파일 하나의 절' ].
 limit_ko(facets) -->
     [ '기본 입체 하나의 꼭짓점' ].
+limit_ko(values) -->
+    [ '변수 하나의 값' ].
 limit_ko(variants) -->
     [ '문제 하나의 변형' ].
 limit_ko(nodes) -->

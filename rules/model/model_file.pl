@@ -102,7 +102,7 @@ Errors besides those of model_text.pl:
 %   is then as before.
 
 read_model(File, Settings, Names) :-
-    with_text(facts, File, Text,
+    with_text(facts(sg_model_text:first_fact_checked), File, Text,
               ( progress_by(model_text_bytes(Text)),
                 text_read(Text, Settings, Names)
               )).

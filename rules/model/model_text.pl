@@ -2,6 +2,7 @@
           [ model_text_bytes/3,         % +Text, -Done, -Total
             next_fact/3,                % +Text, -Fact, -Place
             next_written/3,             % +Text, -Written, -Place
+            first_fact_checked/1,       % +Text
             formed_fact/4,              % +Term, :Known, +Place, -Fact
             world_parameter/2,          % ?Name, -Value
             next_term/3,                % +Text, -Term, -Place
@@ -88,6 +89,20 @@ next_written(Text, Written, Place) :-
     ->  Written = end_of_file
     ;   checked_fact(Term, Place, Written)
     ).
+
+%!  first_fact_checked(+Text) is det.
+%
+%   Nothing is wrong with the first fact of Text, which may end in it.
+%
+%   @error as next_fact/3
+
+first_fact_checked(Text) :-
+    Text = text(_, _, Stream),
+    catch(next_written(Text, _, _), Error,
+          (   at_end_of_stream(Stream)
+          ->  true
+          ;   throw(Error)
+          )).
 
 %!  world_parameter(?Name, -Value) is nondet.
 %

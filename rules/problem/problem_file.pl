@@ -171,13 +171,19 @@ values(Source, Place, Values) :-
         Enough is Most+1,
         catch(findall(V, limit(Enough, generated([in(V, Source)], '.')),
                       Values0),
-              generator_error(_), fail),
+              generator_error(Why), not_too_many(Why, Place)),
         Values0 = [_|_],
         few_enough([Values0], Place),
         maplist(number, Values0)
     ->  Values = Values0
     ;   place_error(Place, problem(values(Source)))
     ).
+
+%   not_too_many(Why, Place) fails: what else is wrong is told by the values.
+
+not_too_many(Why, Place) :-
+    Why = limit(_, _, _),
+    place_error(Place, Why).
 
 %   few_enough(Lists, Place): one of each of Lists makes no more variants than a
 %   problem may have.

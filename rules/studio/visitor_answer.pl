@@ -9,6 +9,7 @@
 :- use_module('../environment', [state_folder/1]).
 :- use_module('../kernel', [atomic_sync/1, atomic_sync_folder/1]).
 :- use_module(request, [request_error/1]).
+:- use_module(library(apply), [maplist/2]).
 :- use_module(library(filesex), [make_directory_path/1]).
 :- use_module(library(http/json), [json_read_dict/2, json_write_dict/3]).
 :- use_module(library(lists), [member/2]).
@@ -43,10 +44,7 @@ class_begun(File, Model) :-
     ->  true
     ;   book_path(File, Path),
         (   exists_file(Path)
-        ->  setup_call_cleanup(
-                open(Path, read, In, [encoding(utf8)]),
-                lines_taken(In),
-                close(In)),
+        ->  book_taken(Path),
             open(Path, append, Stream, [encoding(utf8), newline(posix)]),
             nl(Stream)                  % after a line that is not complete
         ;   file_directory_name(Path, Folder),
@@ -90,6 +88,12 @@ class_opens(Path) :-
     ;   true
     ).
 
+book_taken(Path) :-
+    setup_call_cleanup(
+        open(Path, read, In, [encoding(utf8)]),
+        lines_taken(In),
+        close(In)).
+
 %   Lines that are not complete, or of another kind, were told to nobody.
 
 lines_taken(In) :-
@@ -108,18 +112,35 @@ lines_taken(In) :-
     ).
 
 line_taken(Row) :-
-    get_dict(name, Row, Name),
-    !,
-    atom_string(Digest, Row.pupil),
+    get_dict(pupil, Row, Pupil),
+    string(Pupil),
+    atom_string(Digest, Pupil),
+    (   get_dict(name, Row, Name)
+    ->  pupil_taken(Digest, Name, Row)
+    ;   _{problem:Problem, number:Number, answers:Answers, right:Right,
+          shown:Shown} :< Row,
+        atomic(Problem),
+        number(Number),
+        is_list(Answers),
+        is_list(Right),
+        maplist(is_truth, [Shown|Right]),
+        answers_taken(Digest, Problem, Number, Answers, Right, Shown)
+    ).
+
+is_truth(true).
+is_truth(false).
+
+pupil_taken(Digest, Name, Row) :-
+    string(Name),
+    get_dict(turn, Row, Turn0),
+    integer(Turn0),
     (   retract(pupil_(Digest, _, Turn))
     ->  true
-    ;   Turn = Row.turn
+    ;   Turn = Turn0
     ),
     assertz(pupil_(Digest, Name, Turn)).
-line_taken(Row) :-
-    atom_string(Digest, Row.pupil),
-    _{problem:Problem, number:Number, answers:Answers, right:Right, shown:Shown}
-        :< Row,
+
+answers_taken(Digest, Problem, Number, Answers, Right, Shown) :-
     (   retract(done_(Digest, Problem, _, Tries0, Before, Right0, Shown0))
     ->  true
     ;   Tries0 = 0,
@@ -182,6 +203,9 @@ class_request(Who, "class", _, _{do:"class", pupils:Pupils}) :-
     ->  true
     ;   request_error(owner_alone(class))
     ),
+    class_book(Pupils).
+
+class_book(Pupils) :-
     findall(Turn-_{name:Name, done:Done},
             ( pupil_(Digest, Name, Turn),
               done_of(Digest, Done) ),

@@ -92,6 +92,23 @@ write('large.csg', 'cube(size=[1,1,1],center=true);*group() {\n'
 write('nodes.flat.pl', 'segment(1,solid,union(['
       + ','.join(['box(size(1,1,1))'] * 105000) + '])).\n')
 
+# One fact of 14 MB: lists that are looked through for many faults.
+ones = ','.join(['1'] * 6990000)
+write('huge.polygon.pl', 'segment(1,solid,a).\nv(1,1,0,0,0).\np(1,1,[%s]).\n'
+      % ones)
+write('huge.curve.pl', 'segment(1,solid,a).\nv(1,1,0,0,0).\ncurve(1,[%s]).\n'
+      % ones)
+write('huge.union.pl', 'segment(1,solid,union([%s])).\n' % ones)
+write('huge.named.pl', 'segment(1,solid,named([%s],box(size(1,1)))).\n' % ones)
+write('huge.terms.pl', 'segment(1,solid,union([%s])).\n'
+      % ','.join(['f(a)'] * 2790000))
+
+# Rule files of more clauses than anybody writes, and of a chain of calls.
+write('clauses.pl', ''.join('a(%d).\n' % i for i in range(600000)))
+write('chain.rules.pl', 'may_cut(A,B) :- p29999(A,B).\np0(_,_).\n'
+      + ''.join('p%d(X,Y) :- p%d(X,Y).\n' % (i, i - 1)
+                for i in range(1, 30000)))
+
 
 # Polygons that cross, touch or run over themselves: random corners; few corners,
 # many times; edges on one line; a square that is gone round.

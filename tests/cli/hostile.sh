@@ -80,6 +80,24 @@ bounded check "$work/h/far.pl"
 check far.place has 'far.pl:400001:7: X of v is a'
 bounded check "$work/h/far.list.pl"
 check far.list has 'far.list.pl:1:1: X of v is [1,1'
+
+# Facts of 14 MB, each of whose elements is looked at for several reasons; and a
+# signal is heard meanwhile.
+for name in polygon curve union named terms; do
+  bounded check "$work/h/huge.$name.pl"
+  check "huge.$name" status_is 3
+  check "huge.$name.words" no_prolog
+  check "huge.$name.short" short
+done
+check huge.place has 'huge.terms.pl:1:1: segment 1 would be made of 2,790,000'
+for after in 0.4 0.8 1.2; do
+  "$sanggwan" check "$work/h/huge.terms.pl" >"$work/out" 2>"$work/err" &
+  sleep $after
+  begin=$(date +%s%N)
+  kill -TERM $!
+  wait $!
+  check "huge.signal.$after" test $((($(date +%s%N) - begin) / 1000000)) -lt 1000
+done
 cp facts/cube.pl "$work/h/"
 for name in long.job long.verb long.set dict; do
   bounded batch "$work/h/$name.pl" --list -o "$work/b"
@@ -215,6 +233,18 @@ status=$(
 check endless.mesh status_is 3
 check endless.mesh.limit has '--limits text=N'
 
+# Input that never ends and is no model: nothing much of it is copied.
+for line in y 'hello world.' 'hello.' '[['; do
+  status=$(
+    (ulimit -t 2 -f 40000
+     yes "$line" | "$sanggwan" check - >"$work/out" 2>"$work/err"
+     echo "${PIPESTATUS[1]}")
+  )
+  check "endless.$line" status_is 3
+  check "endless.$line.words" no_prolog
+done
+check endless.place has '<stdin>:65:1: more than 128 levels'
+
 # Devices without an end, in every reader: at once.
 for ending in pl csg json stl off obj ply; do
   ln -s /dev/zero "$work/zero.$ending"
@@ -309,6 +339,9 @@ check warnings.status status_is 3
 check warnings.counted has 'warning: 898 more, not shown'
 bounded check facts/cube.pl --rules "$work/h/apart.pl"
 check warnings.many has 'warning: 99,898 more, not shown'
+refused clauses clauses check facts/cube.pl --rules "$work/h/clauses.pl"
+bounded check facts/cube.pl --rules "$work/h/chain.rules.pl"
+check chain-of-rules status_is 0
 
 # What is large but allowed, or allowed by an option, takes no long time.
 bounded eval "$work/h/chain.pl"
@@ -399,6 +432,27 @@ for format in table json prolog; do
     'segment(S, K, N)'
 done
 printf 'counted: %d commands with such names\n' "$names"
+
+# Such a part, or job, is asked for by its name as it is printed.
+cat >"$work/named.pl" <<'P'
+segment(1,solid,named('a\x1b\[2J\u202eb',box(size(1,1,1)))).
+segment(2,solid,named(plain,at([translate(3,0,0)],box(size(1,1,1))))).
+P
+shown=$(printf 'a\342\220\233[2J\357\277\275b')
+for name in "$shown" 'a\x1b\[2J\u202eb'; do
+  bounded unfold "$work/named.pl" --only "'$name'"
+  check "only.$name" status_is 0
+  check "only.$name.first" has 'segment 1: ' "$work/out"
+done
+bounded unfold "$work/named.pl" --only nobody
+check only.unknown has "$shown"
+printf '%s\n' \
+  '{"job":"a\u001b[2J\u202eb","verb":"check","files":["h/cube.pl"]}' \
+  '{"job":"c","verb":"check","files":["h/cube.pl"]}' >"$work/two.jsonl"
+bounded batch "$work/two.jsonl" --list --only "$shown"
+check only.job is "$(cat "$work/out")" "$shown"
+bounded batch "$work/two.jsonl" --list --only d
+check only.no-job status_is 2
 
 # A NUL in a name parts no sentence and no cell.
 printf '%s\n' "segment(1, solid, named('a\\x0\\b', box(size(1, 1, 1))))." \

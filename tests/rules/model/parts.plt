@@ -6,6 +6,7 @@
 :- use_module(library(plunit)).
 :- use_module(library(random)).
 :- use_module(rules(kernel)).
+:- use_module(rules(plain), [cut_term/2]).
 :- use_module(rules(store)).
 :- use_module(rules(polygon/polygon_list)).
 :- use_module(tests(rules/polyhedron), [in_new_world/1]).
@@ -154,6 +155,15 @@ test('No numbers of double that are none') :-
     \+ plain_value(_{a: 1}, 3).
 test('Parts that are none', error(type_error(part, 7))) :-
     has_part(f(x), p(7)).
+test('Who catches an error has its list, unless that is very long') :-
+    numlist(1, 5000, Long),
+    cut_term(value(p, list, Long, steps), Cut),
+    Cut == value(p, list, Long, steps),
+    numlist(1, 200_000, Longer),
+    cut_term(value(p, list, Longer, steps), value(p, list, Some, steps)),
+    length(Some, N),
+    N < 1000,
+    last(Some, ...).
 test(id_list) :-
     id_list([], 1),
     id_list([1,2147483647], 1),
