@@ -9,6 +9,7 @@
             tolerance_kept/2,           % +S, +Tolerance
             is_node/1,                  % +S
             is_helper/1,                % +S
+            written_leaves/2,           % +Term, -Count
             complete_tree/1,            % +Nodes
             complete_tree/2,            % +Nodes, -Incomplete
             complete_leaf/4             % +N, +S, -Kind, -Incomplete
@@ -365,8 +366,15 @@ few_operands([N|_], _) :-
     is_helper(N),
     !.
 few_operands(Nodes, Term) :-
-    term_leaves(Term, 0, Count),
+    written_leaves(Term, Count),
     few_leaves(Nodes, Count).
+
+%!  written_leaves(+Term, -Count:integer) is det.
+%
+%   Count leaves stand in Term, numbers of segments among them.
+
+written_leaves(Term, Count) :-
+    term_leaves(Term, 0, Count).
 
 term_leaves(Term, Count0, Count) :-
     (   is_node_term(Term)

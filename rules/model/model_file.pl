@@ -16,8 +16,9 @@
               [ with_plain_facts/3, plain_taken/3, plain_added/2,
                 plain_segments/2
               ]).
-:- use_module('../csg/csg', [complete_tree/1]).
+:- use_module('../csg/csg', [complete_tree/1, written_leaves/2]).
 :- use_module('../csg/csg_term', [is_node_term/1]).
+:- use_module('../limits', [limit_value/2]).
 :- use_module('../kernel', [chain_fault/3, vertex_list_fault/3]).
 :- use_module('../polygon/polygon_list',
               [vertex_list_edges/2, polygon_fault/2]).
@@ -201,6 +202,7 @@ streamed(Text, Facts, Shift, Ss0, Ss, Later) :-
         streamed(Text, Facts, Shift, Ss0, Ss, Later1)
     ;   segment_commas_told(Facts, Fact, Place),
         shifted(Shift, Fact, Row),
+        few_written(Row, Place),
         with_segment(Row, Ss0, Ss1),
         (   added_now(Row, Place)
         ->  Later = Later1
@@ -220,6 +222,18 @@ segment_commas_told(Facts, Fact, Place) :-
         commas_told(Term, Location)
     ;   true
     ).
+
+%   few_written(Row, Place): a tree has no more leaves written in it than there
+%   may be: this is known before any of it is kept.
+
+few_written(segment(S, _, Term), Place) :-
+    is_node_term(Term),
+    written_leaves(Term, Count),
+    limit_value(nodes, Most),
+    Count > Most,
+    !,
+    place_error(Place, 3, csg(too_many(S, Count))).
+few_written(_, _).
 
 %   with_segment(Row, Ss0, Ss): rows of a segment mostly follow one another;
 %   one that comes back is there again.

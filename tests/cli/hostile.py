@@ -101,7 +101,7 @@ write('huge.curve.pl', 'segment(1,solid,a).\nv(1,1,0,0,0).\ncurve(1,[%s]).\n'
 write('huge.union.pl', 'segment(1,solid,union([%s])).\n' % ones)
 write('huge.named.pl', 'segment(1,solid,named([%s],box(size(1,1)))).\n' % ones)
 write('huge.terms.pl', 'segment(1,solid,union([%s])).\n'
-      % ','.join(['f(a)'] * 2790000))
+      % ','.join(['f(a)'] * 1400000))
 
 # Rule files of more clauses than anybody writes, and of a chain of calls.
 write('clauses.pl', ''.join('a(%d).\n' % i for i in range(600000)))

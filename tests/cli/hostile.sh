@@ -89,7 +89,7 @@ for name in polygon curve union named terms; do
   check "huge.$name.words" no_prolog
   check "huge.$name.short" short
 done
-check huge.place has 'huge.terms.pl:1:1: segment 1 would be made of 2,790,000'
+check huge.place has 'huge.terms.pl:1:1: segment 1 would be made of 1,400,000'
 for after in 0.4 0.8 1.2; do
   "$sanggwan" check "$work/h/huge.terms.pl" >"$work/out" 2>"$work/err" &
   sleep $after

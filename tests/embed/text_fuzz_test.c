@@ -591,6 +591,8 @@ main(int argc, char **argv)
 
   CHECK("all rules",
         sanggwan_run(world, "sg_part:whole_program") == SANGGWAN_DONE);
+  CHECK("few jobs",
+        sanggwan_run(world, "set_limit(values, 1000)") == SANGGWAN_DONE);
   sanggwan_close(world);
   snprintf(command, sizeof command, "cp facts/cube.pl %s", folder);
   CHECK("a model", system(command) == 0);
