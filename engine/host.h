@@ -32,9 +32,6 @@ sanggwan_status sg_host_ask(sanggwan_world *world, term_t what);
 /* PL_get_nchars() with these flags, UTF-8, by PL_malloc(): without the scratch
  * buffers that Prolog would keep until the outermost C function returns. */
 bool sg_host_text(term_t t, unsigned flags, char **out);
-/* Whether a term has more levels of compounds in one another, of which a list is
- * one; true of a term that is in itself, and if an exception is pending. */
-bool sg_host_is_deeper(term_t t, size_t depth);
 /* The text of an atom or string into *to, by PL_malloc(); null: no memory. What
  * was there is freed. */
 void sg_host_take_text(term_t t, char **to);

@@ -5,7 +5,6 @@
  * look at each for every question. A term is walked with a stack of its own,
  * so it may be as deep as there is memory; one that is in itself is refused.
  */
-#include "host.h"
 #include "install.h"
 #include "list.h"
 #include "world4pl.h"
@@ -252,7 +251,7 @@ look_deep(const walk *w, term_t t, int type)
 }
 
 bool
-sg_host_is_deeper(term_t t, size_t depth)
+sg_is_deeper(term_t t, size_t depth)
 {
   walk w = {.look = look_deep, .data = &depth};
 

@@ -4,6 +4,7 @@
  * values of an answer are copied out of it.
  */
 #include "host.h"
+#include "install.h"
 
 #include <limits.h>
 #include <pthread.h>
@@ -370,8 +371,8 @@ stack_left(void)
 static bool
 is_too_deep(term_t t)
 {
-  return sg_host_is_deeper(t, SHALLOW) &&
-         sg_host_is_deeper(t, stack_left() / STACK_OF_LEVEL);
+  return sg_is_deeper(t, SHALLOW) &&
+         sg_is_deeper(t, stack_left() / STACK_OF_LEVEL);
 }
 
 const char *
