@@ -136,22 +136,6 @@ sg_work_guard_ask(sg_work_guard *guard)
   return true;
 }
 
-bool
-sg_work_poll(const sg_work *work)
-{
-  sg_work_guard *guard = work->guard;
-
-  if (!guard) {
-    return true;
-  }
-  if (guard->end == SG_GOES_ON &&
-      sg_cancel_every(guard->cancel, ++guard->polled)) {
-    guard->end = SG_WAS_STOPPED;
-    guard->next = 0;
-  }
-  return guard->end == SG_GOES_ON;
-}
-
 int
 sg_work_axis(const sg_work *work)
 {

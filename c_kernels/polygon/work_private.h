@@ -84,9 +84,6 @@ sg_work_step(const sg_work *work, size_t n)
          sg_work_guard_ask(guard);
 }
 
-/* In what is no step (a comparison): asks now and then. False: it has ended. */
-bool sg_work_poll(const sg_work *work);
-
 void sg_work_pairs_clear(sg_work *work);
 /* A new edge, a living one that goes. The first is false: no memory. */
 bool sg_work_pairs_add(sg_work *work, int32_t e);

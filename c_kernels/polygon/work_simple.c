@@ -412,11 +412,28 @@ sg_work_is_simple(sg_work *work)
 
 /* ---- places ------------------------------------------------------------- */
 
+/* In what is no step (a comparison): asks now and then. False: it has ended. */
+static bool
+polled(const sg_work *work)
+{
+  sg_work_guard *guard = work->guard;
+
+  if (!guard) {
+    return true;
+  }
+  if (guard->end == SG_GOES_ON &&
+      sg_cancel_every(guard->cancel, ++guard->polled)) {
+    guard->end = SG_WAS_STOPPED;
+    guard->next = 0;
+  }
+  return guard->end == SG_GOES_ON;
+}
+
 static int
 by_place(const void *a, const void *b, void *work)
 {
   int32_t v = *(const int32_t *)a, w = *(const int32_t *)b;
-  int order = sg_work_poll(work) ? sg_work_place(work, v, w) : 0;
+  int order = polled(work) ? sg_work_place(work, v, w) : 0;
 
   return order ? order : (v > w) - (v < w);
 }
