@@ -250,6 +250,7 @@ class Studio {
   // What was chosen, asked and explained is of the model that was open.
   forget() {
     this.names = [];
+    this.operand = null;
     this.from = null;
     this.asking.clear();
     this.why.clear();
@@ -287,6 +288,7 @@ class Studio {
     this.warned(head.messages);
     $("ports").dataset.rev = head.rev;
     this.ports.refresh();
+    this.operandAgain();
     this.again();
     this.state();
     try {
@@ -438,13 +440,26 @@ class Studio {
     this.light(layer, [...names, ...more], head.ends, but);
   }
 
-  lightSegment(segment) {
-    this.light("chosen", ["s" + segment]);
+  // An operand is not drawn itself: the edges are lit that it made.
+  async lightSegment(segment) {
+    const names = ["s" + segment];
+    this.operand = segment;
+    this.light("chosen", names);
+    if (this.record) return;
+    try {
+      const { head } = await this.wire.ask("select", { names, keep: false });
+      if (this.operand === segment) this.light("chosen", [...names, ...head.selected[0].shows]);
+    } catch (error) {
+      this.operand = null;                // it is not there any more, or nobody answers
+    }
   }
+
+  operandAgain = calm(100, () => { if (this.operand) this.lightSegment(this.operand); });
 
   // `role` is that of the line in `port`, where it was chosen.
   chosen(names, port, role) {
     this.names = names;
+    this.operand = null;
     this.from = port || this.from || this.pictured();
     this.light("chosen", names);
     this.linked();

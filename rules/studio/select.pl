@@ -4,10 +4,11 @@
           ]).
 :- use_module('../store',
               [ e/5, edge_polygon/3, joint/6, line/9, p/3, segment/3, v/5 ]).
+:- use_module(operand_edge, [operand_edges/2]).
 :- use_module(world_state, [in_state/3]).
 :- use_module(request, [request_error/1]).
 :- use_module(library(apply), [maplist/3, maplist/4, partition/4]).
-:- use_module(library(lists), [member/2]).
+:- use_module(library(lists), [member/2, memberchk/2]).
 /** <module> The selection of a session: what people point at, by its names.
 
 A name is that of a picture's line or part: `s2` is segment 2, `s2e7` its edge
@@ -40,16 +41,39 @@ selected(World, Head, _{selected:Dicts, gone:Gone, ends:Ends}) :-
         ),
         Gone = []
     ;   kept(Names0),
-        in_state(World, shown,
-                 partition(sg_select:is_there, Names0, Names, Gone)),
+        kept_there(World, Names0, Names, Gone),
         maplist(name_item, Names, Items)
     ),
-    in_state(World, shown, sg_select:told(Names, Items, Dicts, Ends)),
+    operands(World, Items, Operands),
+    in_state(World, shown,
+             sg_select:told(Names, Items, Operands, Dicts, Ends)),
     (   get_dict(keep, Head, false)
     ->  true
     ;   retractall(selected_(_)),
         assertz(selected_(Names))
     ).
+
+%   operands(World, Items, Operands): of those Items that are operands, and so
+%   not drawn themselves, segment(S)-Names of the edges that they made.
+
+operands(World, Items, Operands) :-
+    (   memberchk(segment(_), Items)
+    ->  in_state(World, cut,
+                 findall(Item-Names,
+                         ( member(Item, Items), operand(Item, Names) ),
+                         Operands))
+    ;   Operands = []
+    ).
+
+operand(segment(S), Names) :-
+    operand_edges(S, Edges),
+    maplist(name_of, Edges, Names).
+
+kept_there(World, Names0, Names, Gone) :-
+    maplist(name_item, Names0, Items),
+    operands(World, Items, Operands),
+    in_state(World, shown,
+             partition(sg_select:is_there(Operands), Names0, Names, Gone)).
 
 kept(Names) :-
     (   selected_(Names0)
@@ -62,18 +86,23 @@ kept(Names) :-
 selection_forgotten :-
     retractall(selected_(_)).
 
-:- public is_there/1, told/4.
+:- public is_there/2, told/5.
 
-is_there(Name) :-
+is_there(Operands, Name) :-
     name_item(Name, Item),
-    once(item(Item, _, _, _)).
+    (   memberchk(Item-_, Operands)
+    ->  true
+    ;   once(item(Item, _, _, _))
+    ).
 
-%   told(Names, Items, Dicts, Ends): Ends is _{s2e7:[[X,Y,Z],[X,Y,Z]], ...}.
+%   told(Names, Items, Operands, Dicts, Ends): Ends is
+%   _{s2e7:[[X,Y,Z],[X,Y,Z]], ...}; an operand has its drawn edges alone lit.
 
-told(Names, Items, Dicts, Ends) :-
-    maplist(item_dict, Names, Items, Dicts),
+told(Names, Items, Operands, Dicts, Ends) :-
+    maplist(item_dict(Operands), Names, Items, Dicts),
     findall(Name,
             ( member(Dict, Dicts),
+              Dict.kind \== segment,
               ( Name = Dict.name ; member(Name, Dict.shows) ) ),
             All0),
     sort(All0, All),
@@ -140,8 +169,8 @@ digits([C|Cs]) -->
 digits([]) -->
     [].
 
-item_dict(Name, Item, Dict) :-
-    (   item(Item, Goal, Explain, Shows)
+item_dict(Operands, Name, Item, Dict) :-
+    (   item(Operands, Item, Goal, Explain, Shows)
     ->  functor(Item, Kind, _),
         format(string(GoalText), "~W", [Goal, [quoted(true),
                                                spacing(next_argument),
@@ -155,11 +184,21 @@ item_dict(Name, Item, Dict) :-
 item_text(Item, Text) :-
     format(string(Text), "~q", [Item]).
 
+item(Operands, segment(S), Goal, [], Shows) :-
+    memberchk(segment(S)-Shows, Operands),
+    !,
+    segment_goal(S, Goal).
+item(_, Item, Goal, Explain, Shows) :-
+    item(Item, Goal, Explain, Shows).
+
+segment_goal(S, segment(S, '$VAR'('Kind'), '$VAR'('Name'))).
+
 %   item(Item, Goal, Explain, Shows) is semidet: Explain are items of
 %   `explain`, Shows names.
 
-item(segment(S), segment(S, '$VAR'('Kind'), '$VAR'('Name')), [], []) :-
-    once(segment(S, _, _)).
+item(segment(S), Goal, [], []) :-
+    once(segment(S, _, _)),
+    segment_goal(S, Goal).
 item(edge(S, E), e(S, E, '$VAR'('V1'), '$VAR'('V2'), '$VAR'('Et')), Explain,
      Shows) :-
     e(S, E, V1, V2, _),

@@ -1,7 +1,7 @@
 """serve_studio.py PROGRAM FOLDER: what a studio asks of a session: strokes,
 selections, patterns, wishes, questions, rules that are tried, words, progress."""
 # covers: complete, line_change, pen_plan, picture_cut, port_cut, seen_stroke,
-# covers: decision_ko, select, verb_session, world_state
+# covers: decision_ko, operand_edge, select, verb_session, world_state
 import json
 import os
 import struct
@@ -325,6 +325,29 @@ for item in head["selected"]:
 s.ask("select", names=["s1", "s2v3"])
 head, _ = s.ask("select")
 check("kept", [i["name"] for i in head["selected"]] == ["s1", "s2v3"], head)
+tee = session()
+tee.ask("open", file="facts/pipe_tee.pl")
+head, octets = tee.ask("view", format="strokes")
+drawn = {"s%de%d" % (of, e) for _, of, _, _, edges, _ in strokes(head, octets)
+         for e in edges if e > 0}
+lit = {}
+for name in ("s2", "s9", "s17", "s8", "s10"):
+    head, _ = tee.ask("select", names=[name])
+    lit[name] = set(head["selected"][0]["shows"]) & drawn
+    check("ends are of what has no line", head["ends"] == {}, head["ends"])
+    again, _ = tee.ask("select")
+    check("kept: " + name, again["gone"] == [] and again["selected"] ==
+          head["selected"], again)
+bore = {"s10e%s" % a[0] for a in tee.ask("ask", owner=True, goal=
+        "operand_edge(10, E, 2)")[0]["answers"]}
+check("an operand shows what it made", lit["s2"] == lit["s9"] and
+      20 < len(bore & drawn) < len(lit["s2"]) and bore & drawn <= lit["s2"],
+      (len(bore & drawn), len(lit["s2"])))
+check("another one shows other edges", lit["s17"] < lit["s8"] and
+      len(lit["s17"] & lit["s2"]) < len(lit["s17"]) / 2 and
+      lit["s8"] | lit["s2"] >= {d for d in drawn})
+check("a root is drawn itself", lit["s10"] == set())
+tee.end()
 for names in ("s1", [1], ["x"], ["s0"], ["s1e"], ["s1q1"], ["s01"], [["s1"]],
               ["s1e99999999999"]):
     refused("names %s" % names, "request_error.bad_key", "list of names",

@@ -85,6 +85,39 @@ def sizes():
         (BANNER, BANNER)))
 
 
+def operand():
+    """What is chosen in the tree and not drawn itself is lit by the edges that
+    it made, in every port, also when they have other numbers."""
+    lit = """studio.ports.ports.filter(({ kind }) => kind !== 'shaded')
+      .map(({ picture }) => picture.layers.chosen.getAttribute('d').length)"""
+    browser.script("studio.tree.choose(2, '/10/9/2', 0)")
+    check("an operand is lit in every port", browser.wait(
+        lit + ".every(n => n > 20)"), browser.script("return " + lit))
+    bore = browser.script("return " + lit)
+    whole = browser.script("""
+      studio.light("chosen", ["s10"]);
+      return """ + lit)
+    check("and not all of the model", all(0 < a < b / 2 for a, b in zip(
+        bore[2:], whole[2:])), (bore, whole))
+    browser.script("studio.tree.choose(17, '/10/8/17', 0)")
+    check("another one is lit", browser.wait(
+        lit + ".every(n => n > 20) && %s.join() !== arguments[0]" % lit,
+        ",".join(map(str, bore))))
+    branch = browser.script("return [...studio.ports.ports[0].picture.lit"
+                            ".chosen].length")
+    browser.script("studio.tree.drag = 2; studio.tree.set({ segment: 8, path: "
+                   "[2, 1, 2, 3, 1] }, 24)")
+    check("and after a change", browser.wait(
+        "!studio.tree.sets.length && %s && [...studio.ports.ports[0].picture"
+        ".lit.chosen].length < arguments[0] - 50" % QUIET, branch))
+    browser.script("studio.change('undo')")
+    check("as before", browser.wait(
+        QUIET + " && [...studio.ports.ports[0].picture.lit.chosen].length "
+        "=== arguments[0]", branch))
+    browser.script("studio.chosen([])")
+    check("nothing is lit", browser.wait(lit + ".every(n => n === 0)"))
+
+
 def reasons():
     """Why follows the model; of another one nothing is left."""
     browser.script("studio.ports.ports[0].turnTo('unfold')")
@@ -331,6 +364,7 @@ try:
     check("open", browser.wait(QUIET), browser.log())
     menus()
     sizes()
+    operand()
     reasons()
     rules()
     pictures()
