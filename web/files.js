@@ -72,3 +72,29 @@ export async function exported(studio, what, format) {
   if (!head.ticket) throw Object.assign(new Error(name), { head });
   h("a", { href: "x/" + head.ticket, download: head.name }).click();
 }
+
+// Another program wrote the file: a change like any other, which undo takes back.
+// If something was changed here too, whoever looks at the page chooses.
+export async function written(studio) {
+  const close = () => { $("banner").hidden = true; };
+  const take = async () => {
+    close();
+    const done = await studio.change("reload");
+    if (done) studio.banner("taken", null, 6000);
+    else studio.saved = false;
+    studio.state();
+  };
+  if (!studio.isText) studio.opened(studio.file);
+  else if (studio.saved) await take();
+  else {
+    studio.banner("file_new", [["take", take], ["compare_texts", () => studio.files(() => compare(studio, take))], ["keep_mine", close]]
+      .map(([word, onclick]) => h("button", { onclick }, w(word))));
+  }
+}
+
+// What was changed here before another program wrote the file.
+export async function recovered(studio, file) {
+  await studio.opened(file, null, { replay: "journal" });
+  studio.saved = false;
+  if (studio.ready) await written(studio);
+}

@@ -1,5 +1,5 @@
-// Handles in space: dots of a picture that pull a size, or a placement, of the
-// segment that was chosen in the tree.
+// The segment that was chosen in the tree, in space: dots of a picture that pull a
+// size, or a placement, of it, and what it made, if it is an operand.
 
 import { s } from "./dom.js";
 import { spaceOf } from "./space.js";
@@ -99,6 +99,7 @@ export class Handles {
   // Those of a segment; none where it cannot be told where it is.
   async choose(segment) {
     const { tree, wire, record, isText } = this.studio;
+    this.lit();
     const one = tree.byNumber?.get(segment);
     const place = one && !record && isText && placeOf(tree, segment);
     this.wanted = (this.wanted || 0) + 1;
@@ -127,6 +128,20 @@ export class Handles {
     for (const port of this.studio.ports.ports) this.draw(port);
   }
 
+  // The operand that was chosen is not drawn itself: the edges are lit that it made.
+  async lit() {
+    const { studio } = this;
+    const { operand } = studio;
+    if (!operand) return;
+    const names = ["s" + operand];
+    try {
+      const { head } = await studio.wire.ask("select", { names, keep: false });
+      if (studio.operand === operand) studio.light("chosen", [...names, ...head.selected[0].shows]);
+    } catch (error) {
+      studio.operand = null;                // it is not there any more, or nobody answers
+    }
+  }
+
   draw(port) {
     const { picture } = port;
     port.knobs ??= picture.svg.appendChild(s("g", { class: "handles" }));
@@ -145,11 +160,11 @@ export class Handles {
       const from = where(one.middle);
       const to = one.arrow ? from.map((n, k) => n + way[k] / far * ARROW / size) : where(one.at);
       const knob = s("path", { d: `M${to.join(" ")}h0`, class: one.arrow ? "knob place" : "knob", tabindex: 0, role: "slider", "data-name": one.name,
-        "aria-label": one.name, "aria-valuenow": one.value,
+        "aria-label": this.studio.tree.heard(one.name), "aria-valuenow": one.value,
         onpointerdown: (event) => this.pull(event, one, way.map((n) => n * size)),
         onkeydown: (event) => this.keyed(event, one) });
       knob.append(s("title", {}));
-      knob.firstChild.textContent = `${one.name} ${one.value}`;
+      knob.firstChild.textContent = `${this.studio.tree.heard(one.name)} ${one.value}`;
       return [s("path", { class: "stalk", d: `M${from.join(" ")}L${to.join(" ")}` }), knob];
     }));
     if (held) [...port.knobs.children].find(({ dataset }) => dataset.name === held)?.focus();

@@ -48,7 +48,7 @@ class Studio {
     this.wire.addEventListener("refused", () => this.banner("no_secret"));
     this.wire.addEventListener("restarted", () => this.opened(this.file, "restarted"));
     this.wire.addEventListener("revision", ({ detail }) => this.heard(detail));
-    this.wire.addEventListener("file", () => this.fileChanged());
+    this.wire.addEventListener("file", () => this.files((files) => files.written(this)));
     this.wire.addEventListener("shown", (event) => this.taught(event.detail.shown));
     this.wire.addEventListener("saved", async () => {
       await this.tree.refresh();
@@ -238,7 +238,7 @@ class Studio {
         this.ports.refresh();
       }
       this.failed(error, error.head && error.head.error.code === "request_error.journal_of_another"
-        ? [["recover", () => this.recovered(file)], ["forget", () => this.opened(file, null, { replay: false })]] : []);
+        ? [["recover", () => this.files((files) => files.recovered(this, file))], ["forget", () => this.opened(file, null, { replay: false })]] : []);
     }
   }
 
@@ -267,13 +267,6 @@ class Studio {
     if (came.length + changed.length + went.length) this.light("chosen", []);    // what is chosen is red too
   }
 
-  // What was changed here before another program wrote the file.
-  async recovered(file) {
-    await this.opened(file, null, { replay: "journal" });
-    this.saved = false;
-    if (this.ready) this.fileChanged();
-  }
-
   // Another window has another revision, or another file.
   heard(head) {
     const { file } = head;
@@ -288,7 +281,6 @@ class Studio {
     this.warned(head.messages);
     $("ports").dataset.rev = head.rev;
     this.ports.refresh();
-    this.operandAgain();
     this.again();
     this.state();
     try {
@@ -371,24 +363,6 @@ class Studio {
     }
   }
 
-  // Another program wrote the file: a change like any other, which undo takes back.
-  // If something was changed here too, whoever looks at the page chooses.
-  async fileChanged() {
-    const take = async () => {
-      $("banner").hidden = true;
-      const done = await this.change("reload");
-      if (done) this.banner("taken", null, 6000);
-      else this.saved = false;
-      this.state();
-    };
-    if (!this.isText) this.opened(this.file);
-    else if (this.saved) await take();
-    else {
-      this.banner("file_new", [["take", take], ["compare_texts", () => this.files((files) => files.compare(this, take))],
-        ["keep_mine", () => { $("banner").hidden = true; }]].map(([word, onclick]) => h("button", { onclick }, w(word))));
-    }
-  }
-
   // The page as one file, which needs no program.
   async page() {
     const { keptPage } = await import("./keep.js");
@@ -440,21 +414,11 @@ class Studio {
     this.light(layer, [...names, ...more], head.ends, but);
   }
 
-  // An operand is not drawn itself: the edges are lit that it made.
-  async lightSegment(segment) {
-    const names = ["s" + segment];
+  // What an operand made, handles.js lights.
+  lightSegment(segment) {
     this.operand = segment;
-    this.light("chosen", names);
-    if (this.record) return;
-    try {
-      const { head } = await this.wire.ask("select", { names, keep: false });
-      if (this.operand === segment) this.light("chosen", [...names, ...head.selected[0].shows]);
-    } catch (error) {
-      this.operand = null;                // it is not there any more, or nobody answers
-    }
+    this.light("chosen", ["s" + segment]);
   }
-
-  operandAgain = calm(100, () => { if (this.operand) this.lightSegment(this.operand); });
 
   // `role` is that of the line in `port`, where it was chosen.
   chosen(names, port, role) {

@@ -125,6 +125,7 @@ export class Problems {
   check(show = false) {
     const answers = [...this.task.querySelectorAll("input")].map(({ value }) => value);
     this.typed.set(this.reply.head.called, answers);
+    if (show) this.studio.paneTo("ports");        // on a phone the sheet is there
     return this.pose(this.at, show ? { answers, show } : { answers });
   }
 

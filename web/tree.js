@@ -10,7 +10,7 @@ const SIGNS = { union: "∪", intersection: "∩", difference: "−", xor: "⊕"
 // named(tee, at(Steps, union([8, 9]))) -> what a row of the tree says.
 function summary(term, path = []) {
   if (term && term.name === "named") {
-    return { ...summary(term.args[1], [...path, 2]), called: term.args[0] };
+    return { ...summary(term.args[1], [...path, 2]), own: term.args[0] };
   }
   if (term && term.name === "at") {
     return { ...summary(term.args[1], [...path, 2]), placed: term.args[0] };
@@ -29,9 +29,9 @@ function operandsOf(term) {
 }
 
 function label(term) {
-  const { term: inner, called } = summary(term);
-  if (typeof inner === "number") return called || "→ " + inner;
-  return called || (inner && inner.name) || String(inner);
+  const { term: inner, own } = summary(term);
+  if (typeof inner === "number") return own || "→ " + inner;
+  return own || (inner && inner.name) || String(inner);
 }
 
 export class Tree {
@@ -107,6 +107,27 @@ export class Tree {
     return label(this.byNumber.get(segment).term);
   }
 
+  // What a word of a term, or `translate x`, is called, if not so.
+  own(text) {
+    const [word, ...axis] = text.split(" ");
+    const own = tongue() === "ko" && this.model.words?.[word];
+    return own && [own, ...axis].join(" ");
+  }
+
+  heard(text) {
+    const own = this.own(text);
+    return own ? `${own} (${text})` : text;
+  }
+
+  worded(text) {
+    const own = this.own(text);
+    return own ? [own + " ", h("small", {}, text)] : [text];
+  }
+
+  labelled(term) {
+    return summary(term).own ? [label(term)] : this.worded(label(term));
+  }
+
   // An operand that stands in the term of another segment has that one's sizes.
   row(operand, above, level, owner) {
     const number = typeof operand === "number" ? operand
@@ -125,8 +146,8 @@ export class Tree {
       h("span", { class: "row" },
         h("span", { class: "twist" }, parts.length ? (open ? "▾" : "▸") : ""),
         h("b", {}, number === null ? "" : String(number)),
-        h("span", { class: "what" }, label(term)),
-        h("i", {}, sign || (inner && inner.name && summary(term).called ? inner.name : ""))));
+        h("span", { class: "what" }, ...this.labelled(term)),
+        h("i", {}, sign || (inner && inner.name && summary(term).own ? this.own(inner.name) || inner.name : ""))));
     item.dataset.key = key;
     if (open && parts.length) {
       item.append(h("ul", { role: "group" }, ...parts.map((part) => this.row(part, key, level + 1, number ?? owner))));
@@ -178,7 +199,7 @@ export class Tree {
     if (one && typeof one.term === "object") {
       const found = [];
       this.numbers(one.term, [], null, found);
-      rows.push(h("h3", {}, `${one.segment} ${label(one.term)}`));
+      rows.push(h("h3", {}, `${one.segment} `, ...this.labelled(one.term)));
       rows.push(...found.map(({ name, value, types, path }) =>
         this.number(name, value, types, { segment: one.segment, path })));
       if (!found.length) rows.push(h("p", { class: "quiet", "data-word": "no_numbers" }));
@@ -229,6 +250,7 @@ export class Tree {
   }
 
   number(name, value, types, target, about = {}) {
+    const { param } = target;
     const whole = ["facets", "count"].includes((types || [])[0]);
     const positive = ["length", "radius", "factor", "turn"].includes((types || [])[0]) || whole;
     const size = Math.abs(value) || 1;
@@ -242,7 +264,7 @@ export class Tree {
       else this.drawForm();
     };
     const begun = () => { this.drag = (this.drag || 0) + 1; };
-    const field = h("input", { type: "number", value, step: "any",
+    const field = h("input", { type: "number", value, step: "any", readonly: Boolean(this.studio.record),
       oninput: () => { field.dataset.typed = true; },
       onchange: () => { delete field.dataset.typed; begun(); sent(field.value); } });
     const slider = h("input", { type: "range", min: least, max: most, step, value,
@@ -253,12 +275,12 @@ export class Tree {
       },
       onchange: () => { this.dragging = false; } });
     for (const one of [slider, field]) {
-      one.setAttribute("aria-label", name);
+      one.setAttribute("aria-label", param ? name : this.heard(name));
       one.dataset.of = JSON.stringify(target);
     }
     slider.addEventListener("pointerdown", begun);
     slider.addEventListener("keydown", begun);
-    return h("label", { class: "number", title: text }, h("span", {}, name), slider, field);
+    return h("label", { class: "number", title: text }, h("span", {}, ...(param ? [name] : this.worded(name))), slider, field);
   }
 
   // What the page holds of a number of the text: also what is not answered yet.

@@ -1,6 +1,8 @@
+:- encoding(utf8).
 :- module(sg_model_tree,
           [ text_tree/2                 % +Text, -Tree
           ]).
+:- use_module('../message/term_word_ko', [term_word_ko/2]).
 :- use_module('../primitive/primitive',
               [primitive/1, primitive_numbers/3]).
 :- use_module(library(lists), [member/2]).
@@ -22,12 +24,14 @@ changes is one of the text (text_edit.pl).
 %       numbers min, max, step and the texts en, ko that the text gives
 %     - forms: of the primitives in it, _{cylinder:_{radius:Types, ...}, ...}:
 %       the types (primitive_argument.pl) of the numbers of each argument
+%     - words: of the words in terms, what they are called in Korean,
+%       _{cylinder:'원기둥', ...}
 %     - questions: a list of _{name:Name, goal:Goal}, texts
 %
 %   Text is that of a model, which has been loaded.
 
 text_tree(Text, _{ segments:Segments, params:Params, forms:Forms,
-                   questions:Questions }) :-
+                   words:Words, questions:Questions }) :-
     setup_call_cleanup(
         open_string(Text, In),
         facts(In, Facts),
@@ -45,6 +49,12 @@ text_tree(Text, _{ segments:Segments, params:Params, forms:Forms,
               form(Name, Form) ),
             Pairs),
     dict_pairs(Forms, _, Pairs),
+    findall(Word-Korean,
+            ( term_word_ko(Word, Korean), once(( member(segment(_, _, Term),
+                                                        Facts),
+                                                 has_name(Term, Word) )) ),
+            Koreans),
+    dict_pairs(Words, _, Koreans),
     findall(_{name:Called, goal:Goal},
             ( member(question(Called0, Goal0), Facts),
               text_to_string(Called0, Called), text_to_string(Goal0, Goal) ),

@@ -725,6 +725,11 @@ def as_a_file(language, words):
     check(language + ": nothing is changed there", browser.script(
         "return [...document.querySelectorAll('#menus [data-word=save], "
         ".wishes, [data-word=save_question]')].every(e => getComputedStyle(e).display === 'none')"))
+    check(language + ": its sizes are there to read", browser.script("""
+      studio.tree.choose(1, '/1', 0);
+      const boxes = [...document.querySelectorAll('.form input[type=number]')];
+      return boxes.length > 0 && boxes.every(e => e.readOnly && e.offsetWidth > 20 && e.value !== '')
+        && [...document.querySelectorAll('.form input[type=range]')].every(e => !e.offsetWidth)"""))
     check(language + ": nobody is asked", browser.log() == [] and
           browser.script("return performance.getEntriesByType('resource')"
                          ".filter(e => !e.name.startsWith('blob:')).length")
@@ -849,10 +854,10 @@ def flows(language):
     # A slider, then undo; the file has one number more or less.
     text = front_page.ask("text")[1].decode()
     browser.script("document.querySelector('.tree [role=treeitem]').click()")
-    browser.wait("document.querySelector('.form input[aria-label=radius]')")
+    browser.wait("document.querySelector('.form input[aria-label*=radius]')")
     before = browser.script("return " + LINES % 0)
     browser.script("""
-      const slider = document.querySelector('.form input[aria-label=radius]');
+      const slider = document.querySelector('.form input[aria-label*=radius]');
       slider.dispatchEvent(new Event('pointerdown'));
       for (const value of [0.7, 0.8, 0.85, 0.9]) {
         slider.value = value; slider.dispatchEvent(new Event('input'));

@@ -162,7 +162,7 @@ def flows():
     browser.script("document.querySelector('#left [role=treeitem] button, #left "
                    ".tree button, #left [role=treeitem]').click()")
     text = page.ask("text")[1]
-    slider = "#left input[type=range][aria-label=radius]"
+    slider = "#left input[type=range][aria-label*=radius]"
     there = browser.wait("document.querySelector('%s')" % slider)
     browser.keys(RIGHT, slider)
     step("a size", there and until(lambda: page.ask("text")[1] != text))

@@ -29,7 +29,7 @@ QUIET = "studio.ready && studio.ports.ports.every(p => !p.busy && " \
         "!p.canvas.classList.contains('empty'))"
 ROW = "[...document.querySelectorAll('.tree .row')].find(r => " \
       "r.querySelector('b').textContent === arguments[0])"
-RADIUS = "document.querySelector('.form input[type=number][aria-label=radius]')"
+RADIUS = "document.querySelector('.form input[type=number][aria-label*=radius]')"
 WHY = "document.querySelector('.why pre')?.textContent || ''"
 STATE = "document.getElementById('state').textContent"
 BANNER = "document.getElementById('banner')"
@@ -116,6 +116,30 @@ def operand():
         "=== arguments[0]", branch))
     browser.script("studio.chosen([])")
     check("nothing is lit", browser.wait(lit + ".every(n => n === 0)"))
+
+
+def korean():
+    """In Korean what the tree and the form say has its term, and the model's
+    word beside it; names that the model gives stay."""
+    browser.script("""studio.tree.choose(2, '/10/9/2', 0);
+      document.querySelector('[data-word=language]').click()""")
+    said = "[...document.querySelectorAll('%s')].map(e => e.textContent)"
+    labels = browser.wait("studio.handles.list.length && (s => s.some(t => t "
+                          ".startsWith('반지름')) && s)(%s)" %
+                          said % ".form .number span")
+    check("sizes in Korean", labels == [
+        "반지름 radius", "높이 height", "작은 면 수 facets"], labels)
+    rows = browser.script("return " + said % ".tree .what")
+    check("kinds in Korean", "원기둥 cylinder" in rows and "inside" in rows, rows)
+    heard = browser.script("""return [document.querySelector('.form input')
+      .getAttribute('aria-label'), document.querySelector('.knob')
+      .getAttribute('aria-label')]""")
+    check("and for who hears it", heard == ["반지름 (radius)"] * 2, heard)
+    browser.script("document.querySelector('[data-word=language]').click()")
+    check("in English by the word alone", browser.wait(
+        "(%s)[0] === 'radius' && !document.querySelector('.tree small')" %
+        said % ".form .number span"))
+    browser.script("studio.tree.choose(10, '/10', 0); studio.chosen([])")
 
 
 def reasons():
@@ -365,6 +389,7 @@ try:
     menus()
     sizes()
     operand()
+    korean()
     reasons()
     rules()
     pictures()
