@@ -107,7 +107,7 @@ export class Tree {
     return label(this.byNumber.get(segment).term);
   }
 
-  // What a word of a term, or `translate x`, is called, if not so.
+  // What a word of a term is called.
   own(text) {
     const [word, ...axis] = text.split(" ");
     const own = tongue() === "ko" && this.model.words?.[word];
