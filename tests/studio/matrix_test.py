@@ -213,6 +213,13 @@ def a_class():
         teacher.ask("show")
         step("and no more", browser.wait("studio.ports.ports[0].kind === "
                                          "arguments[0]", before))
+        pane("left")
+        for key in ("show_answer", "show_noted"):
+            browser.script("studio.problems.task.querySelector('[data-word=%s]"
+                           "').click()" % key)
+        step("the answer, and not only that it is there", browser.wait(
+            "studio.problems.reply.head.shows === 'answer' && "
+            "studio.ports.ports[0].element.offsetParent"))
         browser.script("sessionStorage.clear()")
         browser.open("about:blank")
         browser.open(room.address)
