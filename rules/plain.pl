@@ -124,7 +124,7 @@ json_code(Last, Code, Codes, Rest) :-
 
 plain_term(Term, Plain) :-
     shown_of_term(Most),
-    plain_term(Term, Most, Plain),
+    plain_term(Term, Most, Plain, 2000, _),
     write_length(Plain, _, [quoted(true),max_length(2000)]),
     !.
 
@@ -135,41 +135,56 @@ shown_of_term(most(12, 100, 500)).
 shown_of_term(most(6, 20, 80)).
 shown_of_term(most(3, 6, 40)).
 
-plain_term(Term, most(_, _, Characters), Plain) :-
+%   plain_term(Term, Most, Plain, N0, N) is semidet: Plain has N0-N values, each
+%   of a character at least. Fails if they are more than N0: a term that shares
+%   its parts, or has itself as one, may have more of them than can be counted.
+
+plain_term(Term, Most, Plain, N0, N) :-
+    (   compound(Term),
+        \+ Most = most(0, _, _)
+    ->  plain_compound(Term, Most, Plain, N0, N)
+    ;   N0 > 0,
+        N is N0-1,
+        plain_leaf(Term, Most, Plain)
+    ).
+
+plain_leaf(Term, most(_, _, Characters), Plain) :-
     ( atom(Term) ; string(Term) ; rational(Term) ),
     !,
     short_text(Term, Characters, Short),
     plain_kind(Term, Short, Plain).
-plain_term(Term, _, Plain) :-
-    \+ compound(Term),
-    !,
-    Plain = Term.
-plain_term(_, most(0, _, _), ...) :-
-    !.
-plain_term(Term, most(Depth, Elements, Characters), Plain) :-
+plain_leaf(Term, _, Plain) :-
+    (   compound(Term)
+    ->  Plain = ...
+    ;   Plain = Term
+    ).
+
+plain_compound(Term, most(Depth, Elements, Characters), Plain, N0, N) :-
     Depth1 is Depth-1,
     Most = most(Depth1, Elements, Characters),
     (   Term = [_|_]
-    ->  plain_list(Term, Elements, Most, Plain)
+    ->  plain_list(Term, Elements, Most, Plain, N0, N)
     ;   compound_name_arguments(Term, Name0, Arguments0),
-        plain_term(Name0, Most, Name),
-        plain_list(Arguments0, Elements, Most, Arguments),
+        plain_term(Name0, Most, Name, N0, N1),
+        plain_list(Arguments0, Elements, Most, Arguments, N1, N),
         compound_name_arguments(Plain, Name, Arguments)
     ).
 
-plain_list(List0, N, Most, List) :-
+plain_list(List0, Left, Most, List, N0, N) :-
     (   nonvar(List0),
         List0 = [Term0|Terms0]
-    ->  (   N =:= 0
-        ->  List = [...]
+    ->  (   Left =:= 0
+        ->  List = [...],
+            N = N0
         ;   List = [Term|Terms],
-            plain_term(Term0, Most, Term),
-            N1 is N-1,
-            plain_list(Terms0, N1, Most, Terms)
+            plain_term(Term0, Most, Term, N0, N1),
+            Left1 is Left-1,
+            plain_list(Terms0, Left1, Most, Terms, N1, N)
         )
     ;   List0 == []
-    ->  List = []
-    ;   plain_term(List0, Most, List)
+    ->  List = [],
+        N = N0
+    ;   plain_term(List0, Most, List, N0, N)
     ).
 
 %   short_text(Value, Most, Short): Short is Value, or the text of its ends, if
@@ -208,38 +223,51 @@ plain_kind(Value, Short, Plain) :-
 cut_term(Term, Cut) :-
     (   term_size(Term, Size),
         Size > 100_000
-    ->  cut_lists(Term, Cut)
+    ->  left_of_term(Most),
+        cut_lists(Term, Cut, Most, _)
     ;   Cut = Term
     ).
 
-cut_lists(Term, Cut) :-
-    \+ compound(Term),
-    !,
-    Cut = Term.
-cut_lists(Term, Cut) :-
-    left_of_list(Most),
-    (   Term = [_|_]
-    ->  cut_list(Term, Most, Cut)
+%   cut_lists(Term, Cut, N0, N): Cut has N0-N compounds that are no lists, and
+%   elements of lists.
+
+cut_lists(Term, Cut, N0, N) :-
+    (   \+ compound(Term)
+    ->  Cut = Term,
+        N = N0
+    ;   N0 =< 0
+    ->  Cut = ...,
+        N = N0
+    ;   Term = [_|_]
+    ->  left_of_list(Most),
+        cut_list(Term, Most, Cut, N0, N)
     ;   compound_name_arguments(Term, Name, Arguments0),
-        cut_list(Arguments0, Most, Arguments),
+        left_of_list(Most),
+        N1 is N0-1,
+        cut_list(Arguments0, Most, Arguments, N1, N),
         compound_name_arguments(Cut, Name, Arguments)
     ).
 
 left_of_list(200).
+left_of_term(100_000).
 
-cut_list(List, N, Cut) :-
+cut_list(List, Left, Cut, N0, N) :-
     (   nonvar(List),
         List = [Term0|Terms0]
-    ->  (   N > 0
+    ->  (   Left > 0,
+            N0 > 0
         ->  Cut = [Term|Terms],
-            cut_lists(Term0, Term),
-            N1 is N-1,
-            cut_list(Terms0, N1, Terms)
-        ;   Cut = [...]
+            N1 is N0-1,
+            cut_lists(Term0, Term, N1, N2),
+            Left1 is Left-1,
+            cut_list(Terms0, Left1, Terms, N2, N)
+        ;   Cut = [...],
+            N = N0
         )
     ;   List == []
-    ->  Cut = []
-    ;   cut_lists(List, Cut)
+    ->  Cut = [],
+        N = N0
+    ;   cut_lists(List, Cut, N0, N)
     ).
 
 %!  plain_lines(+Kind, +Lines, -Plain) is det.

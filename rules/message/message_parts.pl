@@ -117,6 +117,7 @@ near_predicates(What, PI, Near) :-
     near_names(Word, Near).
 
 near_names(Word, Near) :-
+    Word \== [],
     findall(Name, offered(Name/_, _), Names0),
     sort(Names0, Names),
     near_words(Word, Names, Words),

@@ -51,6 +51,9 @@ session_en(printed(Most)) -->
     [ 'the verb printed more than ~D octets'-[Most], nl,
       '  Let it write a file: -o FILE.' ].
 
+session_en(no_end) -->
+    [ 'the request came to no end and to no result: a fault of the program', nl,
+      '  Please send the model and the request to those who made it.' ].
 session_en(no_document) -->
     [ 'there is no document', nl,
       '  Open a model first: "do":"open".' ].
@@ -76,6 +79,10 @@ session_en(journal_of_another(Path)) -->
     [ 'the journal ~w has changes of another text than is in the file'-[Path],
       nl,
       '  Open with "replay":false to lose them, or without a journal.' ].
+session_en(journal_damaged(Path, Done, Kept)) -->
+    [ 'the journal ~w is damaged: ~D of its changes were done, the next one \c
+       cannot be'-[Path, Done], nl,
+      '  It is kept as it was: ~w.'-[Kept] ].
 session_en(edit(no_fact(segment(S, _)))) -->
     [ 'the text has no fact segment(~p, ...)'-[S] ].
 session_en(edit(no_fact(param(Name)))) -->

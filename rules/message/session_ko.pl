@@ -50,6 +50,9 @@ session_ko(printed(Most)) -->
     [ '명령이 ~D바이트 넘게 출력했습니다'-[Most], nl,
       '  파일에 쓰게 하십시오: -o FILE.' ].
 
+session_ko(no_end) -->
+    [ '요청이 끝도 결과도 없이 멈췄습니다. 프로그램의 잘못입니다', nl,
+      '  모델과 요청을 만든 이들에게 보내 주십시오.' ].
 session_ko(no_document) -->
     [ '문서가 없습니다', nl,
       '  먼저 모델을 여십시오: "do":"open".' ].
@@ -73,6 +76,10 @@ session_ko(no_journal(Path)) -->
 session_ko(journal_of_another(Path)) -->
     [ '일지 ~w의 변경은 파일에 있는 것과 다른 글의 것입니다'-[Path], nl,
       '  "replay":false로 열어 버리거나, 일지 없이 여십시오.' ].
+session_ko(journal_damaged(Path, Done, Kept)) -->
+    [ '일지 ~w이(가) 손상되었습니다. 변경 ~D개를 했고, 그 다음 것은 할 수 \c
+       없습니다'-[Path, Done], nl,
+      '  일지는 그대로 남아 있습니다: ~w.'-[Kept] ].
 session_ko(edit(no_fact(segment(S, _)))) -->
     [ '글에 segment(~p, ...) 사실이 없습니다'-[S] ].
 session_ko(edit(no_fact(param(Name)))) -->

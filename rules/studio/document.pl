@@ -16,6 +16,7 @@
             trial_ended/1               % -Commit
           ]).
 :- use_module('../development/leaf_face', [roots_alone_named/0]).
+:- use_module('../message/message_object', [message_object/3]).
 :- use_module('../model/model', [model_format/2]).
 :- use_module('../output', [writing/3]).
 :- use_module('../store', [segment/3]).
@@ -25,17 +26,18 @@
                 file_world_forgotten/1, model_world/5, text_digest/2
               ]).
 :- use_module(document_journal,
-              [ first_steps/2, journal_opened/5, journal_path/2, model_text/5,
-                path_saved/4, save_step/3
+              [ damaged_path/2, first_steps/2, journal_opened/5, journal_path/2,
+                model_text/5, path_saved/4, save_step/3
               ]).
 :- use_module(document_step,
-              [ change_step/6, checkpoint/3, kept_step/3, replayed/3,
+              [ change_step/6, checkpoint/3, kept_step/3, replayed/4,
                 stepped/3, steps_changes/2
               ]).
 :- use_module(journal, [journal_closed/1, journal_line/2]).
 :- use_module(protocol, [text_octets/2]).
 :- use_module(request, [of_owner/2, request_error/1]).
 :- use_module(world_state, [in_state/3]).
+:- use_module(library(lists), [append/3]).
 :- use_module(library(ordsets), [ord_memberchk/2]).
 :- use_module(library(readutil), [read_file_to_string/3]).
 /** <module> The document of a session: one model, its text, and how it became
@@ -175,28 +177,47 @@ document_opened(Head, Reply, Commit) :-
     ),
     (   model_format(File, pl)
     ->  Kind = text,
-        text_opened(File, Head, State, Replayed, Commit)
+        text_opened(File, Head, State, Replayed, Said, Commit)
     ;   Kind = other,
         State = state(file(File), [], []),
         Replayed = 0,
+        Said = [],
         Commit = sg_document:open_committed(opened(File, Kind, State, ""),
                                             none, [])
     ),
     file_world_forgotten(File),
     State = state(Key, _, _),
-    model_world(Kind, File, Key, World, Objects),
+    model_world(Kind, File, Key, World, Objects0),
+    append(Said, Objects0, Objects),
     shape(World, Objects, Shape),
     Reply = Shape.put(_{file:Name, replayed:Replayed}).
 
-text_opened(File, Head, State, Replayed, Commit) :-
+%   text_opened(File, Head, State, Replayed, Said, Commit): Said are messages of
+%   the journal.
+
+text_opened(File, Head, State, Replayed, Said, Commit) :-
     get_time(Begun),
-    model_text(File, Saved, Steps, Journal, Head),
+    model_text(File, Saved, Steps0, Journal0, Head),
     text_digest(Saved, Digest),
-    steps_changes(Steps, Replayed),
-    (   open_already(File, Digest, Journal, Head, State)
-    ->  Commit = true
+    (   open_already(File, Digest, Journal0, Head, State)
+    ->  steps_changes(Steps0, Replayed),
+        Said = [],
+        Commit = true
     ;   content_key(Saved, "", First),
-        replayed(Steps, state(First, [], []), State),
+        replayed(Steps0, state(First, [], []), State, Steps),
+        steps_changes(Steps, Replayed),
+        (   Steps == Steps0
+        ->  Journal = Journal0,
+            Said = []
+        ;   Journal0 = file(Path),
+            damaged_path(Path, Kept),
+            Journal = damaged(Path, Kept),
+            message_object(warning,
+                           error(request_error(journal_damaged(Path, Replayed,
+                                                               Kept)), _),
+                           Object),
+            Said = [Object]
+        ),
         content_key(Saved, "", First),
         get_time(Now),
         next_steps(Begun, Now, Steps, Replayed, State, Next),

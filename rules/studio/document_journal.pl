@@ -2,6 +2,7 @@
           [ model_text/5,               % +File, -Text, -Steps, -Journal, +Head
             journal_opened/5,           % +Where, +File, +Digest, +Steps,
                                         % -Journal
+            damaged_path/2,             % +Path, -Kept
             journal_path/2,             % +Journal, -Path
             path_saved/4,               % +File0, +File, +Path0, -Path
             first_steps/2,              % +Rules, -Steps
@@ -10,10 +11,12 @@
 :- use_module('../environment', [state_folder/1]).
 :- use_module('../model/model', [load_model/1]).
 :- use_module(document_content, [content/3, text_digest/2]).
-:- use_module(document_step, [step_rules/2]).
+:- use_module(document_step, [known_step/2, step_rules/2]).
 :- use_module(journal,
               [journal_begun/6, journal_steps/3, journal_whole/3]).
 :- use_module(request, [of_owner/2, request_error/1]).
+:- use_module(library(apply), [maplist/3]).
+:- use_module(library(filesex), [copy_file/2]).
 :- use_module(library(lists), [member/2]).
 :- use_module(library(readutil), [read_file_to_string/3]).
 /** <module> Where the journal of a document is, and what stands in it.
@@ -24,15 +27,16 @@
 %   Text is what File holds, or what it held when its journal began, if Head
 %   wants that, or if there is no such file any more, but were changes; Steps
 %   are the changes since that the journal has. Journal is file(Path) or `none`,
-%   as Head says.
+%   as Head says. Steps of no form that is known are damaged_step/1.
 %
 %   @error request_error(What), model_error(What)
 
 model_text(File, Text, Steps, Journal, Head) :-
     wanted_path(Head, File, Path),
     (   Path \== none,
-        journal_counts(Head, File, Path, Text, Steps)
+        journal_counts(Head, File, Path, Text, Steps0)
     ->  Journal = file(Path),
+        maplist(known_step, Steps0, Steps),
         rules_allowed(Steps, Head)
     ;   catch(read_file_to_string(File, Text, [encoding(utf8)]), error(_, _),
               load_model(File)),        % says what is wrong
@@ -61,20 +65,17 @@ text_steps(Path, Text, Head, Steps, Journal) :-
     ->  Steps = [],
         Journal = none
     ;   Journal = file(Path),
-        (   exists_file(Path),
-            \+ journal_steps(Path, Digest, _)
-        ->  request_error(no_journal(Path))
-        ;   true
-        ),
-        (   get_dict(replay, Head, false)
+        (   \+ exists_file(Path)
         ->  Steps = []
         ;   journal_steps(Path, Digest, Steps0)
-        ->  (   Steps0 == other
+        ->  (   get_dict(replay, Head, false)
+            ->  Steps = []
+            ;   Steps0 == other
             ->  request_error(journal_of_another(Path))
-            ;   Steps = Steps0,
+            ;   maplist(known_step, Steps0, Steps),
                 rules_allowed(Steps, Head)
             )
-        ;   Steps = []
+        ;   request_error(no_journal(Path))
         )
     ).
 
@@ -113,12 +114,26 @@ usual_path(File, Path) :-
 %!  journal_opened(+Where, +File, +Digest, +Steps, -Journal) is det.
 %
 %   Journal is that of File, whose text has this Digest, written anew with these
-%   Steps. Where is file(Path) or `none`, which has no journal.
+%   Steps. Where is file(Path), damaged(Path, Kept), whose old journal is kept,
+%   or `none`, which has no journal.
 
 journal_opened(none, _, _, _, none).
+journal_opened(damaged(Path, Kept), File, Digest, Steps, Journal) :-
+    copy_file(Path, Kept),
+    journal_opened(file(Path), File, Digest, Steps, Journal).
 journal_opened(file(Path), File, Digest, Steps, Journal) :-
     content(Digest, Text, ""),
     journal_begun(Path, File, Digest, Text, Steps, Journal).
+
+%!  damaged_path(+Path, -Kept) is det.
+%
+%   Kept is where the damaged journal in Path is kept: where nothing is yet.
+
+damaged_path(Path, Kept) :-
+    between(1, inf, N),
+    format(atom(Kept), "~w.damaged-~d", [Path, N]),
+    \+ access_file(Kept, exist),
+    !.
 
 %!  path_saved(+File0, +File, +Path0, -Path) is det.
 %

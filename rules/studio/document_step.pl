@@ -3,13 +3,15 @@
                                         % -More
             stepped/3,                  % +Step, +State0, -State
             kept_step/3,                % +Step, +Key, -Kept
-            replayed/3,                 % +Steps, +State0, -State
+            replayed/4,                 % +Steps, +State0, -State, -Done
+            known_step/2,               % +Step0, -Step
             checkpoint/3,               % +State, +Changes, -Step
             steps_changes/2,            % +Steps, -Changes
             step_rules/2                % +Step, -Rules
           ]).
 :- use_module(document_content, [content/3, content_key/3, contents_swept/1]).
 :- use_module(protocol, [octets_text/2]).
+:- use_module(journal, [damaged_step/1]).
 :- use_module(query, [read_goal/3]).
 :- use_module(request, [request_error/1]).
 :- use_module(text_edit,
@@ -186,13 +188,71 @@ kept_step(Step, Key, Kept) :-
     ;   Kept = Step
     ).
 
-%!  replayed(+Steps:list(dict), +State0, -State) is det.
+%!  known_step(+Step0:dict, -Step:dict) is det.
+%
+%   Step is Step0, a line of a journal, or damaged_step/1 if that says no
+%   change: the file may be anybody's.
 
-replayed([], State, State).
-replayed([Step|Steps], State0, State) :-
-    stepped(Step, State0, State1),
+known_step(Step0, Step) :-
+    (   get_dict(do, Step0, Do),
+        step_form(Do, Step0)
+    ->  Step = Step0
+    ;   damaged_step(Step)
+    ).
+
+step_form("undo", Step) :-
+    texts_or_none([text,rules], Step).
+step_form("redo", Step) :-
+    texts_or_none([text,rules], Step).
+step_form("text", Step) :-
+    texts([text], Step).
+step_form("rules", Step) :-
+    texts([rules], Step).
+step_form("edit", Step) :-
+    change_form(Step).
+step_form("checkpoint", Step) :-
+    texts([text,rules], Step),
+    counts([changes,past], Step),
+    get_dict(steps, Step, Steps),
+    is_list(Steps),
+    forall(member(Change, Steps),
+           ( is_dict(Change),
+             change_form(Change),
+             texts_or_none([rules], Change) )),
+    length(Steps, Most),
+    Step.past =< Most.
+
+change_form(Change) :-
+    counts([from,to], Change),
+    Change.from =< Change.to,
+    get_dict(with, Change, With),
+    ( string(With) ; number(With) ),
+    !.
+
+counts(Keys, Dict) :-
+    forall(member(Key, Keys),
+           ( get_dict(Key, Dict, N), integer(N), N >= 0 )).
+
+texts(Keys, Dict) :-
+    forall(member(Key, Keys),
+           ( get_dict(Key, Dict, Text), string(Text) )).
+
+texts_or_none(Keys, Dict) :-
+    forall(( member(Key, Keys), get_dict(Key, Dict, Text) ),
+           string(Text)).
+
+%!  replayed(+Steps:list(dict), +State0, -State, -Done:list(dict)) is det.
+%
+%   State is where Done leads, the Steps before the first one that cannot be
+%   done.
+
+replayed([Step|Steps], State0, State, Done) :-
+    catch(stepped(Step, State0, State1), error(request_error(_), _), fail),
+    !,
     contents_swept(State1),
-    replayed(Steps, State1, State).
+    Done = [Step|Done1],
+    replayed(Steps, State1, State, Done1).
+replayed(_, State, State, []).
 
 %!  checkpoint(+State, +Changes, -Step:dict) is det.
 %
@@ -236,8 +296,8 @@ steps_changes(Steps, Changes) :-
     foldl(step_counted, Steps, 0, Changes).
 
 step_counted(Step, N0, N) :-
-    (   get_dict(changes, Step, Changes)
-    ->  true
+    (   get_dict(do, Step, "checkpoint")
+    ->  get_dict(changes, Step, Changes)
     ;   Changes = 1
     ),
     N is N0+Changes.

@@ -4,6 +4,7 @@
             journal_line/2,             % +Journal, +Step
             journal_steps/3,            % +Path, +Digest, -Steps
             journal_whole/3,            % +Path, -Text, -Steps
+            damaged_step/1,             % -Step
             journal_closed/1            % +Journal
           ]).
 :- use_module('../kernel', [atomic_sync/1, atomic_sync_folder/1]).
@@ -73,8 +74,8 @@ journal_closed(Journal) :-
 %   Path is a journal. Steps are the changes of the text with this Digest, a
 %   list of dicts, the first one first; `other` if its changes are of another
 %   text.
-%   What follows a line that is not complete is left out. Fails if Path is no
-%   journal.
+%   A last line that is not complete is left out; one that holds no dict is
+%   damaged_step/1. Fails if Path is no journal.
 %
 %   A line says that the text is about to be saved; who is killed then leaves
 %   the file either as it was before or as it is saved. It has the rules that
@@ -138,9 +139,19 @@ steps(In, Steps) :-
 
 step(In, Step) :-
     read_string(In, "\n", "", 0'\n, Line),
-    catch(setup_call_cleanup(
-              open_string(Line, Text),
-              json_read_dict(Text, Step),
-              close(Text)),
-          error(_, _), fail),
-    is_dict(Step).
+    (   sub_string(Line, 0, _, _, "{"),
+        catch(setup_call_cleanup(
+                  open_string(Line, Text),
+                  json_read_dict(Text, Step0),
+                  close(Text)),
+              error(_, _), fail),
+        is_dict(Step0)
+    ->  Step = Step0
+    ;   damaged_step(Step)
+    ).
+
+%!  damaged_step(-Step:dict) is det.
+%
+%   Step stands for a line that says nothing which could be done.
+
+damaged_step(_{do:"damaged"}).

@@ -156,12 +156,17 @@ orphan_watched(Out, Worker) :-
                 *******************************/
 
 %   answered(Session, Message, Reply, Octets): an error of a request is its
-%   reply.
+%   reply, and so is that it failed, a fault of ours.
 
 answered(Session, Request, Reply, Octets) :-
     Request = request(_, Head, _),
     request_id(Head, Id),
-    catch(worked(Session, Request, Reply0, Octets), Error, true),
+    catch(( worked(Session, Request, Reply0, Octets)
+          ->  true
+          ;   request_error(no_end)
+          ),
+          Error,
+          true),
     (   var(Error)
     ->  true
     ;   message_object(error, Error, Object0),

@@ -5,7 +5,8 @@
  * covers: journal, visitor_answer
  *
  * TEXT_FUZZ_HOST=N asks for N cases of each kind, TEXT_FUZZ_SEED for others.
- * What fails is left in the folder that is printed.
+ * What fails is left in the folder that is printed; a case that takes more than
+ * two seconds of processor is told of while it goes on.
  */
 #include "engine/sanggwan.h"
 #include "tests/check.h"
@@ -116,6 +117,7 @@ static const char *const goals[] = {
     "findall(V, v(1,V,_,_,_), Vs), length(Vs, N)",
     "X = f(X), assert_fact(segment(7, solid, X))",
     "X = [a|X], assert_fact(p(1, 9, X))",
+    "X = [X|X], assert_fact(p(1, 9, X))",
     "numlist(1, 3000, L), foldl([_,T,f(T)]>>true, L, x, X)",
     "set_view(iso), penetrate, line(L, S, T, A, B, C, D, E, F)",
     "assert_fact(v(9, 1, 0.5, 1, -2)), retract_fact(v(9, _, _, _, _))",
@@ -430,15 +432,6 @@ fault_of(const kind *k, sanggwan_status status, const char *said, long ms)
 
 /* ---- the cases ----------------------------------------------------------- */
 
-static long
-milliseconds(void)
-{
-  struct timespec t;
-
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return t.tv_sec * 1000 + t.tv_nsec / 1000000;
-}
-
 static bool
 write_text(const char *path, const text *t)
 {
@@ -485,6 +478,52 @@ typedef struct counts {
   unsigned read, bad;
 } counts;
 
+/* What is under way, for the thread that watches. */
+static struct {
+  pthread_mutex_t lock;
+  clockid_t clock;  /* of the thread that works */
+  const kind *kind; /* null between cases */
+  const text *text;
+  long number, until; /* ms; 0: told already */
+} now = {.lock = PTHREAD_MUTEX_INITIALIZER};
+
+static long
+on_clock(clockid_t clock)
+{
+  struct timespec t;
+
+  clock_gettime(clock, &t);
+  return t.tv_sec * 1000 + t.tv_nsec / 1000000;
+}
+
+static void
+under_way(const kind *k, long number, const text *t)
+{
+  pthread_mutex_lock(&now.lock);
+  now.kind = k;
+  now.number = number;
+  now.text = t;
+  pthread_getcpuclockid(pthread_self(), &now.clock);
+  now.until = on_clock(now.clock) + 2 * SECOND;
+  pthread_mutex_unlock(&now.lock);
+}
+
+static void *
+watch(void *unused)
+{
+  for (;;) {
+    usleep(200000);
+    pthread_mutex_lock(&now.lock);
+    if (now.kind && now.until > 0 && on_clock(now.clock) > now.until) {
+      fprintf(stderr, "%s: case %ld takes over 2 s: %.2000s\n", now.kind->name,
+              now.number, now.text->at);
+      now.until = 0;
+    }
+    pthread_mutex_unlock(&now.lock);
+  }
+  return unused;
+}
+
 static void
 run_case(const kind *k, long number, text *t, counts *count)
 {
@@ -500,9 +539,11 @@ run_case(const kind *k, long number, text *t, counts *count)
   if (!k->ending || k->seed == looks) {
     sanggwan_load(world, "facts/two_cubes.pl");
   }
-  long before = milliseconds();
+  long before = on_clock(CLOCK_THREAD_CPUTIME_ID);
+  under_way(k, number, t);
   sanggwan_status status = use(k, world, t, path);
-  long ms = milliseconds() - before;
+  under_way(NULL, number, t);
+  long ms = on_clock(CLOCK_THREAD_CPUTIME_ID) - before;
   const char *said = sanggwan_message(world);
   const char *fault = fault_of(k, status, said, ms);
 
@@ -588,7 +629,9 @@ main(int argc, char **argv)
     return 1;
   }
   sanggwan_world *world = sanggwan_open();
+  pthread_t watcher;
 
+  CHECK("a watcher", pthread_create(&watcher, NULL, watch, NULL) == 0);
   CHECK("all rules",
         sanggwan_run(world, "sg_part:whole_program") == SANGGWAN_DONE);
   CHECK("few jobs",

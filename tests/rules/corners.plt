@@ -305,6 +305,23 @@ test(cut_is_shown_the_same, Wrong == []) :-
                    Length < 5000 ) ),
             Wrong).
 
+% Terms that share their parts, or have themselves as one, have no end of them.
+test(shared_is_short, Bad == []) :-
+    findall(I, between(1, 40, I), Few),
+    foldl([_,T,T1]>>( length(T1, 100), maplist(=(T), T1) ), Few, x, Shared),
+    Twice = [Twice|Twice],
+    numlist(1, 100_000, Many),
+    findall(N,
+            ( nth1(N, [Shared,Twice,f(Many,Twice),f(Many,Shared)], Term),
+              \+ ( call_with_inference_limit(
+                       ( plain_term(Term, Plain), cut_term(Term, Cut) ),
+                       20_000_000, Within),
+                   Within \== inference_limit_exceeded,
+                   write_length(Plain, _, [max_length(2000)]),
+                   term_size(Cut, Size),
+                   Size < 2_000_000 ) ),
+            Bad).
+
 % Whether there is a formula in a long list takes no stack.
 test(formula_in_a_list, true) :-
     numlist(1, 1_000_000, Many),

@@ -128,6 +128,10 @@ test(deep_and_long, true(Length < 4000)) :-
     string_length(Text1, Length1),
     string_length(Text2, Length2),
     Length is max(Length1, Length2).
+test(cyclic_twice, true(Length < 4000)) :-
+    Term = [Term|Term],
+    message_text(en, error(type_error(tree, Term), _), Text),
+    string_length(Text, Length).
 test(cyclic, true(Length < 4000)) :-
     Term = f(Term, [a|Term]),
     message_text(en, error(type_error(tree, Term), _), Text),
@@ -137,6 +141,9 @@ inner(N, Term, [N,Term]).
 test(unknown_procedure_en) :-
     message_text(en, error(existence_error(procedure, foo/1), foo/1), Text),
     once(sub_string(Text, _, _, _, "foo/1")).
+test(unknown_list_en) :-
+    message_text(en, error(existence_error(procedure, sg_host:[]/3), _), Text),
+    once(sub_string(Text, _, _, _, "there is no predicate []/3")).
 test(other_errors) :-
     message_text(ko, error(type_error(integer, a), _), Text),
     once(sub_string(Text, _, _, _, "integer")).

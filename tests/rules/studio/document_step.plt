@@ -80,7 +80,7 @@ test(more_than_is_kept, true(State == Again)) :-
     length(Steps, 1500),
     foldl([_{do:"edit", from:9, to:10, with:W}, N0, N]>>
               ( N is N0+1, W is N0 mod 10 ), Steps, 0, _),
-    replayed(Steps, Begin, State),
+    replayed(Steps, Begin, State, Steps),
     State = state(_, Past, []),
     length(Past, 1000),
     checkpoint(State, 1500, Step),
