@@ -214,6 +214,17 @@ sg_call_add_row(sg_call *call, sg_world *world, sg_relation relation,
                         relation, &fault);
 }
 
+bool
+sg_call_add_rows(sg_call *call, sg_world *world, sg_relation relation, size_t n,
+                 const void *const *column)
+{
+  sg_fault fault = {0};
+  sg_status status = sg_world_add_many_or_stop(world, relation, n, column,
+                                               &call->cancel, &fault);
+
+  return status != SG_HALTED && sg_call_status(call, status, relation, &fault);
+}
+
 /* ---- memory ---- */
 
 void *

@@ -110,6 +110,9 @@ int32_t sg_call_fresh(sg_call *call, sg_world *world, sg_relation relation,
                       int32_t s);
 bool sg_call_add_row(sg_call *call, sg_world *world, sg_relation relation,
                      const sg_value *row);
+/* sg_world_add_many_or_stop(). */
+bool sg_call_add_rows(sg_call *call, sg_world *world, sg_relation relation,
+                      size_t n, const void *const *column);
 
 /* Memory until the call is closed, null: refused. The second also moves what
  * the first or it gave; `at` may be null. */

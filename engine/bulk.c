@@ -13,8 +13,11 @@ typedef struct load {
   size_t n;
   const void *const *column;
   sg_append append; /* of them */
+  const sg_cancel *cancel;
   sg_fault *fault;
 } load;
+
+enum { ROWS_ASKED = 1024 }; /* rows that are checked between questions */
 
 static sg_value
 load_value(const load *l, unsigned c, size_t i)
@@ -103,6 +106,20 @@ refers_as_before(const load *l, unsigned in, unsigned c, size_t i)
          id[i] == id[i - 1];
 }
 
+/* Whether the cancellation says stop: it is asked without the lock. */
+static bool
+is_stopped(const load *l, size_t i)
+{
+  if (!l->cancel || i % ROWS_ASKED != 0) {
+    return false;
+  }
+  sg_world_leave(l->world);
+  bool stopped = sg_cancelled(l->cancel);
+
+  sg_world_enter(l->world);
+  return stopped;
+}
+
 static sg_status
 check_references(const load *l)
 {
@@ -112,6 +129,9 @@ check_references(const load *l)
       continue;
     }
     for (size_t i = 0; i < l->n; i++) {
+      if (is_stopped(l, i)) {
+        return SG_HALTED;
+      }
       if (refers_as_before(l, in, c, i)) {
         continue;
       }
@@ -283,9 +303,20 @@ sg_status
 sg_world_add_many(sg_world *world, sg_relation relation, size_t n,
                   const void *const *column, sg_fault *fault)
 {
+  return sg_world_add_many_or_stop(world, relation, n, column, NULL, fault);
+}
+
+sg_status
+sg_world_add_many_or_stop(sg_world *world, sg_relation relation, size_t n,
+                          const void *const *column, const sg_cancel *cancel,
+                          sg_fault *fault)
+{
   sg_fault unused;
   sg_status status;
 
+  if (!sg_world_claim(world, cancel)) {
+    return SG_HALTED;
+  }
   sg_world_enter(world);
   status = add_many(&(load){.world = world,
                             .relation = relation,
@@ -293,10 +324,12 @@ sg_world_add_many(sg_world *world, sg_relation relation, size_t n,
                             .info = &sg_relation_table[relation],
                             .n = n,
                             .column = column,
+                            .cancel = cancel,
                             .fault = fault ? fault : &unused});
   if (status == SG_OK && n > 0) {
     sg_world_changed(world);
   }
   sg_world_leave(world);
+  sg_world_release(world);
   return status;
 }

@@ -86,7 +86,8 @@ typedef enum sg_status {
   SG_EXISTS,   /* a live row has this key */
   SG_DANGLING, /* a referred row does not exist; sg_fault says which */
   SG_INVALID,  /* NaN, infinite, an id below 1, a negative count */
-  SG_NO_STEP   /* nothing to commit, roll back, undo or redo */
+  SG_NO_STEP,  /* nothing to commit, roll back, undo or redo */
+  SG_HALTED    /* the cancellation said stop: nothing was changed */
 } sg_status;
 
 /* Which value of which row was at fault. */
@@ -159,6 +160,11 @@ sg_status sg_world_add(sg_world *world, sg_relation relation,
  * const int32_t *[n] or const uint32_t *[n] by type. All or nothing. */
 sg_status sg_world_add_many(sg_world *world, sg_relation relation, size_t n,
                             const void *const *column, sg_fault *fault);
+/* The same; the cancellation is asked between rows that are checked, without
+ * the lock, while this thread has the world claimed. */
+sg_status sg_world_add_many_or_stop(sg_world *world, sg_relation relation,
+                                    size_t n, const void *const *column,
+                                    const sg_cancel *cancel, sg_fault *fault);
 
 /* Many rows that are right by construction: their maker writes the cells in
  * place, with several threads if it likes, and then all are shown at once. Keys

@@ -92,12 +92,14 @@ asking_open(asking *a, term_t args)
     a->version = sg_world_version(world);
     switch (sg_walk_try(&a->walk, a->version, a->relation, mask, row)) {
     case SG_WALK_OPEN:
+      a->walk.cancel = &sg_prolog_cancel;
       return TRUE;
     case SG_WALK_WAITS:
       if (!sg_index_ready(a->version, a->relation, mask, &sg_prolog_cancel)) {
         break; /* an exception is pending */
       }
       if (sg_walk_open(&a->walk, a->version, a->relation, mask, row)) {
+        a->walk.cancel = &sg_prolog_cancel;
         return TRUE;
       }
       PL_resource_error("memory");
@@ -258,6 +260,9 @@ answer(asking *a, bool kept, term_t args)
   sg_row row = a->next;
 
   a->next = row == SG_NO_ROW ? SG_NO_ROW : next_answer(a, args);
+  if (a->next == SG_NO_ROW && PL_exception(0)) { /* it was stopped */
+    return asking_end(a, kept, FALSE);
+  }
   if (!(row != SG_NO_ROW && is_plain(a) ? unify_row(a, args, row, NULL)
                                         : give_next(a, args, row))) {
     return asking_end(a, kept, FALSE);

@@ -15,6 +15,8 @@ struct sg_walk {
   /* A scan: the page at hand and the row to look at next. */
   const struct sg_live *live;
   sg_row at;
+  const sg_cancel *cancel; /* null, or the caller's: it is asked on the way */
+  bool stopped;            /* it said stop: there are no more rows */
   /* A look-up: the rows found, ascending; `rows` null: they are in `few`. */
   bool gathered;
   sg_row few[SG_WALK_FEW];

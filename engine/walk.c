@@ -293,6 +293,8 @@ walk_init(sg_walk *walk, const sg_version *version, sg_relation relation,
   walk->mask = mask;
   walk->live = NULL;
   walk->at = 0;
+  walk->cancel = NULL;
+  walk->stopped = false;
   walk->gathered = false;
   walk->rows = NULL;
   walk->room = SG_WALK_FEW;
@@ -533,6 +535,15 @@ next_place(const sg_walk *walk, unsigned column, unsigned place)
   return SG_PAGE_ROWS;
 }
 
+/* It is asked where one of some pages begins. */
+static bool
+is_stopped(sg_walk *walk)
+{
+  walk->stopped = walk->stopped || (walk->at % (16 * SG_PAGE_ROWS) == 0 &&
+                                    sg_cancelled(walk->cancel));
+  return walk->stopped;
+}
+
 static sg_row
 scan_next(sg_walk *walk)
 {
@@ -540,7 +551,7 @@ scan_next(sg_walk *walk)
   const sg_map *map = walk->version->map[walk->relation];
   size_t pages = map ? map->chunks * SG_CHUNK_PAGES : 0;
 
-  for (size_t page = walk->at / SG_PAGE_ROWS; page < pages;
+  for (size_t page = walk->at / SG_PAGE_ROWS; page < pages && !is_stopped(walk);
        walk->live = sg_map_live(map, ++page),
               walk->at = (sg_row)(page * SG_PAGE_ROWS)) {
     unsigned place = walk->at % SG_PAGE_ROWS;

@@ -8,11 +8,12 @@
 static const double FAR = 1e30; /* units; no two boxes that meet are so far */
 
 enum {
-  TASKS = 512,        /* pairs of nodes that are enough for all threads */
-  SHARE = 16,         /* of them in a task */
-  STEPS_ASKED = 1024, /* pairs of nodes or boxes between questions */
-  FEW = 1 << 17,      /* boxes: threads would not be there in time */
-  FEW_ASKED = 1 << 11 /* the same, where each hit is asked about */
+  TASKS = 512,          /* pairs of nodes that are enough for all threads */
+  SHARE = 16,           /* of them in a task */
+  STEPS_ASKED = 1024,   /* pairs of nodes or boxes between questions */
+  HITS_ASKED = 1 << 17, /* hits that are copied between questions */
+  FEW = 1 << 17,        /* boxes: threads would not be there in time */
+  FEW_ASKED = 1 << 11   /* the same, where each hit is asked about */
 };
 
 /* A group of nodes of each tree, some of which may overlap. */
@@ -344,11 +345,12 @@ open_all(const joiner *join, group_list *list, bool *grew)
 
 /* ---- the whole ---- */
 
-/* Puts what the tasks found one after another. */
+/* Puts what the tasks found one after another. False: no memory, or stopped. */
 static bool
-collect(const joiner *join, size_t tasks, sg_bvh_hits *out)
+collect(const joiner *join, size_t tasks, const sg_cancel *cancel,
+        sg_bvh_hits *out)
 {
-  size_t n = 0;
+  size_t n = 0, unasked = 0;
 
   for (size_t k = 0; k < tasks; k++) {
     if (join->found[k].failed) {
@@ -364,6 +366,14 @@ collect(const joiner *join, size_t tasks, sg_bvh_hits *out)
       memcpy(out->hit + out->n, join->found[k].hit,
              join->found[k].n * sizeof *out->hit);
       out->n += join->found[k].n;
+    }
+    if ((unasked += join->found[k].n) >= HITS_ASKED) {
+      unasked = 0;
+      if (sg_cancelled(cancel)) {
+        free(out->hit);
+        *out = (sg_bvh_hits){0};
+        return false;
+      }
     }
   }
   return true;
@@ -400,7 +410,7 @@ join_all(joiner join, size_t n, sg_pool *pool, const sg_cancel *cancel,
   good = good && join.found &&
          sg_pool_run(is_small(&join, n) ? NULL : pool, tasks, do_share, &join,
                      cancel) &&
-         collect(&join, tasks, out);
+         collect(&join, tasks, cancel, out);
   for (size_t k = 0; join.found && k < tasks; k++) {
     free(join.found[k].hit);
   }

@@ -83,9 +83,9 @@ keep_common(const sg_fans *f, node *all, const node *one)
   all->polygon = all->polygon == one->polygon ? all->polygon : -1;
 }
 
-/* False: no memory. */
+/* False: no memory, or stopped. */
 static bool
-find_level(sg_fans *f, unsigned level)
+find_level(sg_fans *f, unsigned level, const sg_cancel *cancel)
 {
   size_t below = f->tree->count[level - 1];
 
@@ -94,6 +94,10 @@ find_level(sg_fans *f, unsigned level)
   }
   for (size_t i = 0; i < f->tree->count[level]; i++) {
     node all = node_at(f, level - 1, i * SG_BVH_WIDTH);
+
+    if (sg_cancel_every(cancel, i)) {
+      return false;
+    }
     for (size_t k = i * SG_BVH_WIDTH + 1;
          k < (i + 1) * SG_BVH_WIDTH && k < below; k++) {
       node one = node_at(f, level - 1, k);
@@ -106,9 +110,9 @@ find_level(sg_fans *f, unsigned level)
   return true;
 }
 
-/* Where a node above has a hub, what is below has the same. */
-static void
-choose_hubs(sg_fans *f)
+/* Where a node above has a hub, what is below has the same. False: stopped. */
+static bool
+choose_hubs(sg_fans *f, const sg_cancel *cancel)
 {
   for (unsigned level = f->tree->levels - 1; level >= 1; level--) {
     for (size_t i = 0; i < f->tree->count[level]; i++) {
@@ -118,8 +122,12 @@ choose_hubs(sg_fans *f)
         below->hub[0] = above->hubs > 0 ? above->hub[0] : below->hub[0];
       }
       below->hubs = below->hubs > 0;
+      if (sg_cancel_every(cancel, i)) {
+        return false;
+      }
     }
   }
+  return true;
 }
 
 /* ---- directions ---- */
@@ -173,8 +181,9 @@ way_of_triangle(const sg_fans *f, size_t place, const hub *from)
   return box;
 }
 
-static void
-find_ways(sg_fans *f)
+/* False: stopped. */
+static bool
+find_ways(sg_fans *f, const sg_cancel *cancel)
 {
   for (unsigned level = 1; level < f->tree->levels; level++) {
     size_t below = f->tree->count[level - 1];
@@ -188,15 +197,19 @@ find_ways(sg_fans *f)
                                 : f->level[level - 1][k].way;
         sg_box_join(&n->way, &way);
       }
+      if (sg_cancel_every(cancel, i)) {
+        return false;
+      }
     }
   }
+  return true;
 }
 
 /* ---- the whole ---- */
 
 bool
 sg_fans_open(const sg_bvh *tree, sg_fan_read *read, const void *data,
-             bool by_place, sg_fans **out)
+             bool by_place, const sg_cancel *cancel, sg_fans **out)
 {
   sg_fans *f = calloc(1, sizeof *f);
   bool good = f != NULL;
@@ -209,11 +222,10 @@ sg_fans_open(const sg_bvh *tree, sg_fan_read *read, const void *data,
       (sg_fans){.tree = tree, .read = read, .data = data, .by_place = by_place};
   for (unsigned level = 1;
        level < tree->levels && good && (level <= WORTH || f->worth); level++) {
-    good = find_level(f, level);
+    good = find_level(f, level, cancel);
   }
   if (good && f->worth) {
-    choose_hubs(f);
-    find_ways(f);
+    good = choose_hubs(f, cancel) && find_ways(f, cancel);
   } else if (good) {
     sg_fans_close(f);
     *out = NULL;

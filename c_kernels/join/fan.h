@@ -27,9 +27,9 @@ typedef struct sg_fans sg_fans;
 
 /* *out is null if so few corners are connected that it is not worth it. Corners
  * are one where their names are equal, or if `by_place`, where they are. False:
- * no memory. Owner: sg_fans_close() in any case. Cost: linear. */
+ * no memory, or stopped. Owner: sg_fans_close() in any case. Cost: linear. */
 bool sg_fans_open(const sg_bvh *tree, sg_fan_read *read, const void *data,
-                  bool by_place, sg_fans **out);
+                  bool by_place, const sg_cancel *cancel, sg_fans **out);
 void sg_fans_close(sg_fans *fans);
 
 /* An sg_bvh_apart: whether no triangle below box a of a level has more in

@@ -4,6 +4,7 @@
 #include "cut.h"
 #include "engine/search.h"
 #include "number/exact.h"
+#include "rows/sort.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -18,9 +19,10 @@ typedef struct of_polygon {
 SG_ORDER(by_polygon, of_polygon, SG_BY(p) SG_BY(i));
 
 /* Those that are of polygons of many triangles, by polygon. Most meshes have
- * none. False: no memory. */
+ * none. False: no memory, or stopped. */
 static bool
-find_many(const sg_self_joiner *j, of_polygon **out, size_t *n)
+find_many(const sg_self_joiner *j, const sg_cancel *cancel, of_polygon **out,
+          size_t *n)
 {
   size_t mask = 63, most = 0;
   sg_fan_triangle t;
@@ -32,28 +34,29 @@ find_many(const sg_self_joiner *j, of_polygon **out, size_t *n)
 
   *n = 0;
   *out = NULL;
-  for (uint32_t i = 0; count && i < j->of->n; i++) {
+  bool good = count != NULL;
+
+  for (uint32_t i = 0; good && i < j->of->n; i++) {
+    good = !sg_cancel_every(cancel, i);
     j->of->read(j->of->data, i, &t);
     unsigned char *here = &count[(uint32_t)t.polygon & mask];
     *here = (unsigned char)(*here < MANY ? *here + 1 : MANY);
     most += *here == MANY;
   }
-  if (count && most > 0) {
+  if (good && most > 0) {
     *out = malloc((j->of->n + 1) * sizeof **out);
+    good = *out != NULL;
   }
-  for (uint32_t i = 0; *out && i < j->of->n; i++) {
+  for (uint32_t i = 0; *out && good && i < j->of->n; i++) {
+    good = !sg_cancel_every(cancel, i);
     j->of->read(j->of->data, i, &t);
     if (count[(uint32_t)t.polygon & mask] == MANY) {
       (*out)[(*n)++] = (of_polygon){t.polygon, i};
     }
   }
-  bool good = count && (most == 0 || *out);
-
   free(count);
-  if (*n > 0) {
-    qsort(*out, *n, sizeof **out, by_polygon);
-  }
-  return good;
+  return good &&
+         sg_sort(*out, *n, sizeof **out, by_polygon, cancel) == SG_SORTED;
 }
 
 static int
@@ -66,10 +69,11 @@ turn_of(int axis, const double t[3][3])
                      (double[2]){t[2][x], t[2][y]});
 }
 
-/* Whether all triangles lie in one plane and look one way, exactly. */
+/* Whether all triangles lie in one plane and look one way, exactly; also false
+ * if *stopped. */
 static bool
 is_face(const sg_self_joiner *j, const of_polygon *item, size_t n,
-        sg_self_face *out)
+        const sg_cancel *cancel, bool *stopped, sg_self_face *out)
 {
   sg_fan_triangle t;
 
@@ -84,6 +88,10 @@ is_face(const sg_self_joiner *j, const of_polygon *item, size_t n,
   for (size_t i = 0; i < n; i++) {
     sg_box box = sg_self_box_of(j, item[i].i);
 
+    if (sg_cancel_every(cancel, i)) {
+      *stopped = true;
+      return false;
+    }
     sg_box_join(&out->box, &box);
     j->of->read(j->of->data, item[i].i, &t);
     for (int k = 0; k < 3; k++) {
@@ -130,10 +138,13 @@ add_to_face(sg_self_joiner *j, uint32_t f, uint32_t i)
   return true;
 }
 
+/* False: no memory, or stopped. */
 static bool
-take_faces(sg_self_joiner *j, const of_polygon *item, size_t n)
+take_faces(sg_self_joiner *j, const of_polygon *item, size_t n,
+           const sg_cancel *cancel)
 {
   uint32_t used = 0;
+  bool stopped = false;
 
   j->face = malloc((n / MANY + 1) * sizeof *j->face);
   j->face_of = malloc((j->of->n + 1) * sizeof *j->face_of);
@@ -149,11 +160,16 @@ take_faces(sg_self_joiner *j, const of_polygon *item, size_t n)
     for (end = i; end < n && item[end].p == item[i].p; end++) {
     }
     *to = (sg_self_face){.p = item[i].p, .first = used};
-    if (end - i < MANY || !is_face(j, item + i, end - i, to)) {
+    if (end - i < MANY ||
+        !is_face(j, item + i, end - i, cancel, &stopped, to)) {
+      if (stopped) {
+        return false;
+      }
       continue;
     }
     for (size_t k = i; k < end; k++) {
-      if (!add_to_face(j, (uint32_t)j->faces, item[k].i)) {
+      if (sg_cancel_every(cancel, k) ||
+          !add_to_face(j, (uint32_t)j->faces, item[k].i)) {
         return false;
       }
     }
@@ -169,7 +185,7 @@ take_faces(sg_self_joiner *j, const of_polygon *item, size_t n)
 }
 
 bool
-sg_self_find_faces(sg_self_joiner *j)
+sg_self_find_faces(sg_self_joiner *j, const sg_cancel *cancel)
 {
   of_polygon *item;
   size_t n;
@@ -177,7 +193,8 @@ sg_self_find_faces(sg_self_joiner *j)
   if (j->of->reach > 0) {
     return true;
   }
-  bool good = find_many(j, &item, &n) && (n == 0 || take_faces(j, item, n));
+  bool good = find_many(j, cancel, &item, &n) &&
+              (n == 0 || take_faces(j, item, n, cancel));
 
   free(item);
   return good;

@@ -41,17 +41,21 @@ fill_boxes(const void *data, size_t begin, size_t end, sg_box *out)
 }
 
 /* Needles that run askew overlap in boxes along x, y and z wherever they are.
- */
-static void
-find_run(sg_self_joiner *j)
+ * False: stopped. */
+static bool
+find_run(sg_self_joiner *j, const sg_cancel *cancel)
 {
   for (uint32_t i = 0; i < j->of->n; i++) {
     sg_fan_triangle t;
 
+    if (sg_cancel_every(cancel, i)) {
+      return false;
+    }
     j->of->read(j->of->data, i, &t);
     sg_run_add(&j->run, (const double(*)[3])t.at);
   }
   sg_run_end(&j->run);
+  return true;
 }
 
 /* The tree over a list of triangles: those of the same stars together. */
@@ -64,6 +68,9 @@ grow(sg_self_joiner *j, const uint32_t *list, size_t n, sg_pool *pool,
   for (size_t i = 0; i < n; i++) {
     sg_box box = sg_self_box_of(j, list ? list[i] : (uint32_t)i);
     sg_box_join(&all, &box);
+    if (sg_cancel_every(cancel, i)) {
+      return NULL;
+    }
   }
   j->filling = list;
   return sg_bvh_grow_grouped(n, fill_boxes, j, list, j->star, &all, pool,
@@ -249,12 +256,10 @@ join_itself(sg_self_joiner *j, const sg_bvh *tree, sg_pool *pool,
   j->only = (sg_bvh_pair){tree, tree};
   j->pair = &j->only;
   bool good =
-      sg_self_stars_open(j, tree, &r.stars) && !sg_cancelled(cancel) &&
-      sg_fans_open(tree, read_place, &r, j->of->by_place, &r.fans) &&
-      !sg_cancelled(cancel) &&
-      (j->of->reach > 0 ||
-       sg_spines_open(tree, read_place, &r, j->of->by_place, &r.spines)) &&
-      !sg_cancelled(cancel) &&
+      sg_self_stars_open(j, tree, cancel, &r.stars) &&
+      sg_fans_open(tree, read_place, &r, j->of->by_place, cancel, &r.fans) &&
+      (j->of->reach > 0 || sg_spines_open(tree, read_place, &r, j->of->by_place,
+                                          cancel, &r.spines)) &&
       sg_node_boxes_open(tree, j->of->reach, read_place, &r, cancel,
                          &r.boxes) &&
       sg_bvh_join_itself(tree, j->of->reach, wants_pair, j,
@@ -443,8 +448,8 @@ sg_self_join(const sg_self_joining *joining, sg_pool *pool,
 
   sg_key_table_init(&j.corner, 2);
   sg_key_table_init(&j.border, 3);
-  find_run(&j);
-  bool good = sg_self_find_faces(&j) && sg_self_find_stars(&j, cancel);
+  bool good = find_run(&j, cancel) && sg_self_find_faces(&j, cancel) &&
+              sg_self_find_stars(&j, cancel);
 
   if (good && (!joining->tree || j.run.askew || j.star)) {
     j.tree = grow(&j, NULL, joining->n, pool, cancel);

@@ -50,8 +50,8 @@ sg_box sg_self_box_of(const sg_self_joiner *j, uint32_t i);
 
 /* Parts triangles into faces and single ones (self_face.c). What is within
  * reach of a face must be asked for one by one: then there are none. False: no
- * memory. */
-bool sg_self_find_faces(sg_self_joiner *j);
+ * memory, or stopped. */
+bool sg_self_find_faces(sg_self_joiner *j, const sg_cancel *cancel);
 void sg_self_clear_faces(sg_self_joiner *j);
 
 /* Whether a triangle has nothing in common with face f but a corner, or an edge
@@ -71,9 +71,9 @@ typedef struct sg_self_stars {
   sg_box *rest[SG_BVH_LEVELS];         /* the same */
 } sg_self_stars;
 
-/* False: no memory. Owner: sg_self_stars_close() in any case. */
+/* False: no memory, or stopped. Owner: sg_self_stars_close() in any case. */
 bool sg_self_stars_open(const sg_self_joiner *j, const sg_bvh *tree,
-                        sg_self_stars *out);
+                        const sg_cancel *cancel, sg_self_stars *out);
 void sg_self_stars_close(sg_self_stars *stars);
 
 /* Whether nothing below box a of a level (1 or more) has more in common with

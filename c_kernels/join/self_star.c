@@ -76,12 +76,13 @@ by_corner(const void *x, const void *y)
 
 /* ---- hubs ---- */
 
-/* All corners that may be of hubs; mostly none. False: no memory. */
+/* All corners that may be of hubs; mostly none. False: no memory, or stopped.
+ */
 static bool
-find_corners(const sg_self_joiner *j, corners *out)
+find_corners(const sg_self_joiner *j, const sg_cancel *cancel, corners *out)
 {
   size_t mask = 63;
-  bool any = false, good = true;
+  bool any = false, good;
   sg_fan_triangle t;
 
   while (mask < j->of->n) {
@@ -89,14 +90,17 @@ find_corners(const sg_self_joiner *j, corners *out)
   }
   uint32_t *count = calloc(mask + 1, sizeof *count);
 
-  for (uint32_t i = 0; count && i < j->of->n; i++) {
+  good = count != NULL;
+  for (uint32_t i = 0; good && i < j->of->n; i++) {
+    good = !sg_cancel_every(cancel, i);
     j->of->read(j->of->data, i, &t);
     for (int k = 0; k < 3; k++) {
       corner c = corner_of(j, &t, k, i);
       any = is_many(j, ++count[c.name & mask]) || any;
     }
   }
-  for (uint32_t i = 0; count && any && good && i < j->of->n; i++) {
+  for (uint32_t i = 0; any && good && i < j->of->n; i++) {
+    good = !sg_cancel_every(cancel, i);
     j->of->read(j->of->data, i, &t);
     for (int k = 0; k < 3; k++) {
       corner c = corner_of(j, &t, k, i);
@@ -104,7 +108,7 @@ find_corners(const sg_self_joiner *j, corners *out)
     }
   }
   free(count);
-  return count && good;
+  return good;
 }
 
 /* Those of most triangles; of more, the first ones. Returns how many. */
@@ -176,12 +180,14 @@ make_star(const sg_self_joiner *j, const corner *at, star *s,
 
   s->arc = malloc((s->n + 1) * sizeof *s->arc);
   s->crossed = malloc((s->n + 1) * sizeof *s->crossed);
-  for (uint32_t i = 0; end && i < s->n; i++) {
+  bool good = end && s->arc && s->crossed;
+
+  for (uint32_t i = 0; good && i < s->n; i++) {
     find_ends(j, &at[i], i, &end[2 * i]);
+    good = !sg_cancel_every(cancel, i);
   }
-  bool good =
-      end && s->arc && s->crossed &&
-      sg_sort(end, 2 * s->n, sizeof *end, by_corner, cancel) == SG_SORTED;
+  good = good &&
+         sg_sort(end, 2 * s->n, sizeof *end, by_corner, cancel) == SG_SORTED;
 
   for (size_t i = 0; good && i < 2 * s->n; i++) {
     sg_star_arc *arc = &s->arc[end[i].of / 2];
@@ -231,7 +237,7 @@ sg_self_find_stars(sg_self_joiner *j, const sg_cancel *cancel)
   if (j->of->reach > 0) {
     return true;
   }
-  bool good = find_corners(j, &all) &&
+  bool good = find_corners(j, cancel, &all) &&
               sg_sort(all.item, all.n, sizeof *all.item, by_corner, cancel) ==
                   SG_SORTED;
 
@@ -317,7 +323,7 @@ open_node(const sg_self_joiner *j, sg_self_stars *s, unsigned level, size_t i)
 
 bool
 sg_self_stars_open(const sg_self_joiner *j, const sg_bvh *tree,
-                   sg_self_stars *out)
+                   const sg_cancel *cancel, sg_self_stars *out)
 {
   *out = (sg_self_stars){.tree = tree};
   for (unsigned level = 1; j->star && level < tree->levels; level++) {
@@ -328,6 +334,9 @@ sg_self_stars_open(const sg_self_joiner *j, const sg_bvh *tree,
     }
     for (size_t i = 0; i < tree->count[level]; i++) {
       open_node(j, out, level, i);
+      if (sg_cancel_every(cancel, i)) {
+        return false;
+      }
     }
   }
   return true;

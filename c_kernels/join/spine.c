@@ -79,9 +79,9 @@ typedef struct edges {
   size_t n, room;
 } edges;
 
-/* False: no memory. *any: some vertex has many. */
+/* False: no memory, or stopped. *any: some vertex has many. */
 static bool
-count_corners(const sg_spines *s, edges *e, bool *any)
+count_corners(const sg_spines *s, const sg_cancel *cancel, edges *e, bool *any)
 {
   size_t places = 64;
 
@@ -93,6 +93,9 @@ count_corners(const sg_spines *s, edges *e, bool *any)
   for (size_t i = 0; e->corners && i < s->tree->n; i++) {
     sg_fan_triangle t;
 
+    if (sg_cancel_every(cancel, i)) {
+      return false;
+    }
     read_at(s, i, &t);
     for (int k = 0; k < 3; k++) {
       unsigned char *here = &e->corners[t.name[k] & e->mask];
@@ -140,11 +143,14 @@ count_edge(edges *e, const sg_fan_triangle *t, int k)
 }
 
 static bool
-count_edges(const sg_spines *s, edges *e)
+count_edges(const sg_spines *s, const sg_cancel *cancel, edges *e)
 {
   for (size_t i = 0; i < s->tree->n; i++) {
     sg_fan_triangle t;
 
+    if (sg_cancel_every(cancel, i)) {
+      return false;
+    }
     read_at(s, i, &t);
     for (int k = 0; k < 3; k++) {
       if (has_many(e, t.name[k]) && has_many(e, t.name[(k + 1) % 3]) &&
@@ -190,15 +196,16 @@ set_across(spine *s)
   return true;
 }
 
-/* False: no memory. */
+/* False: no memory, or stopped. */
 static bool
-choose_spines(sg_spines *s)
+choose_spines(sg_spines *s, const sg_cancel *cancel)
 {
   edges e = {0};
   bool any = false;
 
   sg_key_table_init(&e.number, 2);
-  bool good = count_corners(s, &e, &any) && (!any || count_edges(s, &e));
+  bool good = count_corners(s, cancel, &e, &any) &&
+              (!any || count_edges(s, cancel, &e));
 
   if (good && e.n > 0) {
     qsort(e.item, e.n, sizeof *e.item, by_triangles);
@@ -297,9 +304,10 @@ arc_at(const sg_spines *s, const spine *one, unsigned level, size_t at)
   return one->level[level][at];
 }
 
-/* False: no memory. */
+/* False: no memory, or stopped. */
 static bool
-find_level(const sg_spines *s, spine *one, unsigned level)
+find_level(const sg_spines *s, spine *one, unsigned level,
+           const sg_cancel *cancel)
 {
   size_t n = s->tree->count[level], below = s->tree->count[level - 1];
 
@@ -309,6 +317,9 @@ find_level(const sg_spines *s, spine *one, unsigned level)
   for (size_t i = 0; i < n; i++) {
     arc all = arc_at(s, one, level - 1, i * SG_BVH_WIDTH);
 
+    if (sg_cancel_every(cancel, i)) {
+      return false;
+    }
     for (size_t k = i * SG_BVH_WIDTH + 1;
          k < (i + 1) * SG_BVH_WIDTH && k < below; k++) {
       arc next = arc_at(s, one, level - 1, k);
@@ -327,7 +338,7 @@ find_level(const sg_spines *s, spine *one, unsigned level)
 
 bool
 sg_spines_open(const sg_bvh *tree, sg_fan_read *read, const void *data,
-               bool by_place, sg_spines **out)
+               bool by_place, const sg_cancel *cancel, sg_spines **out)
 {
   sg_spines *s = calloc(1, sizeof *s);
   bool good = s != NULL;
@@ -338,10 +349,10 @@ sg_spines_open(const sg_bvh *tree, sg_fan_read *read, const void *data,
   }
   *s = (sg_spines){
       .tree = tree, .read = read, .data = data, .by_place = by_place};
-  good = choose_spines(s);
+  good = choose_spines(s, cancel);
   for (size_t i = 0; good && i < s->n; i++) {
     for (unsigned level = 1; level < tree->levels && good; level++) {
-      good = find_level(s, &s->spine[i], level);
+      good = find_level(s, &s->spine[i], level, cancel);
     }
   }
   if (good && s->n == 0) {

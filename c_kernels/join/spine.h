@@ -18,10 +18,10 @@ uint32_t sg_name_of_place(const double at[3]);
 typedef struct sg_spines sg_spines;
 
 /* *out is null if no edge is one. Corners are one where their names are equal,
- * or if `by_place`, where they are. False: no memory. Owner: sg_spines_close()
- * in any case. Cost: linear. */
+ * or if `by_place`, where they are. False: no memory, or stopped. Owner:
+ * sg_spines_close() in any case. Cost: linear. */
 bool sg_spines_open(const sg_bvh *tree, sg_fan_read *read, const void *data,
-                    bool by_place, sg_spines **out);
+                    bool by_place, const sg_cancel *cancel, sg_spines **out);
 void sg_spines_close(sg_spines *spines);
 
 /* Whether no triangle below box a of a level (1 or more) has more in common

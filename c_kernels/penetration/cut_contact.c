@@ -3,6 +3,7 @@
 #include "cut_private.h"
 
 #include "engine/search.h"
+#include "rows/sort.h"
 
 #include <stdlib.h>
 
@@ -35,13 +36,14 @@ at_point(sg_key_table *of_point, const int32_t s[2], uint32_t point)
 
 /* Marks the ends of all pieces: with SG_NO_KEY - 1, which is no contact. */
 static bool
-mark_ends(const sg_cut_set *set, sg_key_table *of_point)
+mark_ends(const sg_cut_set *set, const sg_cancel *cancel,
+          sg_key_table *of_point)
 {
   for (size_t i = 0; i < set->pieces; i++) {
     const sg_cut_piece *piece = &set->piece[i];
     uint32_t *a = at_point(of_point, piece->s, piece->a);
 
-    if (!a) {
+    if (!a || sg_cancel_every(cancel, i)) {
       return false;
     }
     *a = SG_NO_KEY - 1;
@@ -60,7 +62,7 @@ SG_ORDER(compare_contacts, sg_cut_contact,
 
 /* Keeps the contacts that are alone, each once, with the smallest polygons. */
 static bool
-keep_alone(sg_cut_set *set, sg_key_table *of_point)
+keep_alone(sg_cut_set *set, const sg_cancel *cancel, sg_key_table *of_point)
 {
   size_t kept = 0;
 
@@ -68,7 +70,7 @@ keep_alone(sg_cut_set *set, sg_key_table *of_point)
     sg_cut_contact contact = set->contact[i];
     uint32_t *known = at_point(of_point, contact.s, contact.point);
 
-    if (!known) {
+    if (!known || sg_cancel_every(cancel, i)) {
       return false;
     }
     if (*known == SG_NO_KEY) {
@@ -85,7 +87,7 @@ keep_alone(sg_cut_set *set, sg_key_table *of_point)
 }
 
 bool
-sg_cut_settle_contacts(sg_cut_set *set)
+sg_cut_settle_contacts(sg_cut_set *set, const sg_cancel *cancel)
 {
   sg_key_table of_point;
 
@@ -93,10 +95,9 @@ sg_cut_settle_contacts(sg_cut_set *set)
     return true;
   }
   sg_key_table_init(&of_point, 3);
-  bool good = mark_ends(set, &of_point) && keep_alone(set, &of_point);
+  bool good =
+      mark_ends(set, cancel, &of_point) && keep_alone(set, cancel, &of_point);
   sg_key_table_clear(&of_point);
-  if (good && set->contacts > 0) {
-    qsort(set->contact, set->contacts, sizeof *set->contact, compare_contacts);
-  }
-  return good;
+  return good && sg_sort(set->contact, set->contacts, sizeof *set->contact,
+                         compare_contacts, cancel) == SG_SORTED;
 }

@@ -349,13 +349,13 @@ touches_inside(sg_cut_set *set, const sg_cut_flat_touch *touch)
 }
 
 bool
-sg_cut_touch_flat(sg_cut_set *set)
+sg_cut_touch_flat(sg_cut_set *set, const sg_cancel *cancel)
 {
   for (size_t i = 0; i < set->flat_touches; i++) {
     const sg_cut_flat_touch *touch = &set->flat_touch[i];
     int inside = touches_inside(set, touch);
 
-    if (inside < 0 ||
+    if ((i % 256 == 0 && sg_cancelled(cancel)) || inside < 0 ||
         (!inside && sg_cut_touch(set, touch->t, &touch->end) < 0)) {
       return false;
     }

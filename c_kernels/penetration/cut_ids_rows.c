@@ -177,7 +177,7 @@ is_beside(sg_cut_handle *handle, uint32_t triangle, int k, bool late)
 }
 
 bool
-sg_cut_add_beside(sg_cut_handle *handle, bool late)
+sg_cut_add_beside(sg_cut_handle *handle, bool late, const sg_cancel *cancel)
 {
   sg_cut_set *set = &handle->set;
   const sg_cut_model *model = &set->model;
@@ -186,6 +186,9 @@ sg_cut_add_beside(sg_cut_handle *handle, bool late)
     const sg_leaf_triangle *t = &model->triangle[i];
     int beside = 0;
 
+    if (sg_cancel_every(cancel, i)) {
+      return false;
+    }
     for (int k = 0; k < 3 && beside == 0; k++) {
       beside = is_beside(handle, (uint32_t)i, k, late);
     }

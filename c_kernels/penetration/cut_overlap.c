@@ -10,6 +10,8 @@
  */
 #include "cut_private.h"
 
+#include "rows/sort.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -113,15 +115,23 @@ find_fold(sg_cut_set *set, size_t i, fold *out)
   return 1;
 }
 
-/* False: no memory. */
+enum { CUTS_ASKED = 256 }; /* between questions */
+
 static bool
-find_folds(sg_cut_set *set, fold *out, size_t *n)
+is_stopped(const sg_cancel *cancel, size_t i)
+{
+  return i % CUTS_ASKED == 0 && sg_cancelled(cancel);
+}
+
+/* False: no memory, or stopped. */
+static bool
+find_folds(sg_cut_set *set, const sg_cancel *cancel, fold *out, size_t *n)
 {
   *n = 0;
   for (size_t i = 0; i < set->cuts; i++) {
     int found = find_fold(set, i, &out[*n]);
 
-    if (found < 0) {
+    if (found < 0 || is_stopped(cancel, i)) {
       return false;
     }
     *n += (size_t)found;
@@ -130,17 +140,15 @@ find_folds(sg_cut_set *set, fold *out, size_t *n)
 }
 
 bool
-sg_cut_drop_folds(sg_cut_set *set)
+sg_cut_drop_folds(sg_cut_set *set, const sg_cancel *cancel)
 {
   fold *list = malloc((set->cuts + 1) * sizeof *list);
   size_t n = 0, kept = 0;
+  bool good = list && find_folds(set, cancel, list, &n) &&
+              sg_sort(list, n, sizeof *list, by_chord, cancel) == SG_SORTED;
 
-  if (!list || !find_folds(set, list, &n)) {
-    free(list);
-    return false;
-  }
-  qsort(list, n, sizeof *list, by_chord);
-  for (size_t i = 0, end; i < n; i = end) {
+  for (size_t i = 0, end; good && i < n; i = end) {
+    good = !is_stopped(cancel, i);
     for (end = i + 1; end < n && by_faces(&list[end], &list[i]) == 0; end++) {
     }
     for (size_t k = i; k < end; k++) {
@@ -153,6 +161,9 @@ sg_cut_drop_folds(sg_cut_set *set)
     }
   }
   free(list);
+  if (!good) {
+    return false;
+  }
   for (size_t i = 0; i < set->cuts; i++) {
     if (set->cut[i].live) {
       set->cut[kept++] = set->cut[i];

@@ -4,6 +4,7 @@
 #include "cut_private.h"
 
 #include "engine/search.h"
+#include "rows/sort.h"
 
 #include <stdlib.h>
 
@@ -47,11 +48,14 @@ drop_repeated(sg_cut_set *set)
 }
 
 /* Calls for each piece and side that enters a polygon: counts it, or (when
- * there is room) files it. */
-static void
-file_pieces(sg_cut_set *set)
+ * there is room) files it. False: stopped. */
+static bool
+file_pieces(sg_cut_set *set, const sg_cancel *cancel)
 {
   for (uint32_t i = 0; i < set->pieces; i++) {
+    if (sg_cancel_every(cancel, i)) {
+      return false;
+    }
     for (int k = 0; k < 2; k++) {
       if (set->piece[i].edge[k] == SG_NO_KEY) {
         sg_cut_polygon *polygon =
@@ -64,14 +68,20 @@ file_pieces(sg_cut_set *set)
       }
     }
   }
+  return true;
 }
 
 bool
-sg_cut_set_group(sg_cut_set *set)
+sg_cut_set_group(sg_cut_set *set, const sg_cancel *cancel)
 {
   size_t total = 0;
 
+  free(set->entering);
+  set->entering = NULL;
   for (size_t i = 0; i < set->pieces; i++) {
+    if (sg_cancel_every(cancel, i)) {
+      return false;
+    }
     for (int k = 0; k < 2; k++) {
       if (set->piece[i].edge[k] == SG_NO_KEY &&
           !sg_cut_set_add_polygon(set, set->piece[i].s[k],
@@ -83,20 +93,21 @@ sg_cut_set_group(sg_cut_set *set)
   if (set->polygons == 0) {
     return true;
   }
-  qsort(set->polygon, set->polygons, sizeof *set->polygon, compare_polygons);
+  if (sg_sort(set->polygon, set->polygons, sizeof *set->polygon,
+              compare_polygons, cancel) != SG_SORTED) {
+    return false;
+  }
   drop_repeated(set);
-  file_pieces(set); /* counts */
+  if (!file_pieces(set, cancel)) { /* counts */
+    return false;
+  }
   for (size_t i = 0; i < set->polygons; i++) {
     set->polygon[i].first = total;
     total += set->polygon[i].n;
     set->polygon[i].n = 0;
   }
   set->entering = malloc((total + 1) * sizeof *set->entering);
-  if (!set->entering) {
-    return false;
-  }
-  file_pieces(set);
-  return true;
+  return set->entering && file_pieces(set, cancel);
 }
 
 /* ---- late splits ---- */
@@ -167,9 +178,12 @@ divide_piece(sg_cut_set *set, size_t i)
 }
 
 bool
-sg_cut_set_agree(sg_cut_set *set)
+sg_cut_set_agree(sg_cut_set *set, const sg_cancel *cancel)
 {
   for (size_t i = 0; i < set->pieces; i++) {
+    if (sg_cancel_every(cancel, i)) {
+      return false;
+    }
     if (set->piece[i].live && !divide_piece(set, i)) {
       return false;
     }
@@ -273,7 +287,7 @@ sg_cut_set_crossing(const sg_cut_set *set, const sg_cut_piece *k,
 /* ---- joints ---- */
 
 bool
-sg_cut_set_link(sg_cut_set *set)
+sg_cut_set_link(sg_cut_set *set, const sg_cancel *cancel)
 {
   size_t n = set->points.n;
 
@@ -290,6 +304,9 @@ sg_cut_set_link(sg_cut_set *set)
   for (uint32_t i = 0; i < set->pieces; i++) {
     uint32_t end[2] = {set->piece[i].a, set->piece[i].b};
 
+    if (sg_cancel_every(cancel, i)) {
+      return false;
+    }
     for (int k = 0; set->piece[i].live && k < 2; k++) {
       if (set->degree[end[k]] < 2) {
         set->at[end[k]][set->degree[end[k]]] = i;
@@ -398,11 +415,14 @@ forget_gone(const sg_cut_set *set, sg_split_edge *edge)
 }
 
 bool
-sg_cut_set_settle(sg_cut_set *set)
+sg_cut_set_settle(sg_cut_set *set, const sg_cancel *cancel)
 {
   size_t pieces = set->pieces;
 
   for (size_t i = 0; i < set->edges; i++) {
+    if (sg_cancel_every(cancel, i)) {
+      return false;
+    }
     forget_gone(set, &set->edge[i]);
   }
   sg_key_table_clear(&set->piece_number);
@@ -410,9 +430,10 @@ sg_cut_set_settle(sg_cut_set *set)
   for (size_t i = 0; i < pieces; i++) {
     sg_cut_piece piece = set->piece[i]; /* its place may be written again */
 
-    if (piece.live && !sg_cut_add_piece(set, &piece)) {
+    if (sg_cancel_every(cancel, i) ||
+        (piece.live && !sg_cut_add_piece(set, &piece))) {
       return false;
     }
   }
-  return sg_cut_set_link(set);
+  return sg_cut_set_link(set, cancel);
 }

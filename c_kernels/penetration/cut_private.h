@@ -32,14 +32,14 @@ bool sg_cut_is_flat_pair(const sg_cut_set *set, const uint32_t t[2]);
 
 /* Keeps a point in common of two triangles in one plane until all cuts are
  * entered; then those that are inside no common part become contacts. False: no
- * memory. */
+ * memory, or stopped. */
 bool sg_cut_put_off(sg_cut_set *set, const uint32_t t[2],
                     const sg_cut_end *end);
-bool sg_cut_touch_flat(sg_cut_set *set);
+bool sg_cut_touch_flat(sg_cut_set *set, const sg_cancel *cancel);
 
 /* Drops the cuts inside faces where these lie on each other. False: no
- * memory. */
-bool sg_cut_drop_folds(sg_cut_set *set);
+ * memory, or stopped. */
+bool sg_cut_drop_folds(sg_cut_set *set, const sg_cancel *cancel);
 
 /* Puts a point on a split edge, in order, if it is not there yet; that makes
  * the edge late. False: no memory. */
@@ -54,7 +54,7 @@ uint32_t sg_cut_end_point(sg_cut_set *set, const uint32_t t[2],
 int sg_cut_touch(sg_cut_set *set, const uint32_t t[2], const sg_cut_end *end);
 
 /* Drops the contacts at which a piece of their segments ends, and repeated
- * ones; orders the others. False: no memory. */
-bool sg_cut_settle_contacts(sg_cut_set *set);
+ * ones; orders the others. False: no memory, or stopped. */
+bool sg_cut_settle_contacts(sg_cut_set *set, const sg_cancel *cancel);
 
 #endif

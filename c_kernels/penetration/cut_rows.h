@@ -75,8 +75,9 @@ bool sg_cut_shares_edges(sg_cut_handle *handle, int32_t s);
 
 /* Notes the polygons of all split edges, or of those that are late: each has a
  * triangle beside the edge, which is in the model, since the point is in it.
- * False: no memory. */
-bool sg_cut_add_beside(sg_cut_handle *handle, bool late);
+ * False: no memory, or stopped. */
+bool sg_cut_add_beside(sg_cut_handle *handle, bool late,
+                       const sg_cancel *cancel);
 
 /* A set that is kept lasts until it is let go, by whatever thread, also when
  * its handle is closed. Once a keep. */

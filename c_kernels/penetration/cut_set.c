@@ -371,12 +371,26 @@ order_edge(sg_cut_set *set, sg_split_edge *edge)
   edge->n = order_points(&set->points, &from, &to, edge->point, edge->n);
 }
 
-static void
-order_edges(sg_cut_set *set)
+/* Mostly an edge has few points, each of which may cost exact signs. */
+enum { STEPS_ASKED = 256 };
+
+static bool
+is_stopped(const sg_cancel *cancel, size_t i)
+{
+  return i % STEPS_ASKED == 0 && sg_cancelled(cancel);
+}
+
+/* False: stopped. */
+static bool
+order_edges(sg_cut_set *set, const sg_cancel *cancel)
 {
   for (size_t i = 0; i < set->edges; i++) {
+    if (is_stopped(cancel, i)) {
+      return false;
+    }
     order_edge(set, &set->edge[i]);
   }
+  return true;
 }
 
 /* What carries a piece in side k: twice a polygon, or along an edge 1, of a
@@ -540,7 +554,7 @@ share_points(sg_cut_set *set, uint32_t from, uint32_t to, uint32_t a,
 /* Where a cut runs along two real edges at once, both have the same points
  * there. A third edge may lie there too, hence until nothing is new. */
 static bool
-share_edge_points(sg_cut_set *set)
+share_edge_points(sg_cut_set *set, const sg_cancel *cancel)
 {
   bool changed = true;
 
@@ -549,6 +563,9 @@ share_edge_points(sg_cut_set *set)
     for (size_t i = 0; i < set->cuts; i++) {
       const sg_cut_piece *cut = &set->cut[i];
 
+      if (is_stopped(cancel, i)) {
+        return false;
+      }
       if (cut->edge[0] != SG_NO_KEY && cut->edge[1] != SG_NO_KEY &&
           !(share_points(set, cut->edge[0], cut->edge[1], cut->a, cut->b,
                          &changed) &&
@@ -562,19 +579,16 @@ share_edge_points(sg_cut_set *set)
 }
 
 bool
-sg_cut_set_seal(sg_cut_set *set)
+sg_cut_set_seal(sg_cut_set *set, const sg_cancel *cancel)
 {
-  if (!sg_cut_touch_flat(set) || !sg_cut_drop_folds(set)) {
-    return false;
-  }
-  order_edges(set);
-  if (!share_edge_points(set)) {
+  if (!sg_cut_touch_flat(set, cancel) || !sg_cut_drop_folds(set, cancel) ||
+      !order_edges(set, cancel) || !share_edge_points(set, cancel)) {
     return false;
   }
   for (size_t i = 0; i < set->cuts; i++) {
-    if (!add_divided(set, &set->cut[i])) {
+    if (is_stopped(cancel, i) || !add_divided(set, &set->cut[i])) {
       return false;
     }
   }
-  return sg_cut_settle_contacts(set);
+  return sg_cut_settle_contacts(set, cancel);
 }

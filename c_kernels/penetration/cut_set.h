@@ -27,6 +27,7 @@
 #define SG_CUT_SET_H
 
 #include "cut_point.h"
+#include "engine/cancel.h"
 #include "join/cut.h"
 
 typedef struct sg_cut_piece {
@@ -120,13 +121,14 @@ int sg_cut_set_enter(sg_cut_set *set, uint32_t t1, uint32_t t2);
 int sg_cut_set_enter_curve(sg_cut_set *set, uint32_t e, uint32_t t);
 
 /* Orders the edges, makes the pieces and finds the contacts that are alone.
- * False: no memory. */
-bool sg_cut_set_seal(sg_cut_set *set);
+ * False, here and below where there is a cancellation: no memory, or stopped.
+ */
+bool sg_cut_set_seal(sg_cut_set *set, const sg_cancel *cancel);
 
 /* Notes a polygon whose edges are split (before sg_cut_set_group()). */
 bool sg_cut_set_add_polygon(sg_cut_set *set, int32_t s, int32_t p);
 /* Lists the polygons, each once, by (s, p), with the pieces entering it. */
-bool sg_cut_set_group(sg_cut_set *set);
+bool sg_cut_set_group(sg_cut_set *set, const sg_cancel *cancel);
 /* The listed polygon, null: it is not among them. */
 sg_cut_polygon *sg_cut_set_polygon(const sg_cut_set *set, int32_t s, int32_t p);
 
@@ -137,7 +139,7 @@ uint32_t sg_cut_set_between(const sg_cut_set *set, uint32_t a, uint32_t b);
 /* Divides all pieces at the points noted between their ends. Real edges that
  * a divided piece runs along get the point, and are `late`: polygons that have
  * one of these may not be among those listed. */
-bool sg_cut_set_agree(sg_cut_set *set);
+bool sg_cut_set_agree(sg_cut_set *set, const sg_cancel *cancel);
 
 /* Where two pieces cross in polygons of a third segment, or of one of their
  * own: the triangles or edges that carry them make the point. */
@@ -145,7 +147,7 @@ sg_made sg_cut_set_crossing(const sg_cut_set *set, const sg_cut_piece *k,
                             const sg_cut_piece *l);
 
 /* Makes ready for joints, after sg_cut_set_seal() and sg_cut_set_agree(). */
-bool sg_cut_set_link(sg_cut_set *set);
+bool sg_cut_set_link(sg_cut_set *set, const sg_cancel *cancel);
 /* True if exactly two pieces end in `point`, both carried by the same two
  * polygons or edges (so they are in line), and no other real edge is there:
  * PL-9. k ends or starts there, and so does l. */
@@ -159,7 +161,7 @@ bool sg_cut_set_is_straight(const sg_cut_set *set, uint32_t k, uint32_t l);
 void sg_cut_set_join(sg_cut_set *set, uint32_t point);
 /* After joints, before polygons: only living pieces are left, numbered anew in
  * the same order, and points that were joined away are no longer on edges.
- * Makes ready for joints. False: no memory. */
-bool sg_cut_set_settle(sg_cut_set *set);
+ * Makes ready for joints. */
+bool sg_cut_set_settle(sg_cut_set *set, const sg_cancel *cancel);
 
 #endif

@@ -165,15 +165,12 @@ add_rows(sg_call *call, sg_world *world, sg_relation relation,
          const leaf_rows *rows)
 {
   const void *column[COLUMNS] = {0};
-  sg_fault fault = {0};
 
   for (unsigned c = 0; c < sg_relation_table[relation].arity; c++) {
     bool list = sg_relation_table[relation].column[c].type == SG_LIST;
     column[c] = list ? (const void *)rows->list : (const void *)rows->i[c];
   }
-  return sg_call_status(
-      call, sg_world_add_many(world, relation, rows->n, column, &fault),
-      relation, &fault);
+  return sg_call_add_rows(call, world, relation, rows->n, column);
 }
 
 bool

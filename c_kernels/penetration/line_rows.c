@@ -22,6 +22,9 @@ sg_door_cut_joints(sg_call *call, sg_cut_handle *handle, int how,
   for (uint32_t i = 0; i < set->linked; i++) {
     uint32_t k, l;
 
+    if (sg_cancel_every(&call->cancel, i)) {
+      return false;
+    }
     if (sg_cut_set_joint(set, i, &k, &l) &&
         sg_cut_set_is_straight(set, k, l) == straight &&
         !sg_piece_joint_list_add(
@@ -56,7 +59,7 @@ sg_door_cut_join(sg_call *call, sg_cut_handle *handle, size_t point)
 bool
 sg_door_cut_settle(sg_call *call, sg_cut_handle *handle)
 {
-  return sg_cut_set_settle(&handle->set) || sg_call_no_memory(call);
+  return sg_cut_set_settle(&handle->set, &call->cancel) || sg_call_ended(call);
 }
 
 bool
@@ -144,6 +147,9 @@ sg_door_cut_lines(sg_call *call, sg_cut_handle *handle,
   for (size_t i = 0; good && i < set->pieces; i++) {
     const sg_cut_piece *k = &set->piece[i];
 
+    if (sg_cancel_every(&call->cancel, i)) {
+      return false;
+    }
     if (k->live) {
       good = (note_line(handle, k, number) || sg_call_no_memory(call)) &&
              add_line(call, handle, number++, k->s, k->p, k->a, k->b, lines);
@@ -153,6 +159,7 @@ sg_door_cut_lines(sg_call *call, sg_cut_handle *handle,
     const sg_cut_contact *k = &set->contact[i];
 
     good =
+        !sg_cancel_every(&call->cancel, i) &&
         add_line(call, handle, number++, k->s, k->p, k->point, k->point, lines);
   }
   return good;
@@ -190,6 +197,9 @@ sg_door_cut_vertices(sg_call *call, sg_cut_handle *handle,
   for (uint32_t i = 0; i < points->n; i++) {
     uint32_t k = is_gone(&handle->set, i) ? SG_NO_KEY : points->point[i].seat;
 
+    if (sg_cancel_every(&call->cancel, i)) {
+      return false;
+    }
     for (; k != SG_NO_KEY; k = points->seat[k].next) {
       const sg_seat *seat = &points->seat[k];
 
@@ -203,17 +213,6 @@ sg_door_cut_vertices(sg_call *call, sg_cut_handle *handle,
 }
 
 /* ---- rows ---- */
-
-static bool
-add_rows(sg_call *call, sg_world *world, sg_relation relation, size_t n,
-         const void *const *column)
-{
-  sg_fault fault = {0};
-
-  return sg_call_status(call,
-                        sg_world_add_many(world, relation, n, column, &fault),
-                        relation, &fault);
-}
 
 static bool
 write_lines(sg_call *call, sg_world *world, const sg_line_fact_list *lines)
@@ -233,7 +232,7 @@ write_lines(sg_call *call, sg_world *world, const sg_line_fact_list *lines)
   for (size_t c = 0; to && c < COLUMNS; c++) {
     column[c] = to + c * n;
   }
-  return to && add_rows(call, world, SG_LINE, n, column);
+  return to && sg_call_add_rows(call, world, SG_LINE, n, column);
 }
 
 static bool
@@ -258,13 +257,14 @@ write_vertices(sg_call *call, sg_world *world,
     at[2 * n + i] = vertex->z;
     item[i] = sg_unary_term(call, SG_SYMBOL_V, vertex->v);
     origin[i] = vertex->origin;
-    good = item[i] != NULL;
+    good = item[i] != NULL && !sg_cancel_every(&call->cancel, i);
   }
   return good &&
-         add_rows(call, world, SG_V, n,
-                  (const void *const[]){s, v, at, at + n, at + 2 * n}) &&
-         add_rows(call, world, SG_ORIGIN, n,
-                  (const void *const[]){s, item, origin});
+         sg_call_add_rows(
+             call, world, SG_V, n,
+             (const void *const[]){s, v, at, at + n, at + 2 * n}) &&
+         sg_call_add_rows(call, world, SG_ORIGIN, n,
+                          (const void *const[]){s, item, origin});
 }
 
 bool

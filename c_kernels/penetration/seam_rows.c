@@ -81,6 +81,9 @@ name_all(sg_call *call, sg_cut_handle *handle)
     for (size_t i = 0; i < set->pieces; i++) {
       const sg_cut_piece *piece = &set->piece[i];
 
+      if (sg_cancel_every(&call->cancel, i)) {
+        return false;
+      }
       for (int k = 0; piece->live && k < 4; k++) {
         uint32_t end = k < 2 ? piece->a : piece->b;
         if (is_joint(set, end) == (pass == 1) &&
@@ -91,6 +94,9 @@ name_all(sg_call *call, sg_cut_handle *handle)
     }
   }
   for (size_t i = 0; i < set->edges; i++) {
+    if (sg_cancel_every(&call->cancel, i)) {
+      return false;
+    }
     for (size_t k = 0; k < set->edge[i].n; k++) {
       if (!sg_cut_name(call, handle, set->edge[i].point[k], set->edge[i].s)) {
         return false;
@@ -100,7 +106,8 @@ name_all(sg_call *call, sg_cut_handle *handle)
   for (size_t i = 0; i < set->contacts; i++) {
     const sg_cut_contact *contact = &set->contact[i];
 
-    if (!sg_cut_name(call, handle, contact->point, contact->s[0]) ||
+    if (sg_cancel_every(&call->cancel, i) ||
+        !sg_cut_name(call, handle, contact->point, contact->s[0]) ||
         !sg_cut_name(call, handle, contact->point, contact->s[1])) {
       return false;
     }
@@ -113,8 +120,9 @@ name_all(sg_call *call, sg_cut_handle *handle)
 bool
 sg_door_cut_seal(sg_call *call, sg_cut_handle *handle)
 {
-  return (sg_cut_set_seal(&handle->set) && sg_cut_set_link(&handle->set)) ||
-         sg_call_no_memory(call);
+  return (sg_cut_set_seal(&handle->set, &call->cancel) &&
+          sg_cut_set_link(&handle->set, &call->cancel)) ||
+         sg_call_ended(call);
 }
 
 /* ---- the polygons ---- */
@@ -126,12 +134,12 @@ group(sg_call *call, sg_cut_handle *handle)
   if (handle->grouped) {
     return true;
   }
-  if (!sg_cut_add_beside(handle, false)) {
-    return sg_call_no_memory(call);
-  }
-  handle->grouped = true;
-  return (sg_cut_set_group(&handle->set) || sg_call_no_memory(call)) &&
-         name_all(call, handle);
+  handle->set.polygons = 0; /* what is left of a call that was stopped */
+  handle->grouped = ((sg_cut_add_beside(handle, false, &call->cancel) &&
+                      sg_cut_set_group(&handle->set, &call->cancel)) ||
+                     sg_call_ended(call)) &&
+                    name_all(call, handle);
+  return handle->grouped;
 }
 
 static bool
@@ -156,6 +164,8 @@ sg_door_cut_polygons(sg_call *call, sg_cut_handle *handle,
                                               handle->set.polygons, polygons);
 }
 
+enum { PIECES_ASKED = 1 << 18 }; /* segments compared between questions */
+
 static bool
 is_among(const sg_int_list *s, int32_t one)
 {
@@ -167,13 +177,20 @@ is_among(const sg_int_list *s, int32_t one)
   return false;
 }
 
-/* The polygons that carry a piece of one of these segments. */
+/* The polygons that carry a piece of one of these segments. False: no memory,
+ * or stopped. */
 static bool
-note_carriers(const sg_cut_set *set, const sg_int_list *s, sg_key_table *out)
+note_carriers(const sg_cut_set *set, const sg_int_list *s,
+              const sg_cancel *cancel, sg_key_table *out)
 {
+  size_t asked = PIECES_ASKED / (s->n + 1) + 1;
+
   for (size_t i = 0; i < set->pieces; i++) {
     const sg_cut_piece *piece = &set->piece[i];
 
+    if (i % asked == 0 && sg_cancelled(cancel)) {
+      return false;
+    }
     if (!piece->live ||
         !(is_among(s, piece->s[0]) || is_among(s, piece->s[1]))) {
       continue;
@@ -202,15 +219,18 @@ sg_door_cut_polygons_of(sg_call *call, sg_cut_handle *handle,
     return false;
   }
   sg_key_table_init(&carrier, 2);
-  bool good = note_carriers(&handle->set, segments, &carrier) ||
-              sg_call_no_memory(call);
+  size_t asked = PIECES_ASKED / (segments->n + 1) + 1;
+  bool good = note_carriers(&handle->set, segments, &call->cancel, &carrier) ||
+              sg_call_ended(call);
 
   for (size_t i = 0; i < handle->set.polygons && good; i++) {
     const sg_cut_polygon *polygon = &handle->set.polygon[i];
     uint32_t key[2] = {(uint32_t)polygon->s, (uint32_t)polygon->p};
 
-    if (is_among(segments, polygon->s) ||
-        sg_key_table_get(&carrier, key) != SG_NO_KEY) {
+    if (i % asked == 0 && sg_cancelled(&call->cancel)) {
+      good = false;
+    } else if (is_among(segments, polygon->s) ||
+               sg_key_table_get(&carrier, key) != SG_NO_KEY) {
       good = list_polygons(call, polygon, 1, polygons);
     }
   }
@@ -244,8 +264,9 @@ sg_door_cut_entering(sg_call *call, sg_cut_handle *handle, int32_t s, int32_t p,
 bool
 sg_door_cut_agree(sg_call *call, sg_cut_handle *handle)
 {
-  return ((sg_cut_set_agree(&handle->set) && sg_cut_set_link(&handle->set)) ||
-          sg_call_no_memory(call)) &&
+  return ((sg_cut_set_agree(&handle->set, &call->cancel) &&
+           sg_cut_set_link(&handle->set, &call->cancel)) ||
+          sg_call_ended(call)) &&
          name_all(call, handle);
 }
 
@@ -266,9 +287,10 @@ sg_door_cut_late_polygons(sg_call *call, sg_cut_handle *handle,
   if (set->late.n == 0) { /* mostly nothing was divided anywhere */
     return true;
   }
-  bool good = (sg_cut_add_beside(handle, true) || sg_call_no_memory(call)) &&
-              list_polygons(call, set->polygon + listed, set->polygons - listed,
-                            polygons);
+  bool good =
+      (sg_cut_add_beside(handle, true, &call->cancel) || sg_call_ended(call)) &&
+      list_polygons(call, set->polygon + listed, set->polygons - listed,
+                    polygons);
 
   set->polygons = listed;
   return good;

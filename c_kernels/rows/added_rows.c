@@ -62,7 +62,6 @@ bool
 sg_added_rows_write(sg_call *call, sg_world *world, sg_added_rows *rows)
 {
   const void *column[SG_MAX_COLUMNS];
-  sg_fault fault = {0};
   size_t n = rows->n;
 
   for (unsigned c = 0; n > 0 && c < sg_relation_table[rows->relation].arity;
@@ -72,8 +71,5 @@ sg_added_rows_write(sg_call *call, sg_world *world, sg_added_rows *rows)
     }
   }
   rows->n = 0;
-  return n == 0 ||
-         sg_call_status(
-             call, sg_world_add_many(world, rows->relation, n, column, &fault),
-             rows->relation, &fault);
+  return n == 0 || sg_call_add_rows(call, world, rows->relation, n, column);
 }

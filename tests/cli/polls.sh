@@ -10,7 +10,8 @@ case $(ldd "$sanggwan") in
   ;;
 esac
 
-# Balls of 4 N (N - 1) triangles, and a ragged star of 50 N corners.
+# Balls of 4 N (N - 1) triangles, a ragged star of 50 N corners and a round
+# polygon of 1,000 N, 2 N spheres in each other, 15 N boxes side by side.
 awk -v n=200 'function at(i, j) {
   return i == 0 ? 1 : i == n ? (n - 1) * 2 * n + 2 : (i - 1) * 2*n + j % (2*n) + 2
 }
@@ -35,6 +36,22 @@ BEGIN { pi = 3.14159265358979
   printf "%d", m > file
   for (i = 0; i < m; i++) printf " %d", i > file
   print "" > file
+  file = "'"$work"'/round.off"
+  m = 1000 * n
+  print "OFF\n" m, 1, 0 > file
+  for (i = 0; i < m; i++)
+    printf "%.15f %.15f 0\n", cos(2*pi*i/m), sin(2*pi*i/m) > file
+  printf "%d", m > file
+  for (i = 0; i < m; i++) printf " %d", i > file
+  print "" > file
+  file = "'"$work"'/nested.pl"
+  for (i = 1; i <= 2 * n; i++)
+    printf "segment(%d, solid, sphere(radius(%g), facets(12))).\n",
+      i, 1 + 0.01 * i > file
+  file = "'"$work"'/boxes.pl"
+  for (i = 1; i <= 15 * n; i++)
+    printf "segment(%d, solid, at([translate(%d,%d,0)], box(size(1,1,1)))).\n",
+      i, i % 40, int(i / 40) > file
 }'
 
 most=0
@@ -53,10 +70,15 @@ asks() {
 }
 asks check check "$work/ball0.obj"
 asks star check "$work/star.off"
+asks round check "$work/round.off"
+asks nested draw -q "$work/nested.pl" -o "$work/a.svg"
+asks boxes draw -q "$work/boxes.pl" -o "$work/a.svg"
+asks glue glue -q "$work/boxes.pl" -o "$work/a.pl"
+asks penetrate penetrate -q "$work/ball0.obj" "$work/ball1.obj" -o "$work/a.pl"
 asks union union -q "$work/ball0.obj" "$work/ball1.obj" -o "$work/a.off"
 asks render render -q "$work/ball0.obj" -o "$work/a.png"
 asks split split -q "$work/ball0.obj" --plane 0,0,1,-0.1 -o "$work/a.stl"
 asks convert convert -q "$work/ball0.obj" -o "$work/a.pl"
-printf 'counted: the longest of 6 commands without a question took %d ms\n' \
+printf 'counted: the longest of 11 commands without a question took %d ms\n' \
   "$most"
 finish

@@ -1,6 +1,7 @@
 /* bvh_test.c -- the hits of trees against all pairs of boxes tried one by one,
  * and the same bytes from any number of threads. */
 #include "tests/check.h"
+#include "tests/stop_later.h"
 
 #include "join/bvh_join.h"
 
@@ -97,14 +98,6 @@ stop_at_once(void *data)
 {
   (void)data;
   return true;
-}
-
-static bool
-stop_later(void *data)
-{
-  int *left = data;
-
-  return --*left < 0;
 }
 
 /* ---- many boxes ---- */
@@ -216,6 +209,37 @@ stops_anywhere(const soup *s)
   return through;
 }
 
+enum { ALIKE = 700 };
+
+/* The same where each box meets each one: hits are copied for long. */
+static bool
+stops_among_hits(void)
+{
+  static sg_box box[ALIKE];
+  int copying = 0;
+
+  for (size_t i = 0; i < ALIKE; i++) {
+    box[i] = (sg_box){{0, 0, 0}, {1, 1, 1}};
+  }
+  sg_bvh *a = sg_bvh_open(box, ALIKE, NULL), *b = sg_bvh_open(box, ALIKE, NULL);
+  bool through = false, good = a && b;
+
+  for (int k = 0; good && !through; k++) {
+    int left = k;
+    sg_cancel cancel = {stop_later, &left};
+    sg_bvh_hits hits = {0};
+
+    through = sg_bvh_join(&(sg_bvh_pair){a, b}, 1, 0, NULL, &cancel, &hits);
+    good = through == (left >= 0) && hits.n == (through ? ALIKE * ALIKE : 0) &&
+           (through || !hits.hit);
+    copying = k;
+    free(hits.hit);
+  }
+  sg_bvh_close(a);
+  sg_bvh_close(b);
+  return good && copying > ALIKE * ALIKE / 1024; /* after all that were found */
+}
+
 int
 main(void)
 {
@@ -238,6 +262,7 @@ main(void)
   CHECK("a poll stops it", sg_bvh_open(mixed, 3, &stop) == NULL);
   CHECK("any number of threads", threads_agree(&s));
   CHECK("a poll stops it anywhere", stops_anywhere(&s));
+  CHECK("a poll stops it among hits", stops_among_hits());
   free(s.box);
   return check_report();
 }

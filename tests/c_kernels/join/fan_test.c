@@ -67,7 +67,7 @@ pairs(size_t n, bool use, bool by_place, bool *had)
   }
   tree = sg_bvh_grow(n, fill, NULL, NULL, &all, NULL, NULL);
   bool good = tree && (!use || sg_fans_open(tree, read_triangle, NULL, by_place,
-                                            &fans));
+                                            NULL, &fans));
   *had = fans != NULL;
   asked = 0;
   CHECK("joined", good && sg_bvh_join_itself(tree, 0, goes_through, NULL,

@@ -108,7 +108,7 @@ enter_scene(sg_cut_set *set, uint32_t seed)
       }
     }
   }
-  return sg_cut_set_seal(set);
+  return sg_cut_set_seal(set, NULL);
 }
 
 /* Whether a piece of a spike and a floor ends at (x, y, 0). */

@@ -125,7 +125,7 @@ cut_scene(sg_cut_set *set, const scene *of)
       }
     }
   }
-  return sg_cut_set_seal(set);
+  return sg_cut_set_seal(set, NULL);
 }
 
 static bool

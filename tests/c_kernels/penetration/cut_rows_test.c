@@ -10,6 +10,7 @@
 
 #include "tests/c_kernels/cube_world.h"
 #include "tests/check.h"
+#include "tests/stop_later.h"
 
 #include <string.h>
 
@@ -76,6 +77,16 @@ lines(sg_cut_handle *set)
   CHECK("are new", vertices.n >= 12 && vertices.at[0].v > 8);
   CHECK("lines", sg_door_cut_lines(&call, set, &facts));
   CHECK("from 1", facts.n == chains.at[0].polygons.n && facts.at[0].l == 1);
+}
+
+static size_t
+count_of(sg_world *world, sg_relation relation)
+{
+  const sg_version *version = sg_world_version(world);
+  size_t n = sg_version_count(version, relation);
+
+  sg_version_drop(version);
+  return n;
 }
 
 /* Six polygons enter and are written; only their own rows change. */
@@ -156,6 +167,63 @@ touches(sg_world *world)
   sg_cut_set_let_go(set);
 }
 
+/* A door that is stopped says no without a refusal; after a rollback the world
+ * is as it was. All doors from the cuts to the lines, stopped at question k;
+ * *rows: of v, line and origin. True: it was not asked so often. */
+static bool
+runs(sg_world *world, const sg_id_pair_list *list, int k, size_t rows[3])
+{
+  int left = k;
+  sg_cancel cancel = {stop_later, &left};
+  sg_call caller = call;
+  sg_cut_handle *set = NULL;
+  sg_segment_polygon_list all = {0}, of_one = {0};
+  int32_t segment = FIRST;
+  const sg_int_list one = {&segment, 1, 1};
+
+  sg_call_open(&call, &cancel, NULL);
+  call.world = world;
+  CHECK("begin", sg_world_begin(world) == SG_OK);
+  bool good = sg_door_cut_set_open(&call, list, &set) &&
+              sg_door_cut_find(&call, set) && sg_door_cut_seal(&call, set) &&
+              sg_door_cut_settle(&call, set) &&
+              sg_door_cut_polygons(&call, set, &all) &&
+              sg_door_cut_polygons_of(&call, set, &one, &of_one) &&
+              sg_door_cut_write_lines(&call, set);
+
+  CHECK("stopped, or done", good == (left >= 0));
+  CHECK("no refusal", call.refusal.how == SG_REFUSED_NOTHING);
+  CHECK("polygons", !good || (all.n == 6 && of_one.n == 6));
+  sg_call_close(&call);
+  if (set) {
+    sg_cut_set_let_go(set);
+  }
+  call = caller;
+  for (int i = 0; i < 3; i++) {
+    rows[i] = count_of(world, (sg_relation[]){SG_V, SG_LINE, SG_ORIGIN}[i]);
+  }
+  CHECK("valid", sg_world_is_valid(world));
+  CHECK("roll back", sg_world_rollback(world) == SG_OK);
+  CHECK("as it was", sg_world_is_valid(world) && count_of(world, SG_V) == 16 &&
+                         count_of(world, SG_LINE) == 0 &&
+                         count_of(world, SG_ORIGIN) == 0);
+  return good;
+}
+
+static void
+stops(sg_world *world, const sg_id_pair_list *list)
+{
+  size_t rows[3];
+  int k = 0;
+
+  while (k < 1000 && !runs(world, list, k, rows)) {
+    CHECK("each relation is whole", rows[1] == 0 && rows[2] <= rows[0]);
+    k++;
+  }
+  CHECK("asks", k > 20 && k < 1000);
+  CHECK("then all is written", rows[0] > 16 && rows[1] > 0 && rows[2] > 0);
+}
+
 static void
 leaves(sg_world *world)
 {
@@ -189,6 +257,7 @@ main(void)
   CHECK("planes", sg_door_fill_triangles(
                       &call, &(sg_segments_asked){.is = SG_SEGMENTS_ASKED_ALL},
                       SIZE_MAX, &(sg_fault_fact_list){0}));
+  stops(world, &list);
   CHECK("open", sg_door_cut_set_open(&call, &list, &set));
   sg_cut_set_keep(set);
   sg_cut_set_let_go(set); /* as when its handle is closed */

@@ -1,5 +1,6 @@
 /* cut_set_test.c -- the pieces of two boxes, and what happens to them. */
 #include "tests/check.h"
+#include "tests/stop_later.h"
 
 #include "penetration/cut_set.h"
 
@@ -66,9 +67,9 @@ add_box(sg_cut_set *set, int32_t s, const double at[3], double size)
   return good && known;
 }
 
-/* Two boxes of size 2, the second at `at`, all their cuts sealed. */
+/* Two boxes of size 2, the second at `at`, all their cuts entered. */
 static bool
-two_boxes(sg_cut_set *set, const double at[3])
+enter_boxes(sg_cut_set *set, const double at[3])
 {
   sg_cut_set_init(set, is_real, NULL);
   tested = set;
@@ -82,7 +83,15 @@ two_boxes(sg_cut_set *set, const double at[3])
       }
     }
   }
-  return sg_cut_set_seal(set) && sg_cut_set_link(set);
+  return true;
+}
+
+/* The same, and sealed. */
+static bool
+two_boxes(sg_cut_set *set, const double at[3])
+{
+  return enter_boxes(set, at) && sg_cut_set_seal(set, NULL) &&
+         sg_cut_set_link(set, NULL);
 }
 
 /* Every end of a piece has an even number of pieces: the lines are closed. */
@@ -130,7 +139,8 @@ corner_in(void)
   CHECK("corner in", two_boxes(&set, (double[3]){1, 1, 1}));
   CHECK("corner in: closed", is_closed(&set));
   CHECK("corner in: a line of six", joined(&set) == 6);
-  CHECK("corner in: polygons", sg_cut_set_group(&set) && set.polygons == 6);
+  CHECK("corner in: polygons",
+        sg_cut_set_group(&set, NULL) && set.polygons == 6);
   sg_cut_set_clear(&set);
 }
 
@@ -143,7 +153,7 @@ settled(void)
 
   CHECK("settled", two_boxes(&set, (double[3]){1, 0, 0}));
   CHECK("settled: twelve edges", joined(&set) == 12);
-  CHECK("settled: done", sg_cut_set_settle(&set));
+  CHECK("settled: done", sg_cut_set_settle(&set, NULL));
   CHECK("settled: only the living", set.pieces == 12 && living(&set) == 12);
   CHECK("settled: nothing to join", joined(&set) == 12);
   for (size_t i = 0; i < set.edges; i++) {
@@ -151,6 +161,30 @@ settled(void)
   }
   CHECK("settled: an end of a line on each edge that is split", on_edges == 8);
   sg_cut_set_clear(&set);
+}
+
+/* Each step asks; one that is stopped leaves what can be cleared. */
+static void
+stopped(void)
+{
+  int left = -1, k = 0;
+
+  for (; left < 0 && k < 1000; k++) {
+    sg_cancel cancel = {stop_later, &left};
+    sg_cut_set set;
+
+    left = k;
+    CHECK("stopped: boxes", enter_boxes(&set, (double[3]){1, 1, 1}));
+    bool good =
+        sg_cut_set_seal(&set, &cancel) && sg_cut_set_link(&set, &cancel) &&
+        sg_cut_set_settle(&set, &cancel) && sg_cut_set_agree(&set, &cancel) &&
+        sg_cut_set_group(&set, &cancel);
+
+    CHECK("stopped, or done", good == (left >= 0));
+    CHECK("done as ever", !good || set.polygons == 6);
+    sg_cut_set_clear(&set);
+  }
+  CHECK("stopped: each asks", k > 10 && k < 1000);
 }
 
 static void
@@ -161,7 +195,7 @@ face_on_face(void)
   CHECK("same face", two_boxes(&set, (double[3]){2, 0, 0}));
   CHECK("same face: its four edges", joined(&set) == 4);
   CHECK("same face: nothing enters",
-        sg_cut_set_group(&set) && set.polygons == 0);
+        sg_cut_set_group(&set, NULL) && set.polygons == 0);
   sg_cut_set_clear(&set);
 }
 
@@ -231,7 +265,7 @@ late_splits(void)
   CHECK("and the others in its halves",
         sg_cut_set_between(&set, a, x[0]) == x[1] &&
             sg_cut_set_between(&set, x[0], b) == x[2]);
-  CHECK("agreed", sg_cut_set_agree(&set));
+  CHECK("agreed", sg_cut_set_agree(&set, NULL));
   for (size_t i = 0; i < set.pieces; i++) {
     dead += !set.piece[i].live;
   }
@@ -326,6 +360,7 @@ main(void)
 {
   corner_in();
   settled();
+  stopped();
   face_on_face();
   identical();
   only_a_corner();
