@@ -147,7 +147,7 @@ def changes(text):
             row = json.loads(line)
         except ValueError:
             return None             # Prolog reads some of these
-        if not isinstance(row, dict) or row.get("do") == "save":
+        if not isinstance(row, dict) or "digest" in row:
             return None
         more = row.get("changes", 1)
         n += more if row.get("do") == "checkpoint" else 1
