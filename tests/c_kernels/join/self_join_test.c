@@ -403,7 +403,7 @@ test_stops(void)
 
     by_place = model == BOOK_BY_PLACE;
     make_model(MOST, model);
-    for (; left < 0; k++) {
+    for (; left < 0; k += 1 + k / 4) {
       const sg_cancel stop = {stop_later, &left};
 
       left = k;
