@@ -145,7 +145,9 @@ open_predicate(Module, Head) :-
 %   verbs.
 
 cache(sg_model_text:relation_types_/3).
-cache(sg_primitive:last_parts/4).
+cache(sg_primitive:last_parts/3).
+cache(sg_primitive:comma_parts_/1).
+cache(sg_formula:formula_parts_/1).
 cache(sg_shape:ring_kept/3).
 cache(sg_item_where:text_read/3).
 cache(sg_cli:told/1).

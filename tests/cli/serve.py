@@ -231,6 +231,13 @@ check("soon", time.time() - began < 5, time.time() - began)
 
 # ---- users' code ----
 
+# What the program keeps of a model is none.
+for model in ("facts/cube.pl", "facts/pipe_tee.pl", "facts/figures/fig13.pl",
+              "facts/pipes.pl", "facts/family.pl", "facts/smooth.pl"):
+    s = session()
+    status, out, err, head = s.run("query", model, "segment(_, _, _)")
+    check("kept: " + model, status == 0 and "last" not in head, head)
+    s.kill()
 s = session()
 for goal in ("assertz(foo(1)), op(700, xfx, ===>), nb_setval(k, 1), "
              "set_prolog_flag(double_quotes, atom), flag(z, _, 4)",
