@@ -291,7 +291,7 @@ test(as_it_is, Terms == Plain) :-
 
 % What is cut of an error shows the same, and is small.
 test(cut_is_shown_the_same, Wrong == []) :-
-    numlist(1, 5000, Many),
+    numlist(1, 100_000, Many),
     Wide =.. [f|Many],
     findall(Term,
             ( member(Term, [ Many,Wide,g(Many,b),[Many,x,Wide],a,"b",1.5,[],
@@ -304,6 +304,12 @@ test(cut_is_shown_the_same, Wrong == []) :-
                    string_length(Text, Length),
                    Length < 5000 ) ),
             Wrong).
+
+% What is not large is not cut.
+test(cut_is_large, Cut == Term) :-
+    numlist(1, 10_000, Many),
+    Term = error(f(Many, 0'a, "b"), [Many|_]),
+    cut_term(Term, Cut).
 
 % Terms that share their parts, or have themselves as one, have no end of them.
 test(shared_is_short, Bad == []) :-
