@@ -83,7 +83,7 @@ decision(Decision, _) :-
     throw(error(permission_error(call, directive, decision(Decision)), _)).
 
 :- thread_local watching/0, first_error/1.
-:- public decision_clauses/4, default_clause/3, clause_of/2.
+:- public decision_clauses/4, default_clause/3, clause_of/2, one_clause_more/0.
 
 system:term_expansion((:- decision(Decision, Doc)), Clauses) :-
     prolog_load_context(module, Module),
@@ -552,8 +552,8 @@ is_decision(Name/Arity) :-
     !.
 
 %   mentions(Module, Defined, Mentions): Mentions has, by the names of Defined,
-%   which of Defined have this name in the body of a clause: a call, or a closure
-%   that lacks some of its arguments.
+%   which of Defined have this name in the body of a clause: a call, or a
+%   closure that lacks some of its arguments.
 
 mentions(Module, Defined, Mentions) :-
     findall(Name-true, member(Name/_, Defined), Names0),

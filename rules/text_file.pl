@@ -32,7 +32,8 @@
 with_text(Kind0, File, Text, Goal) :-
     kind_check(Kind0, Kind, Check),
     size_limit(Kind, Limit),
-    text_opened(File, Limit, Kind-Check, Text), % may wait for input: no signals in a setup
+    % It may wait for input, and a setup hears no signal.
+    text_opened(File, Limit, Kind-Check, Text),
     Text = text(Name, Path, Stream),
     setup_call_cleanup(
         asserta(decoding(Stream, Name)),

@@ -36,7 +36,8 @@ Foreign predicates; see kernel.pl.
 
 /* - - - vertex_list_rows.c - - - */
 
-%!  vertex_list_fault(+S:id, +Vs:list(int), -Fault:vertex_list_fault) is semidet.
+%!  vertex_list_fault(+S:id, +Vs:list(int),
+%!                    -Fault:vertex_list_fault) is semidet.
 %!  chain_fault(+S:id, +Vs:list(int), -Fault:chain_fault) is semidet.
 %
 %   True when Vs is no list of vertices of segment S as a polygon has, or a
@@ -254,7 +255,7 @@ Foreign predicates; see kernel.pl.
 %   Stream reads Bytes octets, from From on, of the parts of the rules that the
 %   program carries (part.pl). Plain Prolog carries none.
 
-/* - - - parts4pl.c - - - */
+/* - - - subterm4pl.c - - - */
 
 %!  has_part(+Term, +Parts) is semidet.
 %

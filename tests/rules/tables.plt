@@ -61,10 +61,11 @@ test(bend, [forall(( member(K, [0.0,0.33,0.5,1.0]), member(R, [0.5,3.0]) )),
                         bend_radius(R)], Deduction),
     Wanted is 2*(R+1.0) - pi/2*(R+K*1.0).
 
-test(limits, Limits == [ blocks-512, clauses-100000, contacts-20000000, depth-128,
-                         digits-2000, facets-1000000, fact-16000000, file-16000000,
-                         name-65536, nodes-100000, text-500000000,
-                         values-10000000, variants-10000 ]) :-
+test(limits, Limits == [ blocks-512, clauses-100000, contacts-20000000,
+                         depth-128, digits-2000, facets-1000000,
+                         fact-16000000, file-16000000, name-65536,
+                         nodes-100000, text-500000000, values-10000000,
+                         variants-10000 ]) :-
     findall(Name-Most, limit_value(Name, Most), Limits0),
     msort(Limits0, Limits).
 

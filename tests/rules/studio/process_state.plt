@@ -7,8 +7,8 @@
 :- use_module(rules(primitive/shape), []).
 :- use_module(rules(studio/process_state), []).
 
-/* The caches that may change while code of users runs are caches of the program.
-What else a process has after that, tests/cli/serve.py asks a session.
+/* The caches that may change while code of users runs are those of the program.
+What else a process has afterwards is tested through a session (serve.py).
 */
 
 :- begin_tests(process_state).

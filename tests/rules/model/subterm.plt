@@ -1,6 +1,6 @@
 :- encoding(utf8).
-:- module(test_parts, []).
-% covers: parts4pl, vertex_list_rows
+:- module(test_subterm, []).
+% covers: subterm4pl, vertex_list_rows
 :- use_module(library(apply)).
 :- use_module(library(lists)).
 :- use_module(library(plunit)).
@@ -110,14 +110,15 @@ compared(Vs) :-
                assertion(Found == Wanted)
            )).
 
-:- begin_tests(parts).
+:- begin_tests(subterm).
 
 test('has_part, plain_value as in Prolog') :-
     set_random(seed(23)),
     forall(between(1, 4000, _),
            ( random_between(0, 4, Deep),
              random_part(Deep, Term),
-             random_member(Parts, [p(f/2), p(a), p([]), p(pi,g/0,f/1), p(b,a/3)]),
+             random_member(Parts,
+                           [p(f/2), p(a), p([]), p(pi,g/0,f/1), p(b,a/3)]),
              random_between(0, 5, Depth),
              (   same(has_part(Term, Parts), slow_has(Term, Parts)),
                  same(plain_value(Term, Depth), slow_plain(Term, Depth))
@@ -183,4 +184,4 @@ test('Lists of vertices as in Prolog') :-
                             maplist(random_vertex(Least, Most), Vs),
                             compared(Vs) )) )).
 
-:- end_tests(parts).
+:- end_tests(subterm).

@@ -1,4 +1,4 @@
-/* parts4pl.c -- what stands anywhere in a term, in one pass (documented in
+/* subterm4pl.c -- what stands anywhere in a term, in one pass (documented in
  * rules/kernel/file.pl).
  *
  * Layer: glue. A fact may have millions of elements, and goals of rules would
@@ -289,7 +289,7 @@ static const PL_extension predicates[] = {
 };
 
 void
-sg_install_parts(void)
+sg_install_subterm(void)
 {
   PL_register_extensions_in_module("sg_kernel_file", predicates);
 }
