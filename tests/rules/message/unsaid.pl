@@ -11,6 +11,7 @@ unsaid(messages, notice_en(greeting)).
 
 % A fault of the program, or a last resort: no model is known that has it.
 unsaid(messages, notice_en(no_end)).
+unsaid(session_en, session_en(no_end)).
 unsaid(messages, fault_en(result_open)).
 unsaid(explain_glue_en, role_en(slit)).
 unsaid(explain_glue_en, disks_lie_en(cover,_,_)).
