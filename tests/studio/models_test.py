@@ -67,6 +67,11 @@ for language in ("en", "ko"):
     front = Front(program, models, "glue_face.pl", (), env)
     browser = Browser(1440, 900, language)
 
+    def called(word, axis=""):
+        korean = {"glue": "접합 연산", "box": "상자", "size": "크기"}
+        own = korean[word] + axis + " " if language == "ko" else ""
+        return own + word + axis
+
     def told(text, good, shown=None):
         check.check(language + ": " + text, good,
                     shown if shown is not None else browser.log())
@@ -79,12 +84,13 @@ for language in ("en", "ko"):
 
         # What is glued hangs in the glue, and has its pattern, and sizes.
         told("glued", opened("glue_face.pl") and
-             browser.script("return " + ROWS) == ["glue", "box", "box"],
+             browser.script("return " + ROWS) == [
+                 called("glue"), called("box"), called("box")],
              browser.script("return " + ROWS))
         browser.script("document.querySelectorAll('.tree .row')[1].click()")
         told("axes of a size", browser.wait(SIZES + ".length > 0") and
-             browser.script("return " + SIZES) == ["size x", "size y",
-                                                   "size z"])
+             browser.script("return " + SIZES) == [
+                 called("size", " " + axis) for axis in "xyz"])
         browser.script("studio.ports.ports[0].turnTo('unfold')")
         told("the pattern of the glue, and of nothing else", browser.wait(
             "!studio.ports.ports[0].busy && studio.ports.ports[0].picture"
