@@ -4,29 +4,11 @@
 #include "engine/store.h"
 #include "tests/check.h"
 #include "tests/stop_later.h"
+#include "vertices.h"
 
 #include <stdlib.h>
 
 enum { LOTS = 1 << 17 }; /* rows */
-
-static bool
-fill_vertices(sg_world *world, int32_t s, int32_t first, size_t n)
-{
-  int32_t *ids = malloc(2 * n * sizeof(*ids));
-  double *x = malloc(n * sizeof(*x));
-  const void *column[5] = {ids, ids + n, x, x, x};
-  sg_status status;
-
-  for (size_t i = 0; i < n; i++) {
-    ids[i] = s;
-    ids[n + i] = first + (int32_t)i;
-    x[i] = (double)i;
-  }
-  status = sg_world_add_many(world, SG_V, n, column, NULL);
-  free(ids);
-  free(x);
-  return status == SG_OK;
-}
 
 /* A lot of edges is stopped at each question: nothing is added. */
 static void

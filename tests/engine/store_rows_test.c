@@ -4,6 +4,7 @@
 #include "engine/store.h"
 #include "engine/term.h"
 #include "tests/check.h"
+#include "vertices.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -11,25 +12,6 @@
 /* ---- many rows: sweeps, slots used again, bulk loads -------------------- */
 
 enum { MANY = 5000 };
-
-static bool
-fill_vertices(sg_world *world, int32_t s, int32_t first, size_t n)
-{
-  int32_t *ids = malloc(2 * n * sizeof(*ids));
-  double *x = malloc(n * sizeof(*x));
-  const void *column[5] = {ids, ids + n, x, x, x};
-  sg_status status;
-
-  for (size_t i = 0; i < n; i++) {
-    ids[i] = s;
-    ids[n + i] = first + (int32_t)i;
-    x[i] = (double)i;
-  }
-  status = sg_world_add_many(world, SG_V, n, column, NULL);
-  free(ids);
-  free(x);
-  return status == SG_OK;
-}
 
 static void
 test_sweep(void)
