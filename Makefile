@@ -256,6 +256,9 @@ mutants: all $(CHECKERS) $(FAILING) $(UNASKED)
 
 # --- checkers --------------------------------------------------------------
 
+# Seconds that a test may take under a checker. A busy machine needs more.
+CHECK_SECONDS := $(or $(TEST_SECONDS),1800)
+
 # AddressSanitizer and UndefinedBehaviorSanitizer, in a build of their own. A
 # Prolog that was not built with them wants their library loaded first and no
 # threads (its collector of atoms would run in one); its own memory is not
@@ -283,14 +286,14 @@ san-text: $(B)/sanggwan
 	@cp $(MADE:%=$(B)/%) $(B)/san
 	@OPT=-O1 EXTRA_CFLAGS='$(SAN)' $(MAKE) --no-print-directory -s \
 	  B=$(B)/san $(MADE:%=-o $(B)/san/%) $(B)/san/sanggwan
-	@B=$(B)/san TEXT_FUZZ=$(or $(TEXT_FUZZ),400) TEST_SECONDS=1800 \
+	@B=$(B)/san TEXT_FUZZ=$(or $(TEXT_FUZZ),400) TEST_SECONDS=$(CHECK_SECONDS) \
 	  ASAN_OPTIONS=detect_leaks=0:use_sigaltstack=0:exitcode=99 \
 	  tests/run tests/cli/text_fuzz.sh
 san: $(B)/sanggwan.so $(C_TESTS) $(CHECKERS)
-	@B=$(B) TEST_SECONDS=1200 tests/run $(C_TESTS)
+	@B=$(B) TEST_SECONDS=$(CHECK_SECONDS) tests/run $(C_TESTS)
 	@$(if $(MESH_FUZZ),$(MESH_FUZZ) 20000)
 	@echo 'skipped: the tests of rules that need threads'
-	@B=$(B) TEST_SECONDS=1200 ASAN_OPTIONS=detect_leaks=0 SWIPL="env \
+	@B=$(B) TEST_SECONDS=$(CHECK_SECONDS) ASAN_OPTIONS=detect_leaks=0 SWIPL="env \
 	  LD_PRELOAD=$$($(CC) -print-file-name=libasan.so) swipl --no-threads" \
 	  tests/run $(PLTS)
 
@@ -304,8 +307,8 @@ TSAN_PLT := solid/ model/mesh picture/hidden_lines penetration/penetration_m \
 tsan: export TSAN_OPTIONS = die_after_fork=0 exitcode=66
 tsan: $(B)/sanggwan.so $(CHECKERS) \
       $(foreach t,$(TSAN_C),$(filter %/$(t)_test,$(C_TESTS)))
-	@B=$(B) TEST_SECONDS=1200 tests/run $(filter %_test,$^)
-	@B=$(B) TEST_SECONDS=1200 SWIPL="env \
+	@B=$(B) TEST_SECONDS=$(CHECK_SECONDS) tests/run $(filter %_test,$^)
+	@B=$(B) TEST_SECONDS=$(CHECK_SECONDS) SWIPL="env \
 	  LD_PRELOAD=$$($(CC) -print-file-name=libtsan.so) swipl --no-threads" \
 	  tests/run $(sort $(foreach t,$(TSAN_PLT),$(filter tests/rules/$(t)%,$(PLTS))))
 
@@ -319,7 +322,7 @@ coverage:
 	  $(MAKE) --no-print-directory -s B=$(B)/coverage covered
 covered: $(C_TESTS)
 	@find $(B) -name '*.gcda' -delete
-	@B=$(B) TEST_SECONDS=1200 tests/run $(C_TESTS)
+	@B=$(B) TEST_SECONDS=$(CHECK_SECONDS) tests/run $(C_TESTS)
 	@gcov -n -b $(EXACT:%=$(B)/%.gcda) | awk -F "['%:]" \
 	  '/^File/ { own = $$2 ~ /[.]c$$/; file = $$2 } \
 	   own && /^Lines/ { lines = $$2 } \
@@ -332,10 +335,10 @@ VG     := valgrind -q --error-exitcode=9 --leak-check=full \
           --errors-for-leak-kinds=definite --suppressions=tests/swipl.supp
 VG_PLT := chain decision mesh model store tree view work worlds
 check-vg: $(B)/sanggwan.so $(C_TESTS)
-	@RUN='$(VG)' TEST_SECONDS=1200 tests/run $(filter-out %/cut_test %/mesh_fuzz_test, \
+	@RUN='$(VG)' TEST_SECONDS=$(CHECK_SECONDS) tests/run $(filter-out %/cut_test %/mesh_fuzz_test, \
 	  $(C_TESTS))
 	@echo 'skipped: the tests of rules that need threads'
-	@SWIPL='$(VG) swipl --no-threads' TEST_SECONDS=1200 tests/run \
+	@SWIPL='$(VG) swipl --no-threads' TEST_SECONDS=$(CHECK_SECONDS) tests/run \
 	  $(foreach t,$(VG_PLT),$(filter %/$(t).plt,$(PLTS)))
 
 # Layout and flaws of the C, also what another compiler warns of;
