@@ -65,7 +65,7 @@ loaded(Files) :-
     complete_segments.
 
 hidden(Lines) :-
-    open_scene(Scene, [lines(all)]),
+    open_scene(drawn(Lines, 30), Scene, [lines(all)]),
     fill_drawn(Scene, Lines, 30, []).
 
 seen_from(Turned) :-

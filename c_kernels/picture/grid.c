@@ -92,16 +92,23 @@ find_boxes(sg_grid *grid, const items *of, double size[2], double sum[2])
 }
 
 static void
+divide(sg_grid *grid, const double size[2], unsigned nx, unsigned ny)
+{
+  grid->nx = nx;
+  grid->ny = ny;
+  grid->wide[0] = size[0] / nx;
+  grid->wide[1] = size[1] / ny;
+  grid->per[0] = nx / size[0];
+  grid->per[1] = ny / size[1];
+}
+
+static void
 choose_cells(sg_grid *grid, const double size[2], double cell, double longer)
 {
   double low = sg_larger(SMALLEST * grid->margin, cell / longer);
 
-  grid->nx = cells(size[0], cell * longer, MOST_CELLS_A_SIDE);
-  grid->ny = cells(size[1], low, longer > 1 ? MOST_ROWS : MOST_CELLS_A_SIDE);
-  grid->wide[0] = size[0] / grid->nx;
-  grid->wide[1] = size[1] / grid->ny;
-  grid->per[0] = grid->nx / size[0];
-  grid->per[1] = grid->ny / size[1];
+  divide(grid, size, cells(size[0], cell * longer, MOST_CELLS_A_SIDE),
+         cells(size[1], low, longer > 1 ? MOST_ROWS : MOST_CELLS_A_SIDE));
 }
 
 /* How many times longer than a square cells are for items of this size. */
@@ -124,8 +131,8 @@ cell_of(const sg_grid *grid, int k, double x)
   return c <= 0.0 ? 0 : c < n ? (unsigned)c : n - 1;
 }
 
-static sg_grid_rows
-rows_of_box(const sg_grid *grid, const sg_grid_box *b)
+sg_grid_rows
+sg_grid_rows_of_box(const sg_grid *grid, const sg_grid_box *b)
 {
   return (sg_grid_rows){.y0 = cell_of(grid, 1, b->low[1] - grid->margin),
                         .y1 = cell_of(grid, 1, b->high[1] + grid->margin) + 1,
@@ -138,7 +145,7 @@ sg_grid_rows_of(const sg_grid *grid, const sg_grid_shape *shape)
 {
   sg_grid_box b = box_of_shape(shape);
 
-  return rows_of_box(grid, &b);
+  return sg_grid_rows_of_box(grid, &b);
 }
 
 /* Whether all cells of the box are the shape's. */
@@ -203,7 +210,7 @@ static size_t
 enter(sg_grid *grid, const items *of, size_t i)
 {
   uint32_t *item = grid->item, *count = grid->start + (item ? 1 : 2);
-  sg_grid_rows rows = rows_of_box(grid, &of->box[i]);
+  sg_grid_rows rows = sg_grid_rows_of_box(grid, &of->box[i]);
   sg_grid_columns columns = {rows.x0, rows.x1};
   bool all = is_box(rows);
   sg_grid_shape shape;
@@ -317,6 +324,20 @@ sg_grid_init(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
   good = *memory && fill(grid, &of, along, cancel, memory);
   free(of.box);
   return good;
+}
+
+sg_grid
+sg_grid_empty(const sg_grid_box *box, unsigned n, double margin)
+{
+  sg_grid grid = {.margin = margin};
+  double size[2];
+
+  for (int k = 0; k < 2; k++) {
+    grid.low[k] = box->low[k] - margin;
+    size[k] = box->high[k] + margin - grid.low[k];
+  }
+  divide(&grid, size, n, n);
+  return grid;
 }
 
 void

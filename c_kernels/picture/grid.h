@@ -44,6 +44,10 @@ bool sg_grid_init(sg_grid *grid, size_t n, sg_grid_shape_of *shape_of,
                   bool along, const sg_cancel *cancel, bool *memory);
 void sg_grid_clear(sg_grid *grid);
 
+/* The n x n cells of a box alone, for who keeps something of his own in them:
+ * nothing is entered, and nothing is to be cleared. */
+sg_grid sg_grid_empty(const sg_grid_box *box, unsigned n, double margin);
+
 /* The cells of a shape: rows y0 <= y < y1, in each of them the columns that
  * sg_grid_row() gives. Beyond the grid's border the border's cells count. */
 typedef struct sg_grid_rows {
@@ -54,6 +58,7 @@ typedef struct sg_grid_columns {
   unsigned x0, x1;
 } sg_grid_columns;
 
+sg_grid_rows sg_grid_rows_of_box(const sg_grid *grid, const sg_grid_box *box);
 sg_grid_rows sg_grid_rows_of(const sg_grid *grid, const sg_grid_shape *shape);
 sg_grid_columns sg_grid_row(const sg_grid *grid, const sg_grid_shape *shape,
                             sg_grid_rows rows, unsigned y);

@@ -9,25 +9,11 @@
 #define SG_PARTS_H
 
 #include "hide_search.h"
+#include "line_role.h"
 #include "thread_pool.h"
 
 /* A part of a line that is longer than this is the whole line. */
 #define SG_WHOLE 0.999
-
-/* Of lines that lie on one another in the picture the first of these wins. */
-typedef enum sg_role {
-  SG_PENETRATION,
-  SG_OUTLINE,
-  SG_CREASE,
-  SG_BORDER,
-  SG_CURVE,
-  SG_SECTION,
-  SG_SMOOTH,
-  SG_MESH,
-  SG_ROLES
-} sg_role;
-
-typedef enum sg_which { SG_LINES_ALL, SG_LINES_FEATURE, SG_LINES_CUT } sg_which;
 
 typedef struct sg_drawn_part {
   uint32_t line;   /* place in scene->line */
@@ -35,13 +21,6 @@ typedef struct sg_drawn_part {
   bool hidden;
   sg_role role;
 } sg_drawn_part;
-
-/* The role of a line; crease: the bend, in degrees, over which it is one. */
-sg_role sg_look_role(const sg_look *look, double crease);
-const char *sg_role_name(sg_role role);
-
-/* True if a line of this role is drawn. */
-bool sg_role_drawn(sg_role role, sg_which which);
 
 /* What is drawn of a scene. */
 typedef struct sg_drawing {

@@ -5,6 +5,7 @@
 
 #include "crease.h"
 #include "engine/list.h"
+#include "line_cells.h"
 #include "number/bounds.h"
 #include "picture_points.h"
 #include "rows/keys.h"
@@ -18,6 +19,13 @@
 #include <float.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* With fewer masks to a line it takes longer to find those that are near one
+ * than to take them all. */
+enum { MASKS_A_LINE = 8 };
+
+/* The square of no side of a triangle is so large: x and y are from -1 to 1. */
+#define LONGEST 16.0
 
 typedef struct viewing {
   const sg_scene_input *in;
@@ -45,6 +53,9 @@ facing_of(const viewing *w, const int32_t v[3], const double n[3])
 {
   double longest = 0.0, close = w->scene->close;
 
+  if (n[2] * n[2] > close * close * LONGEST) {
+    return n[2] > 0.0 ? 1 : -1;
+  }
   for (int k = 0; k < 3; k++) {
     const double *p = w->scene->at[v[k]], *q = w->scene->at[v[(k + 1) % 3]];
     double x = q[0] - p[0], y = q[1] - p[1];
@@ -286,10 +297,49 @@ fetch_soon(const viewing *w, size_t i)
   }
 }
 
+/* Whether what hides comes near a line in the picture. */
+static bool
+is_near_line(const viewing *w, const sg_line_cells *cells, uint32_t place)
+{
+  sg_grid_box box;
+  uint32_t v[3];
+
+  corners_of(w, place, v);
+  const double *a = w->scene->at[v[0]], *b = w->scene->at[v[1]],
+               *c = w->scene->at[v[2]];
+
+  for (int k = 0; k < 2; k++) {
+    box.low[k] = sg_smaller(a[k], sg_smaller(b[k], c[k]));
+    box.high[k] = sg_larger(a[k], sg_larger(b[k], c[k]));
+  }
+  return sg_line_cells_near(cells, &box);
+}
+
+/* Of few lines, only what comes near one is kept. */
+static void
+leave_out_far(viewing *w)
+{
+  sg_scene *scene = w->scene;
+  sg_line_cells cells;
+  size_t kept = 0;
+
+  if (!w->in->only || scene->lines > scene->masks / MASKS_A_LINE) {
+    return;
+  }
+  sg_line_cells_init(&cells, scene);
+  for (size_t i = 0; i < scene->masks && !stop(w, i); i++) {
+    w->key[kept] = w->key[i];
+    kept += is_near_line(w, &cells, (uint32_t)w->key[i]);
+  }
+  scene->masks = kept;
+}
+
 static bool
 make_masks(viewing *w)
 {
   sg_scene *scene = w->scene;
+
+  leave_out_far(w);
 
   scene->mask = sg_list_room(scene->masks, sizeof *scene->mask);
   if (!scene->mask || !sg_sort_upper(w->key, scene->masks)) {
@@ -411,6 +461,17 @@ begin_line(sg_scene *scene)
   }
 }
 
+/* The line that was written last is in the scene, if it is wanted. */
+static void
+end_line(const viewing *w)
+{
+  const sg_lines_drawn *only = w->in->only;
+  const sg_look *look = &w->scene->line[w->scene->lines].look;
+
+  w->scene->lines +=
+      !only || sg_role_drawn(sg_look_role(look, only->crease), only->which);
+}
+
 static void
 enter_added(const viewing *w, const sg_scene_added *added)
 {
@@ -421,12 +482,13 @@ enter_added(const viewing *w, const sg_scene_added *added)
   begin_line(scene);
   enter_lies(scene, added->lies_on, added->triangles);
   enter_fold(scene, (sg_scene_fold){added->s, 1.0 - added->folded, 1.0});
-  scene->line[scene->lines++] = (sg_scene_line){.s = added->s,
-                                                .e = added->e,
-                                                .a = a,
-                                                .b = a + 1,
-                                                .number = UINT32_MAX,
-                                                .look = added->look};
+  scene->line[scene->lines] = (sg_scene_line){.s = added->s,
+                                              .e = added->e,
+                                              .a = a,
+                                              .b = a + 1,
+                                              .number = UINT32_MAX,
+                                              .look = added->look};
+  end_line(w);
 }
 
 static void
@@ -453,7 +515,7 @@ enter_line(const viewing *w, size_t k)
     line->look.speck = w->in->creases[k] == SG_CREASE_SPECK;
   }
   line->look.inside = is_inside(w, k, &line->look);
-  scene->lines++;
+  end_line(w);
 }
 
 /* Lines of the model and added ones, merged by segment and id. */

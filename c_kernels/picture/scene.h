@@ -12,6 +12,7 @@
 #ifndef SG_SCENE_H
 #define SG_SCENE_H
 
+#include "line_role.h"
 #include "scene_model.h"
 
 /* Lines nearer than this part of the picture's longer side tell of one another:
@@ -61,6 +62,7 @@ typedef struct sg_scene_input {
   const uint8_t *creases; /* [lines] of the model, as sg_creases_find(); null:
                              all are as they are bent */
   double crease;          /* degrees: sheets end at edges that bend more */
+  const sg_lines_drawn *only; /* null: all lines */
   double depth;     /* model units in one unit of screen z: 1 if parallel */
   double tolerance; /* what counts as equal, for a model of size [-1,1] */
 } sg_scene_input;
@@ -102,7 +104,9 @@ typedef struct sg_scene {
                    are from -1 to 1 */
 } sg_scene;
 
-/* Lines and triangles that have a vertex without a place are left out. Vertices
+/* Lines and triangles that have a vertex without a place are left out. If only
+ * the lines of a drawing are wanted, the others are left out, and so are
+ * triangles that come near none of them in the picture. Vertices
  * that penetration lines say are one point have one place. The scene needs the
  * model as long as it is used, and nothing else of its input.
  *

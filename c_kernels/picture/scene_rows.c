@@ -25,6 +25,7 @@ typedef struct request {
   double depth, tolerance;
   bool smooth; /* curved sheets have no outlines along their edges */
   sg_smoothness as;
+  const sg_lines_drawn *only; /* null: all lines */
 } request;
 
 /* The scene and its search structures. */
@@ -66,6 +67,7 @@ view_model(sg_call *call, sg_scene_index *index, const sg_kept_smooth *smooth,
                         .faceted = faceted,
                         .creases = smooth ? smooth->creases : NULL,
                         .crease = q->as.crease,
+                        .only = q->only,
                         .depth = q->depth,
                         .tolerance = q->tolerance});
 }
@@ -84,12 +86,14 @@ view_kept(sg_call *call, sg_scene_index *index, const request *q)
 bool
 sg_door_scene_open(sg_call *call, const sg_chosen_segments *segments,
                    double depth, double tolerance,
-                   const sg_drawn_outlines *smooth, const sg_known_model *known,
-                   sg_scene_index **scene)
+                   const sg_drawn_outlines *smooth, const sg_scene_lines *lines,
+                   const sg_known_model *known, sg_scene_index **scene)
 {
+  sg_lines_drawn only = {lines->drawn.which, lines->drawn.crease};
   request q = {.depth = depth,
                .tolerance = tolerance,
-               .smooth = smooth->is == SG_DRAWN_OUTLINES_SMOOTH};
+               .smooth = smooth->is == SG_DRAWN_OUTLINES_SMOOTH,
+               .only = lines->is == SG_SCENE_LINES_DRAWN ? &only : NULL};
   sg_scene_index *index = calloc(1, sizeof *index);
 
   if (q.smooth) {

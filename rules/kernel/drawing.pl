@@ -66,16 +66,18 @@ Foreign predicates; see kernel.pl.
 /* - - - scene_rows.c - - - */
 
 %!  scene_open(+Segments:chosen_segments, +Depth:number, +Tolerance:number,
-%!             +Smooth:drawn_outlines, +Known:known_model,
+%!             +Smooth:drawn_outlines, +Lines:scene_lines, +Known:known_model,
 %!             -Scene:scene) is semidet.
 %
 %   Scene is what screen/5, contour/13 and surface_facing/6 of the current world
 %   show of Segments, `all` or a list. Smooth is what contour/13 was made with,
 %   see fill_contour/7 (there Known, too), or edges(Faceted): all outlines run
-%   along edges. Depth: see view_depth/5; Tolerance: what counts as equal, in a
-%   model of size [-1,1] (PL-5). A scene does not follow later changes, and is
-%   freed when it is closed, or with its last reference. It is for one thread at
-%   a time: what is asked of it is noted in it.
+%   along edges. Lines is `every`, or drawn(Which, Crease): then the scene has
+%   only the lines that fill_drawn/4 draws of these, and the triangles that come
+%   near one in the picture. Depth: see view_depth/5; Tolerance: what counts as
+%   equal, in a model of size [-1,1] (PL-5). A scene does not follow later
+%   changes, and is freed when it is closed, or with its last reference. It is
+%   for one thread at a time: what is asked of it is noted in it.
 
 %!  scene_close(+Scene:scene) is det.
 

@@ -3,6 +3,7 @@
             picture/0,
             picture/1,                  % +Options
             open_scene/2,               % -Scene, +Options
+            open_scene/3,               % +Lines, -Scene, +Options
             may_hide/2,                 % +S2, +S
             may_hide/4,                 % +S2, +T, +S, +E
             lies_on/4,                  % ?S, ?E, ?S2, -P
@@ -42,7 +43,7 @@
                 assert_fact/1, retractall_facts/1, facts_transaction/1
               ]).
 :- use_module('../kernel',
-              [ scene_close/1, scene_open/6, scene_edge/5, scene_near/2,
+              [ scene_close/1, scene_open/7, scene_edge/5, scene_near/2,
                 occluder/7, overlap/9, fill_drawn/4
               ]).
 /** <module> Hidden lines: the picture of a world.
@@ -105,7 +106,8 @@ picture(Options) :-
             project_world,
             option(segments(Segments), Options, all),
             outlines(Which, Segments, Crease),
-            open_scene(Scene, Options),
+            scene_lines(Method, Which, Crease, Lines),
+            open_scene(Lines, Scene, Options),
             call_cleanup(draw(Method, Scene, Which, Crease),
                          scene_close(Scene)),
             lines_given(Segments)
@@ -119,6 +121,13 @@ picture_method(auto, Method) :-
         decision_is_default(may_hide/4)
     ->  Method = kernel
     ;   Method = replaced
+    ).
+
+%   The kernel asks for the lines that it draws, the rules for others too.
+scene_lines(Method, Which, Crease, Lines) :-
+    (   Method == kernel
+    ->  Lines = drawn(Which, Crease)
+    ;   Lines = every
     ).
 
 %   A picture of all edges shows the triangles as they are, so it has no
@@ -160,14 +169,18 @@ seen_through(Pairs) :-
     ).
 
 %!  open_scene(-Scene, +Options) is det.
+%!  open_scene(+Lines, -Scene, +Options) is det.
 %
 %   True when Scene is what the current world's screen/5, contour/13 and
 %   surface_facing/6 show: the lines and triangles for the joins scene_edge/5,
 %   occluder/7 and overlap/9. It does not follow later changes. Options
 %   segments(List), lines(Which), crease(Degrees) and tolerance(T) as for
-%   picture/1.
+%   picture/1. Lines is `every` or drawn(Which, Crease), see scene_open/7.
 
 open_scene(Scene, Options) :-
+    open_scene(every, Scene, Options).
+
+open_scene(Lines, Scene, Options) :-
     option(segments(Segments), Options, all),
     tolerance(rounding, Rounding),
     option(tolerance(Tolerance), Options, Rounding),
@@ -181,10 +194,12 @@ open_scene(Scene, Options) :-
     ),
     screen_depth(Depth),
     stage(tree,
-          (   scene_open(Segments, Depth, Tolerance, Smooth, kept, Scene)
+          (   scene_open(Segments, Depth, Tolerance, Smooth, Lines, kept,
+                         Scene)
           ->  true
           ;   known_surfaces(Known),
-              scene_open(Segments, Depth, Tolerance, Smooth, Known, Scene)
+              scene_open(Segments, Depth, Tolerance, Smooth, Lines, Known,
+                         Scene)
           )).
 
 :- decision(may_hide/4, "Which triangles may hide which lines (PL-13)").

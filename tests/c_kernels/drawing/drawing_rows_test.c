@@ -20,14 +20,15 @@ draw_cube(void)
 {
   const sg_chosen_segments all = {.is = SG_CHOSEN_SEGMENTS_ALL};
   const sg_drawn_outlines edges = {.is = SG_DRAWN_OUTLINES_EDGES};
+  const sg_scene_lines all_lines = {.is = SG_SCENE_LINES_EVERY};
   const sg_known_model nothing = {.is = SG_KNOWN_MODEL_SEGMENTS};
   const sg_hide_through_list none = {0};
   sg_scene_index *scene = NULL;
-  bool good =
-      add_cube(call.world, 1) &&
-      sg_door_fill_screen(&call, 30, 60, 9, SG_PROJECTION_PARALLEL) &&
-      sg_door_scene_open(&call, &all, 1, 1e-9, &edges, &nothing, &scene) &&
-      sg_door_fill_drawn(&call, scene, SG_LINES_ALL, 30, &none);
+  bool good = add_cube(call.world, 1) &&
+              sg_door_fill_screen(&call, 30, 60, 9, SG_PROJECTION_PARALLEL) &&
+              sg_door_scene_open(&call, &all, 1, 1e-9, &edges, &all_lines,
+                                 &nothing, &scene) &&
+              sg_door_fill_drawn(&call, scene, SG_LINES_ALL, 30, &none);
 
   sg_scene_index_close(scene);
   return good;

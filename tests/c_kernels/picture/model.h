@@ -275,16 +275,17 @@ model_scene_model(const model *m, const sg_cancel *cancel)
   return sg_scene_model_open(&d, NULL, solid, m->cut, m->cuts, cancel, &memory);
 }
 
-/* What is seen of it as it is projected; null: stopped. *model_seen is to be
- * closed after it, in any case. */
+/* What is seen of it as it is projected, or (not null) only the lines of a
+ * drawing; null: stopped. *model_seen is to be closed after it, in any case. */
 static inline sg_scene *
-model_scene(const model *m, const sg_cancel *cancel,
-            sg_scene_model **model_seen)
+model_scene_of(const model *m, const sg_lines_drawn *only,
+               const sg_cancel *cancel, sg_scene_model **model_seen)
 {
   sg_scene_model *seen = model_scene_model(m, cancel);
   double(*screen)[3] = malloc((m->vertices + 1) * sizeof *screen);
   sg_scene_input in = {.model = seen,
                        .screen = (const double(*)[3])screen,
+                       .only = only,
                        .depth = m->depth,
                        .tolerance = 1e-9};
   bool memory;
@@ -297,6 +298,13 @@ model_scene(const model *m, const sg_cancel *cancel,
   *model_seen = seen;
   free(screen);
   return scene;
+}
+
+static inline sg_scene *
+model_scene(const model *m, const sg_cancel *cancel,
+            sg_scene_model **model_seen)
+{
+  return model_scene_of(m, NULL, cancel, model_seen);
 }
 
 #endif

@@ -16,17 +16,25 @@ typedef struct picture {
   size_t parts;
 } picture;
 
+/* only: as of model_scene_of(). */
 static inline void
-picture_open(picture *p, model *m, sg_which which)
+picture_open_of(picture *p, model *m, const sg_lines_drawn *only,
+                sg_which which)
 {
   bool memory;
 
-  p->scene = model_scene(m, NULL, &p->model);
+  p->scene = model_scene_of(m, only, NULL, &p->model);
   if (!p->scene || !sg_mask_grid_init(&p->masks, p->scene, NULL, &memory) ||
       !sg_parts_of(&p->masks, &(sg_drawing){.which = which, .crease = 30.0},
                    NULL, NULL, &p->part, &p->parts, &memory)) {
     abort();
   }
+}
+
+static inline void
+picture_open(picture *p, model *m, sg_which which)
+{
+  picture_open_of(p, m, NULL, which);
 }
 
 static inline void

@@ -20,6 +20,7 @@ enum { CUBE = 1, OTHER = 2 };
 static sg_call call;
 static const sg_chosen_segments all = {.is = SG_CHOSEN_SEGMENTS_ALL};
 static const sg_drawn_outlines edges = {.is = SG_DRAWN_OUTLINES_EDGES};
+static const sg_scene_lines all_lines = {.is = SG_SCENE_LINES_EVERY};
 static const sg_known_model kept = {.is = SG_KNOWN_MODEL_KEPT};
 static const sg_known_model nothing = {.is = SG_KNOWN_MODEL_SEGMENTS};
 
@@ -50,8 +51,10 @@ opened(const sg_known_model *known)
   sg_scene_index *scene = NULL;
 
   call_again(NULL);
-  return sg_door_scene_open(&call, &all, 1, 1e-9, &edges, known, &scene) ? scene
-                                                                         : NULL;
+  return sg_door_scene_open(&call, &all, 1, 1e-9, &edges, &all_lines, known,
+                            &scene)
+             ? scene
+             : NULL;
 }
 
 static bool
@@ -217,8 +220,8 @@ outlines(void)
   CHECK("of a ball", outlined(120));
   CHECK("there is one", rows_in(SG_CONTOUR) > 3);
   call_again(NULL);
-  CHECK("seen",
-        sg_door_scene_open(&call, &all, 1, 1e-9, &smooth, &kept, &scene));
+  CHECK("seen", sg_door_scene_open(&call, &all, 1, 1e-9, &smooth, &all_lines,
+                                   &kept, &scene));
   sg_scene_edge_rows every = {0};
 
   sg_door_scene_edge(&call, scene, NULL, NULL, &every);
@@ -313,9 +316,9 @@ main(void)
   CHECK("nothing is kept",
         !opened(&kept) && is_refused(SG_REFUSED_NOTHING, 0, 0));
   call_again(&now);
-  CHECK("stopped",
-        !sg_door_scene_open(&call, &all, 1, 1e-9, &edges, &nothing, &scene) &&
-            is_refused(SG_REFUSED_NOTHING, 0, 0));
+  CHECK("stopped", !sg_door_scene_open(&call, &all, 1, 1e-9, &edges, &all_lines,
+                                       &nothing, &scene) &&
+                       is_refused(SG_REFUSED_NOTHING, 0, 0));
   sg_scene_index_close(opened(&nothing));
   scene = opened(&kept);
   CHECK("kept", scene != NULL);

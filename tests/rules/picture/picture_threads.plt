@@ -3,7 +3,7 @@
 :- module(test_picture_threads, []).
 :- use_module(library(plunit)).
 :- use_module(rules(picture/hidden_lines)).
-:- use_module(rules(kernel), [scene_edge/5, scene_open/6]).
+:- use_module(rules(kernel), [scene_edge/5, scene_open/7]).
 :- use_module(rules(primitive/primitive_rows), [add_primitive/2]).
 :- use_module(rules(store)).
 :- use_module(rules(polygon/triangulation), [complete_segments/1]).
@@ -48,7 +48,7 @@ drawing(Lines) :-
 
 seen_lines(Crease, Lines) :-
     facts_snapshot(( picture([]),
-                     scene_open(all, 1.0, 1.0e-9, smooth(Crease, []), [],
+                     scene_open(all, 1.0, 1.0e-9, smooth(Crease, []), every, [],
                                 Scene),
                      findall(S-E-Look, scene_edge(Scene, S, E, _, Look),
                              Lines) )).
