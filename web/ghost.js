@@ -1,6 +1,6 @@
 // Lines that the rules that are tried took away, where they were before.
 
-import { nameOf, partPath } from "./picture.js";
+import { nameIn, partPath } from "./picture.js";
 
 // Those of `names` that another picture of the same view has, where they are in this
 // one, which is looked at with them if it is `whole`.
@@ -10,7 +10,7 @@ export function ghost(picture, other, names, whole) {
   const moved = (n, i) => (i % 2 ? t1 + (y1 - y0) * s1 + (n - t0) * s1 / s0 : l1 + (x0 - x1) * s1 + (n - l0) * s1 / s0);
   let d = "", [left, top] = [0, 0], [right, bottom] = picture.shown.sheet;
   for (const { points, ...stroke } of other.strokes) {
-    const went = (edge) => names.has(nameOf(stroke.segment, edge));
+    const went = (edge) => names.has(nameIn(stroke, edge));
     if (!stroke.edges.some(went)) continue;
     const there = { ...stroke, points: Array.from(points, moved) };
     d += partPath(there, went);

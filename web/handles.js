@@ -1,5 +1,5 @@
 // The segment that was chosen in the tree, in space: dots of a picture that pull a
-// size, or a placement, of it, and what it made, if it is an operand.
+// size, or a placement, of it.
 
 import { s } from "./dom.js";
 import { spaceOf } from "./space.js";
@@ -99,7 +99,6 @@ export class Handles {
   // Those of a segment; none where it cannot be told where it is.
   async choose(segment) {
     const { tree, wire, record, isText } = this.studio;
-    this.lit();
     const one = tree.byNumber?.get(segment);
     const place = one && !record && isText && placeOf(tree, segment);
     this.wanted = (this.wanted || 0) + 1;
@@ -126,20 +125,6 @@ export class Handles {
     if (wanted !== this.wanted) return;
     this.list = list;
     for (const port of this.studio.ports.ports) this.draw(port);
-  }
-
-  // The operand that was chosen is not drawn itself: the edges are lit that it made.
-  async lit() {
-    const { studio } = this;
-    const { operand } = studio;
-    if (!operand) return;
-    const names = ["s" + operand];
-    try {
-      const { head } = await studio.wire.ask("select", { names, keep: false });
-      if (studio.operand === operand) studio.light("chosen", [...names, ...head.selected[0].shows]);
-    } catch (error) {
-      studio.operand = null;                // it is not there any more, or nobody answers
-    }
   }
 
   draw(port) {

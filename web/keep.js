@@ -1,13 +1,14 @@
 // Makes one file of the page: what it shows, all it may be asked, and itself.
 
 import { w, tongue } from "./words.js";
-import { strokesOf, nameOf } from "./picture.js";
+import { strokesOf, nameIn } from "./picture.js";
 import { eyeWords } from "./kinds.js";
+import { childrenOf } from "./tree.js";
 
 const SIDES = ["front", "top", "right", "left", "back", "bottom"];
 const MOST_NAMES = 1500;
 // What the page fetches when it is wanted, of that what a file may want.
-const LATE = ["find", "fold", "kept", "pens"];
+const LATE = ["editor", "find", "fold", "kept", "pens"];
 const LATER = new RegExp(`import\\("\\./(${LATE.join("|")})\\.js"\\)`, "g");
 
 function base64(body) {
@@ -36,7 +37,7 @@ export async function recorded(studio, told) {
   for (const [i, view] of eyes.entries()) {
     const reply = await wire.ask("view", { format: "strokes", ...studio.looks, view, size: [160, 120], margin: 8 });
     views.push(kept(reply, { view }));
-    for (const { segment, edges } of strokesOf(reply).strokes) for (const edge of edges) seen.add(nameOf(segment, edge));
+    for (const stroke of strokesOf(reply).strokes) for (const edge of stroke.edges) seen.add(nameIn(stroke, edge));
     told(i / eyes.length * 0.3);
   }
   for (const request of ["tree", "text", "rules", "unfold", "fold"]) {
@@ -63,7 +64,14 @@ export async function recorded(studio, told) {
     }
   }
   if (answered) asks[answered.goal] = answered;
-  const all = [...seen].slice(0, MOST_NAMES);
+  const parts = replies.tree ? replies.tree.head.segments.map(({ segment }) => segment) : [];
+  for (const part of parts) {
+    const goal = childrenOf(part);
+    const reply = await wire.ask("ask", { goal });
+    for (const one of reply.head.answers[0]?.[0] || []) if (!parts.includes(one)) parts.push(one);
+    asks[goal] = kept(reply);
+  }
+  const all = [...parts.map((part) => "s" + part), ...seen].slice(0, MOST_NAMES);
   for (let i = 0; i < all.length; i += 50) {
     const { head } = await wire.ask("select", { names: all.slice(i, i + 50) });
     for (const one of head.selected) names[one.name] = one;

@@ -7,9 +7,8 @@ import { Ports } from "./ports.js";
 import { Link } from "./link.js";
 import { Bar, FORMATS } from "./bar.js";
 import { KINDS } from "./kinds.js";
-import { Tree } from "./tree.js";
+import { Tree, childrenOf } from "./tree.js";
 import { Asking, Why } from "./panels.js";
-import { Text, Rules } from "./editor.js";
 
 class Studio {
   constructor(link, wire) {
@@ -26,8 +25,6 @@ class Studio {
     this.warning = "";
     this.waiting = [];
     this.tree = new Tree(this);
-    this.text = new Text(this);
-    this.rules = new Rules(this);
     this.asking = new Asking(this);
     this.why = new Why(this);
     this.ports = new Ports(this, $("ports"));
@@ -64,28 +61,47 @@ class Studio {
   left() {
     const panes = {};
     const tabs = h("div", { role: "tablist", class: "tabs", onkeydown: (event) => arrows(tabs, event) });
-    this.leftTo = (name) => {
-      for (const [key, pane] of Object.entries(panes)) {
-        pane.element.hidden = key !== name;
-        tabs.querySelector(`[data-word=${key}]`).setAttribute("aria-selected", String(key === name));
-      }
-      if (this.ready && !["tree", "problems"].includes(name)) panes[name].refresh().catch((error) => this.failed(error));
+    this.leftTo = async (name) => {
       this.pane = name;
+      try {
+        if (!panes[name]) await this.editors();
+        if (this.pane !== name) return;
+        for (const tab of tabs.children) {
+          const { word } = tab.dataset;
+          tab.setAttribute("aria-selected", String(word === name));
+          if (panes[word]) panes[word].element.hidden = word !== name;
+        }
+        if (this.ready && this[name]?.field) await this[name].refresh();
+      } catch (error) {
+        this.failed(error);
+      }
     };
     this.tabbed = (key, pane) => {
       panes[key] = pane;
-      tabs.append(h("button", { role: "tab", "data-word": key, onclick: () => this.leftTo(key) }));
       pane.element.setAttribute("role", "tabpanel");
+      pane.element.hidden = this.pane !== key;
       $("left").append(pane.element);
     };
+    this.tab = (key) => tabs.append(h("button", { role: "tab", "data-word": key, onclick: () => this.leftTo(key) }));
     $("left").append(tabs);
-    for (const key of ["tree", "text", "rules"]) this.tabbed(key, this[key]);
+    for (const key of ["tree", "text", "rules"]) this.tab(key);
+    this.tabbed("tree", this.tree);
     this.leftTo("tree");
     for (const [pane, word] of [["ports", "ports"], ["left", "tree"], ["asking", "ask_why"]]) {
       $("panes").append(h("button", { role: "tab", "data-word": word, onclick: () => this.paneTo(pane) }));
       $("panes").lastChild.dataset.to = pane;
     }
     this.paneTo("ports");
+  }
+
+  // Those of the text and the rules come when one is chosen.
+  async editors() {
+    const { Text, Rules } = await import("./editor.js");
+    if (this.text) return;
+    this.text = new Text(this);
+    this.rules = new Rules(this);
+    for (const key of ["text", "rules"]) this.tabbed(key, this[key]);
+    reworded($("left"));
   }
 
   // On a phone one pane is shown at a time.
@@ -101,6 +117,7 @@ class Studio {
 
   // Dots that pull the sizes of a segment come when one is chosen.
   async pulls(segment) {
+    this.lit();
     if (this.record || (segment === undefined && !this.handles)) return;
     const { Handles } = await import("./handles.js");
     this.handles ??= new Handles(this);
@@ -152,7 +169,7 @@ class Studio {
     this.asking.list(this.asking.questions);
     this.ports.refresh();
     this.problems?.reworded();
-    if (this.ready && this.pane === "rules") this.rules.refresh().catch((error) => this.failed(error));
+    if (this.ready && this.pane === "rules") this.leftTo("rules");
     this.state();
     this.why.again();
   }
@@ -223,7 +240,7 @@ class Studio {
       if (remark) this.banner(remark, null, 4000);
       else if (head.replayed) this.banner("replayed", null, 6000, head.replayed);
       await this.revised(head);
-      if (this.text.dirty) this.text.done();
+      if (this.text?.dirty) this.text.done();
       const names = this.link.taken("chosen");
       if (names) await this.chosen(names.split(","));
       if (document.body.dataset.half === "ports") this.other?.postMessage({ begun: true });
@@ -285,8 +302,8 @@ class Studio {
     this.state();
     try {
       await this.tree.refresh();
-      if (this.pane === "text") await this.text.refresh();
-      if (this.pane === "rules") await this.rules.refresh();
+      if (this.pane === "text") await this.text?.refresh();
+      if (this.pane === "rules") await this.rules?.refresh();
     } catch (error) {
       this.failed(error);
     }
@@ -337,7 +354,7 @@ class Studio {
       try {
         const { head } = await this.wire.ask(request, keys);
         this.segments = head.segments;
-        this.text.dirty = false;
+        if (this.text) this.text.dirty = false;
         this.made = head;
         if (!this.queued) await this.shown();
         return true;
@@ -414,10 +431,29 @@ class Studio {
     this.light(layer, [...names, ...more], head.ends, but);
   }
 
-  // What an operand made, handles.js lights.
-  lightSegment(segment) {
-    this.operand = segment;
+  // `path`: of an operand that has no number in the text, which operand it is of
+  // which one of the segment.
+  lightSegment(segment, path = []) {
+    this.operand = { segment, path };
     this.light("chosen", ["s" + segment]);
+  }
+
+  // The operand that was chosen is not drawn itself: what it made is lit.
+  async lit() {
+    const { operand } = this;
+    if (!operand) return;
+    let { segment } = operand;
+    try {
+      for (const i of operand.path) {
+        const { head } = await this.wire.ask("ask", { goal: childrenOf(segment) });
+        segment = head.answers[0][0][i];
+      }
+      const names = ["s" + segment];
+      const { head } = await this.wire.ask("select", { names, keep: false });
+      if (this.operand === operand) this.light("chosen", [...names, ...head.selected[0].shows]);
+    } catch (error) {
+      this.operand = null;                // it is not there any more, or nobody answers
+    }
   }
 
   // `role` is that of the line in `port`, where it was chosen.

@@ -262,10 +262,14 @@ export class Why {
   async one({ name, goal, explain, shows }, port, role) {
     const { studio } = this;
     const edge = /^s(\d+)e(\d+)$/.exec(name);
+    const face = /^s\d+p/.test(name) && port?.kind === "section";
+    // Of another picture than that which is whole, hidden/2 does not tell.
+    if (["section", "apart"].includes(port?.kind)) explain = explain.map((item) => item.replace(/^hidden/, "edge"));
     const joint = { cut: "seam", fold_up: "fold", fold_down: "fold" }[role];
     if (edge && joint && port.kind === "unfold") explain = [`${joint}(${edge[1]}, ${edge[2]})`];
     const parts = [h("p", { class: "chip" }, h("strong", {}, name), " ",
       h("button", { class: "goal", onclick: () => studio.asking.set(goal) }, goal))];
+    if (face) parts.push(h("p", {}, w("cut_face", port.said)));
     const { lines, projection } = studio.looks;
     const looks = [...(port && port.turns ? ["--view", port.angles.map((angle) => angle.toFixed(6)).join(",")]
       : port && !port.slow ? ["--view", port.kind] : []),
@@ -275,7 +279,7 @@ export class Why {
       const text = head.error ? said(head.error) : textOf(body.slice(0, head.stdout)).trimEnd();
       parts.push(explained(text, studio, head.error));
     }
-    if (!explain.length) parts.push(h("p", { class: "quiet", "data-word": "nothing_why" }));
+    if (!explain.length && !face) parts.push(h("p", { class: "quiet", "data-word": "nothing_why" }));
     if (edge && studio.isText) {
       const wish = (keep) => () => studio.change("cut", { segment: Number(edge[1]), edge: Number(edge[2]), keep });
       parts.push(h("p", { class: "wishes" },

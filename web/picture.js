@@ -22,14 +22,17 @@ export function strokesOf({ head, body }) {
     const [look, segment, ends, e, p] = n.subarray(i, i + 5);
     const edges = n.subarray(i + 5, i + 5 + e);
     const points = n.subarray(i + 5 + e, i + 5 + e + 2 * p);
-    // The edges of a section are those of what is left, and not of the model.
-    const of = laid.get(segment) || { segment, edges: !head.section };
-    strokes.push({ look, segment: of.segment, closed: ends >> 2 === 2, edges: of.edges ? edges.map((edge) => edgeIn(of, edge)) : [], points,
+    const of = laid.get(segment) || { segment, edges: true };
+    // A line in the plane of a section lies in a polygon of the model.
+    const letter = head.section && head.looks[look][1] === "section" ? "p" : "e";
+    strokes.push({ look, segment: of.segment, letter, closed: ends >> 2 === 2, edges: of.edges ? edges.map((edge) => edgeIn(of, edge)) : [], points,
       whole: !of.edges && e > 0 });
     i += 5 + e + 2 * p;
   }
   return { strokes, looks: head.looks, sheet: head.sheet, place: head.place, central: head.central, texts: head.texts || [] };
 }
+
+export const nameIn = ({ segment, letter }, edge) => nameOf(segment, edge, letter);
 
 const pair = (points, i) => `${points[2 * i]} ${points[2 * i + 1]}`;
 
@@ -56,25 +59,24 @@ export function partPath(stroke, of) {
 
 const FILLING = new Set(["hatching", "fold_up", "fold_down", "number", "face_name"]);
 
-export const nameOf = (segment, edge) => (edge === undefined ? `s${segment}` : `s${segment}e${edge}`);
+// An edge whose number is 0 has no name of its own.
+export const nameOf = (segment, edge, letter = "e") => (edge ? `s${segment}${letter}${edge}` : `s${segment}`);
 
-// A name as numbers: those of a segment and, if it is that of an edge, this.
-const numbersOf = (name) => /^s(\d+)(?:e(-?\d+))?$/.exec(name)?.slice(1).filter(Boolean).map(Number) || [];
-
-// Which segments, and of each segment which edges.
-function numbered(names) {
-  const whole = new Set(), edges = new Map();
-  for (const name of names) {
-    const [segment, edge] = numbersOf(name);
-    if (edge !== undefined) addEdge(edges, segment, edge);
-    else if (segment !== undefined) whole.add(segment);
+// Of each segment, with the letter of such names, which numbers; a whole segment
+// has no letter.
+class Numbers extends Map {
+  constructor(names) {
+    super();
+    for (const name of names) {
+      const [, segment, letter = "", number] = /^s(\d+)(?:([ep])(-?\d+))?$/.exec(name) || [];
+      if (segment) this.add(segment + letter, Number(number));
+    }
   }
-  return { whole, edges };
-}
 
-function addEdge(edges, segment, edge) {
-  if (!edges.has(segment)) edges.set(segment, new Set());
-  edges.get(segment).add(edge);
+  add(key, number) {
+    if (!this.has(key)) this.set(key, new Set());
+    this.get(key).add(number);
+  }
 }
 
 export class Picture {
@@ -159,11 +161,11 @@ export class Picture {
   // Whether a line shows the edge of that name.
   draws(name) {
     if (!this.drawn) {
-      this.drawn = new Map();
-      for (const { segment, edges } of this.shown.strokes) for (const edge of edges) addEdge(this.drawn, segment, edge);
+      this.drawn = new Numbers([]);
+      for (const { segment, letter, edges } of this.shown.strokes) for (const edge of edges) this.drawn.add(segment + letter, edge);
     }
-    const [segment, edge] = numbersOf(name);
-    return Boolean(this.drawn.get(segment)?.has(edge));
+    const [[key, numbers]] = new Numbers([name]);
+    return [...numbers].every((number) => this.drawn.get(key)?.has(number));
   }
 
   // Lights the lines of these names, a Set of s2, s2e7; of a whole segment what
@@ -175,12 +177,12 @@ export class Picture {
     if (!this.shown) return;
     const { strokes, looks } = this.shown;
     const hidden = ({ look }) => looks[look][0] === "hidden";
-    const lit = numbered(names);
-    const seen = new Set(lit.whole.size ? strokes.filter((stroke) => !hidden(stroke)).map(({ segment }) => segment) : []);
-    const whole = (stroke) => lit.whole.has(stroke.segment) && !FILLING.has(looks[stroke.look][1])
+    const lit = new Numbers(names);
+    const seen = new Set(strokes.filter((stroke) => lit.has(String(stroke.segment)) && !hidden(stroke)).map(({ segment }) => segment));
+    const whole = (stroke) => lit.has(String(stroke.segment)) && !FILLING.has(looks[stroke.look][1])
       && !(hidden(stroke) && seen.has(stroke.segment));
     const part = (stroke) => {
-      const edges = lit.edges.get(stroke.segment);
+      const edges = lit.get(stroke.segment + stroke.letter);
       return edges ? partPath(stroke, (edge) => edges.has(edge)) : "";
     };
     const d = names.size ? strokes.map((stroke) => (whole(stroke) ? wholePath(stroke) : part(stroke))).join("") : "";
@@ -191,7 +193,7 @@ export class Picture {
   hover(found) {
     if (!this.shown) return;
     this.layers.hover.setAttribute("d", found
-      ? found.stroke.whole ? wholePath(found.stroke) : partPath(found.stroke, (edge) => edge === found.edge) : "");
+      ? found.stroke.whole || !found.edge ? wholePath(found.stroke) : partPath(found.stroke, (edge) => edge === found.edge) : "");
   }
 
   // The line nearest to a point of the screen, if one is within some pixels.
@@ -201,7 +203,7 @@ export class Picture {
     const { x, y } = new DOMPoint(clientX, clientY).matrixTransform(matrix.inverse());
     this.nearest ??= new Nearest(this.shown);
     const found = this.nearest.at(x, y, within / matrix.a);
-    return found && { ...found, name: nameOf(found.segment, found.edge) };
+    return found && { ...found, name: nameIn(found.stroke, found.edge) };
   }
 
   // The edges of the piece of a pattern, or of the hole in one, that a point of

@@ -2,7 +2,7 @@
 
 import { say } from "./dom.js";
 import { w } from "./words.js";
-import { nameOf } from "./picture.js";
+import { nameIn } from "./picture.js";
 import { named } from "./nearest.js";
 import { Sight } from "./sight.js";
 
@@ -141,7 +141,7 @@ export class Pointing extends Sight {
     this.walking = true;
     const stroke = strokes[this.at];
     const edge = stroke.edges[0];
-    const name = nameOf(stroke.segment, edge);
+    const name = nameIn(stroke, edge);
     this.pointAt({ stroke, edge, segment: stroke.segment, name });
     say(`${w("line", name)}, ${this.picture.shown.looks[stroke.look].join(", ")}`);
   }

@@ -217,6 +217,7 @@ export function joined(studio, told) {
   const { body } = document;
   if (!studio.problems) {
     studio.problems = new Problems(studio);
+    studio.tab("problems");
     studio.tabbed("problems", studio.problems);
     reworded($("left"));
   }

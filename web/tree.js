@@ -18,6 +18,9 @@ function summary(term, path = []) {
   return { term, path };
 }
 
+// The goal that asks for the numbers of the operands of a segment.
+export const childrenOf = (segment) => `node(${segment}, _, Operands, _)`;
+
 const isOperand = (term) => typeof term === "number" || (term && (term.name in SIGNS
   || term.name === "at" || term.name === "named"));
 
@@ -95,6 +98,7 @@ export class Tree {
   // Another model is opened: nothing is chosen there.
   forget() {
     this.segment = undefined;
+    this.key = undefined;
     this.open.clear();
     this.drawn = false;
   }
@@ -128,8 +132,9 @@ export class Tree {
     return summary(term).own ? [label(term)] : this.worded(label(term));
   }
 
-  // An operand that stands in the term of another segment has that one's sizes.
-  row(operand, above, level, owner) {
+  // An operand that stands in the term of another segment, the owner, has that one's
+  // sizes; `path` leads to it from there.
+  row(operand, above, level, owner, path) {
     const number = typeof operand === "number" ? operand
       : typeof summary(operand).term === "number" ? summary(operand).term : null;
     const one = number === null ? null : this.byNumber.get(number);
@@ -137,12 +142,12 @@ export class Tree {
     const { term: inner } = summary(term);
     const sign = inner && SIGNS[inner.name];
     const parts = operandsOf(term);
-    const key = above + "/" + (number ?? label(operand));
+    const key = above + "/" + (number ?? label(operand) + path.at(-1));
     const open = this.open.has(key);
-    const chosen = this.segment === number && number !== null;
+    const chosen = this.key ? this.key === key : this.segment === number && number !== null;
     const item = h("li", { role: "treeitem", "aria-level": level, "aria-selected": String(chosen),
       "aria-expanded": parts.length ? String(open) : undefined, tabindex: chosen || (level === 1 && this.segment === undefined) ? 0 : -1,
-      onclick: (event) => { event.stopPropagation(); this.choose(number ?? owner, key, parts.length); } },
+      onclick: (event) => { event.stopPropagation(); this.choose(number ?? owner, key, parts.length, number === null ? path : []); } },
       h("span", { class: "row" },
         h("span", { class: "twist" }, parts.length ? (open ? "▾" : "▸") : ""),
         h("b", {}, number === null ? "" : String(number)),
@@ -150,19 +155,22 @@ export class Tree {
         h("i", {}, sign || (inner && inner.name && summary(term).own ? this.own(inner.name) || inner.name : ""))));
     item.dataset.key = key;
     if (open && parts.length) {
-      item.append(h("ul", { role: "group" }, ...parts.map((part) => this.row(part, key, level + 1, number ?? owner))));
+      item.append(h("ul", { role: "group" }, ...parts.map((part, i) =>
+        this.row(part, key, level + 1, number ?? owner, number === null ? [...path, i] : [i]))));
     }
     return item;
   }
 
-  choose(number, key, parts) {
-    if (parts && (this.segment === number || !this.open.has(key))) {
+  choose(number, key, parts, path = []) {
+    const own = path.length ? key : undefined;
+    if (parts && ((this.segment === number && this.key === own) || !this.open.has(key))) {
       if (this.open.has(key)) this.open.delete(key);
       else this.open.add(key);
     }
     if (number !== null) {
       this.segment = number;
-      this.studio.lightSegment(number);
+      this.key = own;
+      this.studio.lightSegment(number, path);
     }
     this.draw();
     this.focus(key);

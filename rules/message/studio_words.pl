@@ -85,6 +85,8 @@ studio_word(shaded, 'shaded', '음영').
 studio_word(sheet, 'sheet', '도면 용지').
 studio_word(apart, 'cells apart', '셀 분해').
 studio_word(plane, 'Where the plane cuts', '자르는 평면의 위치').
+studio_word(cut_face, 'Here the plane {0} cuts this face.',
+            '절단 평면({0})이 이 면을 자르는 선이다.').
 studio_word(plane_at, '{0} = {1}', '{0} = {1}').
 studio_word(axis, 'Axis of the plane', '평면의 축').
 studio_word(apart_by, 'How far apart', '벌리는 정도').

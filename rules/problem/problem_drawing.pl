@@ -8,7 +8,7 @@
 :- use_module('../penetration/penetration', [penetrate/2]).
 :- use_module('../sheet/sheet_plan', [seen_drawing/3]).
 :- use_module('../sheet/sheet_view',
-              [view_axes/4, view_centres/3, view_seen/5]).
+              [view_axes/4, view_centres/3, view_seen/4]).
 :- use_module('../store',
               [segment/3, unfolding/2, facts_snapshot/1, retractall_facts/1]).
 :- use_module('../vector', [dot_product/3]).
@@ -75,7 +75,7 @@ seen_apart(Ss, Picture, View, seen(View,Parts,[],Centres)) :-
 
 seen_alone(S, Ss, Picture, View, Parts) :-
     forall(( member(Other, Ss), Other \== S ), dropped(Other)),
-    view_seen(View, [], true, Picture, seen(_,Parts,_,_)).
+    view_seen(View, [], Picture, seen(_,Parts,_,_)).
 
 dropped(S) :-
     retractall_facts(unfolding(S, _)),
@@ -118,7 +118,7 @@ along_centre(Seens, line(Name, [P,Q])) :-
     !.
 
 seen_whole(Picture, View, Seen) :-
-    view_seen(View, [], true, Picture, Seen).
+    view_seen(View, [], Picture, Seen).
 
 %   construction(Views, Generators, Points, Item) is nondet: generators, and
 %   lines from view to view; see seen_drawing/3.

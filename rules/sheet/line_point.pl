@@ -118,7 +118,7 @@ farther(corner(_,_,P), far(Q,Far0,[Far|Ways]), far(P,Far,Ways)) :-
 %!  points_seen(+Hidden, +Points, +Seen, -Dots:list) is det.
 %
 %   Dots are items of seen_drawing/3 (sheet_plan.pl), dot(Name,X-Y,I), for the
-%   Points in Seen, of view_seen/5, none in a section. If Hidden is `removed`,
+%   Points in Seen, of view_seen/4, none in a section. If Hidden is `removed`,
 %   for those at which something is drawn of their line.
 
 points_seen(Hidden, Points, seen(View,Parts,_,_), Dots) :-

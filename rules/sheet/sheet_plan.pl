@@ -24,7 +24,8 @@
 :- use_module(sheet_paper,
               [ paper_name/3, paper_size/3, standard_scale/1, scale_factor/2 ]).
 :- use_module(sheet_view,
-              [ section_view/5, view_seen/5, view_cell/4, seen_box/2 ]).
+              [ section_seen/6, section_view/5, view_seen/4, view_cell/4,
+                seen_box/2 ]).
 :- use_module(lettering, [lettering_width/3]).
 :- use_module('../store', [facts_snapshot/1]).
 :- use_module(library(apply),
@@ -74,7 +75,7 @@ views_drawing(Request, Lines, Module:cuts(First,Again), Drawing, Placed) :-
     option(sections(Texts), Request),
     option(picture(Picture), Request),
     sections(Texts, Sections),
-    maplist(section_seen(Lines, Module:Again, Picture), Sections, SeenCut),
+    maplist(cut_seen(Lines, Module:Again, Picture), Sections, SeenCut),
     facts_snapshot(( call(Module:First),
                      maplist(whole_seen(Lines, Picture), Views, SeenWhole),
                      request_points(Request, Lines, Points) )),
@@ -99,7 +100,7 @@ request_points(Request, Lines, Points) :-
 
 %!  seen_drawing(+Request, +Seens, -Drawing) is det.
 %
-%   Drawing shows Seens, seen(View, Parts, [], Centres) as of view_seen/5, as
+%   Drawing shows Seens, seen(View, Parts, [], Centres) as of view_seen/4, as
 %   Request says, and what Request has besides
 %
 %     - construction(Items)
@@ -121,7 +122,7 @@ seen_drawing(Request, Seens, Drawing) :-
     sheet_laid(Request, [], Boxed, Drawing, _).
 
 whole_seen(Lines, Picture, View, Seen) :-
-    view_seen(View, Lines, true, Picture, Seen).
+    view_seen(View, Lines, Picture, Seen).
 
 standing(View0, View) :-
     (   View0 = eye(Eye, Target)
@@ -160,8 +161,9 @@ section_of(I, Text, Section) :-
     ;   sheet_error(section(Text))
     ).
 
-section_seen(Lines, Again, Picture, View, Seen) :-
-    (   view_seen(View, Lines, Again, Picture, Seen0)
+cut_seen(Lines, Again, Picture, View, Seen) :-
+    (   section_seen(View, Lines, Again, maplist(sg_sheet_plan:as_left),
+                     Picture, Seen0)
     ->  Seen = Seen0
     ;   View = view(_, _, _, section(_,_,Text)),
         (   model_box(Box)
@@ -170,6 +172,12 @@ section_seen(Lines, Again, Picture, View, Seen) :-
         ),
         sheet_error(section_past(Text, Box))
     ).
+
+:- public as_left/2.
+
+%   as_left(Part0, Part): the number of its edge in what is left.
+
+as_left(part(V,Role,S,_-E,F,T,A,B), part(V,Role,S,E,F,T,A,B)).
 
 sheet_error(What) :-
     throw(error(usage_error(sheet(What)), _)).

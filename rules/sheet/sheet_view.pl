@@ -2,8 +2,9 @@
           [ view_named/2,               % +Name, -View
             view_towards/3,             % +Direction, +Name, -View
             section_view/5,             % +Letter, +Plane, +Axis, +Text, -View
-            view_seen/5,                % +View, +Lines, :Cut, +Picture,
-                                        % -Seen
+            view_seen/4,                % +View, +Lines, +Picture, -Seen
+            section_seen/6,             % +View, +Lines, :Cut, :Named,
+                                        % +Picture, -Seen
             view_cell/4,                % +View, +Angle, +Taken, -Cell
             view_centres/3,             % +View, +Picture, -Centres
             view_axes/4,                % +View, -Right, -Up, -Away
@@ -148,40 +149,52 @@ farther(at(X0,Y0), Angle, at(X,Y)) :-
                 *         WHAT IS SEEN         *
                 *******************************/
 
-:- meta_predicate view_seen(+, +, :, +, -).
+:- meta_predicate section_seen(+, +, 0, 2, +, -).
 
-%!  view_seen(+View, +Lines, :Cut, +Picture, -Seen) is semidet.
+%!  view_seen(+View, +Lines, +Picture, -Seen) is det.
 %
-%   Seen is what View shows of the current world, whose segments are roots that
-%   have cut each other. Lines are those of operands (csg_roots.pl), Picture
-%   options for picture/1. For a section they are not to have cut each other;
-%   Cut is called for that, after what is above the plane was taken away. Fails
-%   if the plane goes past the model.
+%   Seen is what View, which is no section, shows of the current world, whose
+%   segments are roots that have cut each other. Lines are those of operands
+%   (csg_roots.pl), Picture options for picture/1.
 
-view_seen(View, Lines, Cut, Picture, Seen) :-
-    facts_snapshot(sg_sheet_view:seen(View, Lines, Cut, Picture, Seen)).
+view_seen(View, Lines, Picture, Seen) :-
+    facts_snapshot(sg_sheet_view:seen(View, Lines, Picture, Seen)).
 
-seen(View, Lines0, Cut, Picture0, seen(View,Parts,Regions,Centres)) :-
+:- public seen/4, seen_cut/6.
+
+seen(View, Lines, Picture, seen(View,Parts,[],Centres)) :-
+    pictured(View, Lines, Picture, Parts),
+    view_centres(View, Picture, Centres).
+
+%!  section_seen(+View, +Lines, :Cut, :Named, +Picture, -Seen) is semidet.
+%
+%   The same of a section, of a world whose segments have not cut each other:
+%   Cut does that, after what is above the plane was taken away. Then
+%   call(Named, Parts0, Parts) tells which numbers edges have: Parts0 have N-E,
+%   edge E of what is left, segment N. Fails if the plane goes past the model.
+
+section_seen(View, Lines, Cut, Named, Picture, Seen) :-
+    facts_snapshot(sg_sheet_view:seen_cut(View, Lines, Cut, Named, Picture,
+                                          Seen)).
+
+seen_cut(View, Lines0, Cut, Named, Picture0,
+         seen(View,Parts,Regions,Centres)) :-
     View = view(_, Theta, Phi, section(Plane,_,_)),
-    !,
     cut_away(Plane, Section),
     call(Cut),
     section_lines(Section, Lines0, Lines),
     section_on_surfaces(Section, Curves),
     pieces_of_segments(Section, Picture0, Picture),
-    pictured(Theta, Phi, Lines, Picture, Parts0),
+    pictured(View, Lines, Picture, Parts0),
     findall(N-Edges, section_edges(Section, N, Edges), InPlane),
     Bent = bent(Theta, Phi, Curves),
     findall(Part,
             ( member(Part0, Parts0),
               bent_part(Bent, Part0, Part1),
               section_part(Section, InPlane, Part1, Part) ),
-            Parts),
+            Parts1),
+    call(Named, Parts1, Parts),
     findall(Region, seen_region(Section, Picture0, Bent, Region), Regions),
-    view_centres(View, Picture, Centres).
-seen(View, Lines, _, Picture, seen(View,Parts,[],Centres)) :-
-    View = view(_, Theta, Phi, _),
-    pictured(Theta, Phi, Lines, Picture, Parts),
     view_centres(View, Picture, Centres).
 
 %!  view_centres(+View, +Picture, -Centres:list) is det.
@@ -202,7 +215,7 @@ view_centres(View, Picture, Centres) :-
         centre_lines(axes(Right,Up,Away), Ss, Centres)
     ).
 
-pictured(Theta, Phi, Lines, Picture, Parts) :-
+pictured(view(_,Theta,Phi,_), Lines, Picture, Parts) :-
     set_view(Theta, Phi, 0),
     set_projection(parallel),
     with_operand_lines(Lines, picture(Picture)),
@@ -228,7 +241,7 @@ drawn_segment(Picture, S) :-
 %   segment has in the model, and its role.
 
 section_part(section(_,Pieces), InPlane, part(V,Role0,N,E,F,T,A,B),
-             part(V,Role,S,E,F,T,A,B)) :-
+             part(V,Role,S,N-E,F,T,A,B)) :-
     memberchk(piece(S,N,_,_), Pieces),
     (   memberchk(N-Edges, InPlane),
         ord_memberchk(E, Edges)

@@ -1,5 +1,5 @@
 :- module(sg_operand_edge,
-          [ operand_edges/2             % +S, -Edges
+          [ operand_items/2             % +S, -Items
           ]).
 :- use_module('../csg/csg',
               [is_node/1, node/4, operand_segment/2, root_segment/1]).
@@ -7,26 +7,32 @@
 :- use_module('../store', [e/5, p/3]).
 :- use_module(library(lists), [append/3, member/2]).
 :- use_module(library(ordsets), [ord_memberchk/2, ord_subtract/3, ord_union/3]).
-/** <module> Which edges of a model an operand has made.
+/** <module> Which faces and edges of a model an operand has made.
 */
 
-%!  operand_edges(+S, -Edges:list) is semidet.
+%!  operand_items(+S, -Items:list) is semidet.
 %
-%   Segment S is an operand. Edges are edge(Root, E), ascending: both halves of
-%   those around the faces, of all roots of the tree, that have a part of a face
-%   of S, or of what S is made of. As in operand_face/3, what several operands
-%   use is of all of them. The current world still has its tree.
+%   Segment S is an operand. Items are edge(Root, E), both halves of the edges
+%   round the faces, of all roots of the tree, that have a part of a face of S,
+%   or of what S is made of; then polygon(Root, P), these faces; both ascending.
+%   As in operand_face/3, what several operands use is of all of them. The
+%   current world still has its tree.
 
-operand_edges(S, Edges) :-
+operand_items(S, Items) :-
     once(operand_segment(S, _)),
     leaves_below([S], [S], Leaves),
-    findall(edge(Root,E),
+    findall(polygon(Root,P),
             ( root_segment(Root),
               is_node(Root),
-              face_of(Root, Leaves, P),
+              face_of(Root, Leaves, P) ),
+            Polygons0),
+    sort(Polygons0, Polygons),
+    findall(edge(Root,E),
+            ( member(polygon(Root,P), Polygons),
               edge_around(Root, P, E) ),
             Edges0),
-    sort(Edges0, Edges).
+    sort(Edges0, Edges),
+    append(Edges, Polygons, Items).
 
 %   leaves_below(Open, Seen, Leaves): of the tree below the segments Open, all
 %   in Seen, each looked at once; Seen and Leaves are ordered sets.

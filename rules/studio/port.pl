@@ -14,13 +14,14 @@
 :- use_module('../picture/role', [usual_crease/1]).
 :- use_module('../picture/view',
               [ current_view/4, named_view/3, set_projection/1, set_view/1,
-                set_view/3, with_up/2 ]).
+                set_view/3, turn_up/1, with_up/2 ]).
 :- use_module('../sheet/sheet', [sheet_strokes/5]).
 :- use_module('../sheet/stroke', [all_strokes/2]).
 :- use_module('../spelling', [near_words/3]).
 :- use_module('../store', [drawn/7, segment/3]).
 :- use_module(job, [printed_octets/3]).
-:- use_module(port_cut, [cut_picture/3]).
+:- use_module(port_cut, [cut_picture/4]).
+:- use_module(section_name, [named_strokes/3]).
 :- use_module(world_state, [in_state/3, state_messages/3]).
 :- use_module(request, [request_error/1]).
 :- use_module(library(apply), [maplist/2, maplist/3, partition/4]).
@@ -65,9 +66,10 @@ viewed(World, Head, Reply, Octets) :-
         state_messages(World, shown, Cutting),
         append(Cutting, Own, Objects)
     ;   objects_heard(in_state(World, loaded,
-                               sg_port:cut_pictured(Cut, Options, More,
-                                                    Octets)),
-                      Objects)
+                               sg_port:cut_made(Cut, Options, Picture,
+                                                Names)),
+                      Objects),
+        cut_pictured(World, Options, Picture, Names, More, Octets)
     ),
     get_time(T1),
     Ms is (T1-T0)*1000,
@@ -169,14 +171,23 @@ centre(Rho, Near) :-
     current_view(Theta, Phi, Rho, central),
     view_range(Theta, Phi, Near, _, _).
 
-:- public cut_pictured/4.
+:- public cut_made/4.
 
-%   cut_pictured(Cut, Options, More, Octets): the model cut open or taken apart
-%   (port_cut.pl), as strokes.
-
-cut_pictured(Cut, Options, More, Octets) :-
+cut_made(Cut, Options, Picture, Names) :-
     eye_looks(Options, Others),
-    cut_picture(Cut, Others, cut(Sheet,Place,Strokes,About)),
+    cut_picture(Cut, Others, Picture, Names).
+
+%   cut_pictured(World, Options, Picture, Names, More, Octets): the model cut
+%   open or taken apart (port_cut.pl), as strokes, with names of the model.
+
+cut_pictured(World, Options, cut(Sheet,Place,Strokes0,About), Names, More,
+             Octets) :-
+    (   Names == same
+    ->  Strokes = Strokes0
+    ;   option(up(Axis), Options, z),
+        in_state(World, shown,
+                 ( turn_up(Axis), named_strokes(Names, Strokes0, Strokes) ))
+    ),
     placed_body(Sheet, Place, Strokes, More0, Octets),
     More = More0.put(About).
 

@@ -1,5 +1,5 @@
 :- module(sg_port_cut,
-          [ cut_picture/3               % +Cut, +Options, -Picture
+          [ cut_picture/4               % +Cut, +Options, -Picture, -Names
           ]).
 :- use_module('../csg/csg_roots',
               [operand_lines/1, roots_alone/0, with_operand_lines/2]).
@@ -13,8 +13,9 @@
 :- use_module('../sheet/seen_stroke', [region_millimetres/3, seen_strokes/5]).
 :- use_module('../sheet/sheet', [sheet_place/5, sheet_strokes/5]).
 :- use_module('../sheet/sheet_marks', [hatching/2]).
-:- use_module('../sheet/sheet_view', [view_seen/5]).
+:- use_module('../sheet/sheet_view', [section_seen/6, view_seen/4]).
 :- use_module('../store', [screen/5, segment/3]).
+:- use_module(section_name, [parts_named/3]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [exclude/3, maplist/3]).
 :- use_module(library(lists), [append/3, memberchk/2]).
@@ -25,24 +26,26 @@ The plane of a section may be looked at from anywhere, and pulled: the picture
 stays where it is, for its place is that of the whole model.
 */
 
-%!  cut_picture(+Cut, +Options, -Picture) is det.
+%!  cut_picture(+Cut, +Options, -Picture, -Names) is det.
 %
 %   Picture is cut(Sheet, Place, Strokes, About) of the current world, as it was
 %   loaded, which may be changed. Cut is section(Text), see section_plane/3, or
 %   explode(Factor), see cells_exploded/1. Options are those of picture/1 and
-%   sheet_drawing/3, and up(Axis). About is a dict for the reply.
+%   sheet_drawing/3, and up(Axis). About is a dict for the reply. The edges of
+%   Strokes are those of Names (section_name.pl), which is `same` if they are
+%   those of the model.
 %
 %   @error request_error(bad_key(section, section))
 
-cut_picture(Cut, Options0, Picture) :-
+cut_picture(Cut, Options0, Picture, Names) :-
     select_option(up(Axis), Options0, Options, z),
     operand_lines(Lines),
     roots_alone,
     turn_up(Axis),
-    cut_picture(Cut, Lines, Options, Picture).
+    cut_picture(Cut, Lines, Options, Picture, Names).
 
 cut_picture(explode(Factor), Lines, Options,
-            cut(Sheet, Place, Strokes, _{ parts:Parts })) :-
+            cut(Sheet, Place, Strokes, _{ parts:Parts }), same) :-
     findall(S, segment(S, _, _), Before),
     (   segment(_, cells, _)
     ->  cells_exploded(Factor)
@@ -54,7 +57,7 @@ cut_picture(explode(Factor), Lines, Options,
     with_operand_lines(Lines, picture(Options)),
     sheet_strokes(210-148, Options, Sheet, Place, Strokes).
 cut_picture(section(Text), Lines, Options,
-            cut(Sheet, Place, Strokes, _{ section:About })) :-
+            cut(Sheet, Place, Strokes, _{ section:About }), Names) :-
     borders_sewn(_),
     (   model_box(Box),
         section_plane(Text, Plane, Axis)
@@ -65,9 +68,10 @@ cut_picture(section(Text), Lines, Options,
     set_projection(parallel),
     screen_box(ScreenBox),
     sheet_place(ScreenBox, 210-148, Options, Sheet, Place),
-    (   section_seen(Plane, Text, Box, Lines, Options, Seen)
+    (   seen(Plane, Text, Box, Lines, Options, Seen, Names)
     ->  section_drawn(Sheet, Place, Options, Seen, Strokes)
-    ;   Strokes = []
+    ;   Strokes = [],
+        Names = same
     ).
 
 sewn_cut_all :-
@@ -96,18 +100,19 @@ screen_box(box(X,Y,HalfW,HalfH)) :-
     HalfW is (X2-X1)/2,
     HalfH is (Y2-Y1)/2.
 
-%   section_seen(Plane, Text, Box, Lines, Options, Seen): fails if all is above
+%   seen(Plane, Text, Box, Lines, Options, Seen, Names): fails if all is above
 %   the plane; if all is below, Seen is the whole model.
 
-section_seen(Plane, Text, Box, Lines, Options, Seen) :-
+seen(Plane, Text, Box, Lines, Options, Seen, Names) :-
     current_view(Theta, Phi, _, _),
-    (   view_seen(view(section,Theta,Phi,section(Plane,none,Text)), Lines,
-                  pieces_cut([]), Options, Seen0)
-    ->  Seen = Seen0
+    (   section_seen(view(section,Theta,Phi,section(Plane,none,Text)), Lines,
+                     pieces_cut([]), parts_named(Names0), Options, Seen0)
+    ->  Seen = Seen0,
+        Names = Names0
     ;   below(Plane, Box),
         sewn_cut([]),
-        view_seen(view(section,Theta,Phi,pictorial), Lines, true, Options,
-                  Seen)
+        view_seen(view(section,Theta,Phi,pictorial), Lines, Options, Seen),
+        Names = same
     ).
 
 %   below(Plane, Box): no corner of Box is above Plane, which does not cut it.

@@ -3,8 +3,9 @@
             selection_forgotten/0
           ]).
 :- use_module('../store',
-              [ e/5, edge_polygon/3, joint/6, line/9, p/3, segment/3, v/5 ]).
-:- use_module(operand_edge, [operand_edges/2]).
+              [ e/5, edge_polygon/3, from_p/5, joint/6, line/9, p/3, segment/3,
+                v/5 ]).
+:- use_module(operand_edge, [operand_items/2]).
 :- use_module(world_state, [in_state/3]).
 :- use_module(request, [request_error/1]).
 :- use_module(library(apply), [maplist/3, maplist/4, partition/4]).
@@ -66,8 +67,8 @@ operands(World, Items, Operands) :-
     ).
 
 operand(segment(S), Names) :-
-    operand_edges(S, Edges),
-    maplist(name_of, Edges, Names).
+    operand_items(S, Items),
+    maplist(name_of, Items, Names).
 
 kept_there(World, Names0, Names, Gone) :-
     maplist(name_item, Names0, Items),
@@ -223,8 +224,12 @@ item(edge(S, E), drawn('$VAR'('D'), S, E, '$VAR'('From'), '$VAR'('To'),
                        '$VAR'('Visibility'), '$VAR'('Role')), [], []) :-
     E < 0,                              % an outline: there is one in a picture
     once(segment(S, _, _)).
-item(polygon(S, P), p(S, P, '$VAR'('Es')), [], Shows) :-
+item(polygon(S, P), p(S, P, '$VAR'('Es')), Explain, Shows) :-
     p(S, P, Es),
+    (   from_p(S, P, _, _, _)
+    ->  Explain = [piece(S, P)]
+    ;   Explain = []
+    ),
     findall(Shown, ( member(E, Es), E =\= 0, Id is abs(E),
                      e(S, Id, V1, V2, _),
                      ( Side = Id ; e(S, Side, V2, V1, _) ),

@@ -1,8 +1,10 @@
 """serve_studio.py PROGRAM FOLDER: what a studio asks of a session: strokes,
 selections, patterns, wishes, questions, rules that are tried, words, progress."""
 # covers: complete, line_change, pen_plan, picture_cut, port_cut, seen_stroke,
-# covers: decision_ko, operand_edge, select, verb_session, world_state
+# covers: decision_ko, operand_edge, section_name, select, verb_session, world_state
+from collections import Counter
 import json
+import math
 import os
 import struct
 import subprocess
@@ -203,17 +205,73 @@ drawn = json.loads(alone("draw", "facts/figures/fig13.pl", "--section",
 
 
 def shape(lines):
-    """Roles and edges, hatching apart: what is drawn, not where."""
-    return sorted((role, tuple(sorted(edges))) for role, edges in lines
-                  if edges)
+    """How many edges have each role: what is drawn, not where."""
+    return Counter(role for role, edges in lines for _ in edges)
 
 
 wanted = shape((line["role"], line["edges"]) for line in drawn["lines"]
                if line.get("view") == "A")
 check("the lines of the section of a sheet",
       shape((look[1], edges) for look, _, _, _, edges, _ in
-            strokes(head, octets)) == wanted != [], wanted)
+            strokes(head, octets)) == wanted and wanted, wanted)
 check("the document is as it was", s.ask("view", **eye)[1] == whole[1])
+
+
+def section_names(file, at, up="z"):
+    """How many lines of a section at x = AT have the name of an edge, or of a
+    face, and how many have none; and those that are not where their name is."""
+    s.ask("open", file=file)
+    head, octets = s.ask("view", section="x=%s" % at, up=up, **eye)
+    t, p = (math.radians(angle) for angle in eye["view"])
+    scale, x, y, left, top = head["place"]
+    counts, wrong = [0, 0, 0], []
+    for look, segment, _, _, edges, points in strokes(head, octets):
+        letter = "p" if look[1] == "section" else "e"
+        for k, edge in enumerate(edges):
+            if edge == 0:
+                counts[2] += 1
+                continue
+            counts[letter == "p"] += 1
+            told = s.ask("select", names=["s%d%s%d" % (segment, letter, edge)],
+                         keep=False)[0]
+            ends = told["ends"]
+            there = [v for name in ends for v in ends[name]
+                     if letter == "p" or name == told["selected"][0]["name"]]
+            if up == "y":
+                there = [(a, -c, b) for a, b, c in there]
+            drawn = [(left + (b * math.cos(t) - a * math.sin(t) - x) * scale,
+                      top - (c * math.sin(p) - y - math.cos(p) * (
+                          a * math.cos(t) + b * math.sin(t))) * scale)
+                     for a, b, c in there]
+            seen = [points[k], points[(k + 1) % len(points)]]
+            if letter == "e":
+                (ax, ay), (bx, by) = drawn
+                far = max(abs((bx - ax) * (py - ay) - (by - ay) * (px - ax)) /
+                          max(1, ((bx - ax) ** 2 + (by - ay) ** 2) ** 0.5)
+                          for px, py in seen)
+            else:           # the plane cuts the face there, which is flat
+                far = max(max(min(us) - p[i], p[i] - max(us))
+                          for i in (0, 1) for us in [[d[i] for d in drawn]]
+                          for p in seen)
+                if not min(v[0] for v in there) <= at <= max(
+                        v[0] for v in there):
+                    far = 1e9
+            if far > 1.5:
+                wrong.append((look, segment, edge, far))
+    return counts, wrong
+
+
+for file, at, up, edges, faces, none in (
+        ("facts/two_cubes.pl", 0.5, "z", 8, 8, 0),
+        ("facts/two_cubes.pl", 0.5, "y", 8, 8, 0),
+        ("facts/figures/fig13.pl", 0.3, "z", 12, 40, 0),
+        ("facts/pipe_tee.pl", 0.2, "y", 100, 60, 0),
+        ("facts/two_rooms.pl", 5.5, "z", 4, 4, 0)):
+    (edged, faced, bare), wrong = section_names(file, at, up)
+    check("lines of a section are named: %s, %s up" % (file, up), not wrong and
+          edged >= edges and faced >= faces and bare <= none,
+          (edged, faced, bare, wrong[:5]))
+s.ask("open", file="facts/figures/fig13.pl")
 refused("no plane", "request_error.bad_key", "a plane", "view",
         section="q", **eye)
 refused("a plane of text", "request_error.bad_key", "a plane", "view",

@@ -174,22 +174,34 @@ def without_a_line():
 
 
 def sections():
-    """The lines of a section are those of what is left: they are named by their
-    segment, and a line of the model that has a number of theirs is not lit."""
+    """A line of a section says which face of the model the plane cuts there, or
+    which edge of the model it is; both are lit wherever they are."""
     browser.script("studio.ports.ports[0].turnTo('section')")
     browser.wait(QUIET)
-    names = browser.script("""
-      const { strokes, looks } = studio.ports.ports[0].picture.shown;
-      return strokes.filter(({ look }) => looks[look][1] !== "hatching").map(({ edges, whole }) => [edges.length, whole]);""")
-    check("a section has no edges of the model", names and
-          all(name == [0, True] for name in names), names[:5])
-    found = browser.script("""
-      const port = studio.ports.ports[0], box = port.canvas.getBoundingClientRect();
-      for (let x = box.x; x < box.right; x += 5) {
-        const found = port.near({ clientX: x, clientY: box.y + box.height / 2 });
-        if (found) return found.name;
-      }""")
-    check("its lines are of a segment", found in ("s1", "s2"), found)
+    points = browser.script("""
+      const port = studio.ports.ports[0], { strokes, looks } = port.picture.shown;
+      const matrix = port.picture.svg.getScreenCTM(), found = {};
+      for (const { look, letter, edges, points } of strokes) {
+        if (looks[look][1] === "hatching" || !edges[0]) continue;
+        const { x, y } = new DOMPoint((points[0] + points[2]) / 2, (points[1] + points[3]) / 2).matrixTransform(matrix);
+        if (port.near({ clientX: x, clientY: y }).name.includes(letter)) found[letter] = [x, y];
+      }
+      return [found.p, found.e];""")
+    for (x, y), name, said in zip(points, ("s[12]p[0-9]+", "s[12]e[0-9]+"), (
+            "Here the plane y = 0 cuts this face.", "edge [0-9]+ of segment")):
+        browser.pointer((x, y), "down", "up")
+        check("what a line of a section is: " + name, browser.wait(
+            "new RegExp('^' + arguments[0] + '$').test(document.querySelector("
+            "'.why .chip strong').textContent) && new RegExp(arguments[1]).test"
+            "(document.querySelector('.why').textContent)", name, said),
+            browser.script("return document.querySelector('.why').textContent"))
+        check("it is lit in every port", browser.wait("""
+          studio.ports.ports.every(({ kind, picture }) => ["unfold", "sheet", "shaded"].includes(kind)
+            || picture.layers.chosen.getAttribute("d").length > 8)"""))
+        check("and asked for by a double click", browser.script(
+            "return studio.askAbout(studio.names[0]).then(() => "
+            "document.querySelector('#goal').value)").startswith(
+                "p(" if "p" in name else "e("))
     browser.script("studio.ports.ports[0].turnTo('iso')")
     browser.wait(QUIET)
 

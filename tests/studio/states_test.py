@@ -20,6 +20,11 @@ models = os.path.join(folder, "models")
 os.mkdir(models)
 for name in ("pipe_tee.pl", "figures/fig13.pl", "figures/glue_face.pl"):
     shutil.copy(os.path.join("facts", name), models)
+with open(os.path.join(models, "drilled.pl"), "w") as file:
+    file.write("""segment(1, solid, box(size(4, 4, 2))).
+segment(2, solid, difference([1, cylinder(radius(1), height(9), facets(12))])).
+view(300, 60, 0).
+""")
 TEE = os.path.join(models, "pipe_tee.pl")
 with open(TEE) as file:
     TEXT = file.read()
@@ -114,7 +119,21 @@ def operand():
     check("as before", browser.wait(
         QUIET + " && [...studio.ports.ports[0].picture.lit.chosen].length "
         "=== arguments[0]", branch))
-    browser.script("studio.chosen([])")
+    # A cylinder that stands in the term of segment 8 is no row of its own.
+    row = "document.querySelector('.tree [data-key=\"/10/8/cylinder1\"]')"
+    browser.script("studio.tree.choose(8, '/10/8', 1); studio.tree.open.add("
+                   "'/10/8'); studio.tree.draw(); %s.click()" % row)
+    check("an operand without a number is lit as that which it is",
+          browser.wait("[...studio.ports.ports[0].picture.lit.chosen].length "
+                       "=== arguments[0]", branch), branch)
+    check("it is the one that is chosen", browser.script(
+        "return [...document.querySelectorAll('.tree [aria-selected=true]')]"
+        ".map(e => e.dataset.key)") == ["/10/8/cylinder1"])
+    browser.script("studio.ports.ports[0].turnTo('section')")
+    check("a section shows it too", browser.wait(
+        QUIET + " && studio.ports.ports[0].picture.layers.chosen.getAttribute("
+        "'d').length > 20"))
+    browser.script("studio.ports.ports[0].turnTo('iso'); studio.chosen([])")
     check("nothing is lit", browser.wait(lit + ".every(n => n === 0)"))
 
 
@@ -158,13 +177,14 @@ def reasons():
         WHY + ".includes(' is a seam ')"), name)
     asked("segment(S, solid, T), S < 3")
     check("answers", count("2 answers"))
+    browser.script("return studio.leftTo('text')")
     browser.script(TYPED % "text", TEXT.replace("segment(2, solid, cyl",
                                                 "segment(22, solid, cyl")
                    .replace("-3.5), rotate(y, 90)], 2)", "-3.5), rotate(y, 90)]"
                             ", 22)").replace("2]))).", "22]))).", 1))
     check("after a change they are asked again", count("1 answer"),
           browser.script("return studio.text.wrong.textContent"))
-    browser.script("studio.change('undo')")
+    browser.script("studio.change('undo'); studio.leftTo('tree')")
     check("and after undo", count("2 answers"))
     asked("between(1, 20000, X)")
     check("that answers are left out is said", count("the first 10000 answers"))
@@ -371,6 +391,31 @@ def on_a_phone():
     browser.emulate("clearDeviceMetricsOverride")
 
 
+def from_a_file():
+    """A page that is a file lights what an operand made, also one without a
+    number."""
+    opened("drilled.pl")
+    page = browser.script("return studio.page()")
+    path = os.path.join(models, "drilled.html")
+    with open(path, "w", encoding="utf-8") as out:
+        out.write(page)
+    browser.open("file://" + path)
+    browser.wait("studio.ready && studio.ports.ports[0].picture.shown")
+    lit = "[...studio.ports.ports[0].picture.lit.chosen].length"
+    browser.script("studio.tree.choose(1, '/2/1', 0)")
+    check("an operand is lit in a file", browser.wait(lit + " > 10"))
+    many = browser.script("return " + lit)
+    browser.script("document.querySelector('.tree [data-key=\"/2/cylinder1\"]"
+                   "').click()")
+    check("and one without a number", browser.wait(
+        "%s > 10 && %s !== arguments[0]" % (lit, lit), many), many)
+    check("drawn too", browser.script("return studio.ports.ports[0].picture"
+                                      ".layers.chosen.getAttribute('d').length")
+          > 20)
+    browser.open(front.address)
+    browser.wait(QUIET)
+
+
 def ended():
     """A program that does not answer is told soon, and it is not `saved`."""
     browser.wait(QUIET)
@@ -397,6 +442,7 @@ try:
     exports()
     files()
     on_a_phone()
+    from_a_file()
     check("no complaints", browser.log() == [])
     ended()
 finally:
