@@ -106,6 +106,31 @@ refers_as_before(const load *l, unsigned in, unsigned c, size_t i)
          id[i] == id[i - 1];
 }
 
+/* Rows that were found to be there: as many rows refer to one, they are not
+ * looked for again while they are remembered. */
+enum { FOUND = 128 };
+typedef struct found {
+  sg_relation in;
+  int32_t row[FOUND][2]; /* segment, id; 0: none */
+} found;
+
+/* Whether the row is remembered, which it is from now on. Only ids that are all
+ * positive are. */
+static bool
+is_found(found *known, sg_relation in, int32_t s, int32_t id)
+{
+  int32_t *row = known->row[((uint32_t)id + 31 * (uint32_t)s) % FOUND];
+
+  if (known->in != in) {
+    *known = (found){.in = in};
+  }
+  bool is = row[0] == s && row[1] == id;
+
+  row[0] = s;
+  row[1] = id;
+  return is;
+}
+
 /* Whether the cancellation says stop: it is asked without the lock. */
 static bool
 is_stopped(const load *l, size_t i)
@@ -123,8 +148,11 @@ is_stopped(const load *l, size_t i)
 static sg_status
 check_references(const load *l)
 {
+  found known = {.in = SG_NONE};
+
   for (unsigned c = 0; c < l->info->arity; c++) {
     unsigned in = sg_relation_segment_column(l->relation, c);
+    bool plain = l->info->column[c].type == SG_INT && !l->info->with_sign[c];
     if (l->info->column[c].refers == SG_NONE) {
       continue;
     }
@@ -132,7 +160,9 @@ check_references(const load *l)
       if (is_stopped(l, i)) {
         return SG_HALTED;
       }
-      if (refers_as_before(l, in, c, i)) {
+      if (refers_as_before(l, in, c, i) ||
+          (plain && is_found(&known, l->info->column[c].refers,
+                             load_value(l, in, i).i, load_value(l, c, i).i))) {
         continue;
       }
       sg_status status = sg_world_check_reference(

@@ -346,10 +346,11 @@ sg_world_fresh(sg_world *world, sg_relation relation, int32_t s)
   }
   sg_world_enter(world);
   map = sg_world_own_map(world, relation);
-  if (map && sg_map_last_id(map, s) == INT32_MAX) {
+  int32_t last = map ? sg_map_last_id(map, s) : 0;
+  if (last == INT32_MAX) {
     id = 0;
-  } else if (map && sg_map_used_id(map, s, sg_map_last_id(map, s) + 1)) {
-    id = sg_map_last_id(map, s);
+  } else if (map && sg_map_used_id(map, s, last + 1)) {
+    id = last + 1;
   }
   sg_world_leave(world);
   return id;

@@ -22,6 +22,7 @@ typedef struct side {
 typedef struct finder {
   side side[2];
   double reach;
+  bool exactly; /* whether contacts are exact is asked */
   sg_contact *out;
   int n;
 } finder;
@@ -147,21 +148,23 @@ nearest_corner(const side *s, const double p[3], double reach, near *out)
 }
 
 static bool
-nearest_edge(const side *s, const double p[3], double reach, near *out)
+nearest_edge(const side *s, const double p[3], double reach, bool exactly,
+             near *out)
 {
   out->apart = INFINITY;
   for (int i = 0; i < 3; i++) {
     const double *a = s->at[i], *b = s->at[(i + 1) % 3];
     double apart = sg_to_segment(a, b, p);
     if (apart <= reach && apart < out->apart) {
-      *out = (near){(sg_feature)(SG_EDGE_0 + i), apart, collinear(a, b, p)};
+      *out = (near){(sg_feature)(SG_EDGE_0 + i), apart,
+                    exactly && collinear(a, b, p)};
     }
   }
   return out->apart <= reach;
 }
 
 static bool
-face(const side *s, const double p[3], double reach, near *out)
+face(const side *s, const double p[3], double reach, bool exactly, near *out)
 {
   double from[3];
 
@@ -170,16 +173,17 @@ face(const side *s, const double p[3], double reach, near *out)
   if (!s->plane || out->apart > reach || !is_over(s, p)) {
     return false;
   }
-  out->exact = sg_orient3d(s->at[0], s->at[1], s->at[2], p) == 0;
+  out->exact = exactly && sg_orient3d(s->at[0], s->at[1], s->at[2], p) == 0;
   return true;
 }
 
 static bool
-nearest(const side *s, const double p[3], double reach, near *out)
+nearest(const side *s, const double p[3], double reach, bool exactly, near *out)
 {
   *out = (near){SG_FACE, 0, false};
-  return nearest_corner(s, p, reach, out) || nearest_edge(s, p, reach, out) ||
-         face(s, p, reach, out);
+  return nearest_corner(s, p, reach, out) ||
+         nearest_edge(s, p, reach, exactly, out) ||
+         face(s, p, reach, exactly, out);
 }
 
 /* Corner i of side k against the other triangle. */
@@ -190,7 +194,7 @@ corner(finder *find, int k, int i)
   sg_feature own = (sg_feature)(SG_CORNER_0 + i);
   near other;
 
-  if (!nearest(&find->side[!k], p, find->reach, &other)) {
+  if (!nearest(&find->side[!k], p, find->reach, find->exactly, &other)) {
     return;
   }
   if (k == 0) {
@@ -255,7 +259,7 @@ edges(finder *find, int i, int j)
       sg_to_segment(a, b, c) > find->reach &&
       sg_to_segment(a, b, d) > find->reach) {
     add(find, (sg_feature)(SG_EDGE_0 + i), (sg_feature)(SG_EDGE_0 + j), apart,
-        at, sg_orient3d(a, b, c, d) == 0);
+        at, find->exactly && sg_orient3d(a, b, c, d) == 0);
   }
 }
 
@@ -289,11 +293,11 @@ is_apart(const double a[3][3], const double b[3][3], double reach)
   return above == 3 || below == 3;
 }
 
-int
-sg_contacts(const double a[3][3], const double b[3][3], double reach,
-            sg_contact out[SG_CONTACT_MAX])
+static int
+find_contacts(const double a[3][3], const double b[3][3], double reach,
+              bool exactly, sg_contact out[SG_CONTACT_MAX])
 {
-  finder find = {.reach = reach, .out = out};
+  finder find = {.reach = reach, .exactly = exactly, .out = out};
   double h[2][3] = {{0}};
 
   if (is_apart(a, b, reach) || is_apart(b, a, reach)) {
@@ -329,6 +333,20 @@ sg_contacts(const double a[3][3], const double b[3][3], double reach,
   return find.n;
 }
 
+int
+sg_contacts(const double a[3][3], const double b[3][3], double reach,
+            sg_contact out[SG_CONTACT_MAX])
+{
+  return find_contacts(a, b, reach, true, out);
+}
+
+int
+sg_contacts_near(const double a[3][3], const double b[3][3], double reach,
+                 sg_contact out[SG_CONTACT_MAX])
+{
+  return find_contacts(a, b, reach, false, out);
+}
+
 bool
 sg_contact_point(const double point[3], const double b[3][3], double reach,
                  sg_contact *out)
@@ -336,7 +354,7 @@ sg_contact_point(const double point[3], const double b[3][3], double reach,
   side s;
   near found;
 
-  if (!set_side(&s, b, reach) || !nearest(&s, point, reach, &found)) {
+  if (!set_side(&s, b, reach) || !nearest(&s, point, reach, false, &found)) {
     return false;
   }
   *out = (sg_contact){.f = {SG_CORNER_0, found.f}, .distance = found.apart};

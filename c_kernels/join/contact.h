@@ -27,6 +27,11 @@ enum { SG_CONTACT_MAX = 24 };
 int sg_contacts(const double a[3][3], const double b[3][3], double reach,
                 sg_contact out[SG_CONTACT_MAX]);
 
+/* The same contacts, of which `exact` is decided of two corners only: else it
+ * is false. */
+int sg_contacts_near(const double a[3][3], const double b[3][3], double reach,
+                     sg_contact out[SG_CONTACT_MAX]);
+
 /* The smallest feature of triangle b within reach of a point, of which only
  * f[1], distance and at are set; false: there is none. */
 bool sg_contact_point(const double point[3], const double b[3][3], double reach,

@@ -89,17 +89,38 @@ is_at(const double p[3], const double q[3])
   return p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
 }
 
-/* Which side of t's plane each corner of `of` is on: corners in common are in
- * it. */
-static void
-sides(const double t[3][3], const double of[3][3], int side[3])
-{
-  for (int i = 0; i < 3; i++) {
-    bool common =
-        is_at(t[0], of[i]) || is_at(t[1], of[i]) || is_at(t[2], of[i]);
+/* A corner that two triangles have in common. */
+typedef struct shared {
+  int of, t; /* which of each it is; -1: there is none */
+} shared;
 
-    side[i] = common ? 0 : above(t, of[i]);
+/* Which side of t's plane each corner of `of` is on: corners in common are in
+ * it. *at: the last of these. */
+static void
+sides(const double t[3][3], const double of[3][3], int side[3], shared *at)
+{
+  *at = (shared){-1, -1};
+  for (int i = 0; i < 3; i++) {
+    int k = 0;
+
+    while (k < 3 && !is_at(t[k], of[i])) {
+      k++;
+    }
+    if (k < 3) {
+      *at = (shared){i, k};
+    }
+    side[i] = k < 3 ? 0 : above(t, of[i]);
   }
+}
+
+/* A triangle has only that corner in the plane of the other, and the rest of it
+ * on one side. */
+static bool
+only_touches(const int side[3], int corner)
+{
+  int i = (corner + 1) % 3, j = (corner + 2) % 3;
+
+  return corner >= 0 && side[i] != 0 && side[i] == side[j];
 }
 
 static bool
@@ -439,24 +460,43 @@ sg_cut_side(const double a[3][3], const double b[3][3])
                                                                        : 0;
 }
 
+/* A corner that both have is all that they have in common. */
+static sg_cut_kind
+cut_at_corner(int of_a, int of_b, sg_cut out[SG_CUT_MAX], int *n)
+{
+  sg_cut_end end = {{corner(of_a), corner(of_b)}};
+
+  out[0] = (sg_cut){{end, end}};
+  *n = 1;
+  return SG_CUT_CROSSING;
+}
+
 sg_cut_kind
 sg_cut_triangles(const double a[3][3], const double b[3][3],
                  sg_cut out[SG_CUT_MAX], int *n)
 {
   int side_a[3], side_b[3];
   interval in_a, in_b;
+  shared at;
 
   *n = 0;
-  sides(b, a, side_a);
+  sides(b, a, side_a, &at);
   if (apart(side_a)) {
     return SG_CUT_NONE;
   }
   if (all_zero(side_a)) {
     return cut_coplanar(a, b, out, n);
   }
-  sides(a, b, side_b);
+  if (only_touches(side_a, at.of)) {
+    return sg_cut_axis(a) < 0 ? SG_CUT_NONE
+                              : cut_at_corner(at.of, at.t, out, n);
+  }
+  sides(a, b, side_b, &at);
   if (apart(side_b) || all_zero(side_b)) { /* all zero: a has no area */
     return SG_CUT_NONE;
+  }
+  if (only_touches(side_b, at.of)) {
+    return cut_at_corner(at.t, at.of, out, n);
   }
   line_in_triangle(a, side_a, &in_a);
   line_in_triangle(b, side_b, &in_b);

@@ -264,15 +264,24 @@ sg_cut_is_flat_pair(const sg_cut_set *set, const uint32_t t[2])
   const uint32_t *v = set->model.triangle[t[0]].v;
   const uint32_t *w = set->model.triangle[t[1]].v;
   const sg_leaf_vertex *vertex = set->model.vertex;
+  const double *p[4] = {vertex[v[0]].at, vertex[v[1]].at, vertex[v[2]].at};
 
-  for (int i = 0; i < 3 && set->flat_within > 0.0; i++) {
-    const double *const p[4] = {vertex[v[0]].at, vertex[v[1]].at,
-                                vertex[v[2]].at, vertex[w[i]].at};
+  if (!(set->flat_within > 0.0)) {
+    return false;
+  }
+  for (int i = 0; i < 3; i++) { /* most end here: corners in common are flat */
+    p[3] = vertex[w[i]].at;
+    if (are_far_from_flat(set, p)) {
+      return false;
+    }
+  }
+  for (int i = 0; i < 3; i++) {
+    p[3] = vertex[w[i]].at;
     if (!are_flat(set, p)) {
       return false;
     }
   }
-  return set->flat_within > 0.0;
+  return true;
 }
 
 /* ---- contacts ---- */

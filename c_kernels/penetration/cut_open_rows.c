@@ -80,14 +80,11 @@ sg_cut_place_of(const sg_cut_handle *handle, int32_t s)
 static bool
 fetch_vertex(void *data, int32_t s, int32_t v, double at[3])
 {
-  sg_cut_handle *handle = data;
-  uint32_t key = (uint32_t)s;
+  const sg_cut_handle *handle = data;
+  size_t place = sg_cut_place_of(handle, s);
 
-  if (sg_key_table_get(&handle->next_name, &key) == SG_NO_KEY) {
-    return false;
-  }
-  return sg_leaf_vertex_at(handle->tree[sg_cut_place_of(handle, s)]->tree,
-                           &handle->views, v, at);
+  return place != SIZE_MAX &&
+         sg_leaf_vertex_at(handle->tree[place]->tree, &handle->views, v, at);
 }
 
 bool
@@ -301,8 +298,11 @@ keep_hit(join *j, bool curve, uint32_t a, uint32_t b)
   }
   if (sg_box_overlap(box, &j->apart[b].box, handle->reach)) {
     if (!curve) {
-      handle->apart[handle->candidates] = are_apart(j, a, b);
-      handle->twins = handle->twins || are_twins(&handle->set.model, a, b);
+      bool apart = are_apart(j, a, b);
+
+      handle->apart[handle->candidates] = apart;
+      handle->twins = handle->twins || /* which are not apart */
+                      (!apart && are_twins(&handle->set.model, a, b));
     }
     handle->candidate[handle->candidates][0] = a;
     handle->candidate[handle->candidates++][1] = b;

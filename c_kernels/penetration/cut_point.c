@@ -29,6 +29,7 @@ sg_cut_points_clear(sg_cut_points *points)
   }
   free(points->point);
   free(points->seat);
+  free(points->of_vertex);
   sg_key_table_clear(&points->of_made);
   sg_key_table_clear(&points->of_place);
   sg_key_table_clear(&points->of_name);
@@ -147,6 +148,35 @@ list_seats(sg_cut_points *points, uint32_t point)
   return true;
 }
 
+/* A vertex is in one place, and so is a point: it is the only one there. */
+static bool
+note_vertex(sg_cut_points *points, uint32_t vertex, uint32_t point)
+{
+  if (!sg_list_need_zeroed(&points->of_vertex, vertex + (size_t)1,
+                           &points->vertex_room, sizeof *points->of_vertex)) {
+    return false;
+  }
+  points->of_vertex[vertex] = point + 1;
+  return true;
+}
+
+/* The point of two vertices, if both are known to be in it; SG_NO_KEY. */
+static uint32_t
+point_of_vertices(const sg_cut_points *points, const sg_made *made)
+{
+  uint32_t point[2];
+
+  for (int i = 0; i < 2; i++) {
+    const sg_place *place = &made->place[i];
+    if (made->n != 2 || place->kind != SG_AT_VERTEX ||
+        place->a >= points->vertex_room) {
+      return SG_NO_KEY;
+    }
+    point[i] = points->of_vertex[place->a];
+  }
+  return point[0] != 0 && point[0] == point[1] ? point[0] - 1 : SG_NO_KEY;
+}
+
 static bool
 take_seat(sg_cut_points *points, uint32_t point, int32_t s, sg_place place,
           int32_t v)
@@ -158,6 +188,9 @@ take_seat(sg_cut_points *points, uint32_t point, int32_t s, sg_place place,
       (sg_seat){s, v, false, place, points->point[point].seat};
   points->point[point].seat = (uint32_t)points->seats++;
   points->point[point].seats++;
+  if (place.kind == SG_AT_VERTEX && !note_vertex(points, place.a, point)) {
+    return false;
+  }
   if (v != 0) {
     uint32_t key[2] = {(uint32_t)s, (uint32_t)v};
     uint32_t *number = sg_key_table_put(&points->of_name, key);
@@ -420,8 +453,12 @@ uint32_t
 sg_cut_points_find(sg_cut_points *points, const sg_made *made)
 {
   uint32_t key[6] = {0, SG_NO_KEY, SG_NO_KEY, SG_NO_KEY, SG_NO_KEY, SG_NO_KEY};
+  uint32_t there = point_of_vertices(points, made);
   sg_point at;
 
+  if (there != SG_NO_KEY) {
+    return there;
+  }
   if (made->n <= 2) {
     for (int i = 0; i < made->n; i++) {
       key[0] = 4 * key[0] + 1 + (uint32_t)made->place[i].kind;

@@ -56,9 +56,11 @@ typedef struct sg_cut_points {
   sg_cut_point *point;
   sg_seat *seat;
   size_t n, room, seats, seat_room;
-  sg_key_table of_made;   /* pairs of places -> point */
-  sg_key_table of_place;  /* three doubles -> first point there */
-  sg_key_table of_name;   /* (s, v) -> point */
+  sg_key_table of_made;  /* pairs of places -> point */
+  sg_key_table of_place; /* three doubles -> first point there */
+  sg_key_table of_name;  /* (s, v) -> point */
+  uint32_t *of_vertex;   /* [vertex_room]: its point + 1; 0: none */
+  size_t vertex_room;
   sg_key_table of_seat;   /* (point, place) -> seat, of points with many */
   sg_key_table least;     /* (point, s) -> its smallest name, of the same */
   sg_key_table by_itself; /* the segments that are cut by themselves */

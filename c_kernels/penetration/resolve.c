@@ -41,6 +41,7 @@ sg_resolve_clear(sg_resolve *r)
   free(r->near.item);
   free(r->join.item);
   free(r->edge.item);
+  free(r->sided);
   free(r->point.item);
   free(r->place.item);
   free(r->split.item);
@@ -97,13 +98,28 @@ sg_resolve_touch_exactly(sg_resolve *r, int32_t s, int32_t other)
   return group(r, s, other, false);
 }
 
+/* Two segments are known to be in one group that is to be resolved: what else
+ * they have in common changes nothing of that. */
+static bool
+are_inexact(const sg_resolve *r, int32_t s, int32_t other)
+{
+  uint32_t key[2] = {(uint32_t)s, (uint32_t)other};
+  uint32_t i = sg_key_table_get(&r->segment, &key[0]);
+  uint32_t j = sg_key_table_get(&r->segment, &key[1]);
+
+  return i != SG_NO_KEY && j != SG_NO_KEY &&
+         segment_root(r, i) == segment_root(r, j) &&
+         r->inexact.item[segment_root(r, i)];
+}
+
 bool
 sg_resolve_see(sg_resolve *r, const sg_resolve_leaf *a,
                const sg_resolve_leaf *b)
 {
   sg_contact contact[SG_CONTACT_MAX];
-  bool inexact = false;
-  int n = sg_contacts(a->at, b->at, r->here, contact);
+  bool known = are_inexact(r, a->s, b->s), inexact = false;
+  int n = known ? sg_contacts_near(a->at, b->at, r->here, contact)
+                : sg_contacts(a->at, b->at, r->here, contact);
 
   if (!SG_PUSH(r->contacts, (uint8_t)n)) {
     return false;
@@ -114,7 +130,7 @@ sg_resolve_see(sg_resolve *r, const sg_resolve_leaf *a,
       return false;
     }
   }
-  return n == 0 || group(r, a->s, b->s, inexact);
+  return n == 0 || known || group(r, a->s, b->s, inexact);
 }
 
 bool
@@ -388,6 +404,25 @@ shortest_side(const sg_resolve_leaf *leaf)
   return shortest;
 }
 
+/* All real edges of a leaf are in r->edge: see spans. False: no memory. */
+static bool
+know_sides(sg_resolve *r, const sg_resolve_leaf *leaf)
+{
+  place side;
+
+  if (!sg_list_need_zeroed(&r->sided, leaf->triangle + (size_t)1, &r->side_room,
+                           sizeof *r->sided)) {
+    return false;
+  }
+  for (int i = 0; i < 3 && !r->sided[leaf->triangle]; i++) {
+    if (side_of(r, leaf, i, &side) < 0) {
+      return false;
+    }
+  }
+  r->sided[leaf->triangle] = 1;
+  return true;
+}
+
 /* Keeps n contacts of a pair. */
 static bool
 keep_all(sg_resolve *r, const sg_resolve_leaf *a, const sg_resolve_leaf *b,
@@ -401,14 +436,7 @@ keep_all(sg_resolve *r, const sg_resolve_leaf *a, const sg_resolve_leaf *b,
       return false;
     }
   }
-  for (int i = 0; n > 0 && i < 6; i++) { /* their real edges, see spans */
-    place side;
-
-    if (side_of(r, leaf[i / 3], i % 3, &side) < 0) {
-      return false;
-    }
-  }
-  return true;
+  return n == 0 || (know_sides(r, a) && know_sides(r, b));
 }
 
 bool
@@ -416,7 +444,8 @@ sg_resolve_pair(sg_resolve *r, const sg_resolve_leaf *a,
                 const sg_resolve_leaf *b)
 {
   sg_contact contact[SG_CONTACT_MAX];
-  int n = is_wanted(r, a->s) ? sg_contacts(a->at, b->at, r->here, contact) : 0;
+  int n =
+      is_wanted(r, a->s) ? sg_contacts_near(a->at, b->at, r->here, contact) : 0;
 
   return keep_all(r, a, b, contact, n);
 }

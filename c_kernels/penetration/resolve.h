@@ -131,8 +131,10 @@ typedef struct sg_resolve {
   } join;                            /* vertices within reach */
   SG_LIST_OF(sg_resolve_split) edge; /* real edges of what touches; n = 0 */
   sg_key_table known;                /* S, V1, V2 -> real 1, chord 0 */
-  sg_key_table node_number;          /* S, V, 0, 0, 0, 0; or both lines */
-  sg_key_table seen;                 /* node, S, V1, V2 or P: touched */
+  uint8_t *sided; /* [side_room]: all sides of a triangle are known */
+  size_t side_room;
+  sg_key_table node_number; /* S, V, 0, 0, 0, 0; or both lines */
+  sg_key_table seen;        /* node, S, V1, V2 or P: touched */
   /* when finished */
   SG_LIST_OF(sg_resolve_point) point;
   SG_LIST_OF(sg_resolve_place) place; /* vertices first, edges, insides */

@@ -230,17 +230,23 @@ typedef struct measuring {
 
 SG_ORDER(by_point, sg_bvh_hit, SG_BY(a) SG_BY(b));
 
+/* A move that may be tight: it is more than what rounds at the point. */
+static bool
+is_move(const sg_resolve *r, uint32_t point, double move)
+{
+  const double *p = r->point.item[point].at;
+  double largest = fmax(fabs(p[0]), fmax(fabs(p[1]), fabs(p[2])));
+
+  return move > largest * ROUNDING;
+}
+
 static void
 note_feature(const measuring *m, uint32_t point, int32_t s, double move,
              double feature)
 {
   sg_resolve_moves *out = m->out;
-  double largest = 0;
 
-  for (int k = 0; k < 3; k++) {
-    largest = fmax(largest, fabs(m->r->point.item[point].at[k]));
-  }
-  if (!(move * TIGHT > feature) || move <= largest * ROUNDING) {
+  if (!(move * TIGHT > feature) || !is_move(m->r, point, move)) {
     return;
   }
   out->tight += !m->counted[point];
@@ -336,7 +342,7 @@ by_segment(const void *a, const void *b)
                                 : y->of - x->of;
 }
 
-/* The points that move, of no segment yet. Null: no memory. */
+/* The points whose moves may be tight, of no segment yet. Null: no memory. */
 static at *
 find_moved(const measuring *m, size_t *n)
 {
@@ -344,7 +350,7 @@ find_moved(const measuring *m, size_t *n)
 
   *n = 0;
   for (uint32_t i = 0; found && i < m->r->point.n; i++) {
-    if (m->move[i] > 0) {
+    if (is_move(m->r, i, m->move[i])) {
       found[(*n)++] = (at){0, i, false};
     }
   }
@@ -403,8 +409,9 @@ find_places(const measuring *m, size_t *n)
         (at){m->trees->s[hits.hit[i].b], moved[hits.hit[i].a].point, false};
   }
   for (size_t i = 0; found && i < r->place.n; i++) {
-    if (m->move[r->place.item[i].point] > 0) {
-      found[all++] = (at){r->place.item[i].s, r->place.item[i].point, true};
+    uint32_t point = r->place.item[i].point;
+    if (is_move(r, point, m->move[point])) {
+      found[all++] = (at){r->place.item[i].s, point, true};
     }
   }
   if (found && all > 0) {

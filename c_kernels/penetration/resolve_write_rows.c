@@ -144,6 +144,18 @@ put_edge(writer *w, int32_t s, const sg_resolved_edge *edge)
              : 0;
 }
 
+/* Whether an edge that was there runs so: no edges are written yet. */
+static bool
+is_as_was(const writer *w, int32_t s, const sg_resolved_edge *edge)
+{
+  sg_cut_handle *handle = w->job->handle;
+  sg_row row = sg_cut_row_of(handle, SG_E, s, edge->label);
+
+  return row != SG_NO_ROW &&
+         sg_version_value(handle->version, SG_E, row, 2).i == edge->v[0] &&
+         sg_version_value(handle->version, SG_E, row, 3).i == edge->v[1];
+}
+
 /* The numbers of the polygon's edges, as a list of p/3. */
 static bool
 number_edges(writer *w, const sg_resolved_polygon *polygon, int32_t *list)
@@ -153,8 +165,7 @@ number_edges(writer *w, const sg_resolved_polygon *polygon, int32_t *list)
     const sg_resolved_edge *edge = &polygon->edge.item[i];
     int32_t e = edge->label;
 
-    if (e <= 0 ||
-        !sg_edge_runs(w->world, polygon->s, e, edge->v[0], edge->v[1])) {
+    if (e <= 0 || !is_as_was(w, polygon->s, edge)) {
       e = put_edge(w, polygon->s, edge);
     }
     if ((list[i + 1] = e) == 0) {

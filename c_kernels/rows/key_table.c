@@ -30,8 +30,12 @@ sg_key_table_empty(sg_key_table *table, size_t most)
   }
 }
 
-static uint32_t
-hash(const uint32_t *key, unsigned words)
+/* The functions of one key are compiled for each number of words: a loop of a
+ * known length is none. */
+#define EACH inline __attribute__((always_inline))
+
+static EACH uint32_t
+hash_of(const uint32_t *key, unsigned words)
 {
   uint64_t h = 0x9e3779b97f4a7c15u;
 
@@ -45,7 +49,7 @@ hash(const uint32_t *key, unsigned words)
                                                        high bits only */
 }
 
-static bool
+static EACH bool
 is_key(const uint32_t *slot, const uint32_t *key, unsigned words)
 {
   uint32_t differ = 0;
@@ -56,18 +60,37 @@ is_key(const uint32_t *slot, const uint32_t *key, unsigned words)
   return differ == 0;
 }
 
+static EACH uint32_t *
+find_of(const sg_key_table *table, const uint32_t *key, unsigned words)
+{
+  size_t mask = table->room - 1, stride = words + 1;
+
+  for (size_t i = hash_of(key, words) & mask;; i = (i + 1) & mask) {
+    uint32_t *slot = table->slot + i * stride;
+
+    if (slot[words] == SG_NO_KEY || is_key(slot, key, words)) {
+      return slot;
+    }
+  }
+}
+
 /* The slot of this key, or the free one where it would stand. */
 static uint32_t *
 find(const sg_key_table *table, const uint32_t *key)
 {
-  size_t mask = table->room - 1, stride = table->words + 1;
-
-  for (size_t i = hash(key, table->words) & mask;; i = (i + 1) & mask) {
-    uint32_t *slot = table->slot + i * stride;
-
-    if (slot[table->words] == SG_NO_KEY || is_key(slot, key, table->words)) {
-      return slot;
-    }
+  switch (table->words) {
+  case 1:
+    return find_of(table, key, 1);
+  case 2:
+    return find_of(table, key, 2);
+  case 3:
+    return find_of(table, key, 3);
+  case 4:
+    return find_of(table, key, 4);
+  case 5:
+    return find_of(table, key, 5);
+  default:
+    return find_of(table, key, SG_KEY_WORDS);
   }
 }
 
@@ -116,7 +139,7 @@ void
 sg_key_table_fetch(const sg_key_table *table, const uint32_t *key)
 {
   if (table->room) {
-    size_t at = hash(key, table->words) & (table->room - 1);
+    size_t at = hash_of(key, table->words) & (table->room - 1);
     const uint32_t *slot = table->slot + at * (table->words + 1);
 
     __builtin_prefetch(slot);
@@ -147,7 +170,9 @@ sg_key_table_put(sg_key_table *table, const uint32_t *key)
   uint32_t *slot = find(table, key);
 
   if (slot[table->words] == SG_NO_KEY) {
-    memcpy(slot, key, table->words * sizeof *key);
+    for (unsigned i = 0; i < table->words; i++) {
+      slot[i] = key[i];
+    }
     table->n++;
   }
   return slot + table->words;

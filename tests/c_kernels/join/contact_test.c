@@ -277,6 +277,38 @@ same_turned(void)
   return same;
 }
 
+/* ---- whether they are exact is not asked ---- */
+
+/* The same contacts, and none of them is said to be exact but where corners
+ * are in one place. */
+static bool
+same_near(unsigned *exact)
+{
+  const double within = 0x1p-10;
+  double t[2][3][3];
+  sg_contact all[SG_CONTACT_MAX], near[SG_CONTACT_MAX];
+
+  for (int i = 0; i < 18; i++) {
+    t[i / 9][i / 3 % 3][i % 3] = rand() % 3 + (rand() % 4 == 0) * within / 2;
+  }
+  int n = sg_contacts((const double(*)[3])t[0], (const double(*)[3])t[1],
+                      within, all);
+  int m = sg_contacts_near((const double(*)[3])t[0], (const double(*)[3])t[1],
+                           within, near);
+  bool same = n == m;
+
+  for (int i = 0; i < n && same; i++) {
+    bool corners = all[i].f[0] <= SG_CORNER_2 && all[i].f[1] <= SG_CORNER_2;
+
+    *exact += all[i].exact && !corners;
+    same = near[i].f[0] == all[i].f[0] && near[i].f[1] == all[i].f[1] &&
+           near[i].distance == all[i].distance &&
+           memcmp(near[i].at, all[i].at, sizeof near[i].at) == 0 &&
+           near[i].exact == (corners && all[i].exact);
+  }
+  return same;
+}
+
 /* ---- scales ---- */
 
 /* Triangles on a grid, one lifted by less or more than the reach, have the same
@@ -412,6 +444,12 @@ main(void)
     same = same_turned() && same;
   }
   CHECK("turned contacts are the same", same);
+  same = true;
+  unsigned exact = 0;
+  for (int i = 0; i < 20000; i++) {
+    same = same_near(&exact) && same;
+  }
+  CHECK("near contacts are the same", same && exact > 1000);
   same = true;
   for (int i = 0; i < 5000; i++) {
     same = same_scaled() && same;
