@@ -191,8 +191,8 @@ export class Problems {
       h("thead", {}, h("tr", {}, h("th", { scope: "col" }, w("pupil_name")), ...names.map((name) => h("th", { scope: "col" }, name)))),
       h("tbody", {}, ...head.pupils.map(({ name, done }) => h("tr", {}, h("th", { scope: "row" }, name),
         ...names.map((problem) => cell(done.find((one) => one.problem === problem)))))),
-      h("tfoot", {}, h("tr", {}, h("th", { scope: "row" }, "✓"), ...solved.map((count) =>
-        h("td", {}, `${count} / ${head.pupils.length}`))))));
+      h("tfoot", {}, h("tr", {}, h("th", { scope: "row" }, `✓ / ${head.pupils.length}`),
+        ...solved.map((count) => h("td", {}, String(count)))))));
     reworded(this.book);
   }
 

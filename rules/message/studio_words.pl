@@ -80,15 +80,15 @@ studio_word(unfold, 'flat pattern', '전개도').
 studio_word(segment_of, 'Segment of the pattern', '전개할 세그먼트').
 studio_word(all_segments, 'all', '전부').
 studio_word(folded, 'folded up', '접기').
-studio_word(section, 'section', '단면').
+studio_word(section, 'section', '단면도').
 studio_word(shaded, 'shaded', '음영').
 studio_word(sheet, 'sheet', '도면 용지').
 studio_word(apart, 'cells apart', '셀 분해').
-studio_word(plane, 'Where the plane cuts', '자르는 평면의 위치').
+studio_word(plane, 'Where the plane cuts', '절단 평면의 위치').
 studio_word(cut_face, 'Here the plane {0} cuts this face.',
             '절단 평면({0})이 이 면을 자르는 선이다.').
 studio_word(plane_at, '{0} = {1}', '{0} = {1}').
-studio_word(axis, 'Axis of the plane', '평면의 축').
+studio_word(axis, 'Axis of the plane', '절단 평면의 축').
 studio_word(apart_by, 'How far apart', '벌리는 정도').
 studio_word(fold_by, 'How far it is folded', '접은 정도').
 studio_word(shade, 'Shading', '음영 방식').
@@ -149,7 +149,7 @@ studio_word(take, 'Take the file', '파일 내용 가져오기').
 studio_word(taken,
     'The file was changed by another program; its text was taken. Undo \c
      takes it back.',
-    '다른 프로그램이 고친 파일의 글을 가져왔습니다. 실행 취소로 되돌립니다.').
+    '다른 프로그램이 고친 파일의 텍스트를 가져왔습니다. 실행 취소로 되돌립니다.').
 studio_word(compare_texts, 'Compare', '비교').
 studio_word(keep_mine, 'Keep what is here', '여기 내용 두기').
 studio_word(in_file, 'In the file', '파일').

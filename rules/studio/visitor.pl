@@ -322,8 +322,8 @@ routed(Visitor, Head, Body) :-
         ->  shown_to_all(Head2, Body)
         ;   true
         ),
-        sent(Socket, Head2.put(id, Id), Body),
         revision_heard(Do, Visitor, Socket, Head),
+        sent(Socket, Head2.put(id, Id), Body),
         saving_heard(Do, Visitor, Socket, Head)
     ),
     !.
@@ -376,14 +376,16 @@ book_kept(Do, Visitor, Head0, Head) :-
     ).
 
 %   revision_heard(Do, Visitor, Socket, Head): the other pages hear of a new
-%   revision, and of another file.
+%   revision, and of another file; before the page that asked: one that comes
+%   after that is greeted with this revision. At no moment there is none.
 
 revision_heard(Do, Visitor, Socket, Head) :-
     Revision = Head.rev,
     (   revision_(Visitor, Revision)
     ->  true
-    ;   retractall(revision_(Visitor, _)),
-        assertz(revision_(Visitor, Revision)),
+    ;   assertz(revision_(Visitor, Revision)),
+        forall(( revision_(Visitor, Before), Before =\= Revision ),
+               retractall(revision_(Visitor, Before))),
         (   Do == "open",
             get_dict(file, Head, File)
         ->  Event = _{event:"revision", rev:Revision, file:File}

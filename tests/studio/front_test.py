@@ -240,6 +240,17 @@ check("edit", head.get("was") == 0.8, head)
 other = front.page()
 check("another window sees the same document", other.hello["rev"]
       == head["rev"], other.hello)
+# So it is however soon the window is opened: who has the reply finds the revision.
+late = []
+for value in range(20):
+    head, _ = page.ask("edit", set={"segment": 2, "path": [2, 2, 1, 1],
+                                    "value": 0.3 + value / 100})
+    late.append(front.page().hello["rev"] - head["rev"])
+    other.hear()
+check("the newest one, always", late == [0] * 20, late)
+for _ in range(20):
+    page.ask("undo")
+    other.hear()
 revision = page.ask("undo")[0]["rev"]
 event, _ = other.hear()
 check("it hears of changes", event == {"event": "revision", "rev": revision},
