@@ -120,7 +120,8 @@ note_groups(sg_counting *c, const sg_edge_pairs *pairs, const int32_t *edge)
 
   while (sg_edge_group_next(pairs, &group)) {
     size_t n = group.end - group.begin;
-    if (!sg_list_need(&places, n, &room, sizeof *places)) {
+    if (sg_census_stops(c, group.low) ||
+        !sg_list_need(&places, n, &room, sizeof *places)) {
       break;
     }
     for (size_t i = 0; i < n; i++) {
@@ -149,6 +150,7 @@ pair_edges(sg_counting *c)
   for (size_t i = 0; done && i < n; i++) {
     from[i] = d->from[edge[i]] - base;
     to[i] = d->to[edge[i]] - base;
+    done = !sg_census_stops(c, i);
   }
   done = done &&
          sg_edge_pairs_make(n, from, to, vertices, c->cancel, &pairs,
@@ -198,9 +200,12 @@ count_fans(sg_counting *c)
     if (f >= 0) {
       led[(size_t)f - begin] = 1;
     }
+    if (sg_census_stops(c, e)) {
+      break;
+    }
   }
   for (int round = 0; round < 2; round++) {
-    for (size_t e = begin; e < end; e++) {
+    for (size_t e = begin; e < end && !sg_census_stops(c, e); e++) {
       if (c->owner[e] >= 0 && (round || !led[e - begin])) {
         walk_fan(c, (int32_t)e);
       }
@@ -210,7 +215,7 @@ count_fans(sg_counting *c)
     c->owner[e] = c->owner[e] < -1 ? -2 - c->owner[e] : c->owner[e];
   }
   free(led);
-  return true;
+  return !c->stopped;
 }
 
 /* Shells ------------------------------------------------------------------- */
@@ -253,6 +258,9 @@ open_shells(sg_counting *c)
     s->area += c->area[p];
     s->volume += c->volume[p];
     s->closed = s->closed && !c->bad[p];
+    if (sg_census_stops(c, p)) {
+      return false;
+    }
   }
   c->part->shells = out->shells - c->part->first_shell;
   return true;
@@ -260,7 +268,7 @@ open_shells(sg_counting *c)
 
 /* Vertices of a shell count once; a pair of half-edges is one edge, as is any
  * group: it is counted at its lowest half-edge that has no opposite before. */
-static void
+static bool
 count_shell_edges(sg_counting *c)
 {
   const sg_dense *d = c->d;
@@ -270,7 +278,11 @@ count_shell_edges(sg_counting *c)
         (c->opposite[e] < 0 || c->opposite[e] > (int32_t)e)) {
       c->out->shell[c->shell_of[c->owner[e]]].edges++;
     }
+    if (sg_census_stops(c, e)) {
+      return false;
+    }
   }
+  return true;
 }
 
 /* Polygons by shell, so that one stamp a vertex is enough. */
@@ -292,7 +304,8 @@ count_shell_vertices(sg_counting *c)
   for (size_t p = begin; at && order && p < end; p++) {
     order[at[c->shell_of[p] - first]++] = (uint32_t)p;
   }
-  for (size_t i = 0; at && order && i < end - begin; i++) {
+  for (size_t i = 0; at && order && i < end - begin && !sg_census_stops(c, i);
+       i++) {
     size_t p = order[i];
     sg_shell *shell = &c->out->shell[c->shell_of[p]];
     uint32_t stamp = c->shell_of[p] + 1;
@@ -305,7 +318,7 @@ count_shell_vertices(sg_counting *c)
       }
     }
   }
-  bool done = at && order;
+  bool done = at && order && !c->stopped;
   free(at);
   free(order);
   return done;
@@ -314,9 +327,7 @@ count_shell_vertices(sg_counting *c)
 static bool
 count_shells(sg_counting *c)
 {
-  open_shells(c);
-  count_shell_edges(c);
-  if (!count_shell_vertices(c)) {
+  if (!open_shells(c) || !count_shell_edges(c) || !count_shell_vertices(c)) {
     return false;
   }
   for (size_t i = c->part->first_shell; i < c->out->shells; i++) {
@@ -342,10 +353,7 @@ count_segment(sg_counting *c)
   part->polygons = d->polygon_begin[c->s + 1] - d->polygon_begin[c->s];
   part->triangles = d->triangle_begin[c->s + 1] - d->triangle_begin[c->s];
   for (size_t p = d->polygon_begin[c->s]; p < d->polygon_begin[c->s + 1]; p++) {
-    if (p % 65536 == 0 && (c->stopped = sg_cancelled(c->cancel))) {
-      return false;
-    }
-    if (!own_edges(c, p) || !join_loops(c, p)) {
+    if (sg_census_stops(c, p) || !own_edges(c, p) || !join_loops(c, p)) {
       return false;
     }
   }

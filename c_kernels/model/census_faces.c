@@ -6,6 +6,7 @@
 #include "polygon/flatness.h"
 #include "polygon/plane.h"
 #include "rows/edge_print.h"
+#include "rows/sort.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -172,10 +173,16 @@ sg_census_faces(sg_counting *c)
   }
   for (size_t t = d->triangle_begin[c->s]; t < d->triangle_begin[c->s + 1];
        t++) {
+    if (sg_census_stops(c, t)) {
+      return false;
+    }
     add_triangle(c, t, o);
   }
   for (size_t p = d->polygon_begin[c->s]; p < d->polygon_begin[c->s + 1]; p++) {
     int32_t id = d->polygon_id[p];
+    if (sg_census_stops(c, p)) {
+      return false;
+    }
     bool has_plane = measure(c, p, &m);
     if (!c->triangles[p] && has_plane) {
       add_face(c, p, &m.sum, o);
@@ -206,6 +213,15 @@ typedef struct hashed {
 } hashed;
 
 SG_ORDER(compare_hashed, hashed, SG_BY(hash) SG_BY(place));
+
+static bool
+sort_hashed(sg_counting *c, hashed *item, size_t n)
+{
+  sg_sort_end end = sg_sort(item, n, sizeof *item, compare_hashed, c->cancel);
+
+  c->stopped = c->stopped || end == SG_SORT_STOPPED;
+  return end == SG_SORTED;
+}
 
 /* Is each of the vertices of polygon p one of q, and as many? */
 static bool
@@ -244,10 +260,9 @@ sg_census_doubles(sg_counting *c)
     for (size_t k = d->list_begin[p]; k < d->list_begin[p + 1]; k++) {
       face[i].hash += sg_spread_bits((uint64_t)d->from[d->list[k]]);
     }
+    done = !sg_census_stops(c, i);
   }
-  if (done) {
-    qsort(face, n, sizeof *face, compare_hashed);
-  }
+  done = done && sort_hashed(c, face, n);
   for (size_t i = 1; done && i < n; i++) {
     size_t p = (size_t)face[i - 1].place, q = (size_t)face[i].place;
     if (face[i].hash == face[i - 1].hash && same_vertices(c, p, q)) {
@@ -277,9 +292,7 @@ note_twins(sg_counting *c, size_t begin, size_t end)
                        bits[2]),
         (int32_t)(begin + i)};
   }
-  if (done) {
-    qsort(at, n, sizeof *at, compare_hashed);
-  }
+  done = done && sort_hashed(c, at, n);
   for (size_t i = 1; done && i < n; i++) {
     int32_t v = at[i - 1].place, w = at[i].place;
     if (at[i].hash == at[i - 1].hash &&
@@ -303,6 +316,9 @@ note_edges(sg_counting *c)
     double length =
         sqrt((b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]) +
              (b[2] - a[2]) * (b[2] - a[2]));
+    if (sg_census_stops(c, e)) {
+      return false;
+    }
     c->seen[d->from[e]] = c->seen[d->to[e]] = UINT32_MAX;
     if (c->owner[e] < 0) {
       c->part->length += length;

@@ -30,7 +30,15 @@ typedef struct sg_counting {
   int32_t *from, *to; /* [longest polygon] */
 } sg_counting;
 
-/* False: no memory. Ids as the defect says. */
+/* Whether the work is to stop, asked in step i of a long loop. */
+static inline bool
+sg_census_stops(sg_counting *c, size_t i)
+{
+  c->stopped = c->stopped || sg_cancel_every(c->cancel, i);
+  return c->stopped;
+}
+
+/* False, here and below: no memory, or stopped. Ids as the defect says. */
 bool sg_census_note(sg_counting *c, sg_defect_kind kind, int32_t a, int32_t b);
 
 /* Areas, volumes, flatness and doubles of the polygons; places of vertices. */
@@ -38,8 +46,7 @@ bool sg_census_faces(sg_counting *c);
 bool sg_census_doubles(sg_counting *c);
 bool sg_census_vertices(sg_counting *c);
 
-/* How deep the shells of the segment are in each other. False: no memory, or
- * stopped. */
+/* How deep the shells of the segment are in each other. */
 bool sg_census_depths(sg_counting *c);
 
 #endif

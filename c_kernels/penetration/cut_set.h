@@ -122,7 +122,7 @@ int sg_cut_set_enter_curve(sg_cut_set *set, uint32_t e, uint32_t t);
 
 /* Orders the edges, makes the pieces and finds the contacts that are alone.
  * False, here and below where there is a cancellation: no memory, or stopped.
- */
+ * The set is then half done, and good for sg_cut_set_clear() alone. */
 bool sg_cut_set_seal(sg_cut_set *set, const sg_cancel *cancel);
 
 /* Notes a polygon whose edges are split (before sg_cut_set_group()). */

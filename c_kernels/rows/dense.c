@@ -20,9 +20,19 @@ typedef struct rows {
   row_key *row;
   size_t n, room;
   uint32_t *begin; /* [segments + 1] */
+  const sg_cancel *cancel;
+  bool stopped; /* it said stop */
 } rows;
 
 SG_ORDER(compare_keys, row_key, SG_BY(key));
+
+/* Whether to stop, asked in step i. */
+static bool
+stops(rows *r, size_t i)
+{
+  r->stopped = r->stopped || sg_cancel_every(r->cancel, i);
+  return r->stopped;
+}
 
 /* The place of segment s, or -1. Rows of a segment come together, so the last
  * place is tried first. */
@@ -145,8 +155,7 @@ rows_room(const sg_dense *d, const sg_view *view, rows *out)
 /* The rows of `view` in the segments of `d`, by segment and the id in this
  * column. */
 static bool
-gather(const sg_dense *d, const sg_view *view, unsigned column,
-       const sg_cancel *cancel, rows *out, bool *stopped)
+gather(const sg_dense *d, const sg_view *view, unsigned column, rows *out)
 {
   size_t last = 0;
   bool sorted = true;
@@ -155,7 +164,7 @@ gather(const sg_dense *d, const sg_view *view, unsigned column,
     return false;
   }
   for (size_t i = 0; i < view->pages; i++) {
-    if (i % 16 == 0 && (*stopped = sg_cancelled(cancel))) {
+    if (stops(out, i * SG_PAGE_ROWS)) {
       return false;
     }
     if (!may_have(d, view, i)) {
@@ -173,10 +182,12 @@ gather(const sg_dense *d, const sg_view *view, unsigned column,
       out->row[out->n++] = (row_key){key, (uint32_t)i, r};
     }
   }
-  if (!sorted) {
-    qsort(out->row, out->n, sizeof *out->row, compare_keys);
-  }
-  return set_begins(d, out);
+  sg_sort_end end = sorted ? SG_SORTED
+                           : sg_sort(out->row, out->n, sizeof *out->row,
+                                     compare_keys, out->cancel);
+
+  out->stopped = end == SG_SORT_STOPPED;
+  return end == SG_SORTED && set_begins(d, out);
 }
 
 /* The place of the thing with this id in the segment of place s: as a rule ids
@@ -219,14 +230,14 @@ fill_vertices(sg_dense *d, const sg_view *view, rows *from)
   if (!d->vertex_id || !d->at) {
     return false;
   }
-  for (size_t i = 0; i < from->n; i++) {
+  for (size_t i = 0; i < from->n && !stops(from, i); i++) {
     const row_key *row = &from->row[i];
     d->vertex_id[i] = id_of(row);
     for (unsigned k = 0; k < 3; k++) {
       d->at[i][k] = view->column[2 + k].page[row->page].f[row->row];
     }
   }
-  return true;
+  return !from->stopped;
 }
 
 static bool
@@ -241,7 +252,7 @@ fill_edges(sg_dense *d, const sg_view *view, rows *from)
   if (!d->edge_id || !d->from || !d->to || !d->real) {
     return false;
   }
-  for (size_t i = 0; i < from->n; i++) {
+  for (size_t i = 0; i < from->n && !stops(from, i); i++) {
     const row_key *row = &from->row[i];
     uint64_t s = row->key >> ID_BITS;
     d->edge_id[i] = id_of(row);
@@ -249,7 +260,7 @@ fill_edges(sg_dense *d, const sg_view *view, rows *from)
     d->to[i] = place_of(d->vertex_id, d->vertex_begin, s, cell(view, 3, row));
     d->real[i] = cell(view, 4, row) != 0;
   }
-  return true;
+  return !from->stopped;
 }
 
 static const int32_t *
@@ -275,7 +286,7 @@ fill_polygons(sg_dense *d, const sg_view *view, rows *from)
     return false;
   }
   items = 0;
-  for (size_t i = 0; i < from->n; i++) {
+  for (size_t i = 0; i < from->n && !stops(from, i); i++) {
     const row_key *row = &from->row[i];
     const int32_t *list = list_of(view, row);
     d->polygon_id[i] = id_of(row);
@@ -286,7 +297,7 @@ fill_polygons(sg_dense *d, const sg_view *view, rows *from)
     }
   }
   d->list_begin[from->n] = (uint32_t)items;
-  return true;
+  return !from->stopped;
 }
 
 static bool
@@ -300,7 +311,7 @@ fill_triangles(sg_dense *d, const sg_view *view, rows *from)
   if (!d->triangle_id || !d->polygon_of || !d->corner) {
     return false;
   }
-  for (size_t i = 0; i < from->n; i++) {
+  for (size_t i = 0; i < from->n && !stops(from, i); i++) {
     const row_key *row = &from->row[i];
     uint64_t s = row->key >> ID_BITS;
     d->triangle_id[i] = id_of(row);
@@ -311,7 +322,7 @@ fill_triangles(sg_dense *d, const sg_view *view, rows *from)
           place_of(d->vertex_id, d->vertex_begin, s, cell(view, 3 + k, row));
     }
   }
-  return true;
+  return !from->stopped;
 }
 
 bool
@@ -334,14 +345,15 @@ sg_dense_make(const sg_dense_views *views, const int32_t *wanted, size_t n,
     return false;
   }
   for (size_t i = 0; i < sizeof part / sizeof *part; i++) {
-    rows from = {0};
-    if (!gather(out, part[i].view, part[i].id_column, cancel, &from, stopped)) {
-      free(from.row);
-      free(from.begin);
-      return false;
-    }
-    bool filled = part[i].fill(out, part[i].view, &from);
+    rows from = {.cancel = cancel};
+    bool gathered = gather(out, part[i].view, part[i].id_column, &from);
+    bool filled = gathered && part[i].fill(out, part[i].view, &from);
+
+    *stopped = from.stopped;
     free(from.row);
+    if (!gathered) {
+      free(from.begin);
+    }
     if (!filled) {
       return false;
     }

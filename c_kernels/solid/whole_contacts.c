@@ -8,6 +8,7 @@
 #include "rows/disjoint.h"
 #include "rows/edge_print.h"
 #include "rows/key_table.h"
+#include "rows/sort.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -17,8 +18,18 @@ typedef struct checker {
   const sg_solid *solid;
   uint32_t *face_of; /* [triangles] */
   double reach;
+  const sg_cancel *cancel;
+  bool stopped;      /* it said stop */
   atomic_bool found; /* something that is not whole */
 } checker;
+
+/* Whether to stop, asked in step i. */
+static bool
+stops(checker *c, size_t i)
+{
+  c->stopped = c->stopped || sg_cancel_every(c->cancel, i);
+  return c->stopped;
+}
 
 /* ---- pairs -------------------------------------------------------------- */
 
@@ -269,7 +280,7 @@ sound_triangles(checker *c)
 
     for (uint32_t t = face->first; t < face->first + face->n; t++) {
       c->face_of[t] = f;
-      if (!is_sound(c, t)) {
+      if (stops(c, t) || !is_sound(c, t)) {
         return false;
       }
     }
@@ -308,14 +319,15 @@ put_new(sg_key_table *table, const uint32_t *key, uint32_t *value)
 /* No segment has two vertices in one place. False too: no memory, which the
  * join will not have either. */
 static bool
-single_vertices(const sg_solid *solid)
+single_vertices(checker *c)
 {
+  const sg_solid *solid = c->solid;
   sg_key_table at, seen;
   bool good = true;
 
   sg_key_table_init(&at, 6);
   sg_key_table_init(&seen, 2);
-  for (uint32_t v = 0; good && v < solid->vertices; v++) {
+  for (uint32_t v = 0; good && v < solid->vertices && !stops(c, v); v++) {
     uint32_t place[6], key[2] = {v, (uint32_t)solid->vertex[v].s}, one = 1;
 
     memcpy(place, solid->vertex[v].at, sizeof place);
@@ -338,9 +350,11 @@ typedef struct use {
 
 SG_ORDER(by_segment, use, SG_BY(s) SG_BY(face));
 
+/* How many there are; SIZE_MAX: no memory, or stopped. */
 static size_t
-list_uses(const sg_solid *solid, use *out)
+list_uses(checker *c, use *out)
 {
+  const sg_solid *solid = c->solid;
   size_t n = 0;
 
   for (uint32_t f = 0; f < solid->faces; f++) {
@@ -351,10 +365,10 @@ list_uses(const sg_solid *solid, use *out)
 
     out[n++] = (use){part->s, part->face, part->reversed};
   }
-  if (n > 0) {
-    qsort(out, n, sizeof *out, by_segment);
-  }
-  return n;
+  sg_sort_end end = sg_sort(out, n, sizeof *out, by_segment, c->cancel);
+
+  c->stopped = end == SG_SORT_STOPPED;
+  return end == SG_SORTED ? n : SIZE_MAX;
 }
 
 static uint64_t
@@ -386,12 +400,13 @@ take_face(const sg_solid *solid, const use *of, uint32_t *set, uint64_t *print)
 /* Whether the n faces of a segment are one part, and closed: wrong once in
  * 2^64. `set`: of vertices, each alone before and after. */
 static bool
-bounds_one(const sg_solid *solid, const use *of, size_t n, uint32_t *set)
+bounds_one(checker *c, const use *of, size_t n, uint32_t *set)
 {
+  const sg_solid *solid = c->solid;
   uint64_t print = 0;
   bool one = true;
 
-  for (size_t i = 0; i < n; i++) {
+  for (size_t i = 0; i < n && !stops(c, i); i++) {
     take_face(solid, &of[i], set, &print);
   }
   uint32_t first = solid->triangle[solid->face[of->face].first][0];
@@ -412,30 +427,31 @@ bounds_one(const sg_solid *solid, const use *of, size_t n, uint32_t *set)
       set[v[0]] = v[0], set[v[1]] = v[1], set[v[2]] = v[2];
     }
   }
-  return one && print == 0;
+  return one && print == 0 && !stops(c, 0);
 }
 
 /* *sound: each of the solids has faces, is one part, and is closed. */
 static bool
-sound_solids(const sg_solid *solid, const int32_t *solids, size_t n,
-             bool *sound)
+sound_solids(checker *c, const int32_t *solids, size_t n, bool *sound)
 {
+  const sg_solid *solid = c->solid;
   use *of = malloc((solid->faces + solid->parts + 1) * sizeof *of);
   uint32_t *set = malloc((solid->vertices + 1) * sizeof *set);
   bool good = of && set;
   size_t seen = 0;
 
-  *sound = good;
   for (uint32_t v = 0; good && v < solid->vertices; v++) {
     set[v] = v;
   }
-  size_t all = good ? list_uses(solid, of) : 0;
+  size_t all = good ? list_uses(c, of) : SIZE_MAX;
+
+  *sound = good = all != SIZE_MAX;
 
   for (size_t i = 0, end; *sound && i < all; i = end) {
     for (end = i; end < all && of[end].s == of[i].s; end++) {
     }
     if (sg_find_id(solids, n, of[i].s) != SIZE_MAX) {
-      *sound = bounds_one(solid, of + i, end - i, set);
+      *sound = bounds_one(c, of + i, end - i, set);
       seen++;
     }
   }
@@ -454,12 +470,14 @@ sg_whole_contacts(const sg_solid *solid, const int32_t *solids, size_t n,
 {
   checker c = {.solid = solid,
                .face_of = malloc((solid->triangles + 1) * sizeof *c.face_of),
-               .reach = reach};
+               .reach = reach,
+               .cancel = cancel};
   sg_bvh_hits none = {0};
-  bool good = c.face_of && sound_solids(solid, solids, n, whole);
+  bool good = c.face_of && sound_solids(&c, solids, n, whole);
 
-  *whole = good && *whole && single_faces(solid) && single_vertices(solid) &&
+  *whole = good && *whole && single_faces(solid) && single_vertices(&c) &&
            sound_triangles(&c);
+  good = good && !c.stopped;
   if (*whole) {
     const sg_self_joining joining = {.n = solid->triangles,
                                      .read = read_triangle,

@@ -10,22 +10,27 @@ case $(ldd "$sanggwan") in
   ;;
 esac
 
-# Balls of 4 N (N - 1) triangles, a ragged star of 50 N corners and a round
-# polygon of 1,000 N, 2 N spheres in each other, 15 N boxes side by side.
-awk -v n=200 'function at(i, j) {
+# Balls of 4 N (N - 1) triangles, and one of a million, a ragged star of 50 N
+# corners and a round polygon of 1,000 N, 2 N spheres in each other, 15 N boxes
+# side by side.
+awk -v n=200 'function at(n, i, j) {
   return i == 0 ? 1 : i == n ? (n - 1) * 2 * n + 2 : (i - 1) * 2*n + j % (2*n) + 2
 }
-BEGIN { pi = 3.14159265358979
-  for (x = 0; x < 2; x++) {
-    file = "'"$work"'/ball" x ".obj"
-    for (i = 0; i <= n; i++) for (j = 0; j < (i % n ? 2 * n : 1); j++)
-      printf "v %.15f %.15f %.15f\n", 0.7 * x + sin(pi*i/n) * cos(pi*j/n), \
-        sin(pi*i/n) * sin(pi*j/n), cos(pi*i/n) > file
-    for (i = 0; i < n; i++) for (j = 0; j < 2 * n; j++) {
-      if (i < n - 1) print "f", at(i, j), at(i+1, j), at(i+1, j+1) > file
-      if (i > 0) print "f", at(i, j), at(i+1, j+1), at(i, j+1) > file
-    }
+function ball(n, x, file) {
+  for (i = 0; i <= n; i++) for (j = 0; j < (i % n ? 2 * n : 1); j++)
+    printf "v %.15f %.15f %.15f\n", x + sin(pi*i/n) * cos(pi*j/n), \
+      sin(pi*i/n) * sin(pi*j/n), cos(pi*i/n) > file
+  for (i = 0; i < n; i++) for (j = 0; j < 2 * n; j++) {
+    if (i < n - 1)
+      print "f", at(n, i, j), at(n, i+1, j), at(n, i+1, j+1) > file
+    if (i > 0)
+      print "f", at(n, i, j), at(n, i+1, j+1), at(n, i, j+1) > file
   }
+}
+BEGIN { pi = 3.14159265358979
+  ball(n, 0, "'"$work"'/ball0.obj")
+  ball(n, 0.7, "'"$work"'/ball1.obj")
+  ball(500, 0, "'"$work"'/million.obj")
   file = "'"$work"'/star.off"
   m = 50 * n
   print "OFF\n" m, 1, 0 > file
@@ -69,6 +74,8 @@ asks() {
   [ "$took" -le "$most" ] || most=$took
 }
 asks check check "$work/ball0.obj"
+asks million check "$work/million.obj"
+asks 'million, drawn' draw -q "$work/million.obj" -o "$work/a.svg"
 asks star check "$work/star.off"
 asks round check "$work/round.off"
 asks nested draw -q "$work/nested.pl" -o "$work/a.svg"
@@ -79,6 +86,6 @@ asks union union -q "$work/ball0.obj" "$work/ball1.obj" -o "$work/a.off"
 asks render render -q "$work/ball0.obj" -o "$work/a.png"
 asks split split -q "$work/ball0.obj" --plane 0,0,1,-0.1 -o "$work/a.stl"
 asks convert convert -q "$work/ball0.obj" -o "$work/a.pl"
-printf 'counted: the longest of 11 commands without a question took %d ms\n' \
+printf 'counted: the longest of 13 commands without a question took %d ms\n' \
   "$most"
 finish
