@@ -3,8 +3,8 @@
             with_text_again/3,          % +Path, -Stream, :Goal
             with_bytes/3                % +File, -Stream, :Goal
           ]).
-:- use_module(kernel, [atomic_scratch/3, endless_file/1]).
-:- use_module(limits, [limit_value/2, text_beyond/5]).
+:- use_module(kernel, [atomic_scratch/3, endless_file/1, text_copied/8]).
+:- use_module(limits, [limit_value/2, text_beyond/5, text_limits/1]).
 /** <module> Files of text, looked through before they are read.
 */
 
@@ -72,7 +72,7 @@ with_text_again(Path, Stream, Goal) :-
 with_bytes(File, Stream, Goal) :-
     limit_value(text, Most),
     Limit = limit(text, Most),
-    text_opened(File, Limit, bytes-none, text(Name, Path, Stream)),
+    text_opened(File, Limit, octets-none, text(Name, Path, Stream)),
     setup_call_cleanup(
         set_stream(Stream, type(binary)),
         ( set_stream(Stream, record_position(false)),
@@ -100,6 +100,7 @@ no_limit_broken(Kind, Limit, text(Name, Path, Stream)) :-
         Size > Most
     ->  throw(error(model_error(Limit), location(Name, 0, 0)))
     ;   Kind \== csg,
+        Name == Path,                   % else it was when it was copied
         catch(text_beyond(Kind, Stream, What, Line, Column),
               error(io_error(read, From), Context),
               cannot_read(Name, error(io_error(read, From), Context)))
@@ -137,59 +138,52 @@ has_an_end(Name, File) :-
     ;   true
     ).
 
-%   copied(In, Name, Limit, Check, Copy, Stream): no more than shows that it is
-%   too large, or otherwise wrong.
+%   copied(In, Name, Limit, Kind-Check, Copy, Stream): no more than shows that
+%   it is too large, or otherwise wrong.
 
-copied(In, Name, limit(_, Most), Check, Copy, Stream) :-
+copied(In, Name, limit(_, Most), Kind-Check, Copy, Stream) :-
     Enough is Most+1,
     atomic_scratch('.pl', _, Copy),
+    set_stream(In, record_position(false)), % octets, not lines
     catch(setup_call_cleanup(
               open(Copy, write, Out, [type(binary)]),
-              parts_copied(In, Out, Enough, first(1_000_000),
-                           copy(Name, Check, Copy)),
+              all_copied(Kind-Check, In, Out, Enough, Name, Copy),
               close(Out)),
           Error,
           ( delete_file(Copy),
             not_copied(Name, Error) )),
     open(Copy, read, Stream, [encoding(utf8)]).
 
-%   parts_copied(In, Out, Left, Part, Copy): each part is as large as what was
-%   copied before it, so what is looked through again is no more than that.
-
-parts_copied(In, Out, Left, Part, Copy) :-
-    arg(1, Part, Size),
-    N is min(Left, Size),
-    copy_stream_data(In, Out, N),
-    Left1 is Left-N,
-    (   Left1 =:= 0
-    ->  true
-    ;   peek_byte(In, -1)
-    ->  true
-    ;   flush_output(Out),
-        Copy = copy(Name, Kind-Check, File),
-        begins_well(Kind, Name, File),
-        (   Part = first(_),
-            Check \== none
-        ->  with_text_again(File, Stream,
-                            call(Check, text(Name, File, Stream)))
-        ;   true
-        ),
-        (   Part = first(_)
-        ->  Next = next(Size)
-        ;   Twice is 2*Size,
-            Next = next(Twice)
-        ),
-        parts_copied(In, Out, Left1, Next, Copy)
+all_copied(Kind-Check, In, Out, Enough, Name, Copy) :-
+    First is min(Enough, 1_000_000),
+    part_copied(Kind, "", In, Out, First, Name, Copied),
+    Left is Enough-First,
+    (   Copied =:= First,
+        Left > 0
+    ->  with_text_again(
+            Copy, Begun,
+            ( (   Check == none
+              ->  true
+              ;   call(Check, text(Name, Copy, Begun))
+              ),
+              part_copied(Kind, Begun, In, Out, Left, Name, _)
+            ))
+    ;   true
     ).
 
-begins_well(Kind, Name, File) :-
-    (   memberchk(Kind, [facts,program,json,lines]),
-        setup_call_cleanup(
-            open(File, read, Stream, [encoding(utf8)]),
-            text_beyond(Kind, Stream, What, Line, Column),
-            close(Stream))
-    ->  throw(error(model_error(What), location(Name, Line, Column)))
-    ;   true
+part_copied(Kind0, Begun, In, Out, Most, Name, Copied) :-
+    (   Kind0 == csg
+    ->  Kind = octets
+    ;   Kind = Kind0
+    ),
+    text_limits(Limits),
+    text_copied(Kind, Begun, In, Out, Limits, Most, Copied,
+                fault(What, Line, Column)),
+    (   What == none
+    ->  true
+    ;   limit_value(What, Limit),
+        throw(error(model_error(limit(What, Limit)),
+                    location(Name, Line, Column)))
     ).
 
 not_copied(Name, error(Formal, Context)) :-

@@ -475,6 +475,9 @@ character(sg_text_scan *s, uint32_t c)
 bool
 sg_text_scan_feed(sg_text_scan *s, const char *bytes, size_t n)
 {
+  if (s->kind == SG_TEXT_OCTETS) {
+    return true;
+  }
   for (size_t i = 0; i < n && !s->fault; i++) {
     uint32_t c = (unsigned char)bytes[i];
     if (s->left > 0 && (c < 0x80 || c >= 0xc0)) {

@@ -27,7 +27,8 @@ typedef enum sg_text_kind {
                       deep term, so words may be eight times as many */
   SG_TEXT_JSON,    /* one value: of depth only the brackets count. After what
                       is no JSON anything may be thought: nobody reads on */
-  SG_TEXT_LINES    /* values of JSON: each is no longer than a fact */
+  SG_TEXT_LINES,   /* values of JSON: each is no longer than a fact */
+  SG_TEXT_OCTETS   /* anything: nothing is looked at */
 } sg_text_kind;
 
 typedef enum sg_text_fault {

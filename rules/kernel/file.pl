@@ -15,8 +15,16 @@ Foreign predicates; see kernel.pl.
 %   beginning, wherever the stream is), is too deep or too long: Fault is the
 %   first fault(What, Line, Column), What one of `depth`, `digits`, `name`
 %   and `fact`. Limits is limits(Depth, Blocks, Digits, Name, Fact, File).
-%   Kind is `facts`, `program`, `json` or `lines`: see
+%   Kind is `facts`, `program`, `json`, `lines` or `octets`: see
 %   c_kernels/model/text_limits.h.
+
+%!  text_copied(+Kind:text_kind, +Begun:text, +In:input, +Out:output,
+%!              +Limits:text_limits, +Most:count, -Copied:count,
+%!              -Fault:text_fault_place) is det.
+%
+%   Writes what comes from In to Out, Most octets of it, and looks through it as
+%   it comes, as what follows the text Begun. Copied octets were written: fewer
+%   than Most if In is at its end, or after a Fault; its What is `none` else.
 
 /* - - - plain_facts_rows.c - - - */
 

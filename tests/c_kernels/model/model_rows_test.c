@@ -230,6 +230,46 @@ boundaries(sg_world *world)
   sg_boundaries_free(coarser);
 }
 
+/* What comes is looked through as it comes: a fault is found where it is, also
+ * in a fact that what is there already has begun. */
+static void
+copies(void)
+{
+  static memory begun;
+  const sg_input before = {read_memory, &begun};
+  sg_text_limits most = {20, 20, 20, 20, 100, 100};
+  sg_text_fault_place fault;
+  size_t n;
+
+  begun = (memory){.at = "v(1,\n22222222222222", .n = 19, .chunk = 5};
+  sink = (memory){.chunk = ROOM};
+  set_source("2222222). v(1, 1, 1).");
+  CHECK("goes on", sg_door_text_copied(&call, SG_TEXT_FACTS, &before, &in, &out,
+                                       &most, 1000, &n, &fault));
+  CHECK("fault", fault.what == SG_TEXT_DIGITS && fault.line == 2);
+  CHECK("copied no further", n == 7 && sink.n == 7);
+  begun = (memory){.chunk = 5};
+  sink = (memory){.chunk = ROOM};
+  set_source("v(1, 1, 1). v(1, 1, 1).");
+  CHECK("most", sg_door_text_copied(&call, SG_TEXT_FACTS, &before, &in, &out,
+                                    &most, 10, &n, &fault));
+  CHECK("no more", fault.what == SG_TEXT_GOOD && n == 10 &&
+                       !memcmp(sink.at, "v(1, 1, 1)", 10));
+  CHECK("the rest", sg_door_text_copied(&call, SG_TEXT_FACTS, &before, &in,
+                                        &out, &most, 1000, &n, &fault));
+  CHECK("to the end",
+        n == 13 && !memcmp(sink.at, source.at, 23) && sink.n == 23);
+  set_source("[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[");
+  CHECK("octets", sg_door_text_copied(&call, SG_TEXT_OCTETS, &before, &in, &out,
+                                      &most, 1000, &n, &fault));
+  CHECK("are any", fault.what == SG_TEXT_GOOD && n == 30);
+  sink = (memory){.chunk = 3};
+  set_source("v(1, 1, 1).");
+  CHECK("full", !sg_door_text_copied(&call, SG_TEXT_FACTS, &before, &in, &out,
+                                     &most, 1000, &n, &fault));
+  refused(SG_REFUSED_NOTHING);
+}
+
 static void
 texts(void)
 {
@@ -271,6 +311,7 @@ main(void)
   shapes(world);
   writes_a_mesh();
   boundaries(world);
+  copies();
   texts();
   sg_call_close(&call);
   sg_world_drop(world);
