@@ -192,6 +192,23 @@ test_bad_goals(void)
   CHECK("deep recursion ends with the stack",
         sanggwan_run(world, "length(L, 100000000), sum_list(L, _)") ==
             SANGGWAN_IMPOSSIBLE);
+  CHECK("stacks may be small",
+        sanggwan_run(world, "current_prolog_flag(stack_limit, N), "
+                            "nb_setval(usual_stacks, N), "
+                            "set_prolog_flag(stack_limit, 50000000)") ==
+            SANGGWAN_DONE);
+  q = sanggwan_ask(world, "numlist(1, 1000000000000000000000, L)");
+  CHECK("a question ends with them",
+        sanggwan_next(q) == SANGGWAN_IMPOSSIBLE && says(world, "stacks"));
+  sanggwan_query_close(q);
+  CHECK("and may be large again",
+        sanggwan_run(world, "nb_getval(usual_stacks, N), "
+                            "set_prolog_flag(stack_limit, N)") ==
+            SANGGWAN_DONE);
+  CHECK("a goal ends with its time",
+        sanggwan_run(world, "call_with_time_limit(0.1, (repeat, fail))") ==
+                SANGGWAN_USAGE &&
+            says(world, "ime"));
   CHECK("a good goal clears the message",
         sanggwan_run(world, "true") == SANGGWAN_DONE &&
             *sanggwan_message(world) == '\0');
