@@ -36,9 +36,9 @@
  * runs (docs/model_files.md). A goal that runs has the limits of Prolog alone:
  * in each thread its stacks hold 1 GB, after which it is SANGGWAN_IMPOSSIBLE,
  * and it takes what time it takes. For goals of others give less, by goals of
- * yours: "set_prolog_flag(stack_limit, 50000000)", octets, holds for the calling
- * thread from then on; "call_with_time_limit(2.5, (GOAL))", seconds, ends in
- * SANGGWAN_USAGE.
+ * yours: "set_prolog_flag(stack_limit, 50000000)", octets, holds for the
+ * calling thread from then on; "call_with_time_limit(2.5, (GOAL))", seconds,
+ * ends in SANGGWAN_USAGE.
  *
  * TEXT is UTF-8 and ends with a zero byte, both ways; names of files are as the
  * system's.

@@ -27,7 +27,7 @@
               ]).
 :- use_module(document_journal,
               [ damaged_path/2, first_steps/2, journal_opened/5, journal_path/2,
-                model_text/5, path_saved/4, save_step/3
+                model_text/5, path_saved/4, save_step/3, wanted_path/3
               ]).
 :- use_module(document_step,
               [ change_step/6, checkpoint/3, kept_step/3, replayed/4,
@@ -187,10 +187,23 @@ document_opened(Head, Reply, Commit) :-
     ),
     file_world_forgotten(File),
     State = state(Key, _, _),
-    model_world(Kind, File, Key, World, Objects0),
+    catch(model_world(Kind, File, Key, World, Objects0), Error,
+          not_loaded(Replayed, Head, File, Error)),
     append(Said, Objects0, Objects),
     shape(World, Objects, Shape),
     Reply = Shape.put(_{file:Name, replayed:Replayed}).
+
+%   not_loaded(Replayed, Head, File, Error): what is wrong stands in no file if
+%   changes were made to it: it names both, the file and the journal.
+
+not_loaded(Replayed, Head, File, Error) :-
+    (   Replayed > 0,
+        Error = error(What, location('<stdin>', Line, Column)),
+        wanted_path(Head, File, Path)
+    ->  atomic_list_concat([File,Path], ' + ', Both),
+        throw(error(What, location(Both, Line, Column)))
+    ;   throw(Error)
+    ).
 
 %   text_opened(File, Head, State, Replayed, Said, Commit): Said are messages of
 %   the journal.

@@ -1,5 +1,6 @@
 :- module(sg_document_journal,
           [ model_text/5,               % +File, -Text, -Steps, -Journal, +Head
+            wanted_path/3,              % +Head, +File, -Path
             journal_opened/5,           % +Where, +File, +Digest, +Steps,
                                         % -Journal
             damaged_path/2,             % +Path, -Kept
@@ -88,6 +89,12 @@ rules_allowed(Steps, Head) :-
     ->  of_owner(Head, journal)
     ;   true
     ).
+
+%!  wanted_path(+Head:dict, +File, -Path) is det.
+%
+%   Path is the journal of File that Head wants, or `none`.
+%
+%   @error request_error(bad_key(journal, journal))
 
 wanted_path(Head, File, Path) :-
     (   get_dict(journal, Head, Wanted)

@@ -8,6 +8,7 @@
             journal_closed/1            % +Journal
           ]).
 :- use_module('../kernel', [atomic_sync/1, atomic_sync_folder/1]).
+:- use_module(document_content, [text_digest/2]).
 :- use_module(library(http/json), [json_read_dict/2, json_write_dict/3]).
 :- use_module(library(apply), [exclude/3]).
 :- use_module(library(filesex), [make_directory_path/1]).
@@ -18,6 +19,10 @@ saved.
 Each change is a line, which is on the disk before anybody is told that the
 change was made. So nothing is lost when the process is killed, or the machine
 loses its power. A last line that is not complete was told to nobody.
+
+Behind the object of a line stands a space and its sum, of what the line holds
+and of where it begins: a line that was changed, or moved by another one, is
+damaged. The journal of an older version, `"journal":1`, has no sums.
 */
 
 %!  journal_begun(+Path, +File, +Digest, +Text, +Steps, -Journal) is det.
@@ -31,13 +36,14 @@ journal_begun(Path, File, Digest, Text, Steps, Journal) :-
     atom_concat(Path, '.new', New),
     open(New, write, Journal, [encoding(utf8), newline(posix)]),
     atom_string(File, Name),
-    catch(( journal_lines(Journal, [_{ journal:1, file:Name, digest:Digest,
+    catch(( journal_lines(Journal, [_{ journal:2, file:Name, digest:Digest,
                                        text:Text }|Steps]),
             rename_file(New, Path),
             atomic_sync_folder(Path)
           ),
           Error,
           ( journal_closed(Journal),
+            catch(delete_file(New), error(_, _), true),
             throw(Error)
           )).
 
@@ -54,10 +60,28 @@ journal_line(Journal, Step) :-
     journal_lines(Journal, [Step]).
 
 journal_lines(Journal, Steps) :-
-    forall(member(Step, Steps),
-           ( json_write_dict(Journal, Step, [width(0)]),
-             nl(Journal) )),
+    forall(member(Step, Steps), line_written(Journal, Step)),
     atomic_sync(Journal).
+
+line_written(Journal, Step) :-
+    step_object(Step, Object),
+    byte_count(Journal, At),
+    line_sum(At, Object, Sum),
+    format(Journal, "~s ~s~n", [Object,Sum]).
+
+step_object(Step, Object) :-
+    with_output_to(string(Object),
+                   json_write_dict(current_output, Step, [width(0)])).
+
+%   line_sum(At, Object, Sum): of a line that begins At so many octets.
+
+line_sum(At, Object, Sum) :-
+    format(string(Text), "~d ~s", [At,Object]),
+    text_digest(Text, Digest),
+    sum_length(Length),
+    sub_string(Digest, 0, Length, _, Sum).
+
+sum_length(16).
 
 %!  journal_closed(+Journal) is det.
 
@@ -85,10 +109,9 @@ journal_steps(Path, Digest, Steps) :-
     exists_file(Path),
     setup_call_cleanup(
         open(Path, read, In, [encoding(utf8)]),
-        ( step(In, Head),
-          get_dict(journal, Head, 1),
+        ( head(In, Form, Head),
           get_dict(digest, Head, First),
-          steps(In, Steps0)
+          steps(In, Form, Steps0)
         ),
         close(In)),
     (   append(_, [Saved|Behind], Steps0),
@@ -115,39 +138,77 @@ journal_whole(Path, Text, Steps) :-
     exists_file(Path),
     setup_call_cleanup(
         open(Path, read, In, [encoding(utf8)]),
-        ( step(In, Head),
-          get_dict(journal, Head, 1),
+        ( head(In, Form, Head),
           get_dict(text, Head, Text),
           string(Text),
-          steps(In, Steps0)
+          steps(In, Form, Steps0)
         ),
         close(In)),
     exclude(is_save, Steps0, Steps).
 
 is_save(Step) :-
-    get_dict(do, Step, "save").
+    get_dict(do, Step, "save"),
+    get_dict(digest, Step, _).
 
-steps(In, Steps) :-
-    (   step(In, Step)
+%   head(In, Form, Head) is semidet: the first line, of a journal of this Form.
+
+head(In, Form, Head) :-
+    read_string(In, "\n", "", 0'\n, Line),
+    line_step(Form, 0, Line, Head),
+    get_dict(journal, Head, Form),
+    !.
+
+steps(In, Form, Steps) :-
+    (   step(In, Form, Step)
     ->  Steps = [Step|Steps1],
-        steps(In, Steps1)
+        steps(In, Form, Steps1)
     ;   Steps = []
     ).
 
-%   step(In, Step): fails at the end, and at what is no complete line: one that
-%   lacks its newline alone was told to nobody either.
+%   step(In, Form, Step): fails at the end, and at what is no complete line: one
+%   that lacks its newline alone was told to nobody either. One that has
+%   something else for its newline was.
 
-step(In, Step) :-
-    read_string(In, "\n", "", 0'\n, Line),
-    (   sub_string(Line, 0, _, _, "{"),
-        catch(setup_call_cleanup(
-                  open_string(Line, Text),
-                  json_read_dict(Text, Step0),
-                  close(Text)),
-              error(_, _), fail),
-        is_dict(Step0)
+step(In, Form, Step) :-
+    byte_count(In, At),
+    read_string(In, "\n", "", End, Line),
+    (   End =:= -1
+    ->  Form =:= 2,
+        sub_string(Line, 0, _, 1, Before),
+        line_step(Form, At, Before, _),
+        damaged_step(Step)
+    ;   End =:= 0'\n,                  % not 0, which ends strings, too
+        line_step(Form, At, Line, Step0)
     ->  Step = Step0
     ;   damaged_step(Step)
+    ).
+
+%   line_step(?Form, At, Line, Step) is nondet: Line, which begins At so many
+%   octets, holds Step, in a journal of this Form.
+
+line_step(2, At, Line, Step) :-
+    sum_length(Length),
+    sub_string(Line, Before, Length, 0, Sum),
+    Before1 is Before-1,
+    sub_string(Line, Before1, 1, _, " "),
+    sub_string(Line, 0, Before1, _, Object),
+    line_sum(At, Object, Sum),
+    object_step(Object, Step).
+line_step(1, _, Line, Step) :-
+    sub_string(Line, _, 1, 0, "}"),
+    object_step(Line, Step).
+
+object_step(Object, Step) :-
+    sub_string(Object, 0, _, _, "{"),
+    catch(setup_call_cleanup(
+              open_string(Object, Text),
+              json_read_dict(Text, Step),
+              close(Text)),
+          error(_, _), fail),
+    is_dict(Step),
+    (   sub_string(Object, _, _, _, "\\u")
+    ->  catch(step_object(Step, _), error(_, _), fail) % half a character?
+    ;   true
     ).
 
 %!  damaged_step(-Step:dict) is det.

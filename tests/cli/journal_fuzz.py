@@ -1,7 +1,8 @@
 """journal_fuzz.py PROGRAM FOLDER CASES SEED: journals of a document, damaged at
 random, are opened: each gets one reply in words of ours within a second of
 processor; the file of the model stays as it is; what a damaged journal held is
-still somewhere; and the session lives on."""
+still somewhere; and the session lives on. Of a journal as the program writes it
+one octet is changed, or a line moved: that is told, wherever it is."""
 import glob
 import hashlib
 import json
@@ -77,8 +78,43 @@ def recorded():
         head, _ = session.ask(do, body, **keys)
         checks.check("a change", head.get("do") == do, head)
     session.kill()
-    with open(JOURNAL, encoding="utf8") as journal:
-        return [json.loads(line) for line in journal]
+    with open(JOURNAL, "rb") as journal:
+        whole = journal.read()
+    rows = [json.loads(line[:-17]) for line in whole.splitlines()]
+    rows[0]["journal"] = 1          # a journal without sums
+    return rows, whole
+
+
+def changed(whole):
+    """Another octet somewhere, or a line somewhere else."""
+    lines = whole.splitlines(True)
+    kind = draw.randrange(8)
+    if kind == 0:
+        at, other = draw.sample(range(1, len(lines)), 2)
+        lines[at], lines[other] = lines[other], lines[at]
+    elif kind == 1:
+        at = draw.randrange(1, len(lines))
+        lines.insert(draw.randrange(1, len(lines)), lines[at])
+    elif kind == 2:
+        del lines[draw.randrange(1, len(lines) - 1)]
+    if kind < 3:
+        return b"".join(lines)
+    # The lines of changes are short: more often there.
+    at = draw.randrange(len(lines[0]) if draw.random() < 0.5 else 0,
+                        len(whole))
+    if draw.random() < 0.3:         # a digit is another digit
+        while not whole[at:at + 1].isdigit():
+            at = draw.randrange(len(whole))
+        octet = draw.choice([b for b in b"0123456789" if b != whole[at]])
+    else:
+        octet = draw.choice([b for b in range(256) if b != whole[at]])
+    return whole[:at] + bytes([octet]) + whole[at + 1:]
+
+
+def silent(session, text, keys):
+    """Opens it; what is wrong: nobody is told of a change."""
+    outcome, wrong = opened(session, text, keys)
+    return wrong or (None if outcome != "open" else "a change is not noticed")
 
 
 def checkpoint():
@@ -211,7 +247,7 @@ def opened(session, text, keys):
     return outcome, wrong
 
 
-rows = recorded()
+rows, whole = recorded()
 session = Session(program, cwd=work, env=environment)
 outcomes = {}
 for case in range(cases):
@@ -234,12 +270,22 @@ for case in range(cases):
     if not outcome:
         session.kill()
         session = Session(program, cwd=work, env=environment)
+for case in range(cases):
+    text = changed(whole)
+    session.ask("open", file=MODEL)
+    wrong = None if text == whole else silent(session, text, draw.choice(
+        ({}, {"replay": "journal"})))
+    if wrong:
+        with open("%s/sum-%d" % (work, case), "wb") as kept:
+            kept.write(text)
+        checks.check("changed journal %d of seed %d: %s" % (case, seed, wrong),
+                     False, text[-300:])
 signal.alarm(0)
 head, _ = session.ask("hello")
 checks.check("it lives on", head and head.get("do") == "hello", head)
 session.kill()
 for wanted in ("open", "damaged"):
     checks.check("some are %s" % wanted, outcomes.get(wanted, 0) > 0, outcomes)
-print("counted: %d journals, seed %d, %s" % (cases, seed,
-                                             sorted(outcomes.items())))
+print("counted: %d journals, and as many with a change, seed %d, %s" % (
+    cases, seed, sorted(outcomes.items())))
 checks.finish()

@@ -3,7 +3,8 @@
 # serve_studio.py asks what a studio would;
 # serve_document.py has its document, killed SERVE_KILLS times; serve_same.py has
 # verbs in random order, for SERVE_SECONDS more. serve_fuzz.py
-# sends SERVE_FRAMES random frames, journal_fuzz.py damages SERVE_JOURNALS journals. SERVE_SEED is of all.
+# sends SERVE_FRAMES random frames, journal_fuzz.py damages SERVE_JOURNALS journals,
+# rules_fuzz.py tries SERVE_RULES rule files. SERVE_SEED is of all.
 # covers: ask, document, job, journal, message_object, port, process_state, session
 # covers: request, document_verb, laid_out, process_limit
 . "$(dirname "$0")/harness.bash"
@@ -36,12 +37,13 @@ asked() {
 }
 
 mkdir "$work/one" "$work/document" "$work/studio" "$work/same" "$work/fuzz" \
-  "$work/journals"
+  "$work/journals" "$work/rules"
 asked serve.py "$work/one"
 asked serve_document.py "$work/document"
 asked serve_studio.py "$work/studio"
 asked serve_same.py "$work/same" "${SERVE_SECONDS:-0}" "${SERVE_SEED:-1}"
 asked journal_fuzz.py "$work/journals" "${SERVE_JOURNALS:-60}" \
   "${SERVE_SEED:-1}"
+asked rules_fuzz.py "$work/rules" "${SERVE_RULES:-40}" "${SERVE_SEED:-1}"
 asked serve_fuzz.py "$work/fuzz" "${SERVE_FRAMES:-1500}" "${SERVE_SEED:-1}"
 finish

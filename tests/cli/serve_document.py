@@ -549,6 +549,19 @@ for _ in range(999):
 check("a thousand steps back", "error" not in head and
       b"radius(4000)" in s.ask("text")[1], s.ask("text")[1])
 
+# Changes after which the text does not load: neither file alone is wrong.
+with open(journal, "w") as f:
+    f.write(json.dumps({"journal": 1, "file": model, "text": TEXT, "digest":
+                        hashlib.sha256(TEXT.encode()).hexdigest()}) + "\n")
+    f.write(json.dumps({"do": "text", "text": TEXT + "fly(1).\n"}) + "\n")
+head, _ = s.ask("open", file=model)
+head, _ = s.ask("open", file=model, journal=journal)
+check("what does not load has two files",
+      code(head) == "model_error.unknown_relation" and
+      head["error"]["file"] == "%s + %s" % (model, journal) and
+      head["error"]["line"] == TEXT.count("\n") + 1, head)
+os.remove(journal)
+
 # A full disk: the change is refused, and all that follow, until it is opened
 # again.
 head, _ = s.ask("open", file=model, journal=journal)

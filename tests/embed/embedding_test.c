@@ -202,9 +202,9 @@ test_bad_goals(void)
         sanggwan_next(q) == SANGGWAN_IMPOSSIBLE && says(world, "stacks"));
   sanggwan_query_close(q);
   CHECK("and may be large again",
-        sanggwan_run(world, "nb_getval(usual_stacks, N), "
-                            "set_prolog_flag(stack_limit, N)") ==
-            SANGGWAN_DONE);
+        sanggwan_run(world,
+                     "nb_getval(usual_stacks, N), "
+                     "set_prolog_flag(stack_limit, N)") == SANGGWAN_DONE);
   CHECK("a goal ends with its time",
         sanggwan_run(world, "call_with_time_limit(0.1, (repeat, fail))") ==
                 SANGGWAN_USAGE &&
