@@ -106,11 +106,11 @@ export class Picture {
       replaceChildren: (...children) => this.mine.replaceChildren(...children) };
   }
 
-  // `where` says where a point of the model is in it, if that can be told.
-  show(picture, where = null) {
+  // `space` says where a point of the model is in it, if that can be told.
+  show(picture, space = null) {
     this.mine.replaceChildren();
     this.shown = picture;
-    this.where = where;
+    this.space = space;
     this.drawn = null;
     this.nearest = null;
     const paths = picture.looks.map(() => "");
@@ -186,8 +186,8 @@ export class Picture {
       return edges ? partPath(stroke, (edge) => edges.has(edge)) : "";
     };
     const d = names.size ? strokes.map((stroke) => (whole(stroke) ? wholePath(stroke) : part(stroke))).join("") : "";
-    const unseen = !ends || !this.where ? [] : Object.entries(ends).filter(([name]) => names.has(name) && !this.draws(name));
-    this.layers[layer].setAttribute("d", d + unseen.map(([, at]) => `M${at.map((v) => this.where(v).join(" ")).join("L")}`).join(""));
+    const unseen = !ends || !this.space ? [] : Object.entries(ends).filter(([name]) => names.has(name) && !this.draws(name));
+    this.layers[layer].setAttribute("d", d + unseen.map(([, at]) => this.space.remains(at).map((v, i) => "ML"[i] + this.space.where(v).join(" ")).join("")).join(""));
   }
 
   hover(found) {

@@ -215,7 +215,7 @@ export class Port extends Pointing {
   showStrokes(reply) {
     const { head } = reply;
     const strokes = strokesOf(reply);
-    this.picture.show(strokes, spaceOf(this, strokes)?.where);
+    this.picture.show(strokes, spaceOf(this, strokes));
     this.took = head.ms ?? 0;
     const { fits } = kindOf(this.kind);
     if (fits && !this.zoomed) this.picture.fit(fits === "bar" ? fits : null);

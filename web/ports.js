@@ -52,7 +52,7 @@ export class Ports {
 
   // Whether each of these edges has a line wherever that would be.
   draws(names) {
-    return this.ports.every(({ picture }) => !picture.shown || !picture.where || names.every((name) => picture.draws(name)));
+    return this.ports.every(({ picture }) => !picture.shown || !picture.space || names.every((name) => picture.draws(name)));
   }
 
   // One port alone, as large as all; none: all of them.

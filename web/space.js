@@ -34,5 +34,14 @@ export function spaceOf(port, picture) {
     const [from, to] = [where(at), where(at.map((n, k) => n + way[k] * step))];
     return to.map((n, k) => (n - from[k]) / step);
   };
-  return { scale, seen, where };
+  // What a section leaves of a line; of one that is cut away nothing.
+  const remains = (ends) => {
+    if (port.kind !== "section") return ends;
+    const k = "xyz".indexOf(port.settings.axis), sign = k === 1 ? 1 : -1;
+    const [a, b] = ends.map((v) => sign * (turned(v)[k] - port.at));
+    if (a < 0 && b < 0) return [];
+    const cut = (from, to, part) => from.map((n, i) => n + (to[i] - n) * part);
+    return [a < 0 ? cut(ends[0], ends[1], a / (a - b)) : ends[0], b < 0 ? cut(ends[1], ends[0], b / (b - a)) : ends[1]];
+  };
+  return { scale, seen, where, remains };
 }

@@ -31,15 +31,16 @@ bounds no cell is a surface that stays where it is.
 
 %!  cells_exploded(+Factor) is det.
 %
-%   Instead of each segment S of kind `cells` whose regions are known
-%   (regions_made/2) there are its regions: the middle of the box of each is
-%   moved by Factor times the way from the middle of the box of S. One
-%   transaction; what was made from S goes with it.
+%   Instead of each segment S of kind `cells` there are its regions
+%   (regions_made/2): the middle of the box of each is moved by Factor times the
+%   way from the middle of the box of S. One transaction; what was made from S
+%   goes with it.
 
 cells_exploded(Factor) :-
     facts_transaction(
-        forall(( segment(S, cells, _), once(region(S, _, _)) ),
-               sg_exploded:exploded(S, Factor))).
+        ( forall(( segment(S, cells, _), \+ region(S, _, _) ),
+                 regions_made(S, _)),
+          forall(segment(S, cells, _), sg_exploded:exploded(S, Factor)) )).
 
 exploded(S, Factor) :-
     segment_exploded(S, Factor, Parts),

@@ -55,13 +55,14 @@ selected(World, Head, _{selected:Dicts, gone:Gone, ends:Ends}) :-
     ).
 
 %   operands(World, Items, Operands): of those Items that are operands, and so
-%   not drawn themselves, segment(S)-Names of the edges that they made.
+%   not drawn themselves, segment(S)-Names of what they made; of faces that an
+%   operation on solids made, polygon(S, P)-Explain. Pictures know of neither.
 
 operands(World, Items, Operands) :-
-    (   memberchk(segment(_), Items)
+    (   ( memberchk(segment(_), Items) ; memberchk(polygon(_, _), Items) )
     ->  in_state(World, cut,
-                 findall(Item-Names,
-                         ( member(Item, Items), operand(Item, Names) ),
+                 findall(Item-Told,
+                         ( member(Item, Items), operand(Item, Told) ),
                          Operands))
     ;   Operands = []
     ).
@@ -69,6 +70,8 @@ operands(World, Items, Operands) :-
 operand(segment(S), Names) :-
     operand_items(S, Items),
     maplist(name_of, Items, Names).
+operand(polygon(S, P), [piece(S, P)]) :-
+    once(from_p(S, P, _, _, _)).
 
 kept_there(World, Names0, Names, Gone) :-
     maplist(name_item, Names0, Items),
@@ -189,8 +192,12 @@ item(Operands, segment(S), Goal, [], Shows) :-
     memberchk(segment(S)-Shows, Operands),
     !,
     segment_goal(S, Goal).
-item(_, Item, Goal, Explain, Shows) :-
-    item(Item, Goal, Explain, Shows).
+item(Operands, Item, Goal, Explain, Shows) :-
+    item(Item, Goal, Explain0, Shows),
+    (   memberchk(Item-Explain1, Operands)
+    ->  Explain = Explain1
+    ;   Explain = Explain0
+    ).
 
 segment_goal(S, segment(S, '$VAR'('Kind'), '$VAR'('Name'))).
 
@@ -224,12 +231,8 @@ item(edge(S, E), drawn('$VAR'('D'), S, E, '$VAR'('From'), '$VAR'('To'),
                        '$VAR'('Visibility'), '$VAR'('Role')), [], []) :-
     E < 0,                              % an outline: there is one in a picture
     once(segment(S, _, _)).
-item(polygon(S, P), p(S, P, '$VAR'('Es')), Explain, Shows) :-
+item(polygon(S, P), p(S, P, '$VAR'('Es')), [], Shows) :-
     p(S, P, Es),
-    (   from_p(S, P, _, _, _)
-    ->  Explain = [piece(S, P)]
-    ;   Explain = []
-    ),
     findall(Shown, ( member(E, Es), E =\= 0, Id is abs(E),
                      e(S, Id, V1, V2, _),
                      ( Side = Id ; e(S, Side, V2, V1, _) ),

@@ -120,7 +120,7 @@ ENDS = """
   const names = [...at.keys()].filter((_, i) => i % 5 === 0).slice(0, 200);
   studio.wire.ask("select", { names, keep: false }).then(({ head }) => {
     const far = names.flatMap((name) => head.ends[name].map((end) => {
-      const [x, y] = picture.where(end), points = at.get(name);
+      const [x, y] = picture.space.where(end), points = at.get(name);
       return Math.min(...points.map((n, i) => (i % 2 ? Infinity : Math.hypot(n - x, points[i + 1] - y))));
     }));
     done([far.filter((n) => n < 2).length / far.length, far.length]);
@@ -202,6 +202,17 @@ def sections():
             "return studio.askAbout(studio.names[0]).then(() => "
             "document.querySelector('#goal').value)").startswith(
                 "p(" if "p" in name else "e("))
+    # What was cut away is lit in the other ports alone.
+    gone = browser.script("""
+      const names = Array.from({ length: 60 }, (_, i) => `s1e${i + 1}`);
+      return studio.wire.ask("select", { names, keep: false }).then(({ head }) =>
+        names.find((name) => head.ends[name].every(([, y]) => y < -0.5)));""")
+    browser.script("studio.chosen([arguments[0]])", gone)
+    lit = "studio.ports.ports.map(({ picture }) => picture.layers.chosen" \
+          ".getAttribute('d').length)"
+    check("an edge that is cut away is not lit", browser.wait(
+        "((lit) => lit[0] === 0 && lit[1] > 8)(%s)" % lit),
+        (gone, browser.script("return " + lit)))
     browser.script("studio.ports.ports[0].turnTo('iso')")
     browser.wait(QUIET)
 

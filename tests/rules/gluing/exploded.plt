@@ -54,6 +54,14 @@ test(volumes, [ forall(member(File-N, [ 'facts/figures/glue_face.pl'-2,
 test(outside, Kinds == [solid,solid,solid,solid,surface]) :-
     cells_of('facts/figures/glue_materials.pl', 0.5, _, Kinds, _).
 
+%   Cells that a file has, and no glue made.
+
+test(read, Kinds == [curve,solid,solid]) :-
+    in_new_world(( load_model('facts/two_rooms.pl'),
+                   cells_exploded(0.5),
+                   findall(Kind, segment(_, Kind, _), Kinds0) )),
+    msort(Kinds0, Kinds).
+
 %   Two boxes, moved away from each other by half the way between them.
 
 test(moved, Low-High == 0.0 - 2.25) :-
