@@ -61,9 +61,11 @@ WARN    := -Wall -Wextra -Wpedantic -Wshadow -Wconversion \
            -Wmissing-prototypes -Wswitch-enum -Wno-enum-float-conversion \
            -Werror
 # No SLP vectors: points that go through memory as pairs wait for their halves.
+# Functions of a file may be inlined in it though others see them: nobody
+# replaces them (-Bsymbolic).
 # Headers are named from c_kernels/ (rows/sort.h), others of ours from here.
 CFLAGS  := -std=c11 -D_GNU_SOURCE -I. -Ic_kernels -I$(B) $(OPT) -g -fPIC \
-           -ffp-contract=off -fno-tree-slp-vectorize
+           -ffp-contract=off -fno-tree-slp-vectorize -fno-semantic-interposition
 LIBS    := -lgmp -lz -lm -lpthread
 
 C_SRC   := $(wildcard engine/*.c c_kernels/*.c c_kernels/*/*.c)

@@ -22,8 +22,9 @@ curves(A, B, Reps) :-
     read_mesh(B, _),
     complete_segments,
     garbage_collect,
+    options(Options),
     length(Runs, Reps),
-    maplist(run, Runs),
+    maplist(run(Options), Runs),
     maplist(run_seconds, Runs, Seconds),
     Runs = [First|_],
     First = run(_, Stages, Pieces, Lines),
@@ -33,10 +34,17 @@ curves(A, B, Reps) :-
                     [width(0)]),
     nl.
 
-run(run(Seconds, Stages, Pieces, Lines)) :-
+options(Options) :-
+    (   getenv('TOLERANCE', Text)
+    ->  atom_number(Text, Tolerance),
+        Options = [tolerance(Tolerance)]
+    ;   Options = []
+    ).
+
+run(Options, run(Seconds, Stages, Pieces, Lines)) :-
     stages_reset,
     statistics(process_cputime, T0),
-    penetration_chains(Chains),
+    penetration_chains(all, Options, Chains),
     statistics(process_cputime, T),
     Seconds is T-T0,
     findall(Name-Part, stage_seconds(Name, Part), Pairs),

@@ -296,7 +296,7 @@ triangulate(maker *m, const bool *used, sg_key_table *edges,
   sg_outcome end = sg_work_triangulate(m->work, &triangles, &stuck, m->cancel);
   bool done = end == SG_DONE && add_inside(m, used, &triangles);
 
-  if (done) {
+  if (done && !triangles.settled) {
     end = sg_triangles_delaunay(m->work, &triangles, is_edge, edges, m->cancel);
     done = end == SG_DONE;
   }
@@ -346,22 +346,13 @@ make(maker *m, const sg_polygon_row *row, size_t rows, sg_resolved_polygon *out)
 }
 
 sg_resolved
-sg_resolve_polygon(const sg_resolve *r, const double normal[3],
-                   const sg_polygon_row *row, size_t rows,
-                   sg_resolved_polygon *out, const sg_cancel *cancel)
+sg_resolve_polygon(const sg_resolve *r, const sg_polygon_row *row, size_t rows,
+                   sg_work *work, sg_resolved_polygon *out,
+                   const sg_cancel *cancel)
 {
-  maker m = {.r = r,
-             .s = out->s,
-             .p = out->p,
-             .work = sg_work_open(normal),
-             .cancel = cancel};
-
-  if (!m.work) {
-    return SG_RESOLVE_NO_MEMORY;
-  }
+  maker m = {.r = r, .s = out->s, .p = out->p, .work = work, .cancel = cancel};
   sg_resolved end = make(&m, row, rows, out);
 
   sg_meetings_clear(&m.met);
-  sg_work_close(m.work);
   return end;
 }

@@ -27,10 +27,11 @@ typedef struct sg_resolved_polygon {
 } sg_resolved_polygon;
 
 /* Divides the edges of polygon out->p of segment out->s, enters its seams and
- * triangulates it, with the points inside it as corners. Chords are chosen so
- * that no angle is thin (Delaunay) as far as doubles tell. */
-sg_resolved sg_resolve_polygon(const sg_resolve *r, const double normal[3],
-                               const sg_polygon_row *row, size_t rows,
+ * triangulates it, with the points inside it as corners, in `work`, which is
+ * empty. Chords are chosen so that no angle is thin (Delaunay) as far as
+ * doubles tell. */
+sg_resolved sg_resolve_polygon(const sg_resolve *r, const sg_polygon_row *row,
+                               size_t rows, sg_work *work,
                                sg_resolved_polygon *out,
                                const sg_cancel *cancel);
 void sg_resolved_polygon_clear(sg_resolved_polygon *polygon);

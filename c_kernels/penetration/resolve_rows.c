@@ -213,25 +213,33 @@ make_polygons(sg_call *call, sg_resolving *job,
 {
   const sg_version *version = job->handle->version;
   sg_resolved end = SG_RESOLVED;
+  sg_work *work = sg_work_open((const double[3]){0, 0, 1});
+  bool goes_on = true;
 
   for (size_t i = 0; i < job->polygon.n && end == SG_RESOLVED; i++) {
     sg_resolved_polygon *polygon = &job->polygon.item[i];
     double normal[3];
     size_t n;
 
-    if (!sg_resolving_goes_on(call, i)) {
-      return false;
+    if (!(goes_on = sg_resolving_goes_on(call, i))) {
+      break;
     }
     int32_t s = sg_resolving_segment(job, polygon->s);
     sg_polygon_row *rows = get_rows(version, s, polygon->p, &n);
 
     bool area = get_normal(version, s, polygon->p, normal);
     polygon->no_area = !area;
-    end = rows ? sg_resolve_polygon(&job->r, normal, rows, n, polygon,
-                                    &call->cancel)
-               : SG_RESOLVE_NO_MEMORY;
+    end = SG_RESOLVE_NO_MEMORY;
+    if (rows && work) {
+      sg_work_clear(work, normal);
+      end = sg_resolve_polygon(&job->r, rows, n, work, polygon, &call->cancel);
+    }
     free(rows);
     *stuck = end == SG_UNRESOLVED ? polygon : NULL;
+  }
+  sg_work_close(work);
+  if (!goes_on) {
+    return false;
   }
   if (end == SG_RESOLVED) {
     end = sg_resolve_match(&job->r, job->polygon.item, job->polygon.n,

@@ -32,6 +32,8 @@ divide(sg_triangles *triangles, size_t i, int32_t v, int flat)
   sg_triangle t = triangles->item[i];
   bool first = true;
 
+  triangles->settled = false;
+
   for (int k = 0; k < 3; k++) {
     int32_t a = t.v[k], b = t.v[(k + 1) % 3];
     if (k == flat) {
@@ -105,6 +107,7 @@ sg_triangles_insert(const sg_work *work, sg_triangles *triangles, int32_t v)
       /* The corner that the two sides share gives way: what is left of them
        * beside it lies on itself. */
       t->v[at.second == at.flat + 1 ? at.second : at.flat] = v;
+      triangles->settled = false;
     } else if (!divide(triangles, i, v, at.flat)) {
       return false;
     }
@@ -124,7 +127,22 @@ typedef struct turner {
   bool (*is_fixed)(void *data, int32_t a, int32_t b);
   void *data;
   bool *fresh, *asked; /* [triangles] turned in this round; to be looked at */
+  bool twice;          /* a side may be there twice, the same way round */
 } turner;
+
+/* Whether the side noted at `place` is another one of the same ends, the same
+ * way round, as side k of triangle i. */
+static bool
+is_other(const turner *t, uint32_t place, size_t i, uint32_t k)
+{
+  if (place == SG_NO_KEY || place == 3 * (uint32_t)i + k) {
+    return false;
+  }
+  const int32_t *v = t->triangles->item[i].v;
+  const int32_t *w = t->triangles->item[place / 3].v;
+
+  return w[place % 3] == v[k] && w[(place % 3 + 1) % 3] == v[(k + 1) % 3];
+}
 
 /* Of triangle i; sides that were turned away stay known, and nobody asks. */
 static bool
@@ -137,6 +155,7 @@ note_sides(turner *t, size_t i)
     if (!place) {
       return false;
     }
+    t->twice = t->twice || is_other(t, *place, i, k);
     *place = 3 * (uint32_t)i + k;
   }
   return true;
@@ -280,6 +299,7 @@ sg_triangles_delaunay(const sg_work *work, sg_triangles *triangles,
       end = SG_NO_SPACE;
     }
   }
+  triangles->settled = end == SG_DONE && !turned && !t.twice;
   sg_key_table_clear(&t.side);
   free(t.fresh);
   free(t.asked);

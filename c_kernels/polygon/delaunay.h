@@ -17,7 +17,9 @@ bool sg_triangles_insert(const sg_work *work, sg_triangles *triangles,
                          int32_t v);
 
 /* Turns chords, none that `is_fixed`, until the angles opposite to each add up
- * to no more than two right ones. SG_DONE, SG_STOPPED or SG_NO_SPACE. */
+ * to no more than two right ones. SG_DONE, SG_STOPPED or SG_NO_SPACE. Then they
+ * are settled, unless two triangles have the same side the same way round, or
+ * rounding would let it go on: with the same fixed sides nothing is turned. */
 sg_outcome sg_triangles_delaunay(const sg_work *work, sg_triangles *triangles,
                                  bool (*is_fixed)(void *data, int32_t a,
                                                   int32_t b),

@@ -13,6 +13,7 @@ push(sg_triangles *out, const sg_triangle *t)
     return false;
   }
   out->item[out->n++] = *t;
+  out->settled = false;
   return true;
 }
 
@@ -152,11 +153,13 @@ sg_work_triangulate_moved(sg_work *work, double moved, sg_triangles *out,
   sg_outcome outcome = take_all_guarded(work, out, edge, cancel);
 
   if (outcome == SG_DONE) {
-    sg_triangles fresh = {out->item ? out->item + before : NULL,
-                          out->n - before, out->n - before};
+    sg_triangles fresh = {.item = out->item ? out->item + before : NULL,
+                          .n = out->n - before,
+                          .room = out->n - before};
 
     outcome = sg_triangles_thicken(work, (const int32_t(*)[2])of, edges, moved,
                                    &fresh, cancel);
+    out->settled = before == 0 && fresh.settled;
   }
   free(of);
   return outcome;

@@ -17,6 +17,7 @@ typedef struct sg_triangle {
 typedef struct sg_triangles {
   sg_triangle *item; /* [n]; free(item) */
   size_t n, room;
+  bool settled; /* turning chords again would change nothing: delaunay.h */
 } sg_triangles;
 
 typedef enum sg_outcome {

@@ -379,6 +379,23 @@ is_side(void *data, int32_t a, int32_t b)
   return (a + 1) % n == b || (b + 1) % n == a;
 }
 
+/* Turning once more changes no triangle. */
+static bool
+stays(const sg_work *work, sg_triangles *list, int32_t *n)
+{
+  size_t bytes = list->n * sizeof *list->item;
+  sg_triangle *before = malloc(bytes);
+  bool same = before;
+
+  if (same) {
+    memcpy(before, list->item, bytes);
+    same = sg_triangles_delaunay(work, list, is_side, n, NULL) == SG_DONE &&
+           memcmp(before, list->item, bytes) == 0;
+  }
+  free(before);
+  return same;
+}
+
 /* A long thin fan over a flat arc becomes a strip; a point inside and one on a
  * chord become corners; the area stays. */
 static void
@@ -406,11 +423,13 @@ test_delaunay(void)
   CHECK("triangulated",
         sg_work_triangulate(work, &list, &edge, NULL) == SG_DONE &&
             list.n == N - 2);
+  CHECK("not settled before", !list.settled);
   CHECK("a point inside", sg_triangles_insert(work, &list, N) && list.n == N);
   CHECK("one in the middle",
         sg_triangles_insert(work, &list, N + 1) && list.n == N + 2);
   CHECK("better",
         sg_triangles_delaunay(work, &list, is_side, &n, NULL) == SG_DONE);
+  CHECK("settled", list.settled && stays(work, &list, &n));
   for (size_t i = 0; i < list.n; i++) {
     const int32_t *v = list.item[i].v;
     const double *a = sg_work_point(work, v[0])->p;
@@ -426,6 +445,10 @@ test_delaunay(void)
         fabs(area - N / 2 * sin(3.14159265358979 / 6)) < 1e-12);
   CHECK("none is turned over", low > 0);
   CHECK("all reach the middle", least == (int32_t)list.n);
+  list.item[1] = list.item[0];
+  CHECK("a side twice: not settled",
+        sg_triangles_delaunay(work, &list, is_side, &n, NULL) == SG_DONE &&
+            !list.settled);
   free(list.item);
   sg_work_close(work);
 }

@@ -81,7 +81,12 @@ make_face(const sg_resolve *r, sg_resolved_polygon *out,
     corner(box, a, row[i].at[0]);
     corner(box, b, row[i].at[1]);
   }
-  return sg_resolve_polygon(r, normal, row, 4, out, cancel);
+  sg_work *work = sg_work_open(normal);
+  sg_resolved end = work ? sg_resolve_polygon(r, row, 4, work, out, cancel)
+                         : SG_RESOLVE_NO_MEMORY;
+
+  sg_work_close(work);
+  return end;
 }
 
 /* What became of the two faces that touch. */
