@@ -56,6 +56,12 @@ family(rods,       union, [400,800,1600,3200]).
 family(boxes,      penetrate, [1000,2000,4000]).
 family(chain,      penetrate, [500,1000,2000]).
 family(chain,      split, [500,1000,2000,4000]).
+family(cubes,      penetrate, [400,800,1600,3200]).
+family(cubes,      draw,  [400,800,1600,3200]).
+family(cubes,      union, [200,400,800]).
+family(shells,     penetrate, [400,800,1600,3200]).
+family(shells,     draw,  [400,800,1600,3200]).
+family(shells,     union, [200,400,800]).
 family(curves,     penetrate, [1600,3200,6400,12800]).
 family(curves,     draw,  [1600,3200,6400,12800]).
 family(boxes,      query, [2500,5000,10000]).
@@ -315,6 +321,22 @@ segments(cylinder, N, Stream) :-
             ( between(1, N, I), A is 2*pi*I/N, X is cos(A), Y is sin(A) ),
             Outline),
     format(Stream, "~w), height(50)))).~n", [Outline]).
+%   N boxes askew, or coarse balls, in each other, each a segment.
+segments(cubes, N, Stream) :-
+    forall(between(1, N, I),
+           ( R is 1.0+I/N,
+             Z is -R/2,
+             format(Stream,
+                    "segment(~d, solid, at([translate(0,0,~w), \c
+                     rotate(x,30), rotate(y,20)], \c
+                     box(size(~w,~w,~w)))).~n",
+                    [I,Z,R,R,R]) )).
+segments(shells, N, Stream) :-
+    forall(between(1, N, I),
+           ( R is 1.0+I/N,
+             format(Stream,
+                    "segment(~d, solid, sphere(radius(~w), facets(8))).~n",
+                    [I,R]) )).
 %   N boxes, each through the next one.
 segments(chain, N, Stream) :-
     forall(between(1, N, I),

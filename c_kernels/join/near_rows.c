@@ -2,7 +2,7 @@
  *
  * Layer: rows.
  */
-#include "bvh_join.h"
+#include "near_leaf.h"
 
 #include "doors/world.h"
 #include "engine/search.h"
@@ -14,9 +14,11 @@
 #include <string.h>
 
 enum {
-  CROWD = 16, /* other boxes */
-  SOME = 64,  /* boxes that are asked how many others there are */
-  ALONG = 2   /* the reach is along each axis: in any other way, that many */
+  CROWD = 16,    /* other boxes */
+  SOME = 64,     /* boxes that are asked how many others there are */
+  ALONG = 2,     /* the reach is along each axis: in any other way, that many */
+  LEAVES = 64,   /* for each pair of boxes: no more are joined instead */
+  FEATURES = 512 /* reaches, in which what a move is measured beside is */
 };
 
 #define ROUNDED 0x1p-40
@@ -28,6 +30,7 @@ typedef struct boxed {
   size_t n;
   int32_t *s; /* ascending */
   sg_box *box;
+  bool to_cut;   /* which may cut each other, not which are near */
   size_t curves; /* so many are called so */
   bool *curve;   /* [n] those of which two are no pair; null: each two may be */
 } boxed;
@@ -180,9 +183,10 @@ join_boxes(sg_call *call, const boxed *all, const sg_box *other, double reach,
   return good || sg_call_ended(call);
 }
 
-/* Whether boxes overlap more than CROWD others, on average of some. */
+/* Whether boxes overlap more than CROWD others, on average of some; about how
+ * many pairs there are. */
 static bool
-are_crowded(const boxed *all)
+are_crowded(const boxed *all, double *pairs)
 {
   size_t step = all->n / SOME + 1, asked = 0, met = 0;
 
@@ -192,7 +196,86 @@ are_crowded(const boxed *all)
       met += i != k && sg_box_overlap(&all->box[i], &all->box[k], all->reach);
     }
   }
+  *pairs = asked > 0 ? (double)met / (double)asked * (double)all->n / 2 : 0;
   return met > CROWD * asked;
+}
+
+/* Whether all polygons that can have triangles have them: what has polygons and
+ * no triangle is no curve. */
+static bool
+are_filled(const boxed *all, sg_kept_tree *const *kept)
+{
+  bool filled = true;
+
+  for (size_t i = 0; i < all->n && filled; i++) {
+    filled = !kept[i]->tree->curve || is_curve(all, all->s[i]);
+  }
+  return filled;
+}
+
+/* The pairs of boxes that have leaves near each other. What touches is made to
+ * touch beside what is in FEATURES reaches. *done: this was possible. */
+static bool
+join_kept(sg_call *call, const boxed *all, sg_kept_tree *const *kept,
+          const sg_leaf_views *views, sg_bvh_hits *hits, bool *done)
+{
+  const sg_leaf_tree **tree = sg_call_alloc(call, all->n * sizeof *tree);
+  size_t n = 0;
+
+  if (!tree) {
+    return false;
+  }
+  *done = are_filled(all, kept);
+  for (size_t i = 0; i < all->n; i++) {
+    tree[i] = kept[i]->tree;
+  }
+  if (*done &&
+      !sg_near_leaves(tree, all->n, views, FEATURES * all->reach, false,
+                      sg_call_pool(call), &call->cancel, hits)) {
+    return sg_call_ended(call);
+  }
+  for (size_t k = 0; k < hits->n; k++) {
+    const sg_bvh_hit *hit = &hits->hit[k];
+
+    if (sg_box_overlap(&all->box[hit->a], &all->box[hit->b], all->reach)) {
+      hits->hit[n++] = *hit;
+    }
+  }
+  hits->n = n;
+  return true;
+}
+
+static bool
+join_leaves(sg_call *call, const boxed *all, sg_bvh_hits *hits, bool *done)
+{
+  sg_kept_tree **kept = sg_call_alloc(call, all->n * sizeof(sg_kept_tree *));
+  sg_leaf_views views = {0};
+  bool good = kept && sg_leaf_views_open(call, all->version, &views) &&
+              sg_trees_hold(call, all->version, &views, all->s, all->n, kept);
+
+  if (good) {
+    good = join_kept(call, all, kept, &views, hits, done);
+    for (size_t i = 0; i < all->n; i++) {
+      sg_kept_tree_drop(kept[i]);
+    }
+  }
+  sg_leaf_views_clear(&views);
+  return good;
+}
+
+/* Where many boxes overlap: by leaves, if they are not so many that pairs of
+ * boxes are less work. */
+static bool
+join_crowd(sg_call *call, const boxed *all, double pairs, sg_bvh_hits *hits)
+{
+  bool done = false;
+
+  if (all->to_cut &&
+      (double)sg_version_count(all->version, SG_T) <= LEAVES * pairs &&
+      !join_leaves(call, all, hits, &done)) {
+    return false;
+  }
+  return done || join_boxes(call, all, all->box, all->reach, hits);
 }
 
 /* The axes along which most boxes run, by two of their sides. */
@@ -231,10 +314,10 @@ turned_box(const sg_run *run, const sg_oriented_box *box)
   return out;
 }
 
-/* The same pairs, where many boxes overlap and most segments run one way askew:
- * of those whose boxes that way overlap. The others are apart. */
+/* The same pairs, where many boxes overlap. If most segments run one way askew,
+ * of those whose boxes that way overlap: the others are apart. */
 static bool
-join_askew(sg_call *call, const boxed *all, sg_bvh_hits *hits)
+join_askew(sg_call *call, const boxed *all, double pairs, sg_bvh_hits *hits)
 {
   int32_t *full = sg_call_alloc(call, all->n * sizeof *full);
   sg_oriented_box *box = sg_call_alloc(call, all->n * sizeof *box);
@@ -261,7 +344,7 @@ join_askew(sg_call *call, const boxed *all, sg_bvh_hits *hits)
   }
   find_run(box, n, &run);
   if (!run.askew) {
-    return join_boxes(call, all, all->box, all->reach, hits);
+    return join_crowd(call, all, pairs, hits);
   }
   for (size_t i = 0, k = 0; i < all->n; i++) {
     bool is_full = k < n && full[k] == all->s[i];
@@ -340,18 +423,20 @@ static bool
 find_near(sg_call *call, double reach, const sg_int_list *wanted, bool to_cut,
           sg_near_segments_rows *out)
 {
-  boxed all = {.version = sg_call_version(call), .reach = reach};
+  boxed all = {
+      .version = sg_call_version(call), .reach = reach, .to_cut = to_cut};
   sg_bvh_hits hits = {0};
+  double pairs;
 
   if (reach < 0) {
     return sg_call_domain(call, "not_less_than_zero", 1);
   }
-  bool good =
-      all.version && list_segments(call, wanted, &all) &&
-      (!to_cut || find_curves(call, &all)) && find_boxes(call, &all) &&
-      (are_crowded(&all) ? join_askew(call, &all, &hits)
-                         : join_boxes(call, &all, all.box, reach, &hits)) &&
-      drop_apart(call, &all, &hits);
+  bool good = all.version && list_segments(call, wanted, &all) &&
+              (!to_cut || find_curves(call, &all)) && find_boxes(call, &all) &&
+              (are_crowded(&all, &pairs)
+                   ? join_askew(call, &all, pairs, &hits)
+                   : join_boxes(call, &all, all.box, reach, &hits)) &&
+              drop_apart(call, &all, &hits);
 
   for (size_t k = 0; k < hits.n && good; k++) {
     good = sg_near_segments_rows_add(

@@ -297,9 +297,8 @@ sg_arrangement_compact(sg_arrangement *a, const sg_leaf_views *views)
   a->parent = NULL;
   a->nodes = a->node_room = a->cut_rows = a->cut_row_room = 0;
   a->leaves.set = NULL;
-  a->leaves.near = NULL;
   a->leaves.weight = NULL;
-  a->leaves.pairs = a->leaves.weights = 0;
+  a->leaves.weights = 0;
   a->leaves.views = views;
 }
 

@@ -54,8 +54,8 @@ typedef struct sg_weight {
 } sg_weight;
 
 /* What the leaves are taken from: all borrowed, until the arrangement closes.
- * Segments ascending. Near pairs are those that the set has cut: all that a
- * wanted leaf is in. The others are there to be looked at. */
+ * Segments ascending. The set has cut all that a wanted leaf is near. The
+ * others are there to be looked at. */
 typedef struct sg_leaves {
   const sg_cut_set *set;
   const sg_leaf_views *views;
@@ -65,8 +65,6 @@ typedef struct sg_leaves {
   const bool *surface;             /* [n]: it has no inside */
   size_t n;
   const sg_nonmanifold *const *nonmanifold; /* [n]: of the trees */
-  const int32_t (*near)[2];                 /* [pairs]: segments */
-  size_t pairs;
   const sg_weight *weight; /* [weights]: by s, p; all others count once */
   size_t weights;
 } sg_leaves;

@@ -179,20 +179,18 @@ static atomic_uint_fast64_t opened; /* arrangements, ever */
 static bool
 open_rows(sg_call *call, size_t weights, sg_arrangement_handle *h)
 {
-  h->arrangement = sg_arrangement_open(
-      &(sg_leaves){.set = &h->set->set,
-                   .views = &h->set->views,
-                   .s = h->s,
-                   .tree = h->own,
-                   .wanted = h->wanted,
-                   .surface = h->surface,
-                   .n = h->n,
-                   .nonmanifold = h->nonmanifold,
-                   .near = (const int32_t(*)[2])h->set->pair,
-                   .pairs = h->set->pairs,
-                   .weight = h->weight,
-                   .weights = weights},
-      &call->cancel);
+  h->arrangement =
+      sg_arrangement_open(&(sg_leaves){.set = &h->set->set,
+                                       .views = &h->set->views,
+                                       .s = h->s,
+                                       .tree = h->own,
+                                       .wanted = h->wanted,
+                                       .surface = h->surface,
+                                       .n = h->n,
+                                       .nonmanifold = h->nonmanifold,
+                                       .weight = h->weight,
+                                       .weights = weights},
+                          &call->cancel);
   h->number = atomic_fetch_add(&opened, 1);
   atomic_init(&h->holders, 1);
   return h->arrangement || sg_call_ended(call);

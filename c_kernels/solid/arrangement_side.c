@@ -10,6 +10,7 @@
 
 #include "engine/list.h"
 #include "engine/search.h"
+#include "join/bvh_join.h"
 #include "join/tour.h"
 
 #include <math.h>
@@ -30,67 +31,107 @@ typedef struct asked {
 
 /* ---- which points ---- */
 
-SG_ORDER(compare_pairs, uint32_t, SG_BY_AT(0) SG_BY_AT(1));
-
-/* (leaf, leaf whose components may be near it), sorted; each with itself. */
-static uint32_t (*near_leaves(const sg_arrangement *a, size_t *n))[2]
+/* The components by leaf. Null: no memory. */
+static uint32_t *
+sort_parts(const sg_arrangement *a)
 {
-  const sg_leaves *leaves = &a->leaves;
-  uint32_t(*near)[2] =
-      malloc((2 * leaves->pairs + leaves->n + 1) * sizeof *near);
+  size_t *first = calloc(a->leaves.n + 1, sizeof *first);
+  uint32_t *order = malloc((a->parts + 1) * sizeof *order);
 
-  *n = 0;
-  for (uint32_t i = 0; near && i < leaves->n; i++) {
-    near[*n][0] = near[*n][1] = i;
-    ++*n;
+  for (size_t i = 0; first && i < a->parts; i++) {
+    first[a->part[i].leaf + 1]++;
   }
-  for (size_t i = 0; near && i < leaves->pairs; i++) {
-    uint32_t x = sg_arrangement_leaf(a, leaves->near[i][0]);
-    uint32_t y = sg_arrangement_leaf(a, leaves->near[i][1]);
-
-    if (x != SG_NO_KEY && y != SG_NO_KEY && x != y) {
-      near[*n][0] = near[*n + 1][1] = x;
-      near[*n][1] = near[*n + 1][0] = y;
-      *n += 2;
-    }
+  for (size_t i = 1; first && i < a->leaves.n; i++) {
+    first[i] += first[i - 1];
   }
-  if (near) {
-    qsort(near, *n, sizeof *near, compare_pairs);
+  for (uint32_t i = 0; first && order && i < a->parts; i++) {
+    order[first[a->part[i].leaf]++] = i;
   }
-  return near;
+  if (!first) {
+    free(order);
+    order = NULL;
+  }
+  free(first);
+  return order;
 }
 
-/* The components by leaf: first[leaf] .. first[leaf + 1] - 1 of order[]. */
-static bool
-sort_parts(const sg_arrangement *a, size_t **first, uint32_t **order)
+/* Where the point of a component is. */
+static sg_box
+point_box(const sg_part *part)
 {
-  *first = calloc(a->leaves.n + 2, sizeof **first);
-  *order = malloc((a->parts + 1) * sizeof **order);
-  if (!*first || !*order) {
-    return false;
-  }
-  for (size_t i = 0; i < a->parts; i++) {
-    (*first)[a->part[i].leaf + 2]++;
-  }
-  for (size_t i = 2; i < a->leaves.n + 2; i++) {
-    (*first)[i] += (*first)[i - 1];
-  }
-  for (uint32_t i = 0; i < a->parts; i++) {
-    (*order)[(*first)[a->part[i].leaf + 1]++] = i;
-  }
-  return true;
-}
+  sg_box box;
 
-static bool
-may_be_round(const sg_box *box, const sg_point *at)
-{
   for (int k = 0; k < 3; k++) {
-    if (nextafter(at->p[k], INFINITY) < box->lo[k] ||
-        nextafter(at->p[k], -INFINITY) > box->hi[k]) {
-      return false;
+    box.lo[k] = nextafter(part->at.p[k], -INFINITY);
+    box.hi[k] = nextafter(part->at.p[k], INFINITY);
+  }
+  return box;
+}
+
+/* A tree of the points of components, empty ones of those that are not asked.
+ * Null: no memory, or stopped. */
+static sg_bvh *
+tree_of_points(const sg_arrangement *a, const uint32_t *order,
+               const sg_cancel *cancel)
+{
+  sg_box *box = malloc((a->parts + 1) * sizeof *box);
+
+  for (size_t i = 0; box && i < a->parts; i++) {
+    const sg_part *part = &a->part[order[i]];
+
+    box[i] = part->unknown || part->sides > 0 ? sg_box_none() : point_box(part);
+  }
+  sg_bvh *tree = box ? sg_bvh_open(box, a->parts, cancel) : NULL;
+
+  free(box);
+  return tree;
+}
+
+/* The same of the boxes of leaves. */
+static sg_bvh *
+tree_of_leaves(const sg_arrangement *a, const sg_cancel *cancel)
+{
+  sg_box *box = malloc((a->leaves.n + 1) * sizeof *box);
+
+  for (size_t i = 0; box && i < a->leaves.n; i++) {
+    box[i] = a->leaf[i].tree->box;
+  }
+  sg_bvh *tree = box ? sg_bvh_open(box, a->leaves.n, cancel) : NULL;
+
+  free(box);
+  return tree;
+}
+
+SG_ORDER(compare_hits, sg_bvh_hit, SG_BY(a) SG_BY(b));
+
+/* Leaves (a) and places in order[] of the components (b) whose points are in
+ * their boxes, ascending. False: no memory, or stopped. */
+static bool
+find_points(const sg_arrangement *a, const uint32_t *order, sg_bvh_hits *out,
+            const sg_cancel *cancel)
+{
+  sg_bvh *points = tree_of_points(a, order, cancel);
+  sg_bvh *leaves = tree_of_leaves(a, cancel);
+  const sg_bvh_pair pair = {leaves, points};
+  size_t n = 0;
+  bool good = points && leaves && sg_bvh_join(&pair, 1, 0, NULL, cancel, out);
+
+  for (size_t i = 0; good && i < out->n; i++) {
+    uint32_t leaf = leaves->item[out->hit[i].a];
+    uint32_t at = points->item[out->hit[i].b];
+    sg_box box = point_box(&a->part[order[at]]);
+
+    if (sg_box_overlap(&box, &a->leaf[leaf].tree->box, 0)) {
+      out->hit[n++] = (sg_bvh_hit){0, leaf, at};
     }
   }
-  return true;
+  out->n = n;
+  if (n > 0) {
+    qsort(out->hit, n, sizeof *out->hit, compare_hits);
+  }
+  sg_bvh_close(points);
+  sg_bvh_close(leaves);
+  return good;
 }
 
 /* ---- one point ---- */
@@ -299,47 +340,23 @@ sides_of_leaf(asked *r, founds *f, const sg_cancel *cancel)
   return good;
 }
 
-/* The components to be asked for a leaf. */
-static void
-choose_points(asked *r, const uint32_t (*near)[2], size_t n,
-              const size_t *first, const uint32_t *order)
-{
-  r->n = 0;
-  for (size_t i = 0; i < n; i++) {
-    uint32_t leaf = near[i][1];
-
-    if (i > 0 && near[i - 1][1] == leaf) {
-      continue;
-    }
-    for (size_t k = first[leaf]; k < first[leaf + 1]; k++) {
-      sg_part *part = &r->a->part[order[k]];
-
-      if (!part->unknown && part->sides == 0 &&
-          may_be_round(&r->a->leaf[r->leaf].tree->box, &part->at)) {
-        r->part[r->n++] = order[k];
-      }
-    }
-  }
-}
-
 static bool
 ask_all(sg_arrangement *a, founds *f, const sg_cancel *cancel)
 {
-  size_t *first = NULL, n = 0;
-  uint32_t *order = NULL, (*near)[2] = near_leaves(a, &n);
+  uint32_t *order = sort_parts(a);
+  sg_bvh_hits hits = {0};
   asked r = {.a = a, .part = malloc((a->parts + 1) * sizeof *r.part)};
-  bool good = near && r.part && sort_parts(a, &first, &order);
+  bool good = order && r.part && find_points(a, order, &hits, cancel);
 
-  for (size_t i = 0, end; i < n && good; i = end) {
-    for (end = i; end < n && near[end][0] == near[i][0]; end++) {
+  for (size_t i = 0; i < hits.n && good;) {
+    r.leaf = hits.hit[i].a;
+    for (r.n = 0; i < hits.n && hits.hit[i].a == r.leaf; i++) {
+      r.part[r.n++] = order[hits.hit[i].b];
     }
-    r.leaf = near[i][0];
-    choose_points(&r, (const uint32_t(*)[2])near + i, end - i, first, order);
     good = sides_of_leaf(&r, f, cancel);
   }
-  free(near);
+  free(hits.hit);
   free(order);
-  free(first);
   free(r.part);
   return good;
 }

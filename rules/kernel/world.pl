@@ -175,8 +175,10 @@ Foreign predicates; see kernel.pl.
 %   Ascending, as they are at the first call. Found by a tree of boxes: the
 %   other pairs are not looked at. Segments with more than 16 such others, as
 %   long thin ones askew may have, are looked at in boxes along their own axes
-%   too; two that are plainly apart so are not near. Nor are two curves, which
-%   do not cut each other: many may come from one point.
+%   too; two that are plainly apart so are not near. Where most segments have
+%   so many others, as in each other, those are near whose triangles come as
+%   near as 512 times Reach. Two curves are not near, for they do not cut each
+%   other: many may come from one point.
 
 %!  near_pairs(+Reach:number, +Ss:set(id), -Pairs:list(id_pair)) is det.
 %
@@ -186,5 +188,5 @@ Foreign predicates; see kernel.pl.
 %!                   -Near:list(near_others)) is det.
 %
 %   Near has S-Others for each of the segments Ss, each once, ascending: Others
-%   are those of Ss that near_segments/3 has with S, ascending, and of curves
-%   the near curves, too.
+%   are those of Ss whose boxes are near that of S, as of near_segments/3,
+%   ascending: also those in S, and of curves the near curves.

@@ -94,7 +94,8 @@ may_cut(S1, S2) :-
 %   the model (root_segment/1). Segments that were cut by each other
 %   before are not cut again (the decision may_cut/2), so it may be called
 %   after loading more. The decision is asked for segments whose boxes touch
-%   within the tolerance, not of two curves, and for no others.
+%   within the tolerance, not of two curves, and for no others; where boxes of
+%   many overlap, only for those whose triangles come near each other.
 
 penetrate :-
     penetrate(all, []).

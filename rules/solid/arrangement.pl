@@ -19,7 +19,7 @@
                 arrangement_components/2, arrangement_select/3,
                 arrangement_senses/4, arrangement_numbers/2,
                 pieces_kept/1, keep_pieces/1, trees_dropped/0,
-                contact_places/2, near_segments_of/3,
+                contact_places/2, near_pairs/3, near_segments_of/3,
                 segments_meeting_themselves/2,
                 segments_tolerance/3
               ]).
@@ -319,15 +319,8 @@ fresh_pieces([], _, _, [], touch([], [])) :-
     !.
 fresh_pieces(Stale, Near, Tolerance, Fresh, touch(Clusters, Touched)) :-
     around(Stale, Near, Segments),
-    set_of(Segments, Set),
-    findall(A-B,
-            ( member(A, Segments),
-              get_assoc(A, Near, Others),
-              member(B, Others),
-              A < B,
-              get_assoc(B, Set, _)
-            ),
-            Different),
+    tolerance_reach(Tolerance, Reach),
+    near_pairs(Reach, Segments, Different),
     selves(Segments, Selves),
     ord_union(Different, Selves, Pairs),
     segment_stamps(Segments, Stamps),

@@ -1,4 +1,5 @@
 /* Trees kept with the world, and segments near each other. */
+% covers: near_leaf
 :- use_module(rules(store)).
 :- use_module(rules(kernel)).
 :- use_module(rules(primitive/primitive)).
@@ -177,6 +178,99 @@ random_place(X-Y-Z) :-
     random_between(0, 12, X),
     random_between(0, 12, Y),
     random_between(0, 12, Z).
+
+/* - - - many in each other - - - */
+
+%   N boxes askew, each in the next one.
+
+shells(N) :-
+    forall(between(1, N, I),
+           ( R is 1+0.1*I,
+             Z is -R/2,
+             add_primitive(at([translate(0,0,Z), rotate(x,30), rotate(y,20)],
+                              box(size(R,R,R))), _) )),
+    complete_segments.
+
+test(in_each_other, Pairs-Some-Of == []-[]-29) :-
+    in_new_world(( shells(30),
+                   near(0, Pairs),
+                   numlist(1, 30, Ss),
+                   near_pairs(0, Ss, Some),
+                   near_segments_of(0, Ss, [_-Others|_]), % by boxes
+                   length(Others, Of) )).
+test(through_some, Pairs-true == Expected-Some) :-
+    in_new_world(( shells(30),
+                   add_primitive(at([translate(0,0,1.25)],
+                                    box(size(0.1,0.1,9))), _),
+                   complete_segments,
+                   near(0, Pairs),
+                   findall(S-31, between(1, 30, S), All),
+                   penetrate(All),
+                   findall(S-31, line(_, S, _, _, _, 31, _, _, _), Met) )),
+    sort(Met, Expected),
+    (   Expected = [_|_], Expected \== All
+    ->  Some = true
+    ;   Some = false
+    ).
+test(within_reach_of_many, N =:= 30*29//2) :-
+    in_new_world(( shells(30), near(3, Pairs) )),
+    length(Pairs, N).
+test(without_triangles, N =:= 30*29//2) :-
+    in_new_world(( shells(30),
+                   retractall_facts(t(7, _, _, _, _, _)),
+                   near(0, Pairs) )),
+    length(Pairs, N).
+%   What is cut is what all pairs cut.
+test(crowd, Wrong == []) :-
+    findall(Seed,
+            ( between(1, 4, Seed),
+              cut_crowd(Seed, penetrate, Cut),
+              \+ cut_crowd(Seed, all_pairs, Cut) ),
+            Wrong).
+test(crowd_is_one, true(N < 22*21//2-15)) :-
+    in_new_world(( set_random(seed(1)), crowded(22), near(0, Pairs) )),
+    length(Pairs, N).
+
+cut_crowd(Seed, Cut, Lines-Vs) :-
+    in_new_world(( set_random(seed(Seed)),
+                   crowded(22),
+                   call(Cut),
+                   findall(L, cut_line(L), Lines),
+                   findall(v(S,V,X,Y,Z), v(S, V, X, Y, Z), Vs) )).
+
+cut_line(line(A,B,C,D,E,F,G,H,I)) :-
+    line(A, B, C, D, E, F, G, H, I).
+
+all_pairs :-
+    findall(S1-S2,
+            ( segment(S1, K1, _), segment(S2, K2, _), S1 < S2,
+              \+ ( K1 == curve, K2 == curve ) ),
+            Pairs),
+    penetrate(Pairs).
+
+%   Boxes round one middle, some sheets and lines, on a coarse grid: many touch.
+
+crowded(N) :-
+    forall(between(1, N, I), ( random_thing(I, Thing),
+                               add_primitive(Thing, _) )),
+    complete_segments.
+
+random_thing(I, at([translate(0,0,Z)|Turned], box(size(A,B,C)))) :-
+    I mod 4 > 0,
+    !,
+    maplist(random_between(4, 24), [A,B,C]),
+    Z is -C/2,
+    (   I mod 4 =:= 1
+    ->  Turned = [rotate(x,30), rotate(y,20)]
+    ;   Turned = []
+    ).
+random_thing(I, at([translate(0,0,Z)], rectangle(size(A,B)))) :-
+    I mod 8 > 0,
+    !,
+    maplist(random_between(4, 24), [A,B]),
+    random_between(-8, 8, Z).
+random_thing(_, line(from(A,B,0), to(C,D,9))) :-
+    maplist(random_between(-9, 9), [A,B,C,D]).
 
 meet(X1-Y1-Z1, X2-Y2-Z2) :-
     abs(X1-X2) =< 2,
