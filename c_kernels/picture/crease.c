@@ -51,15 +51,15 @@ is_sharp(const finder *f, uint32_t k)
 static bool
 is_line(const finder *f, uint32_t k)
 {
-  const sg_look *look = &f->model->line[k].look;
+  const sg_model_line *line = &f->model->line[k];
 
-  return look->faces < 2 || look->edge || look->cut;
+  return line->faces < 2 || line->edge || line->cut;
 }
 
 static uint32_t
 end_of(const finder *f, uint32_t k, bool last)
 {
-  const sg_scene_line *line = &f->model->line[k];
+  const sg_model_line *line = &f->model->line[k];
 
   return f->model->same[last ? line->b : line->a];
 }

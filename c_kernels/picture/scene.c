@@ -461,15 +461,12 @@ begin_line(sg_scene *scene)
   }
 }
 
-/* The line that was written last is in the scene, if it is wanted. */
-static void
-end_line(const viewing *w)
+static bool
+is_wanted(const viewing *w, const sg_look *look)
 {
   const sg_lines_drawn *only = w->in->only;
-  const sg_look *look = &w->scene->line[w->scene->lines].look;
 
-  w->scene->lines +=
-      !only || sg_role_drawn(sg_look_role(look, only->crease), only->which);
+  return !only || sg_role_drawn(sg_look_role(look, only->crease), only->which);
 }
 
 static void
@@ -479,43 +476,65 @@ enter_added(const viewing *w, const sg_scene_added *added)
   uint32_t a =
       (uint32_t)(w->model->dense.vertices + 2 * (size_t)(added - w->in->added));
 
+  if (!is_wanted(w, &added->look)) {
+    return;
+  }
   begin_line(scene);
   enter_lies(scene, added->lies_on, added->triangles);
   enter_fold(scene, (sg_scene_fold){added->s, 1.0 - added->folded, 1.0});
-  scene->line[scene->lines] = (sg_scene_line){.s = added->s,
-                                              .e = added->e,
-                                              .a = a,
-                                              .b = a + 1,
-                                              .number = UINT32_MAX,
-                                              .look = added->look};
-  end_line(w);
+  scene->line[scene->lines++] = (sg_scene_line){.s = added->s,
+                                                .e = added->e,
+                                                .a = a,
+                                                .b = a + 1,
+                                                .number = UINT32_MAX,
+                                                .look = added->look};
+}
+
+/* How line k of the model looks: made in its place, as a copy of what has just
+ * been written by parts waits for all of them. */
+static void
+look_of(const viewing *w, size_t k, const sg_facings *facings, sg_look *look)
+{
+  const sg_model_line *line = &w->model->line[k];
+
+  memset(look, 0, sizeof *look);
+  look->faces = line->faces;
+  look->bend = sg_scene_bend(w->model, w->in->faceted, k);
+  look->edge = line->edge;
+  look->solid = line->solid;
+  look->cut = line->cut;
+  look_at_line(w, k, facings, look);
+  if (w->in->creases) {
+    look->edge |= w->in->creases[k] == SG_CREASE_ON;
+    look->speck = w->in->creases[k] == SG_CREASE_SPECK;
+  }
+  look->inside = is_inside(w, k, look);
 }
 
 static void
 enter_line(const viewing *w, size_t k)
 {
   sg_scene *scene = w->scene;
-  sg_scene_line *line = &scene->line[scene->lines];
-  sg_facings facings;
+  const sg_model_line *line = &w->model->line[k];
+  sg_facings facings = sg_facing_index_find(&w->facings, line->a, line->b);
+  sg_look look;
 
+  look_of(w, k, &facings, &look);
+  if (!is_wanted(w, &look)) {
+    return;
+  }
   begin_line(scene);
-  *line = w->model->line[k];
-  facings = sg_facing_index_find(&w->facings, line->a, line->b);
   for (size_t i = 0; i < facings.n; i++) {
     const sg_scene_facing *facing = facings.item[i].facing;
     enter_lies(scene, facing->lies_on, facing->triangles);
     enter_fold(scene, sg_facing_fold(&w->facings, facing, line->a));
   }
-  line->a = w->model->same[line->a];
-  line->b = w->model->same[line->b];
-  look_at_line(w, k, &facings, &line->look);
-  line->look.bend = sg_scene_bend(w->model, w->in->faceted, k);
-  if (w->in->creases) {
-    line->look.edge |= w->in->creases[k] == SG_CREASE_ON;
-    line->look.speck = w->in->creases[k] == SG_CREASE_SPECK;
-  }
-  line->look.inside = is_inside(w, k, &line->look);
-  end_line(w);
+  scene->line[scene->lines++] = (sg_scene_line){.s = line->s,
+                                                .e = line->e,
+                                                .a = w->model->same[line->a],
+                                                .b = w->model->same[line->b],
+                                                .number = (uint32_t)k,
+                                                .look = look};
 }
 
 /* Lines of the model and added ones, merged by segment and id. */

@@ -58,7 +58,7 @@ has_side(const sg_scene_model *m, int32_t triangle, uint32_t a, uint32_t b)
 /* The triangle of polygon p that has the line, or NO_TRIANGLE. */
 static int32_t
 triangle_with(const sg_scene_model *m, const bent *x, int32_t p,
-              const sg_scene_line *line)
+              const sg_model_line *line)
 {
   uint32_t a = m->same[line->a], b = m->same[line->b];
 

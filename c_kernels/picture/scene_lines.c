@@ -22,7 +22,8 @@ typedef struct joined {
   bool *cut;         /* [edges] by group: it is a penetration line */
   uint32_t *first;   /* [edges] by first copy: the first real edge of all */
   uint32_t *line_of; /* [edges] */
-  uint32_t *copy_of; /* [edges] for copies that are left out */
+  uint32_t *copy_of; /* [edges] for copies that are left out; null: no cut, so
+                        there are none */
 } joined;
 
 static void
@@ -40,15 +41,17 @@ static bool
 joined_init(joined *j, sg_scene_builder *b)
 {
   const sg_dense *d = &b->model->dense;
-  *j = (joined){.set = sg_list_room(d->edges, sizeof(uint32_t)),
-                .cut = calloc(d->edges + 1, sizeof(bool)),
-                .first = sg_list_room(d->edges, sizeof(uint32_t)),
-                .line_of = sg_list_room(d->edges, sizeof(uint32_t)),
-                .copy_of = sg_list_room(d->edges, sizeof(uint32_t))};
+  *j = (joined){
+      .set = sg_list_room(d->edges, sizeof(uint32_t)),
+      .cut = calloc(d->edges + 1, sizeof(bool)),
+      .first = sg_list_room(d->edges, sizeof(uint32_t)),
+      .line_of = sg_list_room(d->edges, sizeof(uint32_t)),
+      .copy_of = b->cuts > 0 ? sg_list_room(d->edges, sizeof(uint32_t)) : NULL};
   for (size_t i = 0; j->set && i < d->edges; i++) {
     j->set[i] = (uint32_t)i;
   }
-  return j->set && j->cut && j->first && j->line_of && j->copy_of &&
+  return j->set && j->cut && j->first && j->line_of &&
+         (j->copy_of || b->cuts == 0) &&
          sg_edge_pairs_make(d->edges, d->from, d->to, d->vertices, b->cancel,
                             &j->pairs, &b->stopped);
 }
@@ -165,12 +168,11 @@ enter_lines(sg_scene_builder *b, joined *j)
     }
     if (set != NO_LINE) {
       j->first[set] = (uint32_t)m->lines;
-      m->line[m->lines] = (sg_scene_line){.s = d->segment[s],
+      m->line[m->lines] = (sg_model_line){.s = d->segment[s],
                                           .e = d->edge_id[e],
                                           .a = (uint32_t)d->from[e],
                                           .b = (uint32_t)d->to[e],
-                                          .number = (uint32_t)m->lines,
-                                          .look.cut = j->cut[set]};
+                                          .cut = j->cut[set]};
       m->lines++;
     }
   }
@@ -192,7 +194,9 @@ number_edges(const sg_scene_builder *b, joined *j)
     for (size_t i = group.begin; i < group.end; i++) {
       uint32_t e = sg_edge_group_edge(&j->pairs, i);
       j->line_of[e] = own ? line : NO_LINE;
-      j->copy_of[e] = own ? NO_LINE : line;
+      if (j->copy_of) {
+        j->copy_of[e] = own ? NO_LINE : line;
+      }
     }
   }
 }
@@ -256,7 +260,7 @@ bend_between(const sg_scene_builder *b, const sg_scene_use *x,
 /* The same of the surfaces that the faces stand for; facets: what these bend.
  */
 static sg_bend
-surface_bend(const sg_scene_builder *b, const sg_scene_line *line,
+surface_bend(const sg_scene_builder *b, const sg_model_line *line,
              const sg_scene_use *x, const sg_scene_use *y, double facets)
 {
   const sg_scene_model *m = b->model;
@@ -278,20 +282,20 @@ make_bend(sg_scene_builder *b, size_t k)
   sg_scene_model *m = b->model;
   const sg_scene_use *use = m->use + m->use_begin[k];
   unsigned n = m->use_begin[k + 1] - m->use_begin[k];
-  sg_look *look = &m->line[k].look;
+  sg_model_line *line = &m->line[k];
 
-  look->faces = n;
+  line->faces = n;
   for (unsigned i = 1; i < n; i++) {
     for (unsigned h = 0; h < i && h < MOST_FACES; h++) {
       double bend = bend_between(b, &use[i], &use[h]);
       if (m->facet_bend) {
         m->facet_bend[k] = sg_larger(m->facet_bend[k], bend);
-        sg_bend known = surface_bend(b, &m->line[k], &use[i], &use[h], bend);
+        sg_bend known = surface_bend(b, line, &use[i], &use[h], bend);
         bend = known.degrees;
-        look->edge |= known.edge;
+        line->edge |= known.edge;
         b->tangent[k] = known.tangent && n == 2;
       }
-      look->bend = sg_larger(look->bend, bend);
+      line->bend = sg_larger(line->bend, bend);
     }
   }
 }
@@ -363,7 +367,7 @@ leave_out_tangent(sg_scene_builder *b, const joined *j)
     }
   }
   for (size_t k = 0; met && k < m->lines; k++) {
-    m->line[k].look.cut &= met[k] != OPERANDS || !b->tangent[k];
+    m->line[k].cut &= met[k] != OPERANDS || !b->tangent[k];
   }
   free(met);
   return met != NULL;
@@ -380,7 +384,7 @@ keep_cuts(sg_scene_builder *b, const joined *j)
     const sg_scene_cut *c = &b->cut[i];
     uint32_t line = line_of_cut(j, c);
     if (c->a >= 0 && c->b >= 0 && c->a != c->b &&
-        (line == NO_LINE || m->line[line].look.cut)) {
+        (line == NO_LINE || m->line[line].cut)) {
       m->cut[m->cuts][0] = (uint32_t)c->a;
       m->cut[m->cuts++][1] = (uint32_t)c->b;
     }
@@ -406,7 +410,7 @@ sg_scene_make_lines(sg_scene_builder *b)
   if (done) {
     number_edges(b, &j);
     done = make_uses(b, j.line_of, &m->use_begin, &m->use) &&
-           (b->cuts == 0 || make_uses(b, j.copy_of, &m->copy_begin, &m->copy));
+           (!j.copy_of || make_uses(b, j.copy_of, &m->copy_begin, &m->copy));
   }
   if (done) {
     done = sg_scene_find_bent(b) && make_bends(b) && leave_out_tangent(b, &j) &&

@@ -15,8 +15,11 @@ scale_normal(double n[3])
   int exponent;
 
   frexp(sg_larger(fabs(n[0]), sg_larger(fabs(n[1]), fabs(n[2]))), &exponent);
+  double scale = ldexp(1.0, -exponent);
+  bool is_exact = isnormal(scale);
+
   for (int k = 0; k < 3; k++) {
-    n[k] = ldexp(n[k], -exponent);
+    n[k] = is_exact ? n[k] * scale : ldexp(n[k], -exponent);
   }
 }
 
@@ -110,11 +113,11 @@ tell_lines(sg_scene_builder *b)
   size_t s = 0;
 
   for (size_t k = 0; k < m->lines && !sg_scene_stop(b, k); k++) {
-    sg_scene_line *line = &m->line[k];
+    sg_model_line *line = &m->line[k];
     while (m->dense.segment[s] != line->s) {
       s++;
     }
-    line->look.solid = m->solid[s];
+    line->solid = m->solid[s];
   }
 }
 
@@ -160,13 +163,13 @@ sg_scene_model_open(sg_dense *dense, sg_known_surfaces *surfaces, bool *solid,
 double
 sg_scene_bend(const sg_scene_model *m, const bool *faceted, size_t k)
 {
-  const sg_scene_line *line = &m->line[k];
+  const sg_model_line *line = &m->line[k];
 
   return faceted && m->facet_bend &&
                  faceted[sg_dense_segment_of(&m->dense, m->dense.vertex_begin,
                                              line->a)]
              ? m->facet_bend[k]
-             : line->look.bend;
+             : line->bend;
 }
 
 static bool

@@ -47,6 +47,15 @@ typedef struct sg_scene_line {
   sg_look look;
 } sg_scene_line;
 
+/* The same whatever the eye: one of a model, which are many. */
+typedef struct sg_model_line {
+  int32_t s, e;
+  uint32_t a, b;  /* places of vertices */
+  double bend;    /* as in sg_look */
+  uint32_t faces; /* and so are these */
+  bool edge, solid, cut;
+} sg_model_line;
+
 /* A polygon uses a line: from a to b (along 1) or from b to a (-1). */
 typedef struct sg_scene_use {
   int32_t polygon; /* a place */
@@ -66,8 +75,7 @@ typedef struct sg_scene_model {
   size_t lines;
   double *facet_bend;    /* [lines] of the faces, whatever they stand for; null:
                             no surface is known */
-  sg_scene_line *line;   /* sorted by (s, e); a and b are places of vertices;
-                            towards, away, left and right are not known */
+  sg_model_line *line;   /* sorted by (s, e) */
   uint32_t *use_begin;   /* [lines + 1] */
   sg_scene_use *use;     /* line by line, in the order of the polygons */
   int32_t *use_triangle; /* [uses] of a polygon that is not flat, the triangle

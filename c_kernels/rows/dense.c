@@ -67,6 +67,13 @@ add_id(id_list *list, int32_t id)
   return true;
 }
 
+/* Whether rows of one segment alone can be on the page. */
+static bool
+has_one_segment(const sg_view *view, size_t page)
+{
+  return view->span && view->span[page][0] == view->span[page][1];
+}
+
 /* Adds the segments in a view; runs of one segment count once. */
 static bool
 add_segments(const sg_view *view, id_list *list)
@@ -75,11 +82,13 @@ add_segments(const sg_view *view, id_list *list)
 
   for (size_t i = 0; i < view->pages; i++) {
     const int32_t *s = view->column[0].page[i].i;
-    for (unsigned r = sg_live_next(view->live[i], 0); r < SG_PAGE_ROWS;
-         r = sg_live_next(view->live[i], r + 1)) {
+    unsigned r = sg_live_next(view->live[i], 0);
+    while (r < SG_PAGE_ROWS) {
       if (s[r] != last && !add_id(list, last = s[r])) {
         return false;
       }
+      r = has_one_segment(view, i) ? SG_PAGE_ROWS
+                                   : sg_live_next(view->live[i], r + 1);
     }
   }
   return true;
@@ -191,15 +200,16 @@ gather(const sg_dense *d, const sg_view *view, unsigned column, rows *out)
 }
 
 /* The place of the thing with this id in the segment of place s: as a rule ids
- * have no gaps, so a guess finds it. */
-static int32_t
+ * have no gaps, so none need be looked at; else a guess mostly finds it. */
+static inline int32_t
 place_of(const int32_t *id, const uint32_t *begin, uint64_t s, int32_t wanted)
 {
   const int32_t *first = id + begin[s];
   size_t n = begin[s + 1] - begin[s];
   size_t guess = n ? (size_t)((int64_t)wanted - first[0]) : 0;
 
-  if (guess < n && first[guess] == wanted) {
+  if (guess < n && ((int64_t)first[n - 1] - first[0] < (int64_t)n ||
+                    first[guess] == wanted)) {
     return (int32_t)(begin[s] + guess);
   }
   size_t found = sg_find_id(first, n, wanted);
@@ -344,21 +354,22 @@ sg_dense_make(const sg_dense_views *views, const int32_t *wanted, size_t n,
       !(out->grain = calloc(out->segments + 1, sizeof *out->grain))) {
     return false;
   }
-  for (size_t i = 0; i < sizeof part / sizeof *part; i++) {
-    rows from = {.cancel = cancel};
-    bool gathered = gather(out, part[i].view, part[i].id_column, &from);
-    bool filled = gathered && part[i].fill(out, part[i].view, &from);
+  /* Of one relation after the other, in the same memory. */
+  rows from = {.cancel = cancel};
+  bool good = true;
 
-    *stopped = from.stopped;
-    free(from.row);
-    if (!gathered) {
+  for (size_t i = 0; good && i < sizeof part / sizeof *part; i++) {
+    from.n = 0;
+    from.begin = NULL;
+    good = gather(out, part[i].view, part[i].id_column, &from);
+    if (!good) {
       free(from.begin);
     }
-    if (!filled) {
-      return false;
-    }
+    good = good && part[i].fill(out, part[i].view, &from);
   }
-  return true;
+  *stopped = from.stopped;
+  free(from.row);
+  return good;
 }
 
 void

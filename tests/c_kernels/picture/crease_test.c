@@ -72,7 +72,7 @@ found(char text[CELLS + 1], int *beside)
     if (is_ridge(m, k, &step)) {
       text[step] = as[k] == SG_CREASE_SPECK    ? 'x'
                    : as[k] == SG_CREASE_ON     ? '-'
-                   : m->line[k].look.bend > 30 ? '^'
+                   : m->line[k].bend > 30 ? '^'
                                                : '.';
     } else {
       *beside += as[k] == SG_CREASE_ON;
