@@ -68,22 +68,26 @@ off_chord(const end *a, const end *b, const end *p)
   return hypot(e[0] - part * d[0], e[1] - part * d[1]);
 }
 
+/* Whether the curve leaves the chord a-b by more than the tolerance at this
+ * part of it, where it is at p. */
+static bool
+is_off(const sg_roll_curve *c, const end *a, const end *b, double part, end *p)
+{
+  between(c, a, b, part, p);
+  return off_chord(a, b, p) > c->tolerance;
+}
+
 static bool
 divide(const sg_roll_curve *c, const end *a, const end *b, int depth,
        growing *out)
 {
-  end part[3];
-  double off = 0;
+  end middle, quarter;
 
-  for (int i = 0; i < 3; i++) {
-    between(c, a, b, (i + 1) / 4.0, &part[i]);
-    off = fmax(off, off_chord(a, b, &part[i]));
-  }
-  if (off <= c->tolerance || depth == DEEPEST) {
-    return true;
-  }
-  return divide(c, a, &part[1], depth + 1, out) &&
-         append(out, &part[1].place) && divide(c, &part[1], b, depth + 1, out);
+  return depth == DEEPEST ||
+         (!is_off(c, a, b, 0.5, &middle) && !is_off(c, a, b, 0.25, &quarter) &&
+          !is_off(c, a, b, 0.75, &quarter)) ||
+         (divide(c, a, &middle, depth + 1, out) && append(out, &middle.place) &&
+          divide(c, &middle, b, depth + 1, out));
 }
 
 bool

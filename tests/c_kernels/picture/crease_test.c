@@ -70,10 +70,10 @@ found(char text[CELLS + 1], int *beside)
   for (size_t k = 0; k < m->lines; k++) {
     int step;
     if (is_ridge(m, k, &step)) {
-      text[step] = as[k] == SG_CREASE_SPECK    ? 'x'
-                   : as[k] == SG_CREASE_ON     ? '-'
-                   : m->line[k].bend > 30 ? '^'
-                                               : '.';
+      text[step] = as[k] == SG_CREASE_SPECK ? 'x'
+                   : as[k] == SG_CREASE_ON  ? '-'
+                   : m->line[k].bend > 30   ? '^'
+                                            : '.';
     } else {
       *beside += as[k] == SG_CREASE_ON;
     }
