@@ -305,6 +305,16 @@ uint64_t sg_segment_stamp(const sg_version *version, int32_t s);
 uint64_t sg_version_last_stamp(const sg_version *version, sg_relation relation);
 sg_value sg_version_value(const sg_version *version, sg_relation relation,
                           sg_row row, unsigned column);
+/* The columns of a page, which has a row that the version shows: each has the
+ * value of a row in its place, row % SG_PAGE_ROWS. They stay as long as the
+ * version. */
+union sg_cell_array {
+  int32_t *i;           /* SG_INT, SG_ATOM */
+  double *f;            /* SG_FLOAT */
+  const uint32_t **ref; /* SG_LIST, SG_TERM: into the arena */
+};
+const union sg_cell_array *sg_version_cells(const sg_version *version,
+                                            sg_relation relation, size_t page);
 /* Several at once: the columns of the mask, each in its place in `out`. */
 void sg_version_row(const sg_version *version, sg_relation relation, sg_row row,
                     uint16_t mask, sg_value *out);

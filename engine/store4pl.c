@@ -30,6 +30,8 @@ typedef struct asking {
   int first;     /* where column 0 would stand among the arguments */
   uint16_t open; /* columns to unify with their arguments */
   sg_row next;   /* the next answer, SG_NO_ROW: none */
+  size_t page;   /* of the row that was unified last, and its columns */
+  const union sg_cell_array *cells; /* null: there was none */
   sg_walk walk;
   uint16_t owns; /* columns of which walk.row has a list or term to free */
   void *owned[SG_MAX_COLUMNS];
@@ -46,6 +48,8 @@ asking_of(sg_relation relation)
   a.first = 0;
   a.open = a.owns = 0;
   a.next = SG_NO_ROW;
+  a.page = 0;
+  a.cells = NULL;
   return a;
 }
 
@@ -113,31 +117,52 @@ asking_open(asking *a, term_t args)
   return FALSE;
 }
 
-/* As sg_unify_value(); most columns are numbers. */
+/* As sg_unify_value(), of a column and a place in it; most are numbers. */
 static inline int
-unify_cell(term_t t, sg_type type, sg_value value)
+unify_cell(term_t t, sg_type type, const union sg_cell_array *cells,
+           size_t place)
 {
-  return type == SG_INT     ? PL_unify_integer(t, value.i)
-         : type == SG_FLOAT ? PL_unify_float(t, value.f)
-                            : sg_unify_value(t, type, value);
+  if (type == SG_FLOAT) {
+    return PL_unify_float(t, cells->f[place]);
+  }
+  if (type == SG_INT) {
+    return PL_unify_integer(t, cells->i[place]);
+  }
+  return sg_unify_value(t, type,
+                        type == SG_ATOM
+                            ? (sg_value){.i = cells->i[place]}
+                            : (sg_value){.term = cells->ref[place]});
+}
+
+/* The columns of the page that a row is on. */
+static inline const union sg_cell_array *
+cells_of(asking *a, sg_row row)
+{
+  size_t page = row / SG_PAGE_ROWS;
+
+  if (!a->cells || a->page != page) {
+    a->cells = sg_version_cells(a->version, a->relation, page);
+    a->page = page;
+  }
+  return a->cells;
 }
 
 /* Unifies the open arguments with a row. *shared, where asked for, becomes
  * true if a variable stands twice among them. */
 static int
-unify_row(const asking *a, term_t args, sg_row row, bool *shared)
+unify_row(asking *a, term_t args, sg_row row, bool *shared)
 {
   const sg_relation_info *info = &sg_relation_table[a->relation];
-  sg_value value[SG_MAX_COLUMNS];
+  const union sg_cell_array *cells = cells_of(a, row);
+  term_t first = args + (term_t)a->first;
 
-  sg_version_row(a->version, a->relation, row, a->open, value);
   for (unsigned left = a->open; left; left &= left - 1) {
-    int c = __builtin_ctz(left);
-    term_t arg = args + a->first + c;
-    if (shared && !PL_is_variable(arg)) {
+    unsigned c = (unsigned)__builtin_ctz(left);
+    if (shared && !PL_is_variable(first + c)) {
       *shared = true;
     }
-    if (!unify_cell(arg, info->column[c].type, value[c])) {
+    if (!unify_cell(first + c, info->column[c].type, &cells[c],
+                    row % SG_PAGE_ROWS)) {
       return FALSE;
     }
   }

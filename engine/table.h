@@ -34,11 +34,7 @@ typedef struct sg_span {
 } sg_span;
 
 typedef struct sg_page {
-  union sg_cell_array {
-    int32_t *i;           /* SG_INT, SG_ATOM */
-    double *f;            /* SG_FLOAT */
-    const uint32_t **ref; /* SG_LIST, SG_TERM: into the arena */
-  } cells[SG_MAX_COLUMNS];
+  union sg_cell_array cells[SG_MAX_COLUMNS];
   uint64_t taken[SG_LIVE_WORDS];
   uint16_t *empty; /* the empty stack: null, or places below `slots`, the first
                       on top */

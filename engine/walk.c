@@ -35,6 +35,12 @@ sg_version_value(const sg_version *version, sg_relation relation, sg_row row,
                        row % SG_PAGE_ROWS);
 }
 
+const union sg_cell_array *
+sg_version_cells(const sg_version *version, sg_relation relation, size_t page)
+{
+  return sg_map_live(version->map[relation], page)->page->cells;
+}
+
 void
 sg_version_row(const sg_version *version, sg_relation relation, sg_row row,
                uint16_t mask, sg_value *out)
@@ -544,9 +550,24 @@ is_stopped(sg_walk *walk)
   return walk->stopped;
 }
 
+/* Whether the row at hand is the next one of a walk over all: it lives, and is
+ * neither the first of its page nor the last, so nothing else is to be done. */
+static bool
+is_next(const sg_walk *walk)
+{
+  unsigned place = walk->at % SG_PAGE_ROWS;
+
+  return walk->mask == 0 && walk->live && place != 0 &&
+         place != SG_PAGE_ROWS - 1 &&
+         (walk->live->word[place / 64] >> place % 64 & 1);
+}
+
 static sg_row
 scan_next(sg_walk *walk)
 {
+  if (is_next(walk)) {
+    return walk->at++;
+  }
   unsigned column = telling_column(walk);
   const sg_map *map = walk->version->map[walk->relation];
   size_t pages = map ? map->chunks * SG_CHUNK_PAGES : 0;
