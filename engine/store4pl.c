@@ -128,10 +128,14 @@ unify_cell(term_t t, sg_type type, const union sg_cell_array *cells,
   if (type == SG_INT) {
     return PL_unify_integer(t, cells->i[place]);
   }
-  return sg_unify_value(t, type,
-                        type == SG_ATOM
-                            ? (sg_value){.i = cells->i[place]}
-                            : (sg_value){.term = cells->ref[place]});
+  sg_value value = {0};
+
+  if (type == SG_ATOM) {
+    value.i = cells->i[place];
+  } else {
+    value.term = cells->ref[place];
+  }
+  return sg_unify_value(t, type, value);
 }
 
 /* The columns of the page that a row is on. */
