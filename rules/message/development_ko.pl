@@ -3,7 +3,7 @@
           [ development_ko//2,          % +S, +What
             development_notice_ko//2    % +S, +What
           ]).
-:- use_module(explain_words, [segment_word/2, face_word/2]).
+:- use_module(explain_words, [segment_word_ko/2, face_word/2]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [append/3]).
 /** <module> What is wrong with a development, in Korean.
@@ -16,7 +16,7 @@ development_en.pl has the same heads in English.
 %   The message for geometry_error(development(S, What)).
 
 development_ko(S, What) -->
-    { segment_word(S, Name) },
+    { segment_word_ko(S, Name) },
     [ '세그먼트 ~d~w은(는) 펼칠 수 없습니다: '-[S, Name] ],
     what_ko(What).
 
@@ -73,11 +73,11 @@ some_ko(Ids) -->
 %   The message for the warning sanggwan(development(S, What)).
 
 development_notice_ko(S, border(Kind, Sides)) -->
-    { segment_word(S, Name) },
+    { segment_word_ko(S, Name) },
     [ '세그먼트 ~d~w: '-[S, Name] ],
     border_ko(Kind, Sides).
 development_notice_ko(S, in_triangles(Ps)) -->
-    { segment_word(S, Name) },
+    { segment_word_ko(S, Name) },
     [ '세그먼트 ~d~w: 평면이 아닌 다각형은 삼각형으로 펼칩니다: '-[S, Name] ],
     some_ko(Ps).
 

@@ -3,7 +3,7 @@
           [ glue_statement_ko//1,       % +Statement
             glue_nothing_ko//1          % +Item
           ]).
-:- use_module(explain_words, [segment_word/2, point_text/2]).
+:- use_module(explain_words, [segment_word_ko/2, point_text/2]).
 /** <module> Explanations of what is glued in Korean; explain_glue_en.pl has
 them in English.
 */
@@ -13,21 +13,21 @@ them in English.
 %   A statement of explain_glue.pl in Korean.
 
 glue_statement_ko(glued_vertex(S, V, Point)) -->
-    { segment_word(S, Word), point_text(Point, Text) },
+    { segment_word_ko(S, Word), point_text(Point, Text) },
     [ '세그먼트 ~d~w의 꼭짓점 ~d번은 ~w에 있다'-[S, Word, V, Text] ].
 glue_statement_ko(glued_edge(S, E, V1, V2)) -->
-    { segment_word(S, Word) },
+    { segment_word_ko(S, Word) },
     [ '세그먼트 ~d~w의 모서리 ~d번은 꼭짓점 ~d번에서 ~d번까지이다'-
       [S, Word, E, V1, V2] ].
 glue_statement_ko(glued_polygon(S, P)) -->
-    { segment_word(S, Word) },
+    { segment_word_ko(S, Word) },
     [ '세그먼트 ~d~w의 다각형 ~d번'-[S, Word, P] ].
 glue_statement_ko(was_vertex(S, V, Moved)) -->
-    { segment_word(S, Word) },
+    { segment_word_ko(S, Word) },
     [ '세그먼트 ~d~w의 꼭짓점 ~d번이었고 '-[S, Word, V] ],
     moved_ko(Moved).
 glue_statement_ko(was_polygon(S, P, Sense)) -->
-    { segment_word(S, Word) },
+    { segment_word_ko(S, Word) },
     [ '세그먼트 ~d~w의 다각형 ~d번의 일부이다'-[S, Word, P] ],
     (   { Sense =:= 1 }
     ->  []
@@ -70,7 +70,7 @@ glue_statement_ko(inner_loop(Vs)) -->
     { atomic_list_concat(Vs, ', ', List) },
     [ '그 안에 루프 ~w이(가) 있다'-[List] ].
 glue_statement_ko(region(S, R, Role, Volume)) -->
-    { segment_word(S, Word) },
+    { segment_word_ko(S, Word) },
     [ '세그먼트 ~d~w의 영역 ~d: '-[S, Word, R] ],
     role_ko(Role),
     (   { Volume == none }
@@ -81,7 +81,7 @@ glue_statement_ko(inner_point(Point)) -->
     { point_text(Point, Text) },
     [ '~w이(가) 그 안의 점이다'-[Text] ].
 glue_statement_ko(inside(S)) -->
-    { segment_word(S, Word) },
+    { segment_word_ko(S, Word) },
     [ '세그먼트 ~d~w의 안이다'-[S, Word] ].
 glue_statement_ko(beyond(R, Faces, Area)) -->
     [ '넓이 ~6g인 면 ~D개 너머는 영역 ~d이다'-[Area, Faces, R] ].
@@ -128,7 +128,7 @@ role_ko(slit) -->
     [ '틈: 겹친 면 사이' ].
 
 pair_ko(S1, P1, S2, P2) -->
-    { segment_word(S1, W1), segment_word(S2, W2) },
+    { segment_word_ko(S1, W1), segment_word_ko(S2, W2) },
     [ '세그먼트 ~d~w의 다각형 ~d번과 세그먼트 ~d~w의 다각형 ~d번'-
       [S1, W1, P1, S2, W2, P2] ].
 

@@ -5,7 +5,7 @@
           ]).
 :- use_module('../near', [is_rounding/2]).
 :- use_module(explain_words, 
-              [ other_origin/1, segment_word/2, polygon_word/3, in_order/4,
+              [ other_origin/1, segment_word_ko/2, polygon_word/3, in_order/4,
                 exact_text/3, point_text/2
               ]).
 :- use_module(explain_glue_ko, [glue_statement_ko//1]).
@@ -21,11 +21,11 @@
 %   A statement of explain_words.pl in Korean.
 
 statement_ko(line(L, S1, P1, S2, P2)) -->
-    { segment_word(S1, W1), segment_word(S2, W2) },
+    { segment_word_ko(S1, W1), segment_word_ko(S2, W2) },
     [ '상관선 ~d: 세그먼트 ~d~w의 다각형 ~d과(와) 세그먼트 ~d~w의 다각형 ~d이(가) \c
        만난다'-[L, S1, W1, P1, S2, W2, P2] ].
 statement_ko(touch(L, S1, P1, S2, P2)) -->
-    { segment_word(S1, W1), segment_word(S2, W2) },
+    { segment_word_ko(S1, W1), segment_word_ko(S2, W2) },
     [ '상관선 ~d: 세그먼트 ~d~w의 다각형 ~d과(와) 세그먼트 ~d~w의 다각형 ~d이(가) 한 \c
        점에서 닿는다'-[L, S1, W1, P1, S2, W2, P2] ].
 statement_ko(point(End, Point, S1, V1, S2, V2)) -->
@@ -144,7 +144,7 @@ statement_ko(chain(C, Kind, I, N)) -->
     { memberchk(Kind-Word, [open-'열린', closed-'닫힌']) },
     [ '~w 사슬 ~d의 조각 ~d개 가운데 ~d번째'-[Word, C, N, I] ].
 statement_ko(chain_head(C, Kind, S1, S2, N, Length)) -->
-    { maplist(segment_word, [S1,S2], [W1,W2]),
+    { maplist(segment_word_ko, [S1,S2], [W1,W2]),
       memberchk(Kind-Word, [open-'열림', closed-'닫힘', point-'점']) },
     [ '세그먼트 ~d~w과(와) 세그먼트 ~d~w의 사슬 ~d: ~w'-
       [S1, W1, S2, W2, C, Word] ],
@@ -153,14 +153,14 @@ statement_ko(chain_head(C, Kind, S1, S2, N, Length)) -->
     ;   [ ', 조각 ~d개, 길이 ~15g'-[N, Length] ]
     ).
 statement_ko(derived(S, V, Point, Place)) -->
-    { segment_word(S, Word) },
+    { segment_word_ko(S, Word) },
     [ '세그먼트 ~d~w의 꼭짓점 ~d '-[S, Word, V] ],
     point(Point),
     [ '은(는) ' ],
     place(S, Place),
     [ '에 있다' ].
 statement_ko(moved(S, V, Point)) -->
-    { segment_word(S, Word) },
+    { segment_word_ko(S, Word) },
     [ '세그먼트 ~d~w의 꼭짓점 ~d '-[S, Word, V] ],
     point(Point),
     [ '은(는) 닿도록 옮긴 것이다' ].
@@ -168,7 +168,7 @@ statement_ko(was_at(_, _, Point)) -->
     [ '원래 있던 곳: ' ],
     point(Point).
 statement_ko(original(S, V, Point)) -->
-    { segment_word(S, Word) },
+    { segment_word_ko(S, Word) },
     [ '세그먼트 ~d~w의 꼭짓점 ~d '-[S, Word, V] ],
     point(Point),
     [ '은(는) 모델에 있던 것이다' ].
@@ -184,7 +184,7 @@ statement_ko(vertex_lines(Ls)) -->
     { atomic_list_concat(Ls, ', ', Text) },
     [ '상관선 ~w의 끝이다'-[Text] ].
 statement_ko(edge(S, E, V1, V2)) -->
-    { segment_word(S, Word) },
+    { segment_word_ko(S, Word) },
     [ '세그먼트 ~d~w의 모서리 ~d, 꼭짓점 ~d에서 ~d까지'-
       [S, Word, E, V1, V2] ].
 statement_ko(edge_whole(_, _)) -->
@@ -199,13 +199,13 @@ statement_ko(edge_polygons(_, Ps)) -->
     { atomic_list_concat(Ps, ', ', Text) },
     [ '다각형 ~w에 있다'-[Text] ].
 statement_ko(edge_divided(S, E, V1, V2)) -->
-    { segment_word(S, Word) },
+    { segment_word_ko(S, Word) },
     [ '세그먼트 ~d~w의 모서리 ~d은(는) 꼭짓점 ~d에서 ~d까지였고 나뉘었다'-
       [S, Word, E, V1, V2] ].
 statement_ko(edge_part(_, E, V1, V2)) -->
     [ '모서리 ~d, 꼭짓점 ~d에서 ~d까지'-[E, V1, V2] ].
 statement_ko(segments(S1, S2)) -->
-    { segment_word(S1, W1), segment_word(S2, W2) },
+    { segment_word_ko(S1, W1), segment_word_ko(S2, W2) },
     [ '세그먼트 ~d~w과(와) 세그먼트 ~d~w'-[S1, W1, S2, W2] ].
 statement_ko(lines_between(N)) -->
     [ '상관선 조각 ~d개가 있다'-[N] ].
@@ -216,7 +216,7 @@ statement_ko(refused(S1, S2, By)) -->
 statement_ko(no_common_piece) -->
     [ '상관선 없음: 공통 조각이 있는 두 삼각형이 없다' ].
 statement_ko(pair(S1, P1, S2, P2)) -->
-    { segment_word(S1, W1), segment_word(S2, W2) },
+    { segment_word_ko(S1, W1), segment_word_ko(S2, W2) },
     [ '세그먼트 ~d~w의 다각형 ~d과(와) 세그먼트 ~d~w의 다각형 ~d'-
       [S1, W1, P1, S2, W2, P2] ].
 statement_ko(pair_lines(Ls)) -->
@@ -248,14 +248,14 @@ statement_ko(example(T1, T2)) -->
     { maplist(triangle_text, [T1,T2], [W1,W2]) },
     [ '보기: ~w, ~w'-[W1, W2] ].
 statement_ko(piece(S, P)) -->
-    { segment_word(S, Word) },
+    { segment_word_ko(S, Word) },
     [ '세그먼트 ~d~w의 다각형 ~d'-[S, Word, P] ].
 statement_ko(piece_of(S, P, Sense)) -->
-    { segment_word(S, Word) },
+    { segment_word_ko(S, Word) },
     [ '세그먼트 ~d~w의 다각형 ~d의 부분이 있다'-[S, Word, P] ],
     sense(Sense).
 statement_ko(polygon_in(S0, P0, S)) -->
-    { segment_word(S0, W0), segment_word(S, W) },
+    { segment_word_ko(S0, W0), segment_word_ko(S, W) },
     [ '세그먼트 ~d~w 안에서 세그먼트 ~d~w의 다각형 ~d'-[S, W, S0, W0, P0] ].
 statement_ko(became(S, P, Sense)) -->
     [ '그 부분이나 전체가 세그먼트 ~d의 다각형 ~d에 있다'-[S, P] ],
@@ -267,7 +267,7 @@ statement_ko(witness(Point)) -->
     [ '증거점은 ' ],
     point(Point).
 statement_ko(round(S, Below, Above)) -->
-    { segment_word(S, Word),
+    { segment_word_ko(S, Word),
       maplist(inside_ko, [Below,Above], [B,A]) },
     [ '바로 아래는 세그먼트 ~d~w의 ~w, 바로 위는 ~w'-[S, Word, B, A] ].
 statement_ko(verdict(kept(Sense), By)) -->
@@ -275,17 +275,17 @@ statement_ko(verdict(kept(Sense), By)) -->
     sense(Sense),
     [ '. 한쪽만 안이기 때문이다 (stays/3, ~w)'-[By] ].
 statement_ko(verdict(covered(S), _)) -->
-    { segment_word(S, Word) },
+    { segment_word_ko(S, Word) },
     [ '세그먼트 ~d~w의 조각과 같은 곳에 있으며 그 조각이 둘을 대신한다'-
       [S, Word] ].
 statement_ko(verdict(dropped, By)) -->
     [ '버렸다. 두 쪽 모두 안이거나 모두 밖이기 때문이다 (stays/3, ~w)'-[By] ].
 statement_ko(hidden_line(S, E, V1, V2)) -->
-    { segment_word(S, Word) },
+    { segment_word_ko(S, Word) },
     [ '선 s~de~d: 세그먼트 ~d~w의 모서리 ~d, 그림에서 꼭짓점 ~d (0)부터 꼭짓점 ~d \c
        (1)까지'-[S, E, S, Word, E, V1, V2] ].
 statement_ko(outline_piece(S, E, P, T)) -->
-    { segment_word(S, Word) },
+    { segment_word_ko(S, Word) },
     [ '선 s~de~d: 매끄러운 곡면의 실루엣선 조각, 세그먼트 ~d~w의 다각형 ~d, 삼각형 ~d을(를) \c
        지난다. 그림에서 0부터 1까지'-[S, E, S, Word, P, T] ].
 statement_ko(behind_fold(From)) -->
@@ -294,7 +294,7 @@ statement_ko(substitute_outline) -->
     [ '매끄러운 곡면의 삼각형들이 여기서부터 뒤를 향한다. 보이고 가까이에 다른 선이 \c
        없는 곳에만 그린다' ].
 statement_ko(turned_away(S, P, From, To)) -->
-    { segment_word(S, Word) },
+    { segment_word_ko(S, Word) },
     [ '~6g부터 ~6g까지는 세그먼트 ~d~w의 다각형 ~d이(가) 나타내는 매끄러운 곡면이 \c
        눈을 등지고 가린다'-[From, To, S, Word, P] ].
 statement_ko(same_line(S1, E1, S2, E2)) -->
@@ -309,7 +309,7 @@ statement_ko(not_drawn(Role, Which)) -->
 statement_ko(end_on) -->
     [ '선의 방향으로 본다: 그림에서 점이므로 그리지 않는다' ].
 statement_ko(backs(S, N)) -->
-    { segment_word(S, Word) },
+    { segment_word_ko(S, Word) },
     [ '세그먼트 ~d~w은(는) 닫힌 입체이고, 이 선에서 만나는 면 중 눈을 향한 것이 \c
        없다 (뒷면: ~d)'-[S, Word, N] ].
 statement_ko(hidden_part(From, To)) -->
@@ -318,7 +318,7 @@ statement_ko(surface_goes_on(S, P, From, To)) -->
     [ '~6g부터 ~6g까지 바로 뒤에서 곡면이 이어진다: 세그먼트 ~d의 다각형 \c
        ~d'-[From, To, S, P] ].
 statement_ko(hiding_face(S, P, From, To, Behind)) -->
-    { segment_word(S, Word) },
+    { segment_word_ko(S, Word) },
     [ '세그먼트 ~d~w의 다각형 ~d이(가) ~6g부터 ~6g까지 가린다. 가운데에서 ~6g만큼 \c
        눈에 더 가깝다'-[S, Word, P, From, To, Behind] ].
 statement_ko(ends_with_line(Which, At)) -->
@@ -341,19 +341,19 @@ statement_ko(nowhere_visible) -->
 statement_ko(nothing_over) -->
     [ '그림에서 그 위에 놓인, 선을 가릴 수 있는 다른 면이 없다' ].
 statement_ko(face_behind(S, P, From, To, Before)) -->
-    { segment_word(S, Word) },
+    { segment_word_ko(S, Word) },
     [ '세그먼트 ~d~w의 다각형 ~d이(가) 그림에서 ~6g부터 ~6g까지 겹치지만, 선보다 \c
        뒤에 있다 (가운데에서 ~6g)'-[S, Word, P, From, To, Before] ].
 statement_ko(line_in_face(S, P)) -->
-    { segment_word(S, Word) },
+    { segment_word_ko(S, Word) },
     [ '세그먼트 ~d~w의 다각형 ~d 위에 놓여 있다: 그 면은 이 선을 가리지 않는다'-
       [S, Word, P] ].
 statement_ko(let_through(S, P, From, To, Decision, By)) -->
-    { segment_word(S, Word) },
+    { segment_word_ko(S, Word) },
     [ '세그먼트 ~d~w의 다각형 ~d이(가) ~6g부터 ~6g까지 앞에 있지만, ~w (~w) \c
        때문에 비쳐 보인다'-[S, Word, P, From, To, Decision, By] ].
 statement_ko(drawn_instead(From, To, Visibility, S, E, Role)) -->
-    { segment_word(S, Word) },
+    { segment_word_ko(S, Word) },
     [ '~6g부터 ~6g까지는 그림에서 같은 곳에 있는 세그먼트 ~d~w의 모서리 ~d이(가) \c
        그려진다: ~w, ~w'-[From, To, S, Word, E, Visibility, Role] ].
 statement_ko(common(_, End1, End2)) -->
@@ -362,20 +362,20 @@ statement_ko(common(_, End1, End2)) -->
     ;   [ '공통: ~q부터 ~q까지'-[End1, End2] ]
     ).
 statement_ko(seam_edge(S, E, E2, P1, P2, Length)) -->
-    { segment_word(S, Word), maplist(polygon_word(S), [P1,P2], [W1,W2]) },
+    { segment_word_ko(S, Word), maplist(polygon_word(S), [P1,P2], [W1,W2]) },
     [ '세그먼트 ~d~w의 모서리 ~d은(는) 길이 ~6g의 접합선이다: 다각형 ~w과(와) \c
        다각형 ~w 사이, 그쪽에서는 모서리 ~d'-[S, Word, E, Length, W1, W2, E2] ].
 statement_ko(fold_edge(S, E, E2, P1, P2, Length, Angle)) -->
-    { segment_word(S, Word), maplist(polygon_word(S), [P1,P2], [W1,W2]) },
+    { segment_word_ko(S, Word), maplist(polygon_word(S), [P1,P2], [W1,W2]) },
     [ '세그먼트 ~d~w의 모서리 ~d은(는) 길이 ~6g의 접는 선이다: 다각형 ~w과(와) \c
        다각형 ~w 사이, 그쪽에서는 모서리 ~d, ~6g도 꺾인다'-
       [S, Word, E, Length, W1, W2, E2, Angle] ].
 statement_ko(border_edge(S, E, P)) -->
-    { segment_word(S, Word), polygon_word(S, P, W) },
+    { segment_word_ko(S, Word), polygon_word(S, P, W) },
     [ '세그먼트 ~d~w의 모서리 ~d은(는) 다각형 ~w의 경계이다: 전개도의 다른 \c
        다각형에는 없다'-[S, Word, E, W] ].
 statement_ko(line_in_polygon(S, E, E2, P)) -->
-    { segment_word(S, Word), polygon_word(S, P, W) },
+    { segment_word_ko(S, Word), polygon_word(S, P, W) },
     [ '세그먼트 ~d~w의 모서리 ~d은(는) 다각형 ~w 안의 상관선이다. 되돌아오는 \c
        모서리는 ~d'-[S, Word, E, W, E2] ].
 statement_ko(joined_already(1, E, Length)) -->
@@ -442,11 +442,11 @@ statement_ko(too_short) -->
 statement_ko(changed_since) -->
     [ '전개도를 만든 뒤에 세그먼트가 바뀌어 까닭을 더는 알 수 없다' ].
 statement_ko(pattern_piece(S, _, N, 1)) -->
-    { segment_word(S, Word) },
+    { segment_word_ko(S, Word) },
     [ '세그먼트 ~d~w의 전개도는 조각 하나이다: 다각형 ~d개'-[S, Word, N] ].
 statement_ko(pattern_piece(S, K, N, Pieces)) -->
     { Pieces \== 1 },
-    { segment_word(S, Word) },
+    { segment_word_ko(S, Word) },
     [ '세그먼트 ~d~w의 조각 ~d개 가운데 ~d번: 다각형 ~d개'-
       [S, Word, Pieces, K, N] ].
 statement_ko(seams_out(1)) -->

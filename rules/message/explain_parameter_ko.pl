@@ -3,7 +3,7 @@
           [ parameter_statement_ko//1   % +Statement
           ]).
 :- use_module(true_ko, [segment_kind_word/2]).
-:- use_module(explain_words, [segment_word/2]).
+:- use_module(explain_words, [segment_word_ko/2]).
 /** <module> Explanations of parameters in Korean; explain_parameter_en.pl has
 them in English.
 */
@@ -33,7 +33,7 @@ parameter_statement_ko(used_by_parameter(Name, Formula)) -->
 parameter_statement_ko(used_by_row(Fact)) -->
     [ '이것이 있는 곳: ~p'-[Fact] ].
 parameter_statement_ko(segment(S, Kind)) -->
-    { segment_word(S, Word),
+    { segment_word_ko(S, Word),
       segment_kind_word(Kind, Korean) },
     [ '세그먼트 ~d~w: ~w'-[S, Word, Korean] ].
 parameter_statement_ko(no_size_from_parameter) -->

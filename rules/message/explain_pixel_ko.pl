@@ -3,7 +3,7 @@
           [ pixel_statement_ko//1,      % +Statement
             pixel_nothing_ko//1         % +Item
           ]).
-:- use_module(explain_words, [bytes_word/2, segment_word/2]).
+:- use_module(explain_words, [bytes_word/2, segment_word_ko/2]).
 /** <module> Explanations of shaded pictures in Korean; explain_pixel_en.pl has
 them in English.
 */
@@ -107,18 +107,18 @@ pixel_statement_ko(ramp(Shade, By, Bytes)) -->
     [ '그 명암에서 ~w, 음영 ~p'-[Word, Shade] ],
     by_rule('ramp/3', By).
 pixel_statement_ko(not_in_picture(S, Kind)) -->
-    { segment_word(S, Word) },
+    { segment_word_ko(S, Word) },
     (   { Kind == solid }
     ->  [ '세그먼트 ~d~w: 그림에 나오는 어느 것에도 들어 있지 않다'-[S, Word] ]
     ;   { memberchk(Kind-KindKo, [surface-'곡면', curve-'곡선']) },
         [ '세그먼트 ~d~w: ~w이다. 음영은 입체와 곡면에만 준다'-[S, Word, KindKo] ]
     ).
 pixel_statement_ko(seen_after_all(S, Dots, X, Y)) -->
-    { segment_word(S, Word) },
+    { segment_word_ko(S, Word) },
     [ '세그먼트 ~d~w: 약 ~d개의 점에 보인다. 그 하나는 pixel(~d, ~d)'-
       [S, Word, Dots, X, Y] ].
 pixel_statement_ko(unseen(S)) -->
-    { segment_word(S, Word) },
+    { segment_word_ko(S, Word) },
     [ '세그먼트 ~d~w: 보이는 곳이 없다'-[S, Word] ].
 pixel_statement_ko(unseen_where(Count, X, Y)) -->
     [ '물어본 곳 가운데 ~d곳, 그 하나는 pixel(~d, ~d)'-[Count, X, Y] ].
@@ -157,7 +157,7 @@ leaf(Leaf, S, Name, Word) :-
     format(atom(Word), '리프 ~d (~w, 세그먼트 ~d)', [Leaf, Name, S]).
 
 root(R, Word) :-
-    segment_word(R, Own),
+    segment_word_ko(R, Own),
     format(atom(Word), '세그먼트 ~d~w', [R, Own]).
 
 of_node(Operation, 0, Word) :-

@@ -1,7 +1,9 @@
+:- encoding(utf8).
 :- module(sg_explain_words,
           [ statement_keys/2,           % ?Name, ?Keys
             other_origin/1,             % +Origin
             segment_word/2,             % +S, -Word
+            segment_word_ko/2,          % +S, -Word
             polygon_word/3,             % +S, +P, -Word
             face_word/2,                % +Face, -Word
             bytes_word/2,               % +Bytes, -Word
@@ -228,28 +230,36 @@ made_origin(tpi(_, _, _)).
 made_origin(near(_)).
 
 %!  segment_word(+S, -Word) is det.
+%!  segment_word_ko(+S, -Word) is det.
 %
 %   Word is the name of segment S, or of the primitive it was made from, in
-%   parentheses and with a space before; '' if it has none.
+%   parentheses and with a space before; '' if it has none. Of one that another
+%   segment was placed as it says so, in English or in Korean.
 
 segment_word(S, Word) :-
+    named_word(S, 'segment ~d, placed', Word).
+
+segment_word_ko(S, Word) :-
+    named_word(S, '배치된 세그먼트 ~d', Word).
+
+named_word(S, Placed, Word) :-
     (   segment(S, _, Name0),
-        plain_name(Name0, Name),
+        plain_name(Name0, Placed, Name),
         Name \== ''
     ->  format(atom(Word), ' (~w)', [Name])
     ;   Word = ''
     ).
 
-plain_name(named(Name, _), Name) :-
+plain_name(named(Name, _), _, Name) :-
     !.
-plain_name(at(_, Name0), Name) :-
+plain_name(at(_, Name0), Placed, Name) :-
     !,
-    plain_name(Name0, Name).
-plain_name(S, Name) :-
+    plain_name(Name0, Placed, Name).
+plain_name(S, Placed, Name) :-
     integer(S),
     !,
-    format(atom(Name), 'segment ~d, placed', [S]).
-plain_name(Name0, Name) :-
+    format(atom(Name), Placed, [S]).
+plain_name(Name0, _, Name) :-
     (   compound(Name0)
     ->  functor(Name0, Name, _)
     ;   Name = Name0

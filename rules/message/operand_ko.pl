@@ -3,7 +3,7 @@
           [ operand_ko//2,              % +S, +Faults
             operand_notice_ko//2        % +What, +S
           ]).
-:- use_module(explain_words, [segment_word/2]).
+:- use_module(explain_words, [segment_word_ko/2]).
 :- use_module('../csg/operand_name', [operand_name_ko//1]).
 /** <module> What is wrong with an operand of a Boolean, in Korean.
 
@@ -24,7 +24,7 @@ operand_ko(S, Faults) -->
 operand_ko(S) -->
     { integer(S) },
     !,
-    { segment_word(S, Name) },
+    { segment_word_ko(S, Name) },
     [ '세그먼트 ~d~w'-[S, Name] ].
 operand_ko(Name) -->
     operand_name_ko(Name).
@@ -59,12 +59,12 @@ edges_ko([edge(V1, V2, [X1,Y1,Z1], [X2,Y2,Z2], N)|Edges]) -->
 %   The message for sanggwan(operand(What, S)).
 
 operand_notice_ko(inside_out, S) -->
-    { segment_word(S, Name) },
+    { segment_word_ko(S, Name) },
     [ '세그먼트 ~d~w은(는) 안팎이 뒤집혀 있어 그 안에 아무것도 없습니다'-
       [S, Name], nl,
       '  다각형의 방향을 뒤집으십시오. repair 옵션이 그렇게 합니다.' ].
 operand_notice_ko(surface(Faults), S) -->
-    { segment_word(S, Name) },
+    { segment_word_ko(S, Name) },
     [ '세그먼트 ~d~w을(를) 곡면으로 봅니다. 입체 밖에 있는 부분만 \c
        남습니다'-[S, Name] ],
     faults_ko(Faults),
