@@ -426,9 +426,9 @@ least_edge(const copier *c, size_t p, uint32_t out[2])
 }
 
 /* Equal polygons have equal half-edges, of which most models have none. False:
- * no memory. */
+ * no memory, or stopped. */
 static bool
-any_equal(const copier *c, bool *any)
+any_equal(const copier *c, const sg_cancel *cancel, bool *any)
 {
   sg_key_table seen;
   bool good;
@@ -440,8 +440,8 @@ any_equal(const copier *c, bool *any)
     uint32_t key[2];
 
     least_edge(c, p, key);
-    good = sg_key_table_add(&seen, key);
-    *any = seen.n <= p;
+    good = !sg_cancel_every(cancel, p) && sg_key_table_add(&seen, key);
+    *any = good && seen.n <= p;
   }
   sg_key_table_clear(&seen);
   return good;
@@ -493,7 +493,7 @@ sg_polygon_copies_find(const sg_dense *dense, size_t s, const sg_cancel *cancel,
   if (c.polygons == 0) {
     return true;
   }
-  bool any, good = find_places(&c, cancel) && any_equal(&c, &any) &&
+  bool any, good = find_places(&c, cancel) && any_equal(&c, cancel, &any) &&
                    (!any || find_equal(&c, cancel, out));
 
   copier_clear(&c);

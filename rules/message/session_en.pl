@@ -152,6 +152,11 @@ session_en(open_to_others(Host, Port)) -->
        this model; nothing is encrypted'-[Host, Port], nl,
       '  Rules, which run code, are not changed there. Without --host only \c
        this machine is let in.' ].
+session_en(book_damaged(Path, Count)) -->
+    [ '~D lines of the book of the class, ~w, are not as they were written: \c
+       what they say is left out'-[Count, Path], nl,
+      '  After a power failure a line may be half there, whose answers nobody \c
+       was told of.' ].
 session_en(behind(URL, Place)) -->
     [ 'whoever the proxy at ~w lets through and knows the address below sees \c
        and changes this model'-[URL], nl,

@@ -4,6 +4,8 @@
             journal_line/2,             % +Journal, +Step
             journal_steps/3,            % +Path, +Digest, -Steps
             journal_whole/3,            % +Path, -Text, -Steps
+            summed_line/3,              % +At, +Step, -Line
+            line_step/4,                % ?Form, +At, +Line, -Step
             damaged_step/1,             % -Step
             journal_closed/1            % +Journal
           ]).
@@ -64,10 +66,19 @@ journal_lines(Journal, Steps) :-
     atomic_sync(Journal).
 
 line_written(Journal, Step) :-
-    step_object(Step, Object),
     byte_count(Journal, At),
+    summed_line(At, Step, Line),
+    format(Journal, "~s~n", [Line]).
+
+%!  summed_line(+At:integer, +Step:dict, -Line:string) is det.
+%
+%   Line holds Step and its sum; it begins At so many octets of its file, or At
+%   is 0 wherever it does.
+
+summed_line(At, Step, Line) :-
+    step_object(Step, Object),
     line_sum(At, Object, Sum),
-    format(Journal, "~s ~s~n", [Object,Sum]).
+    format(string(Line), "~s ~s", [Object,Sum]).
 
 step_object(Step, Object) :-
     with_output_to(string(Object),
@@ -183,12 +194,15 @@ step(In, Form, Step) :-
     ;   damaged_step(Step)
     ).
 
-%   line_step(?Form, At, Line, Step) is nondet: Line, which begins At so many
-%   octets, holds Step, in a journal of this Form.
+%!  line_step(?Form, +At, +Line, -Step:dict) is nondet.
+%
+%   Line, which begins At so many octets, as of summed_line/3, holds Step. Form
+%   is 2, or 1 without a sum.
 
 line_step(2, At, Line, Step) :-
     sum_length(Length),
     sub_string(Line, Before, Length, 0, Sum),
+    Before > 0,
     Before1 is Before-1,
     sub_string(Line, Before1, 1, _, " "),
     sub_string(Line, 0, Before1, _, Object),

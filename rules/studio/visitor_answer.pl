@@ -8,16 +8,18 @@
           ]).
 :- use_module('../environment', [state_folder/1]).
 :- use_module('../kernel', [atomic_sync/1, atomic_sync_folder/1]).
+:- use_module(journal, [line_step/4, summed_line/3]).
 :- use_module(request, [request_error/1]).
 :- use_module(library(apply), [maplist/2]).
 :- use_module(library(filesex), [make_directory_path/1]).
-:- use_module(library(http/json), [json_read_dict/2, json_write_dict/3]).
 :- use_module(library(lists), [member/2]).
 :- use_module(library(sha), [sha_hash/3, hash_atom/2]).
 /** <module> The book of a class: who is in it, and what each answered.
 
 Each line of its file is on the disk before a pupil hears that an answer was
-right: nothing is lost when the program is killed, and the next start has it.
+right: nothing is lost when the program is killed, and the next start has it. A
+line has a sum, so what is not as it was written is noticed (journal.pl); those
+of older versions have none.
 The secret of a pupil is not in it, only a digest.
 */
 
@@ -91,36 +93,39 @@ class_opens(Path) :-
 book_taken(Path) :-
     setup_call_cleanup(
         open(Path, read, In, [encoding(utf8)]),
-        lines_taken(In),
-        close(In)).
-
-%   Lines that are not complete, or of another kind, were told to nobody.
-
-lines_taken(In) :-
-    read_string(In, "\n", "", End, Line),
-    (   catch(setup_call_cleanup(open_string(Line, Text),
-                                 json_read_dict(Text, Row),
-                                 close(Text)),
-              error(_, _), fail),
-        is_dict(Row)
-    ->  ( line_taken(Row) -> true ; true )
-    ;   true
-    ),
-    (   End == -1
+        lines_taken(In, 0, Damaged),
+        close(In)),
+    (   Damaged =:= 0
     ->  true
-    ;   lines_taken(In)
+    ;   print_message(warning, sanggwan(studio(book_damaged(Path, Damaged))))
+    ).
+
+%   A last line that is not complete was told to nobody.
+
+lines_taken(In, Damaged0, Damaged) :-
+    read_string(In, "\n", "", End, Line),
+    (   End =:= -1
+    ->  Damaged = Damaged0
+    ;   (   Line == ""
+        ;   once(line_step(_, 0, Line, Row)),
+            line_taken(Row)
+        )
+    ->  lines_taken(In, Damaged0, Damaged)
+    ;   Damaged1 is Damaged0+1,
+        lines_taken(In, Damaged1, Damaged)
     ).
 
 line_taken(Row) :-
     get_dict(pupil, Row, Pupil),
     string(Pupil),
     atom_string(Digest, Pupil),
-    (   get_dict(name, Row, Name)
-    ->  pupil_taken(Digest, Name, Row)
+    (   get_dict(name, Row, Name0)
+    ->  pupil_name(Name0, Name),
+        pupil_taken(Digest, Name, Row)
     ;   _{problem:Problem, number:Number, answers:Answers, right:Right,
           shown:Shown} :< Row,
         atomic(Problem),
-        number(Number),
+        integer(Number),
         is_list(Answers),
         is_list(Right),
         maplist(is_truth, [Shown|Right]),
@@ -131,7 +136,6 @@ is_truth(true).
 is_truth(false).
 
 pupil_taken(Digest, Name, Row) :-
-    string(Name),
     get_dict(turn, Row, Turn0),
     integer(Turn0),
     (   retract(pupil_(Digest, _, Turn))
@@ -163,8 +167,8 @@ all_true([R|Rs]) :-
 written(Row) :-
     with_mutex(sg_visitor_answer,
         ( book_(_, Stream),
-          json_write_dict(Stream, Row, [width(0)]),
-          nl(Stream),
+          summed_line(0, Row, Line),
+          format(Stream, "~s~n", [Line]),
           atomic_sync(Stream),
           line_taken(Row) )).
 
@@ -180,12 +184,7 @@ written(Row) :-
 class_request(Who, "join", Head, _{do:"join", name:Name}) :-
     in_class,
     (   get_dict(name, Head, Name0),
-        string(Name0),
-        string_length(Name0, Length),
-        Length =< 60,
-        normalize_space(string(Name), Name0),
-        Name \== "",
-        \+ ( string_code(_, Name, Code), code_type(Code, cntrl) )
+        pupil_name(Name0, Name)
     ->  true
     ;   request_error(bad_key(name, pupil))
     ),
@@ -204,6 +203,16 @@ class_request(Who, "class", _, _{do:"class", pupils:Pupils}) :-
     ;   request_error(owner_alone(class))
     ),
     class_book(Pupils).
+
+%   pupil_name(Text, Name) is semidet: Name is what one may be called.
+
+pupil_name(Text, Name) :-
+    string(Text),
+    string_length(Text, Length),
+    Length =< 60,
+    normalize_space(string(Name), Text),
+    Name \== "",
+    \+ ( string_code(_, Name, Code), code_type(Code, cntrl) ).
 
 class_book(Pupils) :-
     findall(Turn-_{name:Name, done:Done},

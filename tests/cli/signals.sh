@@ -70,6 +70,18 @@ for signal in INT TERM; do
   check "$signal that a goal catches: soon" test "$took" -lt 1000
 done
 
+# A batch ends with its workers, whatever they do.
+printf "job(a(N), query, ['%s', 'repeat, N < 0'], []) @ N in 1..4.\n" \
+  "$here/facts/cube.pl" >"$work/m.pl"
+ended 'batch' TERM 1500 batch -q "$work/m.pl" -o "$work/b" -j 2
+check 'batch: its number' status_is 143
+check 'batch: soon' test "$took" -lt 1000
+for ((i = 0; i < 20; i++)); do
+  pgrep -f "$work/(b|m.pl)" >/dev/null || break
+  sleep 0.1
+done
+check 'batch: its workers' test "$i" -lt 20
+
 # The verb decides, not another word of the command.
 cd "$work" || exit 2
 for word in repl batch; do
@@ -178,6 +190,8 @@ moments unfold unfold "$work/ball0.obj" -o "$to/a.svg"
 moments convert convert "$work/ball0.obj" -o "$to/a.pl"
 moments penetrate penetrate "$work/ball0.obj" "$work/ball1.obj" -o "$to/a.csv"
 moments split split "$work/ball0.obj" --plane 0,0,1,-0.1 -o "$to/a.stl"
+moments query query "$work/ball0.obj" \
+  'aggregate_all(count, (t(1,_,_,A,B,_), e(1,_,B,A,_)), N)'
 printf 'counted: the slowest of %d ends took %d ms\n' \
-  "$((16 + 2 * all + 4 * times))" "$worst"
+  "$((17 + 2 * all + 5 * times))" "$worst"
 finish
