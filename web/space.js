@@ -34,14 +34,13 @@ export function spaceOf(port, picture) {
     const [from, to] = [where(at), where(at.map((n, k) => n + way[k] * step))];
     return to.map((n, k) => (n - from[k]) / step);
   };
-  // What a section leaves of a line; of one that is cut away nothing.
+  // What a section leaves of a line, if anything.
   const remains = (ends) => {
     if (port.kind !== "section") return ends;
-    const k = "xyz".indexOf(port.settings.axis), sign = k === 1 ? 1 : -1;
-    const [a, b] = ends.map((v) => sign * (turned(v)[k] - port.at));
-    if (a < 0 && b < 0) return [];
-    const cut = (from, to, part) => from.map((n, i) => n + (to[i] - n) * part);
-    return [a < 0 ? cut(ends[0], ends[1], a / (a - b)) : ends[0], b < 0 ? cut(ends[1], ends[0], b / (b - a)) : ends[1]];
+    const k = "xyz".indexOf(port.settings.axis);
+    const over = ends.map((v) => (k === 1 ? 1 : -1) * (turned(v)[k] - port.at));
+    if (Math.max(...over) < 0) return [];
+    return ends.map((v, i) => (over[i] < 0 ? v.map((n, j) => n + (ends[1 - i][j] - n) * over[i] / (over[i] - over[1 - i])) : v));
   };
   return { scale, seen, where, remains };
 }
