@@ -18,6 +18,7 @@ enum {
   SOME = 64,     /* boxes that are asked how many others there are */
   ALONG = 2,     /* the reach is along each axis: in any other way, that many */
   LEAVES = 64,   /* for each pair of boxes: no more are joined instead */
+  CURVES = 8,    /* curves are no more than this part: they are asked, too */
   FEATURES = 512 /* reaches, in which what a move is measured beside is */
 };
 
@@ -270,7 +271,7 @@ join_crowd(sg_call *call, const boxed *all, double pairs, sg_bvh_hits *hits)
 {
   bool done = false;
 
-  if (all->to_cut &&
+  if (all->to_cut && CURVES * all->curves <= all->n &&
       (double)sg_version_count(all->version, SG_T) <= LEAVES * pairs &&
       !join_leaves(call, all, hits, &done)) {
     return false;
