@@ -7,6 +7,7 @@ more than 2 levels; in percent."""
 import importlib.util
 import math
 import os
+import shutil
 import subprocess
 import sys
 
@@ -69,6 +70,8 @@ def difference(scenes, name, size):
 def main():
     if not os.path.exists(PEERS):
         return print('skipped: no ../shared/peers')
+    if not shutil.which('povray'):
+        return print('skipped: no povray (apt-get install povray)')
     size = sys.argv[1] if len(sys.argv) > 1 else '640x360'
     size = tuple(int(n) for n in size.split('x'))
     spec = importlib.util.spec_from_file_location('scenes', PEERS)

@@ -132,19 +132,22 @@ start_signals(void)
                                     : SG_SIGNALS_OF_VERB);
 }
 
-/* sg_cli:main/1 gives the exit status; it reports its own errors. */
+/* sg_cli:main/1 gives the exit status; it reports its own errors. Only a signal
+ * that comes when it is done makes an exception. */
 static int
 run_cli(void)
 {
   predicate_t main_1 = PL_predicate("main", 1, "sg_cli");
   term_t status = PL_new_term_ref();
   int code = CANNOT_START;
+  bool done = PL_call_predicate(NULL, PL_Q_CATCH_EXCEPTION, main_1, status) &&
+              PL_get_integer(status, &code);
 
-  if (!PL_call_predicate(NULL, PL_Q_NORMAL, main_1, status) ||
-      !PL_get_integer(status, &code)) {
-    code = CANNOT_START;
+  code = sg_signals_end(code, done);
+  if (!done && code == CANNOT_START) {
+    fprintf(stderr, "sanggwan: the command ended without a status\n");
   }
-  return sg_signals_status(code);
+  return code;
 }
 
 int

@@ -9,6 +9,7 @@
 #include <pthread.h>
 #include <signal.h>
 #include <stdatomic.h>
+#include <stdio.h>
 #include <string.h>
 #include <sys/poll.h>
 #include <sys/resource.h>
@@ -34,6 +35,8 @@ static const char *said;
 static atomic_bool is_said;
 static sg_signals_of signals_of;
 static atomic_int received; /* what is to end the process */
+static pthread_mutex_t raising = PTHREAD_MUTEX_INITIALIZER;
+static bool over; /* Prolog is not to be told any more */
 
 static bool
 is_ignored(int signal)
@@ -72,6 +75,18 @@ end_now(int signal)
     /* Nobody listens. */
   }
   _exit(AFTER_SIGNAL + signal);
+}
+
+/* Prolog wakes its thread by SIGUSR2, for which it has no handler at its end.
+ */
+static void
+tell_prolog(int signal)
+{
+  pthread_mutex_lock(&raising);
+  if (!over) {
+    PL_thread_raise(MAIN_THREAD, signal == SIGINT ? SIGINT : SIGTERM);
+  }
+  pthread_mutex_unlock(&raising);
 }
 
 /* Milliseconds; below 0: no end. */
@@ -113,7 +128,7 @@ listen(void *data)
       last = number;
       atomic_store(&received, last);
     }
-    PL_thread_raise(MAIN_THREAD, number == SIGINT ? SIGINT : SIGTERM);
+    tell_prolog(number);
   }
 }
 
@@ -151,11 +166,35 @@ sg_signals_start(const char *words, sg_signals_of of)
   return true;
 }
 
-int
-sg_signals_status(int status)
+/* What is raised later is not heard; what was is forgotten. */
+static void
+stop_listening(void)
 {
-  int signal = atomic_load(&received);
+  struct sigaction action = {.sa_handler = SIG_DFL};
 
+  pthread_mutex_lock(&raising);
+  over = true;
+  pthread_mutex_unlock(&raising);
+  sigemptyset(&action.sa_mask);
+  for (int i = 0; i < ENDINGS; i++) {
+    if (!ignored[i]) {
+      sigaction(endings[i], &action, NULL);
+    }
+  }
+  PL_handle_signals();
+  PL_clear_exception();
+}
+
+int
+sg_signals_end(int status, bool is_all_said)
+{
+  stop_listening();
+
+  int signal = atomic_load(&received);
+  if (!is_all_said && signal) {
+    fputs(said, stderr);
+    status = AFTER_SIGNAL + SIGTERM;
+  }
   atomic_store(&is_said, true);
   return signal && status == AFTER_SIGNAL + SIGTERM ? AFTER_SIGNAL + signal
                                                     : status;

@@ -29,6 +29,11 @@ BEGIN { pi = 3.14159265358979
 set -m # else a background job ignores SIGINT
 now() { date +%s%N; }
 
+# A run that was at its end already when the signal came: its files are there.
+at_its_end() {
+  [ "$status" = 0 ] || { [ "$status" = 143 ] && grep -q wrote "$work/err"; }
+}
+
 # ended NAME SIGNAL MILLISECONDS ARGUMENT...: SIGNAL after so long; $status and
 # $took, ms. Nothing may be left behind.
 ended() {
@@ -44,7 +49,7 @@ ended() {
   wait $watch
   status=$?
   took=$((($(now) - begin) / 1000000))
-  [ "$status" = 0 ] && return # it was at its end already
+  at_its_end && return
   [ "$took" -gt "$worst" ] && worst=$took
   check "$name: only what was there" holds "$to" a.off
   check "$name: nothing temporary" holds "$TMPDIR"
@@ -71,7 +76,7 @@ for signal in INT TERM; do
 done
 
 # A batch ends with its workers, whatever they do.
-printf "job(a(N), query, ['%s', 'repeat, N < 0'], []) @ N in 1..4.\n" \
+printf "job(a(N), query, ['%s', 'repeat, fail'], []) @ N in 1..4.\n" \
   "$here/facts/cube.pl" >"$work/m.pl"
 ended 'batch' TERM 1500 batch -q "$work/m.pl" -o "$work/b" -j 2
 check 'batch: its number' status_is 143
@@ -97,8 +102,11 @@ cd "$here" || exit 2
 mkfifo "$work/goals"
 "$sanggwan" repl facts/cube.pl <"$work/goals" >"$work/out" 2>"$work/err" &
 exec 8>"$work/goals"
-echo 'repeat, fail.' >&8
-sleep 1
+echo 'write(user_error, begun), repeat, fail.' >&8
+for ((i = 0; i < 300; i++)); do
+  grep -q begun "$work/err" && break
+  sleep 0.1
+done
 kill -INT $!
 sleep 0.5
 echo 'X = after.' >&8
@@ -108,6 +116,23 @@ status=$?
 check 'top level' status_is 0
 check 'top level: the goal' has interrupted
 check 'top level: the next one' has after "$work/out"
+
+# When the work is done, the status is that of the work, or of the signal.
+others=
+for ((i = 0; i < 30; i++)); do
+  rm -f "$to"/a-*
+  "$sanggwan" split -q facts/cube.pl --plane 0,0,1,-0.5 -o "$to/a.stl" \
+    2>"$work/err" &
+  until [ -e "$to/a-above.stl" ] || ! kill -0 $! 2>/dev/null; do :; done
+  for ((k = i * 40; k > 0; k--)); do :; done
+  kill -TERM $! 2>/dev/null
+  wait $! 2>/dev/null
+  status=$?
+  case $status in 0 | 143) ;; *) others="$others $status" ;; esac
+done
+check 'a signal at the end' is "$others" ''
+check 'a signal at the end: done' holds "$to" a-above.stl a-below.stl a.off
+rm -f "$to"/a-*
 
 # Those that were ignored stay so: nohup.
 trap '' HUP
@@ -134,7 +159,7 @@ moments() {
   for ((i = 1; i <= times; i++)); do
     after=$((whole * i / (times + 1)))
     while ended "$name, $i" TERM "$after" "$@"
-          [ "$status" = 0 ] && [ "$after" -gt 10 ]; do
+          at_its_end && [ "$after" -gt 10 ]; do
       after=$((after / 2))
       find "$to" -type f -delete
       echo old >"$to/a.off"

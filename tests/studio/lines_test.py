@@ -328,6 +328,7 @@ def long_lines():
     browser.script("studio.chosen(['s10e21'], studio.ports.ports[0])")
     browser.wait("document.querySelector('.why .step')")
     lines = browser.script("""
+      studio.why.element.style.width = "12em"; // whatever the font
       return [...document.querySelectorAll(".why .step")].map((line) => {
         const range = document.createRange();
         const spaces = /^ */.exec(line.textContent)[0].length;
@@ -339,6 +340,7 @@ def long_lines():
       }).filter((rows) => rows.length > 1);""")
     check("long lines are hung", lines and all(
         x > rows[0] + 4 for rows in lines for x in rows[1:]), lines[:3])
+    browser.script("studio.why.element.style.width = ''")
 
 
 def found_words(language):
