@@ -6,6 +6,7 @@
             journal_whole/3,            % +Path, -Text, -Steps
             summed_line/3,              % +At, +Step, -Line
             line_step/4,                % ?Form, +At, +Line, -Step
+            other_end/2,                % +At, +Line
             damaged_step/1,             % -Step
             journal_closed/1            % +Journal
           ]).
@@ -185,8 +186,7 @@ step(In, Form, Step) :-
     read_string(In, "\n", "", End, Line),
     (   End =:= -1
     ->  Form =:= 2,
-        sub_string(Line, 0, _, 1, Before),
-        line_step(Form, At, Before, _),
+        other_end(At, Line),
         damaged_step(Step)
     ;   End =:= 0'\n,                  % not 0, which ends strings, too
         line_step(Form, At, Line, Step0)
@@ -211,6 +211,17 @@ line_step(2, At, Line, Step) :-
 line_step(1, _, Line, Step) :-
     sub_string(Line, _, 1, 0, "}"),
     object_step(Line, Step).
+
+%!  other_end(+At, +Line) is semidet.
+%
+%   The last line of a file, of Form 2, has something else for its newline: half
+%   a character is read as two.
+
+other_end(At, Line) :-
+    member(Length, [1,2]),
+    sub_string(Line, 0, _, Length, Before),
+    line_step(2, At, Before, _),
+    !.
 
 object_step(Object, Step) :-
     sub_string(Object, 0, _, _, "{"),

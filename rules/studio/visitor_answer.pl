@@ -8,7 +8,7 @@
           ]).
 :- use_module('../environment', [state_folder/1]).
 :- use_module('../kernel', [atomic_sync/1, atomic_sync_folder/1]).
-:- use_module(journal, [line_step/4, summed_line/3]).
+:- use_module(journal, [line_step/4, other_end/2, summed_line/3]).
 :- use_module(request, [request_error/1]).
 :- use_module(library(apply), [maplist/2]).
 :- use_module(library(filesex), [make_directory_path/1]).
@@ -100,12 +100,16 @@ book_taken(Path) :-
     ;   print_message(warning, sanggwan(studio(book_damaged(Path, Damaged))))
     ).
 
-%   A last line that is not complete was told to nobody.
+%   A last line that is not complete was told to nobody. One that has something
+%   else for its newline was.
 
 lines_taken(In, Damaged0, Damaged) :-
     read_string(In, "\n", "", End, Line),
     (   End =:= -1
-    ->  Damaged = Damaged0
+    ->  (   other_end(0, Line)
+        ->  Damaged is Damaged0+1
+        ;   Damaged = Damaged0
+        )
     ;   (   Line == ""
         ;   once(line_step(_, 0, Line, Row)),
             line_taken(Row)

@@ -280,6 +280,10 @@ for case in range(cases):
             kept.write(text)
         checks.check("changed journal %d of seed %d: %s" % (case, seed, wrong),
                      False, text[-300:])
+for octet in (0, 11, 138, 195, 240, 255):
+    session.ask("open", file=MODEL)
+    wrong = silent(session, whole[:-1] + bytes([octet]), {})
+    checks.check("%d for the last newline" % octet, not wrong, wrong)
 signal.alarm(0)
 head, _ = session.ask("hello")
 checks.check("it lives on", head and head.get("do") == "hello", head)

@@ -197,8 +197,13 @@ with open(BOOK, "rb") as text:
     WHOLE = text.read()
 
 
-def changed():
-    """A book with other octets, and what of its lines is whole."""
+def changed(case):
+    """A book with other octets, and how many of its lines are whole."""
+    if case % 3 == 0:
+        # Another one for the last newline; zero ends a line, too.
+        end = draw.choice([b for b in range(1, 256) if b != 10])
+        return WHOLE[:-1] + bytes([end]), sum(
+            1 for line in WHOLE.split(b"\n") if line) - 1
     lines = WHOLE.split(b"\n")[:-1]
     kept = list(lines)
     for _ in range(draw.choice((1, 1, 2, 5))):
@@ -237,7 +242,7 @@ def told(front):
 
 
 for case in range(books):
-    text, whole = changed()
+    text, whole = changed(case)
     with open(BOOK, "wb") as out:
         out.write(text)
     try:
