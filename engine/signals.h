@@ -30,9 +30,10 @@ typedef enum sg_signals_of {
  * process, is said where Prolog did not come to say it. */
 bool sg_signals_start(const char *words, sg_signals_of of);
 
-/* Prolog has done all: `status`, with the number of the signal that ended it, if
- * one did. If `said` is false, a signal came before Prolog could say that. From
- * now on a signal ends the process at once, as it would without a handler. */
+/* Prolog has done all: `status`, with the number of the signal that ended it,
+ * if one did. If `said` is false, a signal came before Prolog could say that.
+ * From now on a signal ends the process at once, as it would without a handler.
+ */
 int sg_signals_end(int status, bool said);
 
 #endif

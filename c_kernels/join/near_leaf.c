@@ -4,6 +4,7 @@
 #include "engine/search.h"
 #include "facing.h"
 
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -22,7 +23,19 @@ typedef struct joiner {
   placed *leaf; /* [n] */
   size_t n;
   const sg_bvh *all;
+  size_t most;
+  atomic_size_t near; /* pairs of leaves */
+  const sg_cancel *cancel;
 } joiner;
+
+/* An sg_cancel: there are too many, or the caller wants no more. */
+static bool
+is_enough(void *data)
+{
+  joiner *j = data;
+
+  return atomic_load(&j->near) > j->most || sg_cancelled(j->cancel);
+}
 
 static bool
 read_leaves(joiner *j, size_t trees, const sg_cancel *cancel)
@@ -88,14 +101,15 @@ is_apart(const placed *a, const placed *b)
 static bool
 are_near(void *data, const sg_bvh_hit *hit)
 {
-  const joiner *j = data;
+  joiner *j = data;
   const placed *a = &j->leaf[j->all->item[hit->a]];
   const placed *b = &j->leaf[j->all->item[hit->b]];
 
   return a->of != b->of &&
          (j->of_curves || !j->tree[a->of]->curve || !j->tree[b->of]->curve) &&
          !is_apart(a, b) && !is_apart(b, a) &&
-         sg_box_overlap(&a->apart.box, &b->apart.box, j->reach);
+         sg_box_overlap(&a->apart.box, &b->apart.box, j->reach) &&
+         atomic_fetch_add(&j->near, 1) < j->most;
 }
 
 SG_ORDER(by_pair, sg_bvh_hit, SG_BY(a) SG_BY(b));
@@ -127,9 +141,16 @@ take_trees(const joiner *j, sg_bvh_hits *hits)
 bool
 sg_near_leaves(const sg_leaf_tree *const *tree, size_t n,
                const sg_leaf_views *views, double reach, bool of_curves,
-               sg_pool *pool, const sg_cancel *cancel, sg_bvh_hits *out)
+               size_t most, sg_pool *pool, const sg_cancel *cancel,
+               sg_bvh_hits *out, bool *more)
 {
-  joiner j = {tree, views, reach, of_curves, NULL, 0, NULL};
+  joiner j = {.tree = tree,
+              .views = views,
+              .reach = reach,
+              .of_curves = of_curves,
+              .most = most,
+              .cancel = cancel};
+  const sg_cancel enough = {is_enough, &j};
   sg_facing facing = {0};
   sg_box all = sg_box_none();
   sg_bvh *grown = NULL;
@@ -147,8 +168,13 @@ sg_near_leaves(const sg_leaf_tree *const *tree, size_t n,
 
   j.all = grown;
   good = good && sg_bvh_join_itself(grown, reach, are_near, &j, sg_facing_apart,
-                                    &facing, pool, cancel, out);
-  if (good) {
+                                    &facing, pool, &enough, out);
+  *more = atomic_load(&j.near) > most;
+  if (*more) {
+    free(out->hit);
+    *out = (sg_bvh_hits){0};
+    good = !sg_cancelled(cancel);
+  } else if (good) {
     take_trees(&j, out);
   }
   sg_bvh_close(grown);

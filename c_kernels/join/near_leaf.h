@@ -11,13 +11,15 @@
 
 /* Pairs of the n trees, as places a < b of hits, each once, ascending: those
  * that have leaves which are not farther apart than `reach`, and some that have
- * not. Of two curves (edges) only if `of_curves`.
+ * not. Of two curves (edges) only if `of_curves`. *more: more than `most` pairs
+ * of leaves are near each other, as of shells in one place; *out is empty then.
  *
  * Returns: false: no memory, or the cancellation said stop; *out is empty then.
  * Owner:   out->hit is the caller's, to free().
  * Cost:    as the join of their triangles, n log n if few are near. */
 bool sg_near_leaves(const sg_leaf_tree *const *tree, size_t n,
                     const sg_leaf_views *views, double reach, bool of_curves,
-                    sg_pool *pool, const sg_cancel *cancel, sg_bvh_hits *out);
+                    size_t most, sg_pool *pool, const sg_cancel *cancel,
+                    sg_bvh_hits *out, bool *more);
 
 #endif

@@ -17,7 +17,8 @@ enum {
   CROWD = 16,    /* other boxes */
   SOME = 64,     /* boxes that are asked how many others there are */
   ALONG = 2,     /* the reach is along each axis: in any other way, that many */
-  LEAVES = 64,   /* for each pair of boxes: no more are joined instead */
+  LEAVES = 64,   /* for each pair of boxes: no more are joined instead, and no
+                    more pairs of them taken */
   CURVES = 8,    /* curves are no more than this part: they are asked, too */
   FEATURES = 512 /* reaches, in which what a move is measured beside is */
 };
@@ -218,10 +219,12 @@ are_filled(const boxed *all, sg_kept_tree *const *kept)
  * touch beside what is in FEATURES reaches. *done: this was possible. */
 static bool
 join_kept(sg_call *call, const boxed *all, sg_kept_tree *const *kept,
-          const sg_leaf_views *views, sg_bvh_hits *hits, bool *done)
+          const sg_leaf_views *views, double pairs, sg_bvh_hits *hits,
+          bool *done)
 {
   const sg_leaf_tree **tree = sg_call_alloc(call, all->n * sizeof *tree);
   size_t n = 0;
+  bool more = false;
 
   if (!tree) {
     return false;
@@ -232,9 +235,11 @@ join_kept(sg_call *call, const boxed *all, sg_kept_tree *const *kept,
   }
   if (*done &&
       !sg_near_leaves(tree, all->n, views, FEATURES * all->reach, false,
-                      sg_call_pool(call), &call->cancel, hits)) {
+                      (size_t)(LEAVES * pairs), sg_call_pool(call),
+                      &call->cancel, hits, &more)) {
     return sg_call_ended(call);
   }
+  *done = *done && !more;
   for (size_t k = 0; k < hits->n; k++) {
     const sg_bvh_hit *hit = &hits->hit[k];
 
@@ -247,7 +252,8 @@ join_kept(sg_call *call, const boxed *all, sg_kept_tree *const *kept,
 }
 
 static bool
-join_leaves(sg_call *call, const boxed *all, sg_bvh_hits *hits, bool *done)
+join_leaves(sg_call *call, const boxed *all, double pairs, sg_bvh_hits *hits,
+            bool *done)
 {
   sg_kept_tree **kept = sg_call_alloc(call, all->n * sizeof(sg_kept_tree *));
   sg_leaf_views views = {0};
@@ -255,7 +261,7 @@ join_leaves(sg_call *call, const boxed *all, sg_bvh_hits *hits, bool *done)
               sg_trees_hold(call, all->version, &views, all->s, all->n, kept);
 
   if (good) {
-    good = join_kept(call, all, kept, &views, hits, done);
+    good = join_kept(call, all, kept, &views, pairs, hits, done);
     for (size_t i = 0; i < all->n; i++) {
       sg_kept_tree_drop(kept[i]);
     }
@@ -273,7 +279,7 @@ join_crowd(sg_call *call, const boxed *all, double pairs, sg_bvh_hits *hits)
 
   if (all->to_cut && CURVES * all->curves <= all->n &&
       (double)sg_version_count(all->version, SG_T) <= LEAVES * pairs &&
-      !join_leaves(call, all, hits, &done)) {
+      !join_leaves(call, all, pairs, hits, &done)) {
     return false;
   }
   return done || join_boxes(call, all, all->box, all->reach, hits);

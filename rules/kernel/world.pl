@@ -177,8 +177,9 @@ Foreign predicates; see kernel.pl.
 %   long thin ones askew may have, are looked at in boxes along their own axes
 %   too; two that are plainly apart so are not near. Where most segments have
 %   so many others, as in each other, those are near whose triangles come as
-%   near as 512 times Reach. Two curves are not near, for they do not cut each
-%   other: many may come from one point.
+%   near as 512 times Reach, unless that is so of very many triangles, as in one
+%   place. Two curves are not near, for they do not cut each other: many may
+%   come from one point.
 
 %!  near_pairs(+Reach:number, +Ss:set(id), -Pairs:list(id_pair)) is det.
 %

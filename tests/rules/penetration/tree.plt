@@ -220,6 +220,15 @@ test(without_triangles, N =:= 30*29//2) :-
                    retractall_facts(t(7, _, _, _, _, _)),
                    near(0, Pairs) )),
     length(Pairs, N).
+%   So many triangles of balls in one place are near each other that boxes are
+%   taken: that of a small ball in the middle, too.
+test(in_one_place, N =:= 41*40//2) :-
+    in_new_world(( forall(between(1, 40, _),
+                          add_primitive(sphere(radius(1), facets(16)), _)),
+                   add_primitive(sphere(radius(0.1), facets(4)), _),
+                   complete_segments,
+                   near(0, Pairs) )),
+    length(Pairs, N).
 %   What is cut is what all pairs cut.
 test(crowd, Wrong == []) :-
     findall(Seed,
