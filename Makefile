@@ -253,7 +253,7 @@ check-cli: all $(B)/rules.qlf $(B)/docs/example $(CHECKERS) $(FAILING) $(UNASKED
 N    ?= 20
 SEED ?= 1
 PART ?=
-mutants: all $(CHECKERS) $(FAILING) $(UNASKED)
+mutants: all $(CHECKERS) $(FAILING) $(UNASKED) $(C_TESTS)
 	@tools/mutants $(N) $(SEED) $(PART)
 
 # --- checkers --------------------------------------------------------------

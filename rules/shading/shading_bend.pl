@@ -2,6 +2,7 @@
           [ bent_polygons/5             % +Parts, +Points, +Polygons0,
                                         % -Polygons, -Surfaces
           ]).
+:- use_module('../picture/role', [usual_crease/1]).
 :- use_module('../vector',
               [ cross_product/3, difference/3, dot_product/3, doubled_area/2,
                 scaled/3, unit/2, vector_sum/3 ]).
@@ -18,9 +19,11 @@ is `bent`: the point C of the model, the normal N there, and by how much it
 grows along X, Y and Z.
 */
 
-%   What bends by more than 30 degrees is a crease, as in drawings: the cosine.
+%   What bends by more is a crease, as in drawings: the cosine.
 
-crease_cosine(0.8660254037844387).
+crease_cosine(Cosine) :-
+    usual_crease(Degrees),
+    Cosine is cos(Degrees*pi/180).
 
 %   Corners where it looks the same way but for this are at the ends of one
 %   straight line of the surface.
