@@ -267,6 +267,10 @@ are_apart_along(const sg_facing *facing, unsigned level, size_t a, size_t b)
   const sg_facing_own *own = &facing->own[level][a];
   double lo, hi;
 
+  if (facing->reads) {
+    atomic_fetch_add_explicit(facing->reads, (size_t)1 << (2 * level),
+                              memory_order_relaxed);
+  }
   range_along(facing, own->axis, level, b, &lo, &hi);
   return lo > own->hi || own->lo > hi;
 }

@@ -14,6 +14,8 @@
 
 #include "bvh.h"
 
+#include <stdatomic.h>
+
 enum {
   SG_FACING_AXES = 32,
   SG_FACING_GROUPS = 254,
@@ -37,6 +39,7 @@ typedef struct sg_facing {
   float *level[SG_BVH_LEVELS];           /* from 1 on: 2 * axes of each node */
   sg_facing_own *own[SG_FACING_LOW + 1]; /* the same */
   const sg_bvh *tree;
+  atomic_size_t *reads; /* null, or counts triangles read by sg_facing_apart */
   sg_facing_read *read;
   const void *data;
 } sg_facing;

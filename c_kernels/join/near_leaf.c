@@ -8,6 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { READS = 16 }; /* of leaves, for each pair of them that may be near */
+
 /* A leaf; the last two corners of an edge are one. */
 typedef struct placed {
   double corner[3][3];
@@ -24,17 +26,26 @@ typedef struct joiner {
   size_t n;
   const sg_bvh *all;
   size_t most;
-  atomic_size_t near; /* pairs of leaves */
+  atomic_size_t near;  /* pairs of leaves */
+  atomic_size_t reads; /* leaves read to show that others are apart */
   const sg_cancel *cancel;
 } joiner;
 
-/* An sg_cancel: there are too many, or the caller wants no more. */
+/* Too many are near, or it is too much work to show that they are not. */
+static bool
+is_too_much(joiner *j)
+{
+  return atomic_load(&j->near) > j->most ||
+         atomic_load(&j->reads) / READS > j->most;
+}
+
+/* An sg_cancel: so it is, or the caller wants no more. */
 static bool
 is_enough(void *data)
 {
   joiner *j = data;
 
-  return atomic_load(&j->near) > j->most || sg_cancelled(j->cancel);
+  return is_too_much(j) || sg_cancelled(j->cancel);
 }
 
 static bool
@@ -159,17 +170,20 @@ sg_near_leaves(const sg_leaf_tree *const *tree, size_t n,
   for (size_t i = 0; i < n; i++) {
     sg_box_join(&all, &tree[i]->box);
   }
-  bool good =
-      read_leaves(&j, n, cancel) &&
-      sg_facing_find(j.n, read_corners, &j, cancel, &facing) &&
-      (grown = sg_bvh_grow_grouped(j.n, leaf_boxes, &j, NULL, facing.group,
-                                   &all, pool, cancel)) &&
-      sg_facing_measure(&facing, grown, reach, read_corners, &j, cancel);
+  bool good = read_leaves(&j, n, cancel) &&
+              sg_facing_find(j.n, read_corners, &j, cancel, &facing);
+
+  facing.reads = &j.reads;
+  grown = good ? sg_bvh_grow_grouped(j.n, leaf_boxes, &j, NULL, facing.group,
+                                     &all, pool, cancel)
+               : NULL;
+  good = grown &&
+         sg_facing_measure(&facing, grown, reach, read_corners, &j, cancel);
 
   j.all = grown;
   good = good && sg_bvh_join_itself(grown, reach, are_near, &j, sg_facing_apart,
                                     &facing, pool, &enough, out);
-  *more = atomic_load(&j.near) > most;
+  *more = is_too_much(&j);
   if (*more) {
     free(out->hit);
     *out = (sg_bvh_hits){0};

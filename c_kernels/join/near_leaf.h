@@ -12,7 +12,9 @@
 /* Pairs of the n trees, as places a < b of hits, each once, ascending: those
  * that have leaves which are not farther apart than `reach`, and some that have
  * not. Of two curves (edges) only if `of_curves`. *more: more than `most` pairs
- * of leaves are near each other, as of shells in one place; *out is empty then.
+ * of leaves are near each other, as of shells in one place, or to show that
+ * they are not is as much work, as of shells beside each other that face every
+ * way; *out is empty then.
  *
  * Returns: false: no memory, or the cancellation said stop; *out is empty then.
  * Owner:   out->hit is the caller's, to free().

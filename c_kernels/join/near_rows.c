@@ -15,6 +15,7 @@
 
 enum {
   CROWD = 16,    /* other boxes */
+  BESIDE = 26,   /* other boxes that one on a grid meets */
   SOME = 64,     /* boxes that are asked how many others there are */
   ALONG = 2,     /* the reach is along each axis: in any other way, that many */
   LEAVES = 64,   /* for each pair of boxes: no more are joined instead, and no
@@ -278,6 +279,7 @@ join_crowd(sg_call *call, const boxed *all, double pairs, sg_bvh_hits *hits)
   bool done = false;
 
   if (all->to_cut && CURVES * all->curves <= all->n &&
+      2 * pairs > BESIDE * (double)all->n &&
       (double)sg_version_count(all->version, SG_T) <= LEAVES * pairs &&
       !join_leaves(call, all, pairs, hits, &done)) {
     return false;
