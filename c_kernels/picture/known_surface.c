@@ -4,6 +4,7 @@
 #include "bezier_patch.h"
 #include "number/bounds.h"
 #include "number/vector.h"
+#include "polygon/flatness.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -268,6 +269,58 @@ sg_known_surface_height(const sg_known_surface *s, const double p[3],
   return isfinite(*height);
 }
 
+/* ----------------------------------------------------------------- reach */
+
+/* In tolerances: three, and what is rounded then (penetration/resolve.h). */
+#define MOVED 4.0
+
+bool
+sg_known_surfaces_find_reach(sg_known_surfaces *surfaces, const sg_dense *d)
+{
+  surfaces->reach = calloc(d->segments + 1, sizeof *surfaces->reach);
+  for (size_t s = 0; surfaces->reach && s < d->segments; s++) {
+    size_t begin = d->vertex_begin[s];
+    surfaces->reach[s] =
+        MOVED * sg_flatness_touch_of((const double(*)[3])(d->at + begin),
+                                     d->vertex_begin[s + 1] - begin,
+                                     d->grain[s]);
+  }
+  return surfaces->reach != NULL;
+}
+
+/* How far polygon p goes from the line through two of its vertices. */
+static double
+width_from(const sg_dense *d, int32_t p, const double *const ends[2])
+{
+  double way[3], most = 0.0, length;
+
+  sg_minus(ends[1], ends[0], way);
+  length = sg_any_length(way);
+  for (uint32_t i = d->list_begin[p]; i < d->list_begin[p + 1]; i++) {
+    double off[3], area[3];
+    sg_minus(d->at[d->from[d->list[i]]], ends[0], off);
+    sg_cross(way, off, area);
+    most = sg_larger(most, sg_any_length(area));
+  }
+  return most / length;
+}
+
+/* Degrees by which two polygons may bend and be meant flat: each turns about
+ * their line when its corners are moved by their reach. */
+static double
+meant_flat(const sg_known_surfaces *surfaces, const sg_facets_meeting *m)
+{
+  const sg_dense *d = m->dense;
+  double flat = 0.0;
+
+  for (int i = 0; i < 2 && surfaces->reach; i++) {
+    size_t s =
+        sg_dense_segment_of(d, d->polygon_begin, (uint32_t)m->polygon[i]);
+    flat += surfaces->reach[s] / width_from(d, m->polygon[i], m->ends);
+  }
+  return flat * DEGREES;
+}
+
 /* ----------------------------------------------------------------- bends */
 
 /* One of two polygons that meet. */
@@ -336,8 +389,24 @@ known_bend(const side x[2], double facets)
   return bend < 0.0 ? facets : bend;
 }
 
+/* Whether two polygons are tangent that bend by so many degrees: a patch tells
+ * its normal only beside it, and a bent facet was one of others. */
 static bool
-is_edge(const sg_facets_meeting *m, const side x[2])
+is_tangent(const sg_known_surfaces *surfaces, const sg_facets_meeting *m,
+           double degrees)
+{
+  for (int i = 0; i < 2; i++) {
+    int32_t of = sg_known_surface_of(surfaces, m->polygon[i]);
+    if (of >= 0 && !sg_known_surface_is_measured(&surfaces->surface[of])) {
+      return degrees <= SG_FLAT_BEND;
+    }
+  }
+  return degrees <= SG_FLAT_BEND && degrees <= meant_flat(surfaces, m);
+}
+
+static bool
+is_edge(const sg_known_surfaces *surfaces, const sg_facets_meeting *m,
+        const side x[2])
 {
   bool turned = x[0].surface && x[1].surface &&
                 x[0].surface->kind == SG_KNOWN_TURNED &&
@@ -345,7 +414,7 @@ is_edge(const sg_facets_meeting *m, const side x[2])
 
   return !turned && !is_generator(x[0].surface, m->ends[0], m->ends[1]) &&
          !is_generator(x[1].surface, m->ends[0], m->ends[1]) &&
-         known_bend(x, m->bend) > SG_FLAT_BEND;
+         !is_tangent(surfaces, m, known_bend(x, m->bend));
 }
 
 sg_bend
@@ -360,7 +429,7 @@ sg_known_surfaces_bend(const sg_known_surfaces *surfaces,
 
   if (of[0] < 0 && of[1] < 0 && !(named && of[0] == of[1])) {
     return (sg_bend){.degrees = m->bend,
-                     .edge = named && m->bend > SG_FLAT_BEND};
+                     .edge = named && !is_tangent(surfaces, m, m->bend)};
   }
   if (of[0] != of[1]) {
     make_side(surfaces, m, 0, &x[0]);
@@ -369,8 +438,8 @@ sg_known_surfaces_bend(const sg_known_surfaces *surfaces,
       bend.degrees = sg_larger(
           bend.degrees, sg_angle(x[0].normal[end], x[1].normal[end]) * DEGREES);
     }
-    bend.edge = named && m->bend > 0.0 && is_edge(m, x);
-    bend.tangent = named && known_bend(x, m->bend) <= SG_FLAT_BEND;
+    bend.edge = named && m->bend > 0.0 && is_edge(surfaces, m, x);
+    bend.tangent = named && is_tangent(surfaces, m, known_bend(x, m->bend));
   }
   return bend;
 }
@@ -380,5 +449,6 @@ sg_known_surfaces_clear(sg_known_surfaces *surfaces)
 {
   free(surfaces->surface);
   free(surfaces->of);
+  free(surfaces->reach);
   *surfaces = (sg_known_surfaces){0};
 }

@@ -23,15 +23,19 @@
  *
  * What stands for no surface may be (a part of) a *named face*. Where two
  * different ones of all these meet and are not tangent is an *edge*, however
- * little they bend. Not between surfaces that were turned together, nor along a
- * straight line of a tapered one: there parts of a transition go on in each
- * other, whose facets tell that only as well as they are fine.
+ * little they bend. They are tangent where they bend by no more than moving the
+ * corners of both polygons by their segment's reach could bend them. Not
+ * between surfaces that were turned together, nor along a straight line of a
+ * tapered one: there parts of a transition go on in each other, whose facets
+ * tell that only as well as they are fine.
  *
  * Source: placed normals: Turkowski 1990, Transformations of surface normal
  * vectors.
  */
 #ifndef SG_KNOWN_SURFACE_H
 #define SG_KNOWN_SURFACE_H
+
+#include "rows/dense.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -41,7 +45,7 @@
  * angle below shows all facets. */
 #define SG_FACET_BEND 1.0
 
-/* Degrees: what bends by no more is flat, or tangent. */
+/* Degrees: what bends by no more is flat, if nothing is known of it. */
 #define SG_FLAT_BEND 0.01
 
 typedef enum sg_known_surface_kind {
@@ -66,8 +70,10 @@ typedef struct sg_known_surface {
 typedef struct sg_known_surfaces {
   sg_known_surface *surface; /* [n] */
   size_t n;
-  int32_t *of; /* [polygons] the place of its surface; SG_NOT_KNOWN; less: of
-                  its named face. Null: nothing is known of any */
+  int32_t *of;   /* [polygons] the place of its surface; SG_NOT_KNOWN; less: of
+                    its named face. Null: nothing is known of any */
+  double *reach; /* [segments] how far a vertex may be from where it was meant,
+                    of a scene; null elsewhere */
 } sg_known_surfaces;
 
 enum { SG_NOT_KNOWN = -1 };
@@ -123,8 +129,13 @@ sg_known_surface_is_measured(const sg_known_surface *surface)
          surface->kind == SG_KNOWN_SPHERE || surface->kind == SG_KNOWN_TORUS;
 }
 
+/* Finds reach[] of these segments. False: no memory. */
+bool sg_known_surfaces_find_reach(sg_known_surfaces *surfaces,
+                                  const sg_dense *dense);
+
 /* Two polygons that meet from `ends[0]` to `ends[1]`. */
 typedef struct sg_facets_meeting {
+  const sg_dense *dense;
   int32_t polygon[2];
   const double *normal[2]; /* of any length, both on one side of the sheet */
   const double *ends[2];

@@ -268,6 +268,7 @@ surface_bend(const sg_scene_builder *b, const sg_model_line *line,
   double way = -x->along * y->along,
          turned[3] = {n[0] * way, n[1] * way, n[2] * way};
   const sg_facets_meeting meeting = {
+      .dense = &m->dense,
       .polygon = {x->polygon, y->polygon},
       .normal = {b->normal[x->polygon], turned},
       .ends = {m->dense.at[line->a], m->dense.at[line->b]},

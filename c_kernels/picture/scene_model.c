@@ -146,7 +146,10 @@ sg_scene_model_open(sg_dense *dense, sg_known_surfaces *surfaces, bool *solid,
   b.model->solid = solid;
   *dense = (sg_dense){0};
   *surfaces = (sg_known_surfaces){0};
-  done = make_normals(&b) && find_flat(&b) && sg_scene_make_lines(&b);
+  done = make_normals(&b) && find_flat(&b) &&
+         (!b.model->surfaces.of ||
+          sg_known_surfaces_find_reach(&b.model->surfaces, &b.model->dense)) &&
+         sg_scene_make_lines(&b);
   if (done) {
     tell_lines(&b);
   }

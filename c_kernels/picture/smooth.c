@@ -130,6 +130,7 @@ static sg_bend
 surface_bend(const sg_smooth_builder *b, uint32_t i, uint32_t j, double bend)
 {
   const sg_facets_meeting meeting = {
+      .dense = b->in,
       .polygon = {b->in->polygon_of[i / 3], b->in->polygon_of[j / 3]},
       .normal = {area_of(b, i), area_of(b, j)},
       .ends = {sg_smooth_at(b, i), sg_smooth_at(b, sg_smooth_next(i))},

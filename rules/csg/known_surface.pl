@@ -34,7 +34,8 @@ like counts in a drawing, not how finely it was divided: facets of one surface
 are no creases, and a vertex has the surface's normal. What stands for no
 surface is a face that the term names: base, side(2), face(7). Where two
 different surfaces or faces meet and are not tangent is an edge of the model,
-however little they bend.
+however little they bend: by more than the tolerance of the model can turn them
+(docs/precision.md).
 
 Facets that are too wide stand for themselves: a cylinder, cone or turning of
 fewer than nine facets to the full turn is a prism or a pyramid, such as a nut;
@@ -261,7 +262,7 @@ part_of(vector(X2,Y2,Z2), vector(X,Y,Z), Part) :-
 
 %!  flat_bend(-Degrees) is det.
 %
-%   What bends by no more is flat, or tangent.
+%   What bends by no more is flat, if nothing is known of it.
 
 flat_bend(0.01).
 

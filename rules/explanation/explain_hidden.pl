@@ -15,7 +15,8 @@
 :- use_module('../kernel',
               [scene_edge/5, occluder/7, overlap/9, line_covers/4]).
 :- use_module('../picture/role',
-              [backs_seen/2, edge_role/5, role_drawn/2, usual_crease/1]).
+              [ backs_seen/2, edge_role/5, look_part/3, role_drawn/2,
+                usual_crease/1 ]).
 :- use_module('../store',
               [ e/5, t/6, line/9, contour/13, screen/5, drawn/7, leaf_e/5,
                 edge_polygon/3
@@ -204,7 +205,10 @@ role_because(S, E, Look, Options, [because(line_role(Role), Not)]) :-
     edge_role(S, E, Look, Crease, Role),
     (   role_drawn(Which, Role)
     ->  Not = []
-    ;   Not = [because(not_drawn(Role, Which), [])]
+    ;   findall(because(faces_bend(Bend), []),
+                ( Role == mesh, look_part(bend, Look, Bend), Bend > 0.0 ),
+                Bends),
+        Not = [because(not_drawn(Role, Which), Bends)]
     ).
 
 %   own_surface(S, E, Look, Because): step 2, its faces look away and their

@@ -301,6 +301,8 @@ statement_en(line_role(Role)) -->
 statement_en(not_drawn(Role, Which)) -->
     [ 'not drawn: of the lines of a drawing with lines ~w none is ~w'-
       [Which, Role] ].
+statement_en(faces_bend(Bend)) -->
+    [ 'its faces bend by ~6g degrees, which counts as flat'-[Bend] ].
 statement_en(end_on) -->
     [ 'seen end-on: a point in the picture, which is not drawn' ].
 statement_en(backs(S, N)) -->

@@ -306,6 +306,8 @@ statement_ko(line_role(Role)) -->
 statement_ko(not_drawn(Role, Which)) -->
     { role_called(Role, Word) },
     [ '그리지 않는다: --lines ~w 그림에는 ~w 선이 없다'-[Which, Word] ].
+statement_ko(faces_bend(Bend)) -->
+    [ '면이 ~6g도 꺾이며, 이는 평평한 것으로 본다'-[Bend] ].
 statement_ko(end_on) -->
     [ '선의 방향으로 본다: 그림에서 점이므로 그리지 않는다' ].
 statement_ko(backs(S, N)) -->

@@ -88,6 +88,7 @@ statement_keys(turned_away, [segment, polygon, from, to]).
 statement_keys(same_line, [segment1, edge1, segment2, edge2]).
 statement_keys(line_role, [role]).
 statement_keys(not_drawn, [role, lines]).
+statement_keys(faces_bend, [degrees]).
 statement_keys(end_on, []).
 statement_keys(backs, [segment, count]).
 statement_keys(hidden_part, [from, to]).

@@ -28,15 +28,15 @@
               [ angle_between/3, cross_product/3, difference/3, dot_product/3,
                 scaled/3, unit/2
               ]).
-:- use_module('../../rules/kernel', [scene_edge/5]).
+:- use_module('../../rules/kernel', [scene_edge/5, segments_tolerance/3]).
 :- use_module('../../rules/picture/hidden_lines', [open_scene/2]).
 :- use_module('../../rules/picture/role', [look_part/3]).
 :- use_module('../../rules/store', [e/5, line/9, t/6, v/5]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [foldl/4, maplist/3, maplist/4]).
 :- use_module(library(assoc),
-              [ assoc_to_keys/2, empty_assoc/1, get_assoc/3, list_to_assoc/2,
-                put_assoc/4 ]).
+              [ assoc_to_keys/2, empty_assoc/1, gen_assoc/3, get_assoc/3,
+                list_to_assoc/2, put_assoc/4 ]).
 :- use_module(library(lists),
               [append/3, max_list/2, member/2, memberchk/2]).
 :- use_module(library(pairs), [group_pairs_by_key/2, pairs_keys_values/3]).
@@ -73,7 +73,7 @@ c_kernels/picture/smooth.c is the fused kernel.
 :- set_prolog_flag(optimise, true).
 
 % sheets(Corners, Places, Areas, Sides, Fans, Members, Normals, Curved, Known,
-% Coarse, Faces), assocs:
+% Coarse, Faces, Reach), assocs:
 %   Corners  T -> corners(P, V1, V2, V3)
 %   Places   V -> p(X,Y,Z)
 %   Areas    P -> p(X,Y,Z), the polygon's normal, as long as twice its area
@@ -84,6 +84,7 @@ c_kernels/picture/smooth.c is the fused kernel.
 %   Known    P -> Id-Surface, by polygon_surface/4
 %   Faces    P -> Id, by polygon_face/3
 %   Coarse   Size-Assoc: the longest side of the segment; T -> true
+%   Reach    a number: how far a vertex may be from where it was meant
 
 %!  smooth_sheets(+S, +Crease, -Sheets) is det.
 %
@@ -92,7 +93,9 @@ c_kernels/picture/smooth.c is the fused kernel.
 
 smooth_sheets(S, Crease, Sheets) :-
     Sheets = sheets(Corners, Places, Areas, Sides, Fans, Members, Normals,
-                    Curved, Known, Coarse, Faces),
+                    Curved, Known, Coarse, Faces, Reach),
+    segments_tolerance([S], Tolerance, _),
+    Reach is 4*Tolerance,
     findall(T-corners(P,A,B,C), t(S, P, T, A, B, C), Triangles0),
     keysort(Triangles0, Triangles),
     list_to_assoc(Triangles, Corners),
@@ -161,7 +164,7 @@ edges_in_picture(S, Crease, Edges) :-
             Edges).
 
 side_across(S, Sheets, Triangles, Crease-Edges, Side, Across) :-
-    Sheets = sheets(_, _, Areas, _, _, _, _, _, _, _, _),
+    Sheets = sheets(_, _, Areas, _, _, _, _, _, _, _, _, _),
     findall((Low-High)-use(T-I,A,P),
             ( member(T-corners(P,V1,V2,V3), Triangles),
               member(I-A-B, [1-V1-V2, 2-V2-V3, 3-V3-V1]),
@@ -204,7 +207,6 @@ one_surface(Sheets, P1, P2) :-
 surfaces_bend(Sheets, P1, P2, Side, Bend, Degrees, Edge) :-
     arg(9, Sheets, Known),
     arg(11, Sheets, Faces),
-    flat_bend(Flat),
     (   one_surface(Sheets, P1, P2)
     ->  Degrees is min(Bend, 1.0),
         Edge = false
@@ -214,7 +216,7 @@ surfaces_bend(Sheets, P1, P2, Side, Bend, Degrees, Edge) :-
         (   get_assoc(P1, Faces, Id1),
             get_assoc(P2, Faces, Id2),
             Id1 \== Id2,
-            Bend > Flat
+            \+ tangent(Sheets, P1, P2, Side, Bend)
         ->  Edge = true
         ;   Edge = false
         )
@@ -229,11 +231,47 @@ surfaces_bend(Sheets, P1, P2, Side, Bend, Degrees, Edge) :-
                      \+ is_generator(Sheets, P, Side) )),
             Bend > 0.0,
             known_bend(Looks1, Looks2, Bend, KnownBend),
-            KnownBend > Flat
+            \+ tangent(Sheets, P1, P2, Side, KnownBend)
         ->  Edge = true
         ;   Edge = false
         )
     ).
+
+%   tangent(Sheets, P1, P2, Side, Degrees): polygons that bend by Degrees bend
+%   by no more than moving their corners by the reach could bend them.
+
+tangent(Sheets, P1, P2, Side, Degrees) :-
+    flat_bend(Flat),
+    Degrees =< Flat,
+    (   arg(9, Sheets, Known),
+        member(P, [P1,P2]),
+        get_assoc(P, Known, _-surface(Kind,_,_,_)),
+        \+ memberchk(Kind, [tapered,turned,sphere,torus])
+    ->  true
+    ;   arg(12, Sheets, Reach),
+        maplist(width_from(Sheets, Side), [P1,P2], [Width1,Width2]),
+        Degrees =< (Reach/Width1 + Reach/Width2)*180/pi
+    ).
+
+%   width_from(Sheets, Side, P, Width): how far polygon P goes from the line of
+%   Side.
+
+width_from(Sheets, Side, P, Width) :-
+    arg(1, Sheets, Corners),
+    next_corner(Side, Next),
+    maplist(corner_place(Sheets), [Side,Next], [A,B]),
+    difference(B, A, Way),
+    findall(Far,
+            ( gen_assoc(T, Corners, corners(P,_,_,_)),
+              member(I, [1,2,3]),
+              corner_place(Sheets, T-I, C),
+              difference(C, A, Off),
+              cross_product(Way, Off, Area),
+              dot_product(Area, Area, Square),
+              dot_product(Way, Way, Length),
+              Far is sqrt(Square/Length) ),
+            Fars),
+    max_list(Fars, Width).
 
 %   side_looks(Sheets, P, Side, Looks): how polygon P looks at both ends: a list
 %   of known(Look), of the surface or a flat face, and facet(Look), where the
@@ -371,7 +409,7 @@ convex_side(Sheets, T-I) :-
     Height =< 0.0.
 
 triangle_normal(Sheets, T, N) :-
-    Sheets = sheets(Corners, _, Areas, _, _, _, _, _, _, _, _),
+    Sheets = sheets(Corners, _, Areas, _, _, _, _, _, _, _, _, _),
     get_assoc(T, Corners, corners(P,_,_,_)),
     get_assoc(P, Areas, N).
 
@@ -489,7 +527,7 @@ normal_of(Sheets, Crease, Fan, Normal) :-
 %   The angle at a corner, and the way the surface looks there.
 
 corner_look(Sheets, T-I, Angle-Look) :-
-    Sheets = sheets(Corners, Places, Areas, _, _, _, _, _, Known, _, _),
+    Sheets = sheets(Corners, Places, Areas, _, _, _, _, _, Known, _, _, _),
     get_assoc(T, Corners, corners(P,V1,V2,V3)),
     get_assoc(P, Areas, Area),
     nth_turned(I, V1, V2, V3, A, B, C),
@@ -558,7 +596,7 @@ round_corner(Sheets, Corner) :-
 %   Surface, Id-surface(Kind,_,_,_) as known_surface.pl has it, is the known one
 %   that the polygon of Corner is a facet of.
 
-corner_surface(sheets(Corners,_,_,_,_,_,_,_,Known,_,_), T-_, Surface) :-
+corner_surface(sheets(Corners,_,_,_,_,_,_,_,Known,_,_,_), T-_, Surface) :-
     get_assoc(T, Corners, corners(P,_,_,_)),
     get_assoc(P, Known, Surface).
 

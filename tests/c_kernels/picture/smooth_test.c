@@ -60,11 +60,12 @@ make_soup(soup *s, uint32_t seed)
   for (size_t p = 0; p < d->polygons; p++) {
     s->surface_of[p] = check_below(&seed, 5) - 3;
   }
-  s->in = (sg_smooth_input){.dense = d,
-                            .cut = (const uint32_t(*)[2])s->cut,
-                            .cuts = (size_t)check_below(&seed, MOST_CUTS),
-                            .surfaces = {s->known, 2, s->surface_of},
-                            .crease = check_below(&seed, 100)};
+  s->in = (sg_smooth_input){
+      .dense = d,
+      .cut = (const uint32_t(*)[2])s->cut,
+      .cuts = (size_t)check_below(&seed, MOST_CUTS),
+      .surfaces = {.surface = s->known, .n = 2, .of = s->surface_of},
+      .crease = check_below(&seed, 100)};
   for (size_t i = 0; i < 2 * s->in.cuts; i++) {
     s->cut[i / 2][i % 2] = (uint32_t)check_below(&seed, vertices);
   }

@@ -297,7 +297,14 @@ test(not_drawn) :-
                               [p(0,0,0),p(1,0,0),p(1,0,1),p(0,0,1)],
                               [[1,2,3],[1,3,4]]),
                    set_view(front), picture, e(1, E, 1, 3, 1),
-                   once(said(hidden(1, E), not_drawn(mesh, feature))) )).
+                   once(said(hidden(1, E), not_drawn(mesh, feature), [])) )).
+test(bends_less, true(Bend < 0.01)) :-
+    in_new_world(( polyhedron(1, surface,
+                              [p(0,0,0),p(1,0,0),p(1,1.0e-6,1),p(0,0,1)],
+                              [[1,2,3],[1,3,4]]),
+                   set_view(front), picture, e(1, E, 1, 3, 1),
+                   once(said(hidden(1, E), not_drawn(mesh, feature),
+                             [faces_bend(Bend)])) )).
 test(drawn_instead) :-
     in_new_world(( curve(1, [p(0,0,0), p(1,0,0)]),
                    curve(2, [p(0.5,1,0), p(2,1,0)]), set_view(front), picture,

@@ -5,6 +5,8 @@
 :- use_module(library(lists)).
 :- use_module(library(random)).
 :- use_module(rules(picture/hidden_lines)).
+:- use_module(rules(picture/role), [look_part/3]).
+:- use_module(rules(kernel), [scene_edge/5]).
 :- use_module(rules(picture/view)).
 :- use_module(rules(polygon/triangulation), [complete_segments/1]).
 :- use_module(rules(primitive/primitive_face),
@@ -47,10 +49,10 @@ factor(F) :-
     random(0.5, 2.0, F0),
     ( maybe(0.3) -> F is -F0 ; F = F0 ).
 
-% height(H): from 0.002 to 2.
+% height(H): from 0.00002 to 2.
 
 height(H) :-
-    random(-2.7, 0.3, E),
+    random(-4.7, 0.3, E),
     H is 10**E.
 
 facets(N) :-
@@ -226,8 +228,8 @@ expected(S, E, P, Q, What) :-
                 Bends),
         ( Bends == [] -> What = unsure
         ; max_list(Bends, Bend),
-          ( Bend > 0.05 -> What = edge
-          ; Bend < 0.001 -> What = none
+          ( Bend > 1.0e-4 -> What = edge
+          ; Bend < 1.0e-6 -> What = none
           ; What = unsure )
         )
     ).
@@ -368,20 +370,25 @@ test(random, [ forall(case(I)), Wrong == [] ]) :-
 
 % What becomes of a flat pyramid: its four ridges are drawn.
 
-flat(Pyramid, Pyramid) :-
-    Pyramid = pyramid(base(4,4), height(0.5)).
-flat(_, at([rotate(x,20), scale(1,-2,1), translate(1,2,3)],
-           pyramid(base(4,4), height(0.5)))).
-flat(_, at([rotate(x,20), translate(1,2,3)],
-           difference([pyramid(base(4,4), height(0.5)),
-                       at([translate(0,0,-1)], box(size(1,1,1.2)))]))).
-flat(_, join([box(size(1,1,1)), at([translate(5,0,0)],
-                                   pyramid(base(4,4), height(0.5)))])).
-flat(_, at([mirror(x)],
+flat(H, Pyramid) :-
+    Pyramid = pyramid(base(4,4), height(H)).
+flat(H, at([rotate(x,20), scale(1,-2,1), translate(1,2,3)],
+           pyramid(base(4,4), height(H)))).
+flat(H, at([rotate(x,20), translate(1,2,3)],
+           difference([pyramid(base(4,4), height(H)),
+                       at([translate(0,0,-1)], box(size(1,1,Deep)))]))) :-
+    Deep is 1+H*0.4.
+flat(H, join([box(size(1,1,1)), at([translate(5,0,0)],
+                                   pyramid(base(4,4), height(H)))])).
+flat(H, at([mirror(x)],
            join([box(size(1,1,1)), at([translate(5,0,0)],
-                                      pyramid(base(4,4), height(0.5)))]))).
-flat(_, union([at([translate(0,0,-1)], box(size(4,4,1))),
-               pyramid(base(4,4), height(0.5))])).
+                                      pyramid(base(4,4), height(H)))]))).
+flat(H, union([at([translate(0,0,-1)], box(size(4,4,1))),
+               pyramid(base(4,4), height(H))])).
+
+low(H) :-
+    between(1, 9, I),
+    H is 10.0**(-I).
 
 ridges(S, Vertex, Count) :-
     aggregate_all(count,
@@ -447,12 +454,12 @@ rising_line(S, X, Y) :-
 
 :- begin_tests(flat_pyramids).
 
-test(drawn, [ forall(flat(_, Term)), Count == 4 ]) :-
+test(drawn, [ forall(( low(H), flat(H, Term) )), Count == 4 ]) :-
     in_tree(Term, from_above(( apex(S, V), ridges(S, V, Count) ))).
-test(alone, [ forall(flat(_, Term)), Count == 4 ]) :-
+test(alone, [ forall(flat(0.5, Term)), Count == 4 ]) :-
     in_tree(Term, ( roots_alone,
                     from_above(( apex(S, V), ridges(S, V, Count) )) )).
-test(read_back, [ forall(flat(_, Term)), Count == 4 ]) :-
+test(read_back, [ forall(flat(0.5, Term)), Count == 4 ]) :-
     tmp_file_stream(File, Out, [extension(pl)]),
     close(Out),
     call_cleanup(
@@ -461,7 +468,8 @@ test(read_back, [ forall(flat(_, Term)), Count == 4 ]) :-
                          from_above(( apex(S, V),
                                       ridges(S, V, Count) )) )) ),
         delete_file(File)).
-test(kernel, [ forall(flat(_, Term)), nondet ]) :-
+test(kernel, [ forall(( member(H, [0.5,1.0e-4,1.0e-8,1.0e-13]),
+                        flat(H, Term) )), nondet ]) :-
     in_tree(Term, from_above(( root_segment(S), same_as_rule(S, 30) ))).
 
 %   A wall of a prism that turns is one face, however much its triangles bend.
@@ -488,3 +496,82 @@ test(straight_walls,
     sort(Feet0, Feet).
 
 :- end_tests(flat_pyramids).
+
+% However low a thing is, what its term names apart is drawn apart.
+% drawn_apart(H, Term, N): N edges rise or turn inside its outline.
+
+drawn_apart(H, pyramid(base(4,4), height(H)), 4).
+drawn_apart(H, prism(outline([[-2,-2],[2,-2],[2,2],[-2,2]]), height(H),
+                     scale(0.5)), 8).
+drawn_apart(H, cone(radius(2), top(1), height(H), facets(24)), 24).
+drawn_apart(H, turning(outline([[0,0],[2,0],[1.5,H],[1,H],[0,H2]]),
+                       facets(24)), 48) :-
+    H2 is 2*H.
+drawn_apart(H, transition(base(rectangle(4,4)), top(rectangle(2,2)),
+                          height(H), facets(24)), 8).
+drawn_apart(H, sheet(points([[0,0,0],[2,0,0],[2,2,H],[0,2,0]]),
+                     faces([[1,2,3],[1,3,4]])), 1).
+
+% What is flat stays without a line, however it is turned: in_one_plane(Term).
+
+in_one_plane(sheet(points([[0,0,0],[1,0,0],[2,0,0],[2,1,0],[1,1,0],[0,1,0]]),
+                   faces([[1,2,5,6],[2,3,4,5]]))).
+in_one_plane(sheet(points([[0.1,0,0.03],[1.1,0,0.33],[2.1,0,0.63],
+                           [2.1,0.7,1.33],[1.1,0.7,1.03],[0.1,0.7,0.73]]),
+                   faces([[1,2,5,6],[2,3,5],[3,4,5]]))).
+in_one_plane(pyramid(outline([[-2,-2],[0.1,-2],[2,-2],[2,0.3],[2,2],[-2,2]]),
+                     height(1))).
+in_one_plane(prism(outline([[-2,-2],[0.1,-2],[2,-2],[2,0.3],[2,2],[-2,2]]),
+                   height(1), scale(0.3))).
+in_one_plane(union([box(size(1,1,1)),
+                    at([translate(1,0,0)], box(size(1,1,1)))])).
+in_one_plane(join([box(size(1,1,1)),
+                   at([translate(1,0,0)], box(size(1,1,1)))])).
+in_one_plane(polyhedron(points([[0,0,0],[0.7,0,0],[1.9,0,0],
+                                [0,1.1,0],[0.7,1.1,0],[1.9,1.1,0],
+                                [0,0,0.3],[0.7,0,0.3],[1.9,0,0.3],
+                                [0,1.1,0.3],[0.7,1.1,0.3],[1.9,1.1,0.3]]),
+                        faces([[2,1,4,5],[3,2,5,6],[7,8,11,10],[8,9,12,11],
+                               [1,2,8,7],[2,3,9,8],[3,6,12,9],[6,5,11,12],
+                               [5,4,10,11],[4,1,7,10]]))).
+
+% turned(Term, Far, Turned): as it is, and turned at random and moved so far.
+
+turned(Term, 0, Term).
+turned(Term0, Far, Term) :-
+    member(Far, [1,10,100,1000]),
+    set_random(seed(Far)),
+    maplist(random(-1.0, 1.0), [X,Y,Z]),
+    random(0.0, 360.0, Turn),
+    Term = at([rotate(axis(X,Y,Z), Turn), translate(Far,X,Far)], Term0).
+
+% edges_below(Degrees, Count): the edges of the terms that bend by less.
+
+edges_below(Degrees, Count) :-
+    root_segment(S),
+    open_scene(Scene, []),
+    aggregate_all(count,
+                  ( scene_edge(Scene, S, _, _, Look),
+                    look_part(edge, Look, true),
+                    look_part(bend, Look, Bend),
+                    Bend < Degrees ),
+                  Count).
+
+% Sides and bases bend by a right angle or more. A place a thousand away is as
+% fine as 2^-44 of that.
+
+:- begin_tests(low_and_flat).
+
+test(apart, [ forall(( low(H), drawn_apart(H, Term0, Count0),
+                       turned(Term0, Far, Term), Far < H*1.0e11 )),
+              Count == Count0 ]) :-
+    in_tree(Term, from_above(edges_below(60, Count))).
+test(limit, [ forall(member(H-Expected, [1.0e-12-4,1.0e-13-0])),
+              Count == Expected ]) :-
+    in_tree(pyramid(base(4,4), height(H)),
+            from_above(edges_below(60, Count))).
+test(one_plane, [ forall(( in_one_plane(Term0), turned(Term0, _, Term) )),
+                  Count == 0 ]) :-
+    in_tree(Term, from_above(edges_below(1, Count))).
+
+:- end_tests(low_and_flat).
