@@ -22,6 +22,11 @@ typedef struct sg_cut_rows_by_id {
 
 enum { SG_CUT_TABLES = 3 }; /* of e/5, p/3 and plane/6 */
 
+/* Of a segment, model units: see polygon/flatness.h. */
+typedef struct sg_cut_own {
+  double touch, rounding, explained;
+} sg_cut_own;
+
 /* One penetration under way. The model, and all real edges, are those of the
  * version at which it was opened. */
 typedef struct sg_cut_handle {
@@ -43,10 +48,10 @@ typedef struct sg_cut_handle {
   bool few; /* of many sheets that touch some are enough: cut_few_sheets/1 */
   uint8_t
       *quiet; /* [curve_candidates] cut_coincident.h; null: not asked for yet */
-  bool without_quiet; /* those are left out: cut_without_coincident/1 */
-  double *own;  /* [segments] what its source explains; null: not asked yet */
-  bool by_own;  /* each reaches no farther than that */
-  double reach; /* how near they are, at most */
+  bool without_quiet;     /* those are left out: cut_without_coincident/1 */
+  sg_cut_own *own;        /* [segments]; null: not asked yet */
+  bool by_own;            /* each reaches no farther than that */
+  double reach;           /* how near they are, at most */
   sg_key_table next_name; /* segment -> next id of v/5 */
   sg_key_table line_of;   /* segment, two points -> line */
   uint8_t *real; /* [real_room]: the real edges of triangles that were asked */

@@ -13,7 +13,7 @@ sg_resolve_init(sg_resolve *r, double reach, sg_is_real_side *is_real,
 {
   *r = (sg_resolve){.reach = reach,
                     .here = reach,
-                    .rounded = reach,
+                    .explained = reach,
                     .cancel = cancel,
                     .is_real = is_real,
                     .data = data};
@@ -237,6 +237,7 @@ node_of(sg_resolve *r, const sg_resolve_node *node)
     sg_resolve_node *known = &r->node.item[*number];
     known->side = fmin(known->side, r->side);
     known->reach = fmax(known->reach, r->here);
+    known->rounding = fmax(known->rounding, r->rounding);
   }
   return number ? *number : SG_NO_KEY;
 }
@@ -274,7 +275,7 @@ note_gap(sg_resolve *r, uint32_t node, double apart)
 {
   double *gap = &r->node.item[node].gap;
 
-  if (apart > r->rounded && apart > *gap) {
+  if (apart > r->explained && apart > *gap) {
     *gap = apart;
   }
 }

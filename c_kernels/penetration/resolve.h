@@ -49,7 +49,8 @@ typedef struct sg_resolve_node {
   double at[3];
   double side;         /* the shortest of the triangles that touch there */
   double reach;        /* the farthest of the pairs that have it */
-  double gap;          /* the widest there that rounding does not explain */
+  double rounding;     /* of doubles, the largest of these pairs */
+  double gap;          /* the widest there that no source explains */
   uint32_t root, next; /* of its cluster: union-find, ring of members */
   uint32_t point;      /* number of the shared point, when finished */
 } sg_resolve_node;
@@ -103,11 +104,12 @@ typedef enum sg_resolved {
 } sg_resolved;
 
 typedef struct sg_resolve {
-  double reach;   /* the farthest */
-  double here;    /* of the pair in hand, no farther: the caller's to set */
-  double rounded; /* what is no farther apart in this pair was rounded so: the
-                     caller's to set, too */
-  double side;    /* the shortest of the pair in hand */
+  double reach;     /* the farthest */
+  double here;      /* of the pair in hand, no farther: the caller's to set */
+  double rounding;  /* of the doubles of this pair: the caller's to set, too */
+  double explained; /* its sources were rounded so, no less than rounding: the
+                       caller's to set, too */
+  double side;      /* the shortest of the pair in hand */
   const sg_cancel *cancel;
   unsigned steps; /* since cancel was asked */
   bool stopped;   /* by cancel */

@@ -16,10 +16,6 @@
  * it is not many triangles; no more than MANY in any case. */
 enum { TIGHT = 100, SIDES = 4, MANY = 96, BLOCK = 1 << 16 };
 
-/* What a step of turning and moving rounds, beside the coordinates: it is never
- * tight. */
-#define ROUNDING 0x1p-48
-
 /* ---- how far points move ---- */
 
 /* How far each point is from what becomes that point. */
@@ -41,6 +37,19 @@ find_moves(const sg_resolve *r)
     *to = fmax(*to, touch->apart);
   }
   return move;
+}
+
+/* How far doubles are rounded at each point: so far a move is none. */
+static double *
+find_rounding(const sg_resolve *r)
+{
+  double *rounding = calloc(r->point.n + 1, sizeof *rounding);
+
+  for (size_t i = 0; rounding && i < r->node.n; i++) {
+    const sg_resolve_node *node = &r->node.item[i];
+    rounding[node->point] = fmax(rounding[node->point], node->rounding);
+  }
+  return rounding;
 }
 
 /* How far round each point is looked. */
@@ -221,7 +230,7 @@ typedef struct measuring {
   const sg_resolve *r;
   const sg_resolve_trees *trees;
   const sg_leaf_views *views;
-  const double *move, *reach; /* [points] */
+  const double *move, *rounding, *reach; /* [points] */
   sg_pool *pool;
   const sg_cancel *cancel;
   unsigned char *counted; /* [points] it is tight somewhere */
@@ -230,14 +239,10 @@ typedef struct measuring {
 
 SG_ORDER(by_point, sg_bvh_hit, SG_BY(a) SG_BY(b));
 
-/* A move that may be tight: it is more than what rounds at the point. */
 static bool
-is_move(const sg_resolve *r, uint32_t point, double move)
+is_moved(const measuring *m, uint32_t point)
 {
-  const double *p = r->point.item[point].at;
-  double largest = fmax(fabs(p[0]), fmax(fabs(p[1]), fabs(p[2])));
-
-  return move > largest * ROUNDING;
+  return m->move[point] > m->rounding[point];
 }
 
 static void
@@ -246,7 +251,7 @@ note_feature(const measuring *m, uint32_t point, int32_t s, double move,
 {
   sg_resolve_moves *out = m->out;
 
-  if (!(move * TIGHT > feature) || !is_move(m->r, point, move)) {
+  if (!(move * TIGHT > feature)) {
     return;
   }
   out->tight += !m->counted[point];
@@ -350,7 +355,7 @@ find_moved(const measuring *m, size_t *n)
 
   *n = 0;
   for (uint32_t i = 0; found && i < m->r->point.n; i++) {
-    if (is_move(m->r, i, m->move[i])) {
+    if (is_moved(m, i)) {
       found[(*n)++] = (at){0, i, false};
     }
   }
@@ -410,7 +415,7 @@ find_places(const measuring *m, size_t *n)
   }
   for (size_t i = 0; found && i < r->place.n; i++) {
     uint32_t point = r->place.item[i].point;
-    if (is_move(r, point, m->move[point])) {
+    if (is_moved(m, point)) {
       found[all++] = (at){r->place.item[i].s, point, true};
     }
   }
@@ -429,7 +434,7 @@ find_places(const measuring *m, size_t *n)
   return found;
 }
 
-/* Gaps that were closed though what was known of them told the two apart. */
+/* Gaps that were closed though their sources tell the two apart. */
 static void
 measure_gaps(const measuring *m)
 {
@@ -468,13 +473,23 @@ sg_resolve_measure(const sg_resolve *r, const sg_resolve_trees *trees,
                    const sg_cancel *cancel, sg_resolve_moves *out)
 {
   double *move = find_moves(r), *reach = move ? find_reaches(r, move) : NULL;
+  double *rounding = find_rounding(r);
   unsigned char *counted = calloc(r->point.n + 1, 1);
-  measuring m = {r, trees, views, move, reach, pool, cancel, counted, out};
-  bool done = reach && counted;
+  measuring m = {.r = r,
+                 .trees = trees,
+                 .views = views,
+                 .move = move,
+                 .rounding = rounding,
+                 .reach = reach,
+                 .pool = pool,
+                 .cancel = cancel,
+                 .counted = counted,
+                 .out = out};
+  bool done = reach && rounding && counted;
 
   *out = (sg_resolve_moves){0};
   for (uint32_t i = 0; done && i < r->point.n; i++) {
-    if (move[i] > out->farthest) {
+    if (is_moved(&m, i) && move[i] > out->farthest) {
       out->farthest = move[i];
       out->point = i;
     }
@@ -484,6 +499,7 @@ sg_resolve_measure(const sg_resolve *r, const sg_resolve_trees *trees,
     measure_gaps(&m);
   }
   free(move);
+  free(rounding);
   free(reach);
   free(counted);
   return done;

@@ -4,9 +4,9 @@
  * Layer: kernel. Inexact. A FEATURE of a segment, seen from a shared point, is
  * an edge that is near it, or the distance to another sheet of the segment: a
  * wall, or a gap; or the gap between two segments, one that is closed, except
- * what their sources explain (sg_resolve.rounded), or one beside it. A move is
- * TIGHT if it is more than a hundredth of the smallest feature there: then what
- * is made to touch may be other than what was meant.
+ * what their sources explain (sg_resolve.explained), or one beside it. A move
+ * is TIGHT if it is more than a hundredth of the smallest feature there: then
+ * what is made to touch may be other than what was meant.
  */
 #ifndef SG_RESOLVE_FEATURE_H
 #define SG_RESOLVE_FEATURE_H
@@ -24,7 +24,8 @@ typedef struct sg_resolve_trees {
 } sg_resolve_trees;
 
 typedef struct sg_resolve_moves {
-  double farthest; /* how far the point that moved farthest did; 0: none */
+  double farthest; /* how far the point that moved farthest did; 0: none did
+                      farther than doubles are rounded */
   uint32_t point;  /* which it is */
   size_t tight;    /* points with a tight move */
   /* the tightest */

@@ -7,12 +7,7 @@
 
 #include "doors/penetration.h"
 
-#include <math.h>
 #include <stdlib.h>
-
-/* Of moves no larger nothing is said: 2^-UNSAID of the coordinates, a few
- * thousand units in the last place of doubles. */
-enum { UNSAID = 40 };
 
 /* Of an sg_resolve_trees. */
 static const sg_leaf_tree *
@@ -70,18 +65,12 @@ void
 sg_resolving_moves(const sg_resolving *job, sg_touch_moves *out)
 {
   const sg_resolve_moves *moves = &job->moves;
-  size_t n = job->r.point.n;
-  double largest = 0;
-
-  for (size_t i = 0; i < 3 * n; i++) {
-    largest = fmax(largest, fabs(job->r.point.item[i / 3].at[i % 3]));
-  }
   if (moves->tight > 0) {
-    give_move(job, SG_TOUCH_MOVE_HOW_TIGHT, moves->tight_point, moves->move,
+    give_move(job, SG_MOVE_HOW_TIGHT, moves->tight_point, moves->move,
               moves->feature, moves->tight, out);
-  } else if (moves->farthest > ldexp(largest, -UNSAID)) {
-    give_move(job, SG_TOUCH_MOVE_HOW_MOVED, moves->point, moves->farthest, 0, n,
-              out);
+  } else if (moves->farthest > 0) {
+    give_move(job, SG_MOVE_HOW_MOVED, moves->point, moves->farthest, 0,
+              job->r.point.n, out);
   } else {
     out->is = SG_TOUCH_MOVES_LITTLE;
   }

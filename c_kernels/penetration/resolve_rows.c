@@ -44,12 +44,13 @@ set_reach(sg_resolving *job, uint32_t a, uint32_t b)
   const sg_cut_handle *handle = job->handle;
   const sg_leaf_triangle *t = handle->set.model.triangle;
 
-  double x = handle->own[sg_cut_place_of(handle, t[a].s)];
-  double y = handle->own[sg_cut_place_of(handle, t[b].s)];
+  const sg_cut_own *x = &handle->own[sg_cut_place_of(handle, t[a].s)];
+  const sg_cut_own *y = &handle->own[sg_cut_place_of(handle, t[b].s)];
 
-  job->r.rounded = fmax(x, y);
+  job->r.rounding = fmax(x->rounding, y->rounding);
+  job->r.explained = fmax(x->explained, y->explained);
   if (handle->by_own) {
-    job->r.here = fmin(job->r.reach, job->r.rounded);
+    job->r.here = fmin(job->r.reach, fmax(x->touch, y->touch));
   }
 }
 
@@ -421,7 +422,10 @@ find_own(sg_cut_handle *handle)
       sg_flatness_see(&flatness, box->lo);
       sg_flatness_see(&flatness, box->hi);
     }
-    handle->own[i] = sg_flatness_touch(&flatness);
+    handle->own[i] =
+        (sg_cut_own){.touch = sg_flatness_touch(&flatness),
+                     .rounding = sg_flatness_rounding(&flatness),
+                     .explained = sg_flatness_explained(&flatness)};
   }
   return handle->own != NULL;
 }

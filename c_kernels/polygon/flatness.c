@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-enum { TOUCH_BITS = 44, FLAT_BITS = 33 };
+enum { TOUCH_BITS = 44, ROUNDING_BITS = 48, FLAT_BITS = 33 };
 
 /* In grains. */
 static const double TOUCH = 0.875, FLAT = 2;
@@ -77,6 +77,18 @@ double
 sg_flatness_touch(const sg_flatness *model)
 {
   return fmax(part_of(model->largest, TOUCH_BITS), TOUCH * model->grain);
+}
+
+double
+sg_flatness_rounding(const sg_flatness *model)
+{
+  return part_of(model->largest, ROUNDING_BITS);
+}
+
+double
+sg_flatness_explained(const sg_flatness *model)
+{
+  return fmax(sg_flatness_rounding(model), TOUCH * model->grain);
 }
 
 double

@@ -2,12 +2,12 @@
  *
  * Layer: kernel. Inexact. What is known of a model is where its numbers come
  * from; nothing is guessed from what they are. Doubles are exact up to their
- * last places, which turning and moving rounds: 2^-44 of the farthest
- * coordinate (256 units in the last place), made a power of two (upwards, so
- * that an edit seldom changes it). A source that was rounded, as float32 or
- * decimals, says how large a unit in its last place is: its grain. What was
- * one place before is less than a grain apart, and what is a grain apart the
- * source can tell apart.
+ * last places, which turning and moving rounds: what is nearer than 2^-44 of
+ * the farthest coordinate (256 units in the last place), made a power of two
+ * (upwards, so that an edit seldom changes it), is one place. A source that was
+ * rounded, as float32 or decimals, says how large a unit in its last place is:
+ * its grain. What was one place before is less than a grain apart, and what is
+ * a grain apart the source can tell apart.
  */
 #ifndef SG_FLATNESS_H
 #define SG_FLATNESS_H
@@ -29,6 +29,14 @@ void sg_flatness_page(sg_flatness *model, const sg_view *v, size_t page);
 
 /* What is nearer is in one place, model units. */
 double sg_flatness_touch(const sg_flatness *model);
+
+/* What turning and moving doubles rounds: 2^-48 of the farthest coordinate (16
+ * units in the last place). What is moved farther is told. */
+double sg_flatness_rounding(const sg_flatness *model);
+
+/* How far apart one place may be by its source: by that, or by the grain. What
+ * is farther apart and yet made to touch is a gap of the model. */
+double sg_flatness_explained(const sg_flatness *model);
 
 /* The same of n places from a source of this grain. */
 double sg_flatness_touch_of(const double (*at)[3], size_t n, double grain);

@@ -285,6 +285,7 @@ sg_face_merge(sg_solid *solid, const sg_merge_options *options,
   }
   sg_merge_forget(&before);
   count_refused(&m, &done);
+  done.rounded = m.rounded;
   done.tight = m.tight;
   done.faces_after = solid->faces;
   done.vertices_after = solid->vertices;

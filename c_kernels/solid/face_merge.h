@@ -61,6 +61,10 @@ typedef struct sg_merge_region {
   sg_box was; /* round all vertices when these others were merged */
 } sg_merge_region;
 
+typedef struct sg_merge_source {
+  double rounding, explained; /* the second no less */
+} sg_merge_source;
+
 typedef struct sg_merge_options {
   double tolerance;           /* model units, >= 0; 4 units in the last place of
                                  the largest coordinate are the least */
@@ -72,9 +76,9 @@ typedef struct sg_merge_options {
   const sg_merge_pair *apart; /* [aparts]: sorted, never these */
   size_t aparts;
   const sg_merge_region *region; /* or null: the solid is all there is */
-  /* How far the source of segment s lets vertices of it move without a word;
-     null: not at all. */
-  double (*explained)(void *data, int32_t s);
+  /* How far vertices of segment s may be off: doubles that are moved are
+     rounded so, or the sources were; null: not at all. */
+  sg_merge_source (*source)(void *data, int32_t s);
   void *data;
   sg_pool *pool; /* null: the caller alone */
   const sg_cancel *cancel;
@@ -90,8 +94,7 @@ typedef enum sg_merge_end {
 } sg_merge_end;
 
 /* Vertices of operands that vanish more than a hundredth of an edge there away
- * from what stays, and farther than their sources explain; and the one that is
- * worst beside its edge. */
+ * from what stays, and the one that is worst beside its edge. */
 typedef struct sg_merge_tight {
   size_t n;
   sg_solid_vertex vertex;
@@ -104,7 +107,7 @@ typedef struct sg_merge_counts {
   size_t vertices_before, vertices_after;
   size_t triangles_before, triangles_after;
   size_t refused; /* groups of faces that stayed apart: invalid as one */
-  sg_merge_tight tight;
+  sg_merge_tight rounded, tight; /* its source explains it, or not */
 } sg_merge_counts;
 
 /* Merges the faces of `solid`, drops vertices, also those in no triangle, and

@@ -76,7 +76,7 @@ typedef struct sg_merge {
   size_t groups, room;
   uint8_t *fate;           /* [vertices]: SG_KEPT ... */
   uint32_t (*adjacent)[2]; /* [vertices]: the neighbours of a straight one */
-  sg_merge_tight tight;
+  sg_merge_tight rounded, tight; /* as sg_merge_counts has them */
 } sg_merge;
 
 static inline uint32_t

@@ -29,7 +29,7 @@ see_sources(sources *x)
   for (size_t v = 0; v < solid->vertices; v++) {
     sg_flatness_see(&all, solid->vertex[v].at);
   }
-  x->rounding = sg_flatness_touch(&all);
+  x->rounding = sg_flatness_rounding(&all);
   for (size_t f = 0; f < solid->faces; f++) {
     if (f == 0 || solid->face[f].s != solid->face[f - 1].s) {
       x->coarsest =
@@ -39,9 +39,10 @@ see_sources(sources *x)
   x->known = true;
 }
 
-/* Of sg_merge_options. The tolerance is that of the coarsest segment. */
-static double
-explained(void *data, int32_t s)
+/* Of sg_merge_options. The tolerance by the rule is that of the coarsest
+ * segment, if that was rounded. */
+static sg_merge_source
+source_of(void *data, int32_t s)
 {
   sources *x = data;
   sg_flatness own;
@@ -50,10 +51,12 @@ explained(void *data, int32_t s)
     see_sources(x);
   }
   sg_flatness_init(&own, sg_grain_of(x->version, s));
-  return x->tolerance > 0 && own.grain >= x->coarsest
-             ? x->tolerance
-             : fmax(sg_flatness_touch(&own),
-                    x->tolerance > 0 ? x->rounding : 0);
+  double by_rule = own.grain > 0 && own.grain >= x->coarsest ? x->tolerance : 0;
+
+  return (sg_merge_source){
+      .rounding = x->rounding,
+      .explained =
+          fmax(x->rounding, fmax(by_rule, sg_flatness_explained(&own)))};
 }
 
 /* ---- options ---- */
@@ -121,18 +124,39 @@ refuse(sg_call *call, sg_merge_end end)
   return end == SG_MERGE_NO_MEMORY && sg_call_no_memory(call);
 }
 
+/* What is tight before what the sources explain. */
+static void
+give_move(const sg_merge_counts *counts, sg_merge_move *out)
+{
+  bool is_tight = counts->tight.n > 0;
+  const sg_merge_tight *worst = is_tight ? &counts->tight : &counts->rounded;
+  const double *at = worst->vertex.at;
+
+  if (worst->n == 0) {
+    out->is = SG_MERGE_MOVE_NONE;
+    return;
+  }
+  out->is = SG_MERGE_MOVE_MOVE;
+  out->move.how = is_tight ? SG_MOVE_HOW_TIGHT : SG_MOVE_HOW_MOVED;
+  out->move.s = worst->vertex.s;
+  out->move.at = (sg_space_point){at[0], at[1], at[2]};
+  out->move.move = worst->move;
+  out->move.edge = worst->feature;
+  out->move.n = worst->n;
+}
+
 /* ---- the doors ---- */
 
 bool
 sg_door_solid_merge(sg_call *call, sg_solid *solid,
                     const sg_merge_tolerance *tolerance,
-                    const sg_merge_option_list *options, sg_merge_move *tight)
+                    const sg_merge_option_list *options, sg_merge_move *out)
 {
   sources of = {.version = sg_call_version(call), .solid = solid};
   sg_merge_counts counts = {0};
   sg_merge_region region;
   sg_merge_options all = {.cancel = &call->cancel,
-                          .explained = explained,
+                          .source = source_of,
                           .data = &of,
                           .pool = sg_call_pool(call)};
 
@@ -146,23 +170,11 @@ sg_door_solid_merge(sg_call *call, sg_solid *solid,
     }
   }
   sg_merge_end end = sg_face_merge(solid, &all, &counts);
-  const sg_merge_tight *t = &counts.tight;
-  const double *at = t->vertex.at;
 
   if (end != SG_MERGE_DONE) {
     return refuse(call, end);
   }
-  tight->is = SG_MERGE_MOVE_NONE;
-  if (t->n > 0) {
-    tight->is = SG_MERGE_MOVE_TIGHT;
-    tight->tight.s = t->vertex.s;
-    tight->tight.x = at[0];
-    tight->tight.y = at[1];
-    tight->tight.z = at[2];
-    tight->tight.move = t->move;
-    tight->tight.edge = t->feature;
-    tight->tight.n = t->n;
-  }
+  give_move(&counts, out);
   return true;
 }
 

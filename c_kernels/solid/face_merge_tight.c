@@ -12,22 +12,21 @@
 
 enum { TIGHT = 100 }; /* a move that is more than 1 / TIGHT of an edge is */
 
-/* What a step of turning and moving rounds, beside the coordinates. */
-#define ROUNDING 0x1p-48
-
 static void
 note(sg_merge *m, uint32_t v, double move, double feature)
 {
-  const double *at = sg_merge_at(m, v);
-  double largest = fmax(fabs(at[0]), fmax(fabs(at[1]), fabs(at[2])));
-  sg_merge_tight *out = &m->tight;
+  sg_merge_source source = {0};
 
-  if (!(move * TIGHT > feature) || move <= ROUNDING * largest ||
-      (m->options->explained &&
-       move <=
-           m->options->explained(m->options->data, m->solid->vertex[v].s))) {
+  if (!(move * TIGHT > feature)) {
     return;
   }
+  if (m->options->source) {
+    source = m->options->source(m->options->data, m->solid->vertex[v].s);
+  }
+  if (move <= source.rounding) {
+    return;
+  }
+  sg_merge_tight *out = move <= source.explained ? &m->rounded : &m->tight;
   out->n++;
   if (out->n == 1 || move * out->feature > out->move * feature) {
     out->vertex = m->solid->vertex[v];

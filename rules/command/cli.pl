@@ -25,7 +25,7 @@
 :- use_module('../part', [loaded_rule/2, whole_program/0]).
 :- use_module('../progress', [with_progress/1]).
 :- use_module('../model/solid_file', [output_statistics/1]).
-:- use_module('../penetration/resolve', [refusing_tight_moves/1]).
+:- use_module('../penetration/resolve', [refusing_moves/1]).
 :- use_module('../spelling', [near_words/3]).
 :- use_module('../stage', [stages_reset/0, stage_name/1, stage_seconds/2]).
 :- use_module('../status', [error_status/2]).
@@ -222,7 +222,7 @@ nothing_told :-
     retractall(told(_)).
 
 strictly_ended(true, Work, Status) :-
-    refusing_tight_moves(sg_cli:work_ended(Work, Status)).
+    refusing_moves(sg_cli:work_ended(Work, Status)).
 strictly_ended(false, Work, Status) :-
     work_ended(Work, Status).
 

@@ -232,7 +232,7 @@ Foreign predicates; see kernel.pl.
 /* - - - face_merge_rows.c - - - */
 
 %!  solid_merge(+Solid:solid, +Tolerance:merge_tolerance,
-%!              +Options:list(merge_option), -Tight:merge_move) is semidet.
+%!              +Options:list(merge_option), -Moved:merge_move) is semidet.
 %
 %   Makes coplanar neighbours in Solid one face each and drops vertices that lie
 %   straight (c_kernels/solid/face_merge.h). Tolerance is a number, or
@@ -244,9 +244,10 @@ Foreign predicates; see kernel.pl.
 %   one, of which only the faces of Region (solid_region/3) are wanted and left;
 %   then it fails if one of these and another might become one.
 %
-%   Tight is `none`, or tight(S0, X, Y, Z, Move, Edge, N) if N vertices of
+%   Moved is `none`, or move(How, S0, p(X, Y, Z), Move, Edge, N) if N vertices of
 %   operands vanish farther from what stays than a hundredth of an edge there,
-%   and than their own sources explain; the worst is one of segment S0.
+%   and than doubles are rounded; the worst is one of segment S0. How is `moved`
+%   if their own sources explain that, else `tight`.
 
 %!  solid_neighbours(+Solid:solid, +Tolerance:merge_tolerance,
 %!                   -Pairs:list(merge_pair)) is det.

@@ -449,8 +449,14 @@ fault_en(tolerance(Tolerance, Most)) -->
       '  Give --tolerance ~4g or less, or none.'-[Most] ].
 fault_en(tight(S1, S2, At, Move, Feature, N)) -->
     tight_en(S1, S2, At, Move, Feature, N).
+fault_en(unasked(Moved, Reach)) -->
+    notice_en(Moved),
+    { Enough is 1.01*Reach },
+    [ nl,
+      '  That may be the rounding of the sources, or meant: --tolerance ~3g \c
+       allows it, --tolerance 0 moves nothing.'-[Enough] ].
 fault_en(flattened(S, At, Move, Edge, N)) -->
-    flattened_en(S, At, Move, Edge, N).
+    flattened_en(tight, S, At, Move, Edge, N).
 fault_en(result_open) -->
     [ 'the result would not be closed', nl,
       '  Give a larger or smaller --tolerance, or --repair the operands.' ].
@@ -531,7 +537,9 @@ notice_en(moved(S1, S2, At, Move, N)) -->
 notice_en(tight(S1, S2, At, Move, Feature, N)) -->
     tight_en(S1, S2, At, Move, Feature, N).
 notice_en(flattened(S, At, Move, Edge, N)) -->
-    flattened_en(S, At, Move, Edge, N).
+    flattened_en(tight, S, At, Move, Edge, N).
+notice_en(as_rounded(flattened(S, At, Move, Edge, N))) -->
+    flattened_en(moved, S, At, Move, Edge, N).
 notice_en(not_flat(S, Count, P, Off)) -->
     [ 'polygons that are not flat in segment ~d: ~D (the worst is ~d, by ~4g)'-
       [S, Count, P, Off], nl,
@@ -545,22 +553,26 @@ tight_en(S1, S2, At, Move, Feature, N) -->
            near '-[Move, Feature] ]
     ),
     place_en(At, S1, S2),
-    other_places_en(N).
+    other_places_en(tight, N).
 
-flattened_en(S, At, Move, Edge, N) -->
+flattened_en(How, S, At, Move, Edge, N) -->
     [ 'made one face: ~4g off it, where an edge is only ~4g long, near '-
       [Move, Edge] ],
     place_en(At, S, 0),
-    other_places_en(N).
+    other_places_en(How, N).
 
-other_places_en(N) -->
+other_places_en(How, N) -->
     (   { N > 1 }
     ->  [ '; there are ~D such places'-[N] ]
     ;   []
     ),
-    [ nl,
-      '  That may be more than rounding: look there, or give --tolerance 0, \c
-       which moves nothing.' ].
+    (   { How == tight }
+    ->  [ nl,
+          '  That may be more than rounding: look there, or give --tolerance 0, \c
+           which moves nothing.'
+        ]
+    ;   []
+    ).
 
 place_en([X, Y, Z], S1, S2) -->
     [ '~8g ~8g ~8g'-[X, Y, Z] ],

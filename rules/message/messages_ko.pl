@@ -458,8 +458,14 @@ fault_ko(tolerance(Tolerance, Most)) -->
       '  --tolerance를 ~4g 이하로 주거나 빼십시오.'-[Most] ].
 fault_ko(tight(S1, S2, At, Move, Feature, N)) -->
     tight_ko(S1, S2, At, Move, Feature, N).
+fault_ko(unasked(Moved, Reach)) -->
+    notice_ko(Moved),
+    { Enough is 1.01*Reach },
+    [ nl,
+      '  원본의 반올림일 수도, 뜻한 것일 수도 있습니다. --tolerance ~3g을(를) 주면 \c
+       허용하고, --tolerance 0을 주면 아무것도 옮기지 않습니다.'-[Enough] ].
 fault_ko(flattened(S, At, Move, Edge, N)) -->
-    flattened_ko(S, At, Move, Edge, N).
+    flattened_ko(tight, S, At, Move, Edge, N).
 fault_ko(result_open) -->
     [ '결과가 닫히지 않습니다', nl,
       '  --tolerance를 바꾸거나 --repair로 피연산자를 고치십시오.' ].
@@ -528,7 +534,9 @@ notice_ko(moved(S1, S2, At, Move, N)) -->
 notice_ko(tight(S1, S2, At, Move, Feature, N)) -->
     tight_ko(S1, S2, At, Move, Feature, N).
 notice_ko(flattened(S, At, Move, Edge, N)) -->
-    flattened_ko(S, At, Move, Edge, N).
+    flattened_ko(tight, S, At, Move, Edge, N).
+notice_ko(as_rounded(flattened(S, At, Move, Edge, N))) -->
+    flattened_ko(moved, S, At, Move, Edge, N).
 notice_ko(not_flat(S, Count, P, Off)) -->
     [ '세그먼트 ~d의 다각형 ~D개는 평평하지 않습니다 (가장 심한 ~d: ~4g)'-
       [S, Count, P, Off], nl,
@@ -542,22 +550,26 @@ tight_ko(S1, S2, At, Move, Feature, N) -->
           [Move, Feature] ]
     ),
     place_ko(At, S1, S2),
-    other_places_ko(N).
+    other_places_ko(tight, N).
 
-flattened_ko(S, At, Move, Edge, N) -->
+flattened_ko(How, S, At, Move, Edge, N) -->
     [ '한 면으로 합치느라 ~4g만큼 벗어난 곳의 모서리 길이가 ~4g뿐입니다: '-
       [Move, Edge] ],
     place_ko(At, S, 0),
-    other_places_ko(N).
+    other_places_ko(How, N).
 
-other_places_ko(N) -->
+other_places_ko(How, N) -->
     (   { N > 1 }
     ->  [ '; 그런 곳이 ~D개 있습니다'-[N] ]
     ;   []
     ),
-    [ nl,
-      '  반올림 이상일 수 있습니다: 그곳을 살펴보거나, 아무것도 옮기지 않는 \c
-       --tolerance 0을 주십시오.' ].
+    (   { How == tight }
+    ->  [ nl,
+          '  반올림 이상일 수 있습니다: 그곳을 살펴보거나, 아무것도 옮기지 않는 \c
+           --tolerance 0을 주십시오.'
+        ]
+    ;   []
+    ).
 
 place_ko([X, Y, Z], S1, S2) -->
     [ '~8g ~8g ~8g'-[X, Y, Z] ],

@@ -1,6 +1,7 @@
 :- module(sg_resolve,
           [ resolve_contacts/2,         % +Set, +Tolerance
-            refusing_tight_moves/1,     % :Goal
+            refusing_moves/1,           % :Goal
+            moved_said/2,               % +Moved, +Tolerance
             tight_said/1,               % +Tight
             tolerance_reach/2,          % +Tolerance, -Reach
             resolved_seams/0
@@ -48,12 +49,15 @@ in penetration.pl; it is not exact. What was there before is kept
 %   for the model as it is, but may have splinters. Where anything moves
 %   farther than doubles are rounded a message says so; where that is more
 %   than a hundredth of the smallest feature near it, it is a warning.
+%
+%   @error geometry_error(What): under refusing_moves/1, which see
 
 resolve_contacts(Set, Tolerance) :-
     set_reach(Set, Tolerance, Reach),
     Reach > 0,
     parts(Parts),
-    closed_contacts(Parts, Set, Reach).
+    closed_contacts(Parts, Set, Reach, Moves),
+    moves_said(Moves, Tolerance).
 
 set_reach(Set, Tolerance, Reach) :-
     tolerance_reach(Tolerance, Reach),
@@ -73,35 +77,51 @@ tolerance_reach(own(Reach0), Reach) :-
     Reach = Reach0.
 tolerance_reach(Reach, Reach).
 
-closed_contacts([Part|Parts], Set, Tolerance) :-
+closed_contacts([Part|Parts], Set, Tolerance, Moves) :-
     Reach is Part*Tolerance,
-    cut_touch(Set, Reach, What, Moves),
+    cut_touch(Set, Reach, What, Moves0),
     (   atom(What)
     ->  What == changed,
-        moves_said(Moves)
+        Moves = Moves0
     ;   Parts == []
     ->  print_message(warning, sanggwan(contacts(What))),
         fail
-    ;   closed_contacts(Parts, Set, Tolerance)
+    ;   closed_contacts(Parts, Set, Tolerance, Moves)
     ).
 
 parts([1, 2 ** -8, 2 ** -16]).
 
-%   moves_said(Moves): what cut_touch/4 says of them.
+%   moves_said(Moves, Tolerance): what cut_touch/4 says of them.
 
-moves_said(little).
-moves_said(move(moved, S1-S2, p(X,Y,Z), Move, _, N)) :-
-    print_message(informational,
-                  sanggwan(moved(S1, S2, [X,Y,Z], Move, N))).
-moves_said(move(tight, S1-S2, p(X,Y,Z), Move, Feature, N)) :-
+moves_said(little, _).
+moves_said(move(moved, S1-S2, p(X,Y,Z), Move, _, N), Tolerance) :-
+    moved_said(moved(S1, S2, [X,Y,Z], Move, N), Tolerance).
+moves_said(move(tight, S1-S2, p(X,Y,Z), Move, Feature, N), _) :-
     tight_said(tight(S1, S2, [X,Y,Z], Move, Feature, N)).
+
+%!  moved_said(+Moved, +Tolerance) is det.
+%
+%   Moved is what is moved no farther than the sources explain: a message, or
+%   under refusing_moves/1, where nobody gave Tolerance, an error.
+%
+%   @error geometry_error(unasked(Moved, Reach)): Reach is the tolerance that
+%          allows it
+
+moved_said(Moved, own(Reach)) :-
+    refused,
+    !,
+    throw(error(geometry_error(unasked(Moved, Reach)), _)).
+moved_said(Moved, _) :-
+    print_message(informational, sanggwan(Moved)).
 
 %!  tight_said(+Tight) is det.
 %
 %   Tight is what would be moved by more than a hundredth of the smallest
-%   feature near it: a warning, or under refusing_tight_moves/1 an error.
+%   feature near it, and no source explains: a warning, or under
+%   refusing_moves/1 an error.
 %
-%   @error geometry_error(Tight)
+%   @error geometry_error(Tight): tight(S1, S2, Place, Move, Feature, N) or
+%          flattened(S, Place, Move, Edge, N)
 
 tight_said(Tight) :-
     (   refused
@@ -111,18 +131,19 @@ tight_said(Tight) :-
 
 :- thread_local refused/0.
 
-:- meta_predicate refusing_tight_moves(0).
+:- meta_predicate refusing_moves(0).
 
-%!  refusing_tight_moves(:Goal) is semidet.
+%!  refusing_moves(:Goal) is semidet.
 %
-%   once/1 of Goal, in which nothing is moved by more than a hundredth of the
-%   smallest feature near it, neither to touch nor to be flat.
+%   once/1 of Goal, in which nothing is moved that a message would tell: nothing
+%   by more than a hundredth of the smallest feature near it, neither to touch
+%   nor to be flat, and where no tolerance is given nothing farther than doubles
+%   are rounded.
 %
-%   @error geometry_error(tight(S1, S2, Place, Move, Feature, N)),
-%          geometry_error(flattened(S, Place, Move, Edge, N)): it would; see
-%          cut_touch/4, solid_merge/4
+%   @error geometry_error(What): see moved_said/2 and tight_said/1; What is of
+%          cut_touch/4 or solid_merge/4
 
-refusing_tight_moves(Goal) :-
+refusing_moves(Goal) :-
     setup_call_cleanup(
         asserta(refused, Ref),
         once(Goal),

@@ -6,7 +6,7 @@
 :- use_module('../decision', [decision/2, decision_is_default/1]).
 :- use_module('../kernel',
               [ model_tolerance/1, solid_merge/4, solid_neighbours/3 ]).
-:- use_module('../penetration/resolve', [tight_said/1]).
+:- use_module('../penetration/resolve', [moved_said/2, tight_said/1]).
 :- use_module(library(apply), [exclude/3]).
 :- use_module(library(option), [option/2, option/3]).
 :- use_module(library(ordsets), [ord_union/3]).
@@ -50,14 +50,18 @@ faces_merged(Solid, Options) :-
     ord_union(Apart0, Apart1, Apart),
     solid_merge(Solid, Tolerance,
                 [ origins(Origins), apart(Apart), by_size(BySize), cells(Cells)
-                ], Tight),
-    flattened(Tight).
+                ], Moved),
+    flattened(Moved, Tolerance).
 
-%   flattened(Tight): what solid_merge/4 says of moves.
+%   flattened(Moved, Tolerance): what solid_merge/4 says of moves.
 
-flattened(none).
-flattened(tight(S, X, Y, Z, Move, Edge, N)) :-
-    tight_said(flattened(S, [X,Y,Z], Move, Edge, N)).
+flattened(none, _).
+flattened(move(How, S, p(X,Y,Z), Move, Edge, N), Tolerance) :-
+    Flattened = flattened(S, [X,Y,Z], Move, Edge, N),
+    (   How == tight
+    ->  tight_said(Flattened)
+    ;   moved_said(as_rounded(Flattened), Tolerance)
+    ).
 
 merge_options(Options, Tolerance, BySize, Origins) :-
     (   option(tolerance(Tolerance), Options)
@@ -83,8 +87,8 @@ merge_options(Options, Tolerance, BySize, Origins) :-
 region_faces_merged(Solid, Region, Options) :-
     merge_options(Options, Tolerance, BySize, Origins),
     solid_merge(Solid, Tolerance,
-                [origins(Origins), by_size(BySize), region(Region)], Tight),
-    flattened(Tight).
+                [origins(Origins), by_size(BySize), region(Region)], Moved),
+    flattened(Moved, Tolerance).
 
 kept_apart(_, _, []) :-
     decision_is_default(merge_faces/2),

@@ -377,6 +377,7 @@ elsewhere(pattern(too_large(_)), "pieces are divided first").
 elsewhere(tight(_,_,_,_,_,_), test('tests/rules/solid/precision.plt')).
 elsewhere(moved(_,_,_,_,_), test('tests/rules/solid/precision.plt')).
 elsewhere(flattened(_,_,_,_,_), test('tests/rules/solid/precision.plt')).
+elsewhere(as_rounded(_), test('tests/transcripts/solids.txt')).
 elsewhere(opened(_), "a last resort: no model is known that comes apart").
 elsewhere(contacts(_), "a last resort: no model is known that has no rest").
 elsewhere(greeting, "of the top level alone").
