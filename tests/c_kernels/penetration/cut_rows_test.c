@@ -162,8 +162,8 @@ touches(sg_world *world)
   CHECK("changed", what.is == SG_RESOLUTION_CHANGED);
   CHECK("tight: a gap that no source explains is closed",
         moves.is == SG_TOUCH_MOVES_MOVE &&
-            moves.move.how == SG_MOVE_HOW_TIGHT &&
-            moves.move.s.s1 == FIRST && moves.move.s.s2 == THIRD);
+            moves.move.how == SG_MOVE_HOW_TIGHT && moves.move.s.s1 == FIRST &&
+            moves.move.s.s2 == THIRD);
   sg_cut_set_let_go(set);
 }
 
