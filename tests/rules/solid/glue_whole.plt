@@ -13,6 +13,12 @@
 :- use_module(tests(rules/glue_model)).
 :- use_module(tests(rules/polyhedron), [in_new_world/1]).
 
+% What is 1.0e-12 off is made to touch, and told.
+
+:- multifile user:message_hook/3.
+
+user:message_hook(sanggwan(tight(_,_,_,_,_,_)), warning, _).
+
 %   made(Parts, Steps, How, Rows): what is glued; How says whether it was cut.
 
 :- dynamic cut/0.
