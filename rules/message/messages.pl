@@ -568,8 +568,8 @@ other_places_en(How, N) -->
     ),
     (   { How == tight }
     ->  [ nl,
-          '  That may be more than rounding: look there, or give --tolerance 0, \c
-           which moves nothing.'
+          '  That may be more than rounding: look there, or give \c
+           --tolerance 0, which moves nothing.'
         ]
     ;   []
     ).
