@@ -152,9 +152,10 @@ session_en(open_to_others(Host, Port)) -->
        this model; nothing is encrypted'-[Host, Port], nl,
       '  Rules, which run code, are not changed there. Without --host only \c
        this machine is let in.' ].
-session_en(book_damaged(Path, Count)) -->
+session_en(book_damaged(Path, Count, Kept)) -->
     [ '~D lines of the book of the class, ~w, are not as they were written: \c
-       what they say is left out'-[Count, Path], nl,
+       it goes on without them, and is kept as it was in ~w'-
+      [Count, Path, Kept], nl,
       '  After a power failure a line may be half there, whose answers nobody \c
        was told of.' ].
 session_en(behind(URL, Place)) -->

@@ -147,8 +147,9 @@ session_ko(open_to_others(Host, Port)) -->
        암호화는 없습니다'-[Host, Port], nl,
       '  코드를 실행하는 규칙은 거기서 바꾸지 못합니다. --host를 빼면 이 \c
        컴퓨터에서만 열 수 있습니다.' ].
-session_ko(book_damaged(Path, Count)) -->
-    [ '학급 기록 ~w의 ~D줄이 기록된 그대로가 아닙니다. 그 내용은 뺐습니다'-[Path, Count], nl,
+session_ko(book_damaged(Path, Count, Kept)) -->
+    [ '학급 기록 ~w의 ~D줄이 기록된 그대로가 아닙니다. 그 줄을 빼고 이어 가며, 원래 \c
+       기록은 ~w에 그대로 두었습니다'-[Path, Count, Kept], nl,
       '  정전 뒤에는 아무에게도 알리지 않은 답의 줄이 반만 남아 있을 수 있습니다.' ].
 session_ko(behind(URL, Place)) -->
     [ '~w의 프록시를 지나고 아래 주소를 아는 사람은 누구나 이 모델을 보고 \c

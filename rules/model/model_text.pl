@@ -14,6 +14,7 @@
             place_location/3,           % +Place, +Argument, -Location
             model_float/2               % +Value, -Float
           ]).
+:- use_module('../csg/csg_term', [is_node_term/1]).
 :- use_module('../decimal', [decimal_comma/4]).
 :- use_module('../kernel', [id_list/2, plain_value/2]).
 :- use_module('../limits', [limit_value/2]).
@@ -420,12 +421,41 @@ checked_arguments([], [], _, _, _, []).
 checked_arguments([column(Column, Type)|Types], [Value0|Values0], N, Name,
                   Place, [Value|Values]) :-
     (   typed(Type, Value0, Value)
-    ->  true
+    ->  names_short(Column, Value, Place, N)
     ;   expected(Type, Value0, Expected),
         place_error(Place, N, value(Name, Column, Value0, Expected))
     ),
     N1 is N+1,
     checked_arguments(Types, Values0, N1, Name, Place, Values).
+
+%   names_short(Column, Value, Place, N): no name in a Value of segments is
+%   longer than a text may be, of however many words it is.
+
+names_short('Name', Value, Place, N) :-
+    compound(Value),
+    limit_value(name, Most),
+    long_name(Value, Most),
+    !,
+    place_error(Place, N, limit(name, Most)).
+names_short(_, _, _, _).
+
+long_name(named(Name, Inner), Most) :-
+    !,
+    (   compound(Name),
+        \+ write_length(Name, _, [max_length(Most)])
+    ->  true
+    ;   long_name(Inner, Most)
+    ).
+long_name(at(_, Inner), Most) :-
+    !,
+    long_name(Inner, Most).
+long_name(Term, Most) :-
+    is_node_term(Term),
+    arg(1, Term, Operands),
+    is_list(Operands),
+    member(Operand, Operands),
+    long_name(Operand, Most),
+    !.
 
 %   any_waits(Types, Values): one of Values has a formula where Types takes one.
 

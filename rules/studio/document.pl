@@ -33,7 +33,7 @@
               [ change_step/6, checkpoint/3, kept_step/3, replayed/4,
                 stepped/3, steps_changes/2
               ]).
-:- use_module(journal, [journal_closed/1, journal_line/2]).
+:- use_module(journal, [journal_closed/1, journal_gone/1, journal_line/2]).
 :- use_module(protocol, [text_octets/2]).
 :- use_module(request, [of_owner/2, request_error/1]).
 :- use_module(world_state, [in_state/3]).
@@ -568,7 +568,7 @@ document_saved(Head, Reply) :-
 old_journal_gone(Journal, Path0, Path) :-
     (   Journal \== none,
         Path0 \== Path
-    ->  catch(delete_file(Path0), error(_, _), true)
+    ->  journal_gone(Path0)
     ;   true
     ).
 

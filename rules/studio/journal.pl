@@ -8,6 +8,7 @@
             line_step/4,                % ?Form, +At, +Line, -Step
             other_end/2,                % +At, +Line
             damaged_step/1,             % -Step
+            journal_gone/1,             % +Path
             journal_closed/1            % +Journal
           ]).
 :- use_module('../kernel', [atomic_sync/1, atomic_sync_folder/1]).
@@ -16,6 +17,7 @@
 :- use_module(library(apply), [exclude/3]).
 :- use_module(library(filesex), [make_directory_path/1]).
 :- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(readutil), [read_file_to_string/3]).
 /** <module> The journal of a document: what was changed since its file was
 saved.
 
@@ -26,7 +28,14 @@ loses its power. A last line that is not complete was told to nobody.
 Behind the object of a line stands a space and its sum, of what the line holds
 and of where it begins: a line that was changed, or moved by another one, is
 damaged. The journal of an older version, `"journal":1`, has no sums.
+
+Whole lines that are missing at the end leave a journal that is sound. So a file
+beside it, PATH.end, holds how many octets were on the disk when the last change
+was told. It is written after each line and asked to be on the disk by nobody:
+when the machine loses its power it may say less than there is, never more.
 */
+
+:- dynamic begun/3.                     % Journal, Path, Digest: of its text
 
 %!  journal_begun(+Path, +File, +Digest, +Text, +Steps, -Journal) is det.
 %
@@ -41,6 +50,7 @@ journal_begun(Path, File, Digest, Text, Steps, Journal) :-
     atom_string(File, Name),
     catch(( journal_lines(Journal, [_{ journal:2, file:Name, digest:Digest,
                                        text:Text }|Steps]),
+            end_forgotten(Path),
             rename_file(New, Path),
             atomic_sync_folder(Path)
           ),
@@ -48,7 +58,9 @@ journal_begun(Path, File, Digest, Text, Steps, Journal) :-
           ( journal_closed(Journal),
             catch(delete_file(New), error(_, _), true),
             throw(Error)
-          )).
+          )),
+    assertz(begun(Journal, Path, Digest)),
+    end_remembered(Journal).
 
 %!  journal_line(+Journal, +Step:dict) is det.
 %
@@ -60,7 +72,8 @@ journal_line(none, _) :-
 journal_line(failed(_, Error), _) :-
     throw(Error).
 journal_line(Journal, Step) :-
-    journal_lines(Journal, [Step]).
+    journal_lines(Journal, [Step]),
+    end_remembered(Journal).
 
 journal_lines(Journal, Steps) :-
     forall(member(Step, Steps), line_written(Journal, Step)),
@@ -95,14 +108,58 @@ line_sum(At, Object, Sum) :-
 
 sum_length(16).
 
+%   end_remembered(Journal): all that it holds is on the disk. Who cannot write
+%   that loses no change.
+
+end_remembered(Journal) :-
+    begun(Journal, Path, Digest),
+    byte_count(Journal, Octets),
+    summed_line(0, _{digest:Digest, octets:Octets}, Line),
+    end_path(Path, End),
+    catch(setup_call_cleanup(
+              open(End, write, Out, [encoding(utf8), newline(posix)]),
+              format(Out, "~s~n", [Line]),
+              close(Out)),
+          error(_, _), true).
+
+end_forgotten(Path) :-
+    end_path(Path, End),
+    catch(delete_file(End), error(_, _), true).
+
+end_path(Path, End) :-
+    atom_concat(Path, '.end', End).
+
+%   end_missing(Path, Head): the journal in Path, with this first line, was
+%   longer when a change was told.
+
+end_missing(Path, Head) :-
+    end_path(Path, End),
+    catch(read_file_to_string(End, Text, [encoding(utf8)]), error(_, _), fail),
+    string_concat(Line, "\n", Text),
+    line_step(2, 0, Line, Told),
+    get_dict(digest, Told, Digest),
+    get_dict(digest, Head, Digest),
+    get_dict(octets, Told, Octets),
+    size_file(Path, Size),
+    Size < Octets.
+
+%!  journal_gone(+Path) is det.
+%
+%   There is no journal in Path any more.
+
+journal_gone(Path) :-
+    catch(delete_file(Path), error(_, _), true),
+    end_forgotten(Path).
+
 %!  journal_closed(+Journal) is det.
 
 journal_closed(none) :-
     !.
 journal_closed(failed(Journal, _)) :-
     !,
-    catch(close(Journal, [force(true)]), error(_, _), true).
+    journal_closed(Journal).
 journal_closed(Journal) :-
+    retractall(begun(Journal, _, _)),
     catch(close(Journal, [force(true)]), error(_, _), true).
 
 %!  journal_steps(+Path, +Digest, -Steps) is semidet.
@@ -111,7 +168,8 @@ journal_closed(Journal) :-
 %   list of dicts, the first one first; `other` if its changes are of another
 %   text.
 %   A last line that is not complete is left out; one that holds no dict is
-%   damaged_step/1. Fails if Path is no journal.
+%   damaged_step/1, and so is what is missing at the end. Fails if Path is no
+%   journal.
 %
 %   A line says that the text is about to be saved; who is killed then leaves
 %   the file either as it was before or as it is saved. It has the rules that
@@ -123,7 +181,7 @@ journal_steps(Path, Digest, Steps) :-
         open(Path, read, In, [encoding(utf8)]),
         ( head(In, Form, Head),
           get_dict(digest, Head, First),
-          steps(In, Form, Steps0)
+          all_steps(In, Form, Path, Head, Steps0)
         ),
         close(In)),
     (   append(_, [Saved|Behind], Steps0),
@@ -153,7 +211,7 @@ journal_whole(Path, Text, Steps) :-
         ( head(In, Form, Head),
           get_dict(text, Head, Text),
           string(Text),
-          steps(In, Form, Steps0)
+          all_steps(In, Form, Path, Head, Steps0)
         ),
         close(In)),
     exclude(is_save, Steps0, Steps).
@@ -169,6 +227,14 @@ head(In, Form, Head) :-
     line_step(Form, 0, Line, Head),
     get_dict(journal, Head, Form),
     !.
+
+all_steps(In, Form, Path, Head, Steps) :-
+    steps(In, Form, Steps0),
+    (   end_missing(Path, Head)
+    ->  damaged_step(Step),
+        append(Steps0, [Step], Steps)
+    ;   Steps = Steps0
+    ).
 
 steps(In, Form, Steps) :-
     (   step(In, Form, Step)

@@ -8,10 +8,12 @@
           ]).
 :- use_module('../environment', [state_folder/1]).
 :- use_module('../kernel', [atomic_sync/1, atomic_sync_folder/1]).
-:- use_module(journal, [line_step/4, other_end/2, summed_line/3]).
+:- use_module('../output', [writing/3]).
+:- use_module(document_journal, [damaged_path/2]).
+:- use_module(journal, [line_step/4, summed_line/3]).
 :- use_module(request, [request_error/1]).
 :- use_module(library(apply), [maplist/2]).
-:- use_module(library(filesex), [make_directory_path/1]).
+:- use_module(library(filesex), [copy_file/2, make_directory_path/1]).
 :- use_module(library(lists), [member/2]).
 :- use_module(library(sha), [sha_hash/3, hash_atom/2]).
 /** <module> The book of a class: who is in it, and what each answered.
@@ -19,7 +21,8 @@
 Each line of its file is on the disk before a pupil hears that an answer was
 right: nothing is lost when the program is killed, and the next start has it. A
 line has a sum, so what is not as it was written is noticed (journal.pl); those
-of older versions have none.
+of older versions have none. Such a line is said once: the book is kept as it
+was, beside it, and goes on without that line.
 The secret of a pupil is not in it, only a digest.
 */
 
@@ -47,8 +50,7 @@ class_begun(File, Model) :-
     ;   book_path(File, Path),
         (   exists_file(Path)
         ->  book_taken(Path),
-            open(Path, append, Stream, [encoding(utf8), newline(posix)]),
-            nl(Stream)                  % after a line that is not complete
+            open(Path, append, Stream, [encoding(utf8), newline(posix)])
         ;   file_directory_name(Path, Folder),
             make_directory_path(Folder),
             open(Path, write, Stream, [encoding(utf8), newline(posix)]),
@@ -93,31 +95,41 @@ class_opens(Path) :-
 book_taken(Path) :-
     setup_call_cleanup(
         open(Path, read, In, [encoding(utf8)]),
-        lines_taken(In, 0, Damaged),
+        lines_taken(In, Lines, 0, Damaged),
         close(In)),
     (   Damaged =:= 0
     ->  true
-    ;   print_message(warning, sanggwan(studio(book_damaged(Path, Damaged))))
+    ;   damaged_path(Path, Kept),
+        copy_file(Path, Kept),
+        writing(Path, text, sg_visitor_answer:lines_written(Lines)),
+        print_message(warning,
+                      sanggwan(studio(book_damaged(Path, Damaged, Kept))))
     ).
 
-%   A last line that is not complete was told to nobody. One that has something
-%   else for its newline was.
+%   lines_taken(In, Lines, Damaged0, Damaged): Lines are those that are as they
+%   were written. The last one may lack its newline: that is half of one.
 
-lines_taken(In, Damaged0, Damaged) :-
+lines_taken(In, Lines, Damaged0, Damaged) :-
     read_string(In, "\n", "", End, Line),
-    (   End =:= -1
-    ->  (   other_end(0, Line)
-        ->  Damaged is Damaged0+1
-        ;   Damaged = Damaged0
-        )
-    ;   (   Line == ""
-        ;   once(line_step(_, 0, Line, Row)),
-            line_taken(Row)
-        )
-    ->  lines_taken(In, Damaged0, Damaged)
+    (   Line == "",
+        End =:= -1
+    ->  Lines = [],
+        Damaged = Damaged0
+    ;   Line == ""
+    ->  lines_taken(In, Lines, Damaged0, Damaged)
+    ;   End =:= 0'\n,
+        once(line_step(_, 0, Line, Row)),
+        line_taken(Row)
+    ->  Lines = [Line|Lines1],
+        lines_taken(In, Lines1, Damaged0, Damaged)
     ;   Damaged1 is Damaged0+1,
-        lines_taken(In, Damaged1, Damaged)
+        lines_taken(In, Lines, Damaged1, Damaged)
     ).
+
+:- public lines_written/2.
+
+lines_written(Lines, Out) :-
+    forall(member(Line, Lines), format(Out, "~s~n", [Line])).
 
 line_taken(Row) :-
     get_dict(pupil, Row, Pupil),

@@ -99,7 +99,7 @@ write('huge.polygon.pl', 'segment(1,solid,a).\nv(1,1,0,0,0).\np(1,1,[%s]).\n'
 write('huge.curve.pl', 'segment(1,solid,a).\nv(1,1,0,0,0).\ncurve(1,[%s]).\n'
       % ones)
 write('huge.union.pl', 'segment(1,solid,union([%s])).\n' % ones)
-write('huge.named.pl', 'segment(1,solid,named([%s],box(size(1,1)))).\n' % ones)
+write('name.words.pl', 'segment(1,solid,named([%s],box(size(1,1)))).\n' % ones)
 write('huge.terms.pl', 'segment(1,solid,union([%s])).\n'
       % ','.join(['f(a)'] * 1400000))
 

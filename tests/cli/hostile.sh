@@ -83,7 +83,7 @@ check far.list has 'far.list.pl:1:1: X of v is [1,1'
 
 # Facts of 14 MB, each of whose elements is looked at for several reasons; and a
 # signal is heard meanwhile.
-for name in polygon curve union named terms; do
+for name in polygon curve union terms; do
   bounded check "$work/h/huge.$name.pl"
   check "huge.$name" status_is 3
   check "huge.$name.words" no_prolog

@@ -2,7 +2,8 @@
 random, are opened: each gets one reply in words of ours within a second of
 processor; the file of the model stays as it is; what a damaged journal held is
 still somewhere; and the session lives on. Of a journal as the program writes it
-one octet is changed, or a line moved: that is told, wherever it is."""
+one octet is changed, a line moved, or its end is missing: that is told, wherever
+it is."""
 import glob
 import hashlib
 import json
@@ -23,6 +24,7 @@ with open("facts/family.pl", "rb") as f:
     TEXT = f.read()
 os.chdir(work)
 MODEL, JOURNAL = work + "/m.pl", work + "/m.journal"
+END = JOURNAL + ".end"
 with open(MODEL, "wb") as f:
     f.write(TEXT)
 environment = dict(os.environ, LANG="C", TMPDIR=work)
@@ -80,15 +82,17 @@ def recorded():
     session.kill()
     with open(JOURNAL, "rb") as journal:
         whole = journal.read()
+    with open(END, "rb") as file:
+        end = file.read()
     rows = [json.loads(line[:-17]) for line in whole.splitlines()]
     rows[0]["journal"] = 1          # a journal without sums
-    return rows, whole
+    return rows, whole, end
 
 
 def changed(whole):
-    """Another octet somewhere, or a line somewhere else."""
+    """Another octet somewhere, a line somewhere else, or less of it."""
     lines = whole.splitlines(True)
-    kind = draw.randrange(8)
+    kind = draw.randrange(10)
     if kind == 0:
         at, other = draw.sample(range(1, len(lines)), 2)
         lines[at], lines[other] = lines[other], lines[at]
@@ -96,8 +100,12 @@ def changed(whole):
         at = draw.randrange(1, len(lines))
         lines.insert(draw.randrange(1, len(lines)), lines[at])
     elif kind == 2:
-        del lines[draw.randrange(1, len(lines) - 1)]
-    if kind < 3:
+        del lines[draw.randrange(1, len(lines))]
+    elif kind == 8:
+        del lines[draw.randrange(1, len(lines)):]
+    elif kind == 9:
+        return whole[:draw.randrange(len(lines[0]), len(whole))]
+    if kind < 3 or kind == 8:
         return b"".join(lines)
     # The lines of changes are short: more often there.
     at = draw.randrange(len(lines[0]) if draw.random() < 0.5 else 0,
@@ -113,7 +121,7 @@ def changed(whole):
 
 def silent(session, text, keys):
     """Opens it; what is wrong: nobody is told of a change."""
-    outcome, wrong = opened(session, text, keys)
+    outcome, wrong = opened(session, text, keys, end)
     return wrong or (None if outcome != "open" else "a change is not noticed")
 
 
@@ -223,10 +231,15 @@ def fault(head, text, keys, kept, seconds):
     return None
 
 
-def opened(session, text, keys):
+def opened(session, text, keys, end=None):
     """The reply to `open`, what is wrong with it, and what came of it."""
     with open(JOURNAL, "wb") as journal:
         journal.write(text)
+    if end is not None:
+        with open(END, "wb") as file:
+            file.write(end)
+    elif os.path.exists(END):
+        os.remove(END)
     before = cpu(session)
     signal.alarm(60)
     head, _ = session.ask("open", file=MODEL, journal=JOURNAL, **keys)
@@ -247,7 +260,7 @@ def opened(session, text, keys):
     return outcome, wrong
 
 
-rows, whole = recorded()
+rows, whole, end = recorded()
 session = Session(program, cwd=work, env=environment)
 outcomes = {}
 for case in range(cases):

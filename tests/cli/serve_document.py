@@ -2,6 +2,7 @@
 explanations are those of the command line, questions have limits, changes go
 into the text and into the journal, and kill -9 loses nothing."""
 # covers: document_content, document_journal, question_part
+import glob
 import hashlib
 import json
 import os
@@ -448,10 +449,49 @@ s.ask("edit", set={"segment": 1, "path": [1, 1], "value": 32})
 s.kill()
 with open(journal, "rb+") as f:
     f.truncate(os.path.getsize(journal) - 1)
+os.remove(journal + ".end")     # as when nobody was told
 s = session()
 head, _ = s.ask("open", file=model, journal=journal)
-check("what lacks its newline", s.ask("text")[1] == told, head)
+check("what lacks its newline", s.ask("text")[1] == told and
+      not head["messages"], head)
+# Changes that were told are missing at the end: the ones before are done, and
+# that is said once.
+told = s.ask("text")[1]
+for value in (33, 34, 35):
+    s.ask("edit", set={"segment": 1, "path": [1, 1], "value": value})
 s.kill()
+whole, end = read(journal), read(journal + ".end")
+for missing in (1, 2, 3, 0.5):
+    lines = whole.splitlines(True)
+    cut = (b"".join(lines[:-missing]) if missing >= 1 else
+           whole[:-len(lines[-1]) // 2])
+    for path, content in ((journal, cut), (journal + ".end", end)):
+        with open(path, "wb") as f:
+            f.write(content)
+    kept = len(glob.glob(journal + ".damaged-*"))
+    s = session()
+    head, _ = s.ask("open", file=model, journal=journal)
+    check("told and missing: %g" % missing, [m["code"] for m in
+          head["messages"]] == ["request_error.journal_damaged"] and
+          read("%s.damaged-%d" % (journal, kept + 1)) == cut and
+          head["replayed"] == 3 + int(3 - missing), head)
+    s.kill()
+    s = session()
+    head, _ = s.ask("open", file=model, journal=journal)
+    check("said once", head["messages"] == [], head)
+    s.ask("text")
+    s.kill()
+# An end of another text, or one that is damaged, says nothing.
+for strange in (end[:-20], end.replace(b'octets":', b'octets":9'), b"", b"7\n"):
+    with open(journal + ".end", "wb") as f:
+        f.write(strange)
+    s = session()
+    head, _ = s.ask("open", file=model, journal=journal)
+    check("a strange end", head["messages"] == [], (strange, head))
+    s.kill()
+with open(journal, "wb") as f:
+    f.write(b"".join(whole.splitlines(True)[:-3]))
+os.remove(journal + ".end")
 # The file is gone: what was changed is there still, and can be saved.
 os.remove(model)
 s = session()
@@ -500,7 +540,7 @@ if shutil.which("strace"):
     s.end()
     waits, replies, renamed, synced = False, [], False, False
     for line in read(calls).decode().split("\n"):
-        if re.search(r"write\w*\(\d+<[^>]*traced\.journal", line):
+        if re.search(r"write\w*\(\d+<[^>]*traced\.journal(\.new)?>", line):
             waits = True
         elif re.search(r"fsync\(\d+<[^>]*traced\.journal", line):
             waits = False
@@ -554,6 +594,7 @@ with open(journal, "w") as f:
     f.write(json.dumps({"journal": 1, "file": model, "text": TEXT, "digest":
                         hashlib.sha256(TEXT.encode()).hexdigest()}) + "\n")
     f.write(json.dumps({"do": "text", "text": TEXT + "fly(1).\n"}) + "\n")
+os.remove(journal + ".end")
 head, _ = s.ask("open", file=model)
 head, _ = s.ask("open", file=model, journal=journal)
 check("what does not load has two files",

@@ -1,9 +1,10 @@
 """class_fuzz.py PROGRAM FOLDER: what pupils of a class may send, at random: each
 request has one reply in words of ours, nobody gets at more than a pupil may, and
 the class goes on. Then its book is changed at random: the class begins with what
-is whole in it, and says that something is not. CLASS_REQUESTS, CLASS_BOOKS and
+is whole in it, says that something is not, once, and keeps it as it was. CLASS_REQUESTS, CLASS_BOOKS and
 CLASS_SEED say how many, and which."""
 # covers: visitor_answer, guard
+import glob
 import json
 import os
 import random
@@ -263,6 +264,22 @@ for case in range(books):
               1 for line in WHOLE.split(b"\n") if line), (said, whole))
     teacher.close()
     kim.close()
+    front.end(signal.SIGTERM)
+    kept = glob.glob(BOOK + ".damaged-*")
+    check("book %d of seed %d: as it was" % (case, seed), whole == sum(
+        1 for line in WHOLE.split(b"\n") if line) or [
+            open(path, "rb").read() for path in kept] == [text], kept)
+    for path in kept:
+        os.remove(path)
+    front = started()
+    teacher = front.page()
+    again = teacher.ask("class")[0]["pupils"]
+    said = told(front)
+    check("book %d of seed %d: said once" % (case, seed),
+          b"book of the class" not in said and
+          [row for row in again if row["name"] != "Park"] ==
+          [row for row in rows if row["name"] != "Park"], (said, again))
+    teacher.close()
     front.end(signal.SIGTERM)
 print("counted: %d requests of pupils, %d books, seed %d, %s" % (
     requests, books, seed, sorted(outcomes.items())))

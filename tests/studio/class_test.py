@@ -195,8 +195,14 @@ with open(book[0]) as file:
 check("no secret is in it", "a" * 32 not in text and "%032x" % 1 not in text)
 with open(book[0], "a") as out:
     out.write('{"pupil":"0", "name":')  # as a power failure leaves it
+with open(book[0], "rb") as file:
+    half = file.read()
 front = started()
 teacher = front.page()
+with open(book[0]) as file:
+    check("the half line is gone", file.read() == text)
+with open(book[0] + ".damaged-1", "rb") as file:
+    check("and kept", file.read() == half)
 rows = teacher.ask("class")[0]["pupils"]
 by_name = {row["name"]: row["done"] for row in rows}
 check("all are there again", len(rows) == 31 and all(

@@ -39,7 +39,7 @@ unsaid(session_en, session_en(outside(_))).
 unsaid(session_en, session_en(session_ended)).
 unsaid(session_en, session_en(open_to_others(_,_))).
 unsaid(session_en, session_en(behind(_,_))).
-unsaid(session_en, session_en(book_damaged(_,_))).
+unsaid(session_en, session_en(book_damaged(_,_,_))).
 unsaid(session_en, session_en(owner_alone(save))).
 unsaid(session_en, session_en(owner_alone(class))).
 unsaid(session_en, session_en(owner_alone(show))).
