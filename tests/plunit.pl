@@ -3,7 +3,8 @@
        swipl -p foreign=build tests/plunit.pl -- tests/rules/store.plt
 
    The last line counts them, for tests/run. Warnings are failures: run with
-   --on-warning=status --on-error=status.
+   --on-warning=status --on-error=status. With FIRST=1 in the environment the first
+   failure is the end (tools/mutants).
 */
 :- module(sg_plunit, []).
 :- use_module(library(plunit)).
@@ -40,6 +41,17 @@ all_ran(Status, Summary) :-
     ;   Status = 1
     ),
     plunit:test_summary(_, Summary).
+
+:- multifile user:message_hook/3.
+:- dynamic user:message_hook/3.
+
+user:message_hook(plunit(Failure), error, _) :-
+    compound(Failure),
+    compound_name_arity(Failure, Name, _),
+    memberchk(Name, [failed,failed_assertion,error]),
+    getenv('FIRST', '1'),
+    print_message_lines(user_error, 'first: ', ['~q'-[Failure], nl]),
+    halt(1).
 
 % Which keys there are depends on the release of Prolog.
 counted(Keys, Summary, N) :-
