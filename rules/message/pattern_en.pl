@@ -129,9 +129,10 @@ pattern_fault_en(large(Size, Most)) -->
     [ 'the pattern would be ~4g mm large; ~4g mm are the most'-[Size, Most], nl,
       '  Take a smaller --scale, such as 1:1000; are the units of the model \c
          right?' ].
-pattern_fault_en(tabs(Width, Most, W-H)) -->
-    [ '--tabs ~w: pieces have to be divided to fit on pages with room for \c
-       ~1f x ~1f mm, and so wide tabs leave too little of it'-[Width, W, H], nl,
+pattern_fault_en(wide(Option, Width, Most, W-H)) -->
+    [ '~w ~w: pieces have to be divided to fit on pages with room for \c
+       ~1f x ~1f mm, and this leaves too little of it'
+      -[Option, Width, W, H], nl,
       '  Take at most ~w, or a larger --page.'-[Most] ].
 pattern_fault_en(overlap(Overlap, Most)) -->
     [ '--overlap ~w is more than half a page has room for'-[Overlap], nl,

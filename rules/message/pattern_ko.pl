@@ -113,9 +113,9 @@ pattern_fault_ko(pages(Count, Most)) -->
 pattern_fault_ko(large(Size, Most)) -->
     [ '전개도의 크기가 ~4g mm가 됩니다. ~4g mm까지만 됩니다'-[Size, Most], nl,
       '  1:1000처럼 더 작은 --scale을 쓰십시오. 모델의 단위가 맞습니까?' ].
-pattern_fault_ko(tabs(Width, Most, W-H)) -->
-    [ '--tabs ~w: 조각을 ~1f x ~1f mm 자리에 맞게 나누어야 하는데, 풀칠면이 그렇게 넓으면 \c
-       남는 자리가 너무 작습니다'-[Width, W, H], nl,
+pattern_fault_ko(wide(Option, Width, Most, W-H)) -->
+    [ '~w ~w: 조각을 ~1f x ~1f mm 자리에 맞게 나누어야 하는데, 너비가 그만하면 \c
+       남는 자리가 너무 작습니다'-[Option, Width, W, H], nl,
       '  ~w 이하로 줄이거나 더 큰 --page를 쓰십시오.'-[Most] ].
 pattern_fault_ko(overlap(Overlap, Most)) -->
     [ '--overlap ~w: 쪽에 쓸 수 있는 자리의 절반보다 큽니다'-[Overlap], nl,

@@ -50,8 +50,9 @@ all do.
 %   it is if not given: where much of the seam would be without tabs. What was
 %   divided is told, except with told(false).
 %
-%   @error usage_error(pattern(tabs(Width, Most, W-H))): where pieces have to be
-%          divided, a page with room for W x H mm takes tabs of at most Most
+%   @error usage_error(pattern(wide(Option, Width, Most, W-H))): where pieces
+%          have to be divided, a page with room for W x H mm takes at most Most
+%          for Option, one of --tabs, --lap and --lock-seam
 
 fitted_pieces(Pieces0, Paper, Options, Fitted, Tabs) :-
     joints(Options, Width),
@@ -389,16 +390,19 @@ pieces_split(Pieces0, on(Paper,Flat), Width, Tight, Split, Origins) :-
 
 tab_room(room(W0,H0,Gap), wide(Width,On), Pieces, Times, room(W,H,Gap)) :-
     (   On == lap
-    ->  Deep = Width
+    ->  Option = '--lap',
+        Deep = Width
     ;   On == lock
-    ->  Deep is 1.5*Width
-    ;   deepest_tab(Width, Pieces, Deep)
+    ->  Option = '--lock-seam',
+        Deep is 1.5*Width
+    ;   Option = '--tabs',
+        deepest_tab(Width, Pieces, Deep)
     ),
     Most is min(W0, H0)/4,
     (   Deep =< Most
     ->  Off is min(2*Most, (1+Times)*Deep),
         W is W0-Off,
         H is H0-Off
-    ;   Whole is floor(Most),
-        throw(error(usage_error(pattern(tabs(Width, Whole, W0-H0))), _))
+    ;   Whole is floor(min(Most, Most*Width/Deep)),
+        throw(error(usage_error(pattern(wide(Option, Width, Whole, W0-H0))), _))
     ).

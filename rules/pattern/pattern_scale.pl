@@ -62,7 +62,8 @@ fitting_scale(Pieces, room(RoomW,RoomH,Gap), Options, Scale) :-
     ->  maplist(piece_scale(room(W,H,Gap)), Pieces, Scales),
         min_list(Scales, Scale)
     ;   Most is floor(min(RoomW, RoomH)/4),
-        throw(error(usage_error(pattern(tabs(Width, Most, RoomW-RoomH))), _))
+        throw(error(usage_error(pattern(wide('--tabs', Width, Most,
+                                             RoomW-RoomH))), _))
     ).
 
 %   A piece that is as long as the diagonal of the page might just fit; half of

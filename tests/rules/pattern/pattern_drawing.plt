@@ -437,8 +437,32 @@ test(very_wide_tabs) :-
     assertion(right(Drawings)),
     count(Drawings, fold_down, N),
     assertion(N =:= 12).
-test(too_wide_tabs, [ error(usage_error(pattern(tabs(500, 47, _)))) ]) :-
+test(too_wide_tabs,
+     error(usage_error(pattern(wide('--tabs', 500, 47, _))))) :-
     drawn(plate_strip, [page('A4'),tabs(500)], _).
+% A quarter of 188 mm may go to each side; a lock seam adds one and a half times
+% its width to it.
+test(widest_joints) :-
+    forall(member(Joint-Option-Most, [tabs-'--tabs'-47, lap-'--lap'-47,
+                                      lock-'--lock-seam'-31]),
+           ( Fits =.. [Joint,Most],
+             drawn(plate_strip, [page('A4'),margin(11),Fits], Drawings),
+             assertion(right(Drawings)),
+             Wider is Most+1,
+             Large =.. [Joint,Wider],
+             catch(drawn(plate_strip, [page('A4'),margin(11),Large], _),
+                   error(E, _), true),
+             assertion(E = usage_error(pattern(wide(Option, Wider, Most,
+                                                    188.0-_)))) )).
+% Of 190 x 268 mm a lap of 5 leaves four faces of 44 beside each other, and a
+% third of these heights.
+test(room_for_laps, [ forall(member(High, [520,530])), Parts == 6 ]) :-
+    drawn(strip_pattern(8, 44, High), [page('A4'),lap(5)], Drawings),
+    assertion(right(Drawings)),
+    findall(x, ( member(drawing(_,Views), Drawings),
+                 member(view(Name,_,_), Views),
+                 Name \== sheet ), Xs),
+    length(Xs, Parts).
 test(whole_with_its_tabs, [ Sheets == 1 ]) :-
     drawn(cube_pattern(55), [page('A4'),tabs(12)], Drawings),
     length(Drawings, Sheets).

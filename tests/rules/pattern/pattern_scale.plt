@@ -54,7 +54,7 @@ test(pages, [forall(member(N, [1,2,5])), true(Sheets =< N)]) :-
     Larger is Scale*1.25,
     scaled_box(size(1,1,1), [scale(Larger),page('A4')], _, More),
     assertion(More > N).
-test(no_room_for_tabs, error(usage_error(pattern(tabs(100,_,_))))) :-
+test(no_room_for_tabs, error(usage_error(pattern(wide('--tabs',100,47,_))))) :-
     scaled_box(size(1,1,1), [fit(true),tabs(100)], _, _).
 test(texts, Texts == ["1:2","70:1","1:2.5"]) :-
     findall(Text, ( member(Scale, [1:2,70,0.4]), scale_text(Scale, Text) ),
