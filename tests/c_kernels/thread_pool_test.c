@@ -1,13 +1,17 @@
 /* thread_pool_test.c -- tasks are done once each, by whoever; thread pools that
- * wait for the next; and what several threads may ask at the same time. */
+ * wait for the next; who asks the cancellation; and what several threads may
+ * ask at the same time. */
 #include "number/exact.h"
 #include "tests/check.h"
 #include "thread_pool.h"
 
+#include <limits.h>
+#include <pthread.h>
 #include <stdatomic.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 enum { TASKS = 1000, POINTS = 64, ASKERS = 8 };
@@ -80,6 +84,115 @@ test_fork(void)
     _exit(good ? 0 : 1);
   }
   CHECK("in a fork", waitpid(child, &status, 0) == child && status == 0);
+}
+
+/* ---- who asks the cancellation ---- */
+
+typedef struct asked {
+  pthread_t caller;
+  atomic_int begun;   /* tasks */
+  atomic_int strange; /* questions on another thread */
+  atomic_int questions;
+  int most;   /* of them, then it says stop */
+  bool inner; /* what is asked has tasks of its own */
+} asked;
+
+static bool
+say_stop(void *data)
+{
+  asked *a = data;
+  atomic_int done[3] = {0};
+
+  if (!pthread_equal(pthread_self(), a->caller)) {
+    atomic_fetch_add(&a->strange, 1);
+  }
+  if (a->inner) {
+    sg_pool_run(NULL, 3, count, done, NULL);
+  }
+  return atomic_fetch_add(&a->questions, 1) + 1 >= a->most;
+}
+
+/* False after ten seconds. */
+static bool
+in_time(time_t begin)
+{
+  return time(NULL) < begin + 10;
+}
+
+/* Ends when each of four threads has one. */
+static void
+meet(void *data, size_t task)
+{
+  asked *a = data;
+  time_t begin = time(NULL);
+
+  (void)task;
+  atomic_fetch_add(&a->begun, 1);
+  while (atomic_load(&a->begun) < 4 && in_time(begin)) {
+    sg_pool_stopping();
+  }
+}
+
+/* The caller's ends when there are two, the other one when it is to stop. */
+static void
+wait_for_stop(void *data, size_t task)
+{
+  asked *a = data;
+  time_t begin = time(NULL);
+  bool caller = pthread_equal(pthread_self(), a->caller);
+
+  (void)task;
+  atomic_fetch_add(&a->begun, 1);
+  while (in_time(begin) &&
+         (caller ? atomic_load(&a->begun) < 2 : !sg_pool_stopping())) {
+  }
+}
+
+static void
+work_until_stop(void *data, size_t task)
+{
+  time_t begin = time(NULL);
+
+  (void)data;
+  (void)task;
+  while (in_time(begin) && !sg_pool_stopping()) {
+  }
+}
+
+static void
+begin(void *data, size_t task)
+{
+  (void)task;
+  atomic_fetch_add(&((asked *)data)->begun, 1);
+}
+
+static void
+test_cancel(void)
+{
+  sg_pool *four = sg_pool_open(4), *two = sg_pool_open(2);
+  asked a = {.caller = pthread_self(), .most = INT_MAX};
+  sg_cancel cancel = {say_stop, &a};
+
+  CHECK("asked on the caller's thread only",
+        sg_pool_run(four, 4, meet, &a, &cancel) && a.begun == 4 &&
+            a.strange == 0 && a.questions > 0);
+  for (int inner = 0; inner < 2; inner++) {
+    a = (asked){.caller = pthread_self(), .most = 3, .inner = inner};
+    CHECK("asked after each task",
+          !sg_pool_run(NULL, TASKS, begin, &a, &cancel) && a.begun == 3);
+  }
+  time_t start = time(NULL);
+  a = (asked){.caller = pthread_self(), .most = 3};
+  CHECK("asked while others work",
+        !sg_pool_run(two, 2, wait_for_stop, &a, &cancel) && a.strange == 0 &&
+            in_time(start));
+  a = (asked){.caller = pthread_self(), .most = 3};
+  CHECK("asked within a task",
+        !sg_pool_run(NULL, 1, work_until_stop, &a, &cancel) &&
+            a.questions >= 3 && in_time(start));
+  CHECK("no task, no stop", !sg_pool_stopping());
+  sg_pool_close(four);
+  sg_pool_close(two);
 }
 
 /* ---- points that several ask for ---- */
@@ -165,6 +278,7 @@ main(void)
   test_tasks();
   test_waiting();
   test_fork();
+  test_cancel();
   test_points();
   return check_report();
 }

@@ -391,6 +391,14 @@ test(every_relation_is_exported, Missing == []) :-
               \+ ( module_property(sg_store, exports(Es)),
                    memberchk(Name/Arity, Es) ) ),
             Missing).
+% All of them are found by name, and the other way round.
+test(every_relation_is_listed, Listed == Named) :-
+    module_property(sg_store, exports(Es)),
+    findall(Name/Arity, ( member(Name/Arity, Es), relation(Name, Arity, _) ),
+            Named0),
+    findall(Name/Arity, relation(Name, Arity, _), Listed0),
+    msort(Named0, Named),
+    msort(Listed0, Listed).
 test(columns, Columns == ['S'-int, 'P'-int, 'Es'-list]) :-
     findall(C-T, relation_column(p, _, C, T, _), Columns).
 test(refers, R == v) :-
