@@ -65,10 +65,7 @@ border_at(S, E, Place, End) :-
     ).
 
 point(S, V, at(X, Y, Z)) :-
-    v(S, V, X0, Y0, Z0),
-    X is X0+0.0,                        % no -0.0
-    Y is Y0+0.0,
-    Z is Z0+0.0.
+    v(S, V, X, Y, Z).
 
 %   seam_joined(Seam, First0, First): First has of each vertex one that it is
 %   joined with and that has a smaller number, or itself.

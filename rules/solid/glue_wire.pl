@@ -86,9 +86,9 @@ square_between(A, B, Square) :-
 
 vertex_added(S, p(X0,Y0,Z0), V) :-
     fresh_id(v, S, V),
-    X is float(X0)+0.0,
-    Y is float(Y0)+0.0,
-    Z is float(Z0)+0.0,
+    X is float(X0),
+    Y is float(Y0),
+    Z is float(Z0),
     assert_fact(v(S, V, X, Y, Z)).
 
 %   point_noted(S, Reach, Triangles, V, At, Changed0, Changed): the new vertex V

@@ -89,10 +89,7 @@ repair(turned, S, N) :-
 %   twins(+S, -Twins): the V-First of vertices in one place, First the smallest.
 
 twins(S, Twins) :-
-    findall(at(X,Y,Z)-V,
-            ( v(S, V, X0, Y0, Z0),
-              X is X0+0.0, Y is Y0+0.0, Z is Z0+0.0 ), % no -0.0
-            Vs0),
+    findall(at(X,Y,Z)-V, v(S, V, X, Y, Z), Vs0),
     msort(Vs0, Vs),
     same_places(Vs, Twins).
 
