@@ -2,13 +2,19 @@
 :- module(test_fold_file, []).
 :- use_module(library(plunit)).
 :- use_module(library(http/json)).
+:- use_module(library(apply)).
 :- use_module(library(lists)).
 :- use_module(library(readutil)).
+:- use_module(library(yall)).
+:- use_module(rules(development/development), [develop/2]).
 :- use_module(rules(pattern/fold_file)).
+:- use_module(rules(polygon/triangulation), [complete_segments/0]).
+:- use_module(rules(primitive/primitive_rows), [add_primitive/2]).
 :- use_module(tests('rules/polyhedron'), [in_new_world/1]).
 
 /* Texts in a FOLD file: whatever a title has in it, another reader of JSON has
-   the same, and what can be read in the file is not spelled. */
+   the same, and what can be read in the file is not spelled. Faces with holes:
+   each side of a triangle is an edge, once. */
 
 %   spoken(Code): it can stand in a title.
 
@@ -43,7 +49,43 @@ raw_control(Text) :-
     member(Code, Codes),
     Code < 32.
 
+%   fold_of(Term, Dict): the file of what Term unfolds to, as JSON.
+
+fold_of(Term, Dict) :-
+    tmp_file(fold, Base),
+    atom_concat(Base, '.fold', File),
+    setup_call_cleanup(
+        in_new_world(( add_primitive(Term, S), complete_segments,
+                       develop(S, D), write_fold(File, [D], []) )),
+        setup_call_cleanup(open(File, read, In, [encoding(utf8)]),
+                           json_read_dict(In, Dict),
+                           close(In)),
+        delete_file(File)).
+
+face_sides(Vs, Sides) :-
+    Vs = [First|Rest],
+    append(Rest, [First], Nexts),
+    maplist([A,B,[Low,High]]>>msort([A,B], [Low,High]), Vs, Nexts, Sides).
+
 :- begin_tests(fold_file).
+
+test(edges, [ forall(member(Term-Js, [ box(size(1,2,3))-0,
+                                       hollow_cylinder(radius(2),inner(1),
+                                                       height(1),facets(6))-24
+                                     ])),
+              Assigned == Js ]) :-
+    fold_of(Term, Dict),
+    maplist(msort, Dict.edges_vertices, Edges0),
+    msort(Edges0, Edges),
+    maplist(face_sides, Dict.faces_vertices, Sidess),
+    append(Sidess, Sides0),
+    sort(Sides0, Sides),
+    assertion(Edges == Sides),
+    findall(x, member("J", Dict.edges_assignment), Xs),
+    length(Xs, Assigned),
+    assertion(( Assigned =:= 0
+              -> Dict.frame_attributes == ["2D"]
+              ;  Dict.frame_attributes == ["2D","joins"] )).
 
 test(title, Read == Codes) :-
     findall(Code, spoken(Code), Codes),
