@@ -177,7 +177,10 @@ test(bad_style_of_rules, [forall(member(Bad,
 test(colours_of_dxf, [forall(member(RGB-N,
         [ rgb(0,0,0)-7, rgb(255,255,255)-7, rgb(255,0,0)-1, rgb(255,255,0)-2,
           rgb(0,0,255)-5, rgb(128,128,128)-8, rgb(255,127,0)-30,
-          rgb(165,0,0)-12, rgb(165,82,82)-13, rgb(254,1,0)-1 ])),
+          rgb(165,0,0)-12, rgb(165,82,82)-13, rgb(254,1,0)-1,
+          rgb(0,255,0)-3, rgb(0,255,255)-4, rgb(255,0,255)-6,
+          rgb(192,192,192)-9, rgb(0,127,0)-94, rgb(0,76,0)-96, rgb(0,38,0)-98,
+          rgb(38,0,9)-248, rgb(51,51,51)-251, rgb(204,204,204)-254 ])),
                       true(Found == N)]) :-
     dxf_colour(RGB, Found).
 
