@@ -194,6 +194,10 @@ shown("segment(1, solid, box(size(4,3,2))). view(300, 50, 0).",
       "surface_look(_, _, top, [colour(green)]).\n\c
        tone(_, vector(X,_,_), T) :- T is (1+X)/2.\n\c
        ramp(L, T, C) :- T1 is 1-T, default(ramp(L, T1, C)).", lambert).
+%   Tones that are no numbers, or beyond 0 and 1.
+shown("segment(1, solid, box(size(4,3,2))). view(300, 50, 0).",
+      "tone(_, vector(X,_,Z), T) :-\n\c
+           ( Z > 0.5 -> T = dark ; abs(X) > 0.5 -> T = 3 ; T = -1 ).", lambert).
 
 with_rules(none) :-
     !.
