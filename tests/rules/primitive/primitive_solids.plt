@@ -259,6 +259,27 @@ test(curve_keeps_its_way, Chains == [[1,2]]) :-
     primitive_shape(at([mirror(x)], line(from(1,0,0), to(2,0,0))), _, _,
                     Chains).
 
+%   joins(Term, X1-Y1, X2-Y2): of Term, scaled by 2 and 1/2 on its way up, an
+%   edge goes from the first place below to the second above.
+
+joins(Term, X1-Y1, X2-Y2) :-
+    X is X2*2,
+    Y is Y2*0.5,
+    in_new_world(( add_primitive(Term, S),
+                   v(S, V, X1, Y1, 0.0), v(S, W, X, Y, 1.0),
+                   ( e(S, _, V, W, _) ; e(S, _, W, V, _) ) )),
+    !.
+
+% Both walls have diagonals of one length; that of a hole is the other one, as
+% seen from inside the solid.
+test(equal_diagonals, [ forall(member(P-Q, [(4.0-10.0)-(0.0-6.0),
+                                            (1.0-2.5)-(0.0-1.5)])) ]) :-
+    Term = prism(outline([[-20,-20],[20,-20],[4,10],[0,6]]),
+                 holes([[[1,2.5],[0,1.5],[2,0]]]), height(1), scale(2,0.5),
+                 slices(1)),
+    assertion(joins(Term, Q, P)),
+    assertion(\+ joins(Term, P, Q)).
+
 :- end_tests(primitive_solids).
 
 :- begin_tests(placing).
