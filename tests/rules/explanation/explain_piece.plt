@@ -54,4 +54,18 @@ explained(Operation, P) :-
     format(user_error, '~w ~w: ~q~n', [Operation,P,Because]),
     fail.
 
+% Where faces of both lie on each other, that of the first leaf stands for them.
+test(covered, Covered == [2-1,2-1]) :-
+    new_world(World),
+    in_world(World,
+             ( add_primitive(box(size(4,4,2)), _),
+               add_primitive(at([translate(2,0,0)], box(size(4,2,2))), _),
+               assert_fact(segment(3, solid, union([1,2]))),
+               evaluate,
+               findall(S-By, ( p(S, P, _), S < 3,
+                               explanation(piece(3,S-P), Because),
+                               once(sub_term(because(verdict(covered(By),_),
+                                                     _), Because)) ),
+                       Covered) )).
+
 :- end_tests(explain_piece).
