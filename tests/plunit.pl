@@ -3,8 +3,8 @@
        swipl -p foreign=build tests/plunit.pl -- tests/rules/store.plt
 
    The last line counts them, for tests/run. Warnings are failures: run with
-   --on-warning=status --on-error=status. With FIRST=1 in the environment the first
-   failure is the end (tools/mutants).
+   --on-warning=status --on-error=status. With FIRST=1 in the environment the
+   first failure is the end (tools/mutants).
 */
 :- module(sg_plunit, []).
 :- use_module(library(plunit)).
