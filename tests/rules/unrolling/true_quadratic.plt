@@ -1,7 +1,8 @@
 /* Signs of the discriminant and of its slope: those of the exact numbers,
-   whether floating point tells or not. */
+   whether floating point tells or not. And how near its least value counts. */
 :- use_module(library(plunit)).
 :- use_module(library(lists)).
+:- use_module(rules(unrolling/true_pipe)).
 :- use_module(rules(unrolling/true_quadratic)).
 
 :- begin_tests(true_quadratic).
@@ -59,5 +60,22 @@ test(scale, forall(member(Power, [120,-120,400]))) :-
     R is Scale rdiv 2,
     across(Off, R, 1, Rows, Quadric),
     exact_signs(Rows, Quadric).
+
+%   A pipe that almost touches: where the line turns fast the discriminant is at
+%   most twice its least.
+
+test(size, forall(member(Gap, [1r100,1r1000,1r100000]))) :-
+    Const is 25r36 + Gap,
+    across(1r3, 1r2, Const, Rows, Quadric),
+    discriminant(Rows, Quadric, 0, D, _),
+    discriminant(Rows, Quadric, 180, Most, _),
+    pipe_centers(pipe(Rows, Quadric, none,
+                      [ extreme(0, D, none, true),
+                        extreme(180, Most, none, false) ]),
+                 [T-Size]),
+    T =:= 0,
+    discriminant(Rows, Quadric, Size, D1, _),
+    Grown is D1/D,
+    assertion(( Grown > 1.9, Grown < 2.1 )).
 
 :- end_tests(true_quadratic).
