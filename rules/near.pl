@@ -160,7 +160,6 @@ is_on_surface(Off, Size) :-
     tolerance(surface, Near),
     abs(Off) =< Near*Size.
 
-%!  is_straight(+Cross, +Square) is semidet.
 %!  is_bend(+Degrees) is semidet.
 %
 %   True when a plate is bent where its faces fold by Degrees, either way.
@@ -169,6 +168,7 @@ is_bend(Degrees) :-
     tolerance(fold, Near),
     abs(Degrees) >= Near.
 
+%!  is_straight(+Cross, +Square) is semidet.
 %!  below_zero(+Product, +Square) is semidet.
 %
 %   True when the product of two ways on paper, whose size is that of Square, is

@@ -33,6 +33,21 @@ test(longer, Truths == [false,false,true]) :-
 test(surface_of_its_size, Truths == [true,false]) :-
     findall(Truth, ( member(Size, [1000.0,1.0]),
                      truth(is_on_surface(1.0e-4, Size), Truth) ), Truths).
+test(bend, Truths == [false,false,true,true]) :-
+    findall(Truth, ( member(Degrees, [0.0,-0.009,-0.011,90.0]),
+                     truth(is_bend(Degrees), Truth) ), Truths).
+test(less, Truths == [false,false,true]) :-
+    findall(Truth, ( member(H, [0.4,0.5+1.0e-10,0.5+1.0e-8]),
+                     truth(less_part(0.5, H), Truth) ), Truths).
+test(exactly, Truths == [true,false]) :-
+    findall(Truth, ( member(Off, [-1.0e-13,1.0e-12]),
+                     truth(is_exactly(Off, 1.0), Truth) ), Truths).
+test(straight, Truths == [true,false,false]) :-
+    findall(Truth, ( member(Cross, [-5.0e-5,2.0e-4,-2.0e-4]),
+                     truth(is_straight(Cross, 100.0), Truth) ), Truths).
+test(below, Truths == [false,false,true]) :-
+    findall(Truth, ( member(Product, [2.0e-4,-5.0e-5,-2.0e-4]),
+                     truth(below_zero(Product, 100.0), Truth) ), Truths).
 test(nothing_has_no_size) :-
     is_on_surface(0.0, 0.0),
     is_rounding(0.0, 0.0),
