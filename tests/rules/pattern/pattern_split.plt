@@ -1,7 +1,9 @@
 :- module(test_pattern_split, []).
 :- use_module(library(plunit)).
+:- use_module(library(aggregate)).
 :- use_module(library(apply)).
 :- use_module(library(lists)).
+:- use_module(library(pairs)).
 :- use_module(library(assoc)).
 :- use_module(rules(disjoint_sets)).
 :- use_module(rules(pattern/pattern_nest), [fits_on/2]).
@@ -202,6 +204,30 @@ test(others_stay, [ Roots == [1,1,3,4] ]) :-
     sets_joined(1, 2, Sets0, Sets1),
     sets_joined(2, 1, Sets1, Sets),
     findall(Root, ( between(1, 4, I), set_root(Sets, I, Root) ), Roots).
+
+% A face that is too wide: of both parts at a line the first side is that of the
+% part to the right.
+test(first_side, Firsts == [right,right]) :-
+    strip(1, 500.0, Piece),
+    split_piece(Piece, room(190,190,3), 0.5, Parts),
+    findall(Line-at(Which,X),
+            ( member(Part, Parts),
+              Part = piece(_,_,Sides),
+              member(side(_,_,_,_,seam(Line,_,Which)), Sides),
+              Line = split(_,_),
+              piece_points(Part, Points),
+              aggregate_all(max(X0), member(X0-_, Points), X) ),
+            Ends0),
+    keysort(Ends0, Ends),
+    group_pairs_by_key(Ends, Groups),
+    findall(First,
+            ( member(_-Two, Groups),
+              msort(Two, [at(1,X1),at(2,X2)]),
+              (   X1 > X2
+              ->  First = right
+              ;   First = left
+              ) ),
+            Firsts).
 
 :- end_tests(disjoint_sets).
 
