@@ -50,6 +50,9 @@ test(longer_term, Kinds == [other,solid,other,other]) :-
     evaluated_then(term_becomes(1, named(b, box(size(1,2,3)))), Kinds).
 test(other_rows, Kinds == [solid,other,other,other]) :-
     evaluated_then(assert_fact(v(2, 99, 0, 0, 0)), Kinds).
+% 1 and three that are 1, or another one, in 32 bits.
+test(no_segments, Kinds == [solid,other,other,other]) :-
+    evaluated_then(kept_leaves([1,4294967297,-4294967295,0], Kinds), _).
 test(no_list, error(type_error(list, 1))) :-
     in_no_change(kept_leaves(1, _)).
 
