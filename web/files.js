@@ -45,10 +45,9 @@ async function exportPage(studio) {
 function drawingWords(port) {
   const { kind, settings, studio } = port;
   if (kind === "sheet") return ["--sheet", settings.paper, "--language", tongue(), ...upWords(studio)];
-  if (kind === "section") return ["--section", `${settings.axis}=${port.at}`, ...upWords(studio)];
-  const looks = kind === "apart" ? { hidden: "removed", ...studio.looks } : studio.looks;
-  const words = Object.keys(LOOKS).flatMap((key) => (looks[key] ? ["--" + key, looks[key]] : []));
-  if (kind === "apart") return [...eyeWords(port), "--explode", String(port.factor), ...words];
+  const cut = { section: ["--cutaway", `${settings.axis}=${port.at}`], apart: ["--explode", String(port.factor)] }[kind] || [];
+  const looks = { ...(cut.length ? { hidden: "removed" } : {}), ...studio.looks, ...(kind === "section" ? { projection: "" } : {}) };
+  const words = [...cut, ...Object.keys(LOOKS).flatMap((key) => (looks[key] ? ["--" + key, looks[key]] : []))];
   if (port.turns) return [...eyeWords(port), ...words];
   return port.slow ? words : ["--view", kind, ...words];
 }

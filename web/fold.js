@@ -157,7 +157,7 @@ export class Folding {
   }
 
   // Paints the faces, the farthest first.
-  draw(svg, [theta, phi], width, height, lit) {
+  draw({ svg, mine }, [theta, phi], width, height, lit) {
     const [ct, st, cp, sp] = [Math.cos(theta * Math.PI / 180), Math.sin(theta * Math.PI / 180),
       Math.cos(phi * Math.PI / 180), Math.sin(phi * Math.PI / 180)];
     const eye = ([x, y, z]) => [-st * x + ct * y, -(-ct * cp * x - st * cp * y + sp * z), ct * sp * x + st * sp * y + cp * z];
@@ -201,7 +201,7 @@ export class Folding {
       .filter(({ name, segment, folds }) => lit[layer]?.has(name) || (!folds && lit[layer]?.has("s" + segment)))
       .map(({ from, to }) => `M${from.join(" ")}L${to.join(" ")}`).join("") }));
     svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
-    svg.replaceChildren(...paths, ...marks);
+    mine.replaceChildren(...paths, ...marks);
   }
 
   // The side of a face near a point of the drawing.

@@ -2,7 +2,8 @@
 
 import { w, tongue } from "./words.js";
 import { strokesOf, nameIn } from "./picture.js";
-import { eyeWords } from "./kinds.js";
+import { shadedAs } from "./kinds.js";
+import { PICTORIAL } from "./sight.js";
 import { childrenOf } from "./tree.js";
 
 const SIDES = ["front", "top", "right", "left", "back", "bottom"];
@@ -32,7 +33,16 @@ export async function recorded(studio, told) {
     }
   } };
   const names = {}, reasons = {}, replies = {}, views = [], seen = new Set();
-  const eyes = [...SIDES, [315, 54.735610317245346]];
+  // What is refused is refused in the file too.
+  const asked = async (request, keys, part = (reply) => reply) => {
+    try {
+      return kept(part(await wire.ask(request, keys)));
+    } catch (error) {
+      if (!error.head || error.message === "interrupted") throw error;
+      return undefined;
+    }
+  };
+  const eyes = [PICTORIAL, ...SIDES];
   for (const phi of [35, 60, 85]) for (let theta = 0; theta < 360; theta += 20) eyes.push([theta, phi]);
   for (const [i, view] of eyes.entries()) {
     const reply = await wire.ask("view", { format: "strokes", ...studio.looks, view, size: [160, 120], margin: 8 });
@@ -40,49 +50,36 @@ export async function recorded(studio, told) {
     for (const stroke of strokesOf(reply).strokes) for (const edge of stroke.edges) seen.add(nameIn(stroke, edge));
     told(i / eyes.length * 0.3);
   }
-  for (const request of ["tree", "text", "rules", "unfold", "fold"]) {
-    try {
-      replies[request] = kept(await wire.ask(request));
-    } catch (error) {
-      if (!error.head || error.message === "interrupted") throw error;
-    }
-  }
+  for (const request of ["tree", "text", "rules", "unfold", "fold"]) replies[request] = await asked(request);
   if (replies.tree) replies.tree.head.saved = true;
   const lang = tongue();
   const options = ["--sheet", "A3", "--language", lang];
-  replies.sheet = kept(await wire.ask("sheet", { options }));
-  replies.pens = kept(await wire.ask("sheet", { options, pens: true }));
-  replies.shaded = kept(await wire.ask("shaded", { options: [...eyeWords(studio.ports.ports[0]), "--size", "800x600",
-    "--background", "none"] }));
+  replies.sheet = await asked("sheet", { options });
+  replies.pens = await asked("sheet", { options, pens: true });
+  replies.shaded = await asked("shaded", { options: [...shadedAs(views[0], studio.looks, PICTORIAL, [0, 0, ...views[0].head.sheet]),
+    "--size", "800x600", "--background", "none"] });
   replies.open = { head: { segments: studio.segments, replayed: 0, rev: 1 } };
   const asks = {}, { answered, questions } = studio.asking;
-  for (const { goal } of questions) {
-    try {
-      asks[goal] = kept(await wire.ask("ask", { goal, ...studio.seen() }));
-    } catch (error) {
-      if (!error.head || error.message === "interrupted") throw error;
-    }
-  }
+  for (const { goal } of questions) asks[goal] = await asked("ask", { goal, ...studio.seen() });
   if (answered) asks[answered.goal] = answered;
   const parts = replies.tree ? replies.tree.head.segments.map(({ segment }) => segment) : [];
   for (const part of parts) {
     const goal = childrenOf(part);
-    const reply = await wire.ask("ask", { goal });
-    for (const one of reply.head.answers[0]?.[0] || []) if (!parts.includes(one)) parts.push(one);
-    asks[goal] = kept(reply);
+    asks[goal] = await asked("ask", { goal });
+    for (const one of asks[goal]?.head.answers[0]?.[0] || []) if (!parts.includes(one)) parts.push(one);
   }
   const all = [...parts.map((part) => "s" + part), ...seen].slice(0, MOST_NAMES);
   for (let i = 0; i < all.length; i += 50) {
-    const { head } = await wire.ask("select", { names: all.slice(i, i + 50) });
-    for (const one of head.selected) names[one.name] = one;
+    const reply = await asked("select", { names: all.slice(i, i + 50), keep: false });
+    for (const one of reply?.head.selected || []) names[one.name] = one;
   }
   const items = [...new Set(Object.values(names).flatMap(({ explain }) => explain))];
   for (const [i, item] of items.entries()) {
-    const { head, body } = await wire.ask("explain", { item, lang, options: ["--view", "iso"] });
-    reasons[item] = kept({ head: { stdout: head.stdout }, body: body.slice(0, head.stdout) });
+    reasons[item] = await asked("explain", { item, lang, options: ["--view", "iso"] },
+      ({ head: { stdout }, body }) => ({ head: { stdout }, body: body.slice(0, stdout) }));
     told(0.3 + i / items.length * 0.7);
   }
-  const words = await (await fetch("words.json")).json();
+  const words = JSON.parse(await textAt("words.json"));
   return { words, asked: answered?.goal, views, names, reasons, replies, asks,
     hello: { file: studio.file, models: [studio.file], owner: false, rev: 0 },
     refused: { words: { en: words.kept_only[0], ko: words.kept_only[1] } } };
@@ -95,7 +92,7 @@ async function bundled() {
   const add = async (name) => {
     if (done.has(name)) return;
     done.add(name);
-    const text = await (await fetch(name + ".js")).text();
+    const text = await textAt(name + ".js");
     const imports = /^import \{([^}]*)\} from "\.\/(\w+)\.js";$/gm;
     for (const [, , from] of text.matchAll(imports)) await add(from);
     const names = [...text.matchAll(/^export (?:async )?(?:const|class|function) ([\w$]+)/gm)].map(([, one]) => one);
@@ -112,9 +109,11 @@ const digest = async (text) => {
   return `'sha256-${base64(await crypto.subtle.digest("SHA-256", octets))}'`;
 };
 
+const textAt = async (name) => (await fetch(name)).text();
+
 const plain = (text) => text.replace(/[<>&]/g, (letter) => `&#${letter.charCodeAt(0)};`);
 
-// The text of the file.
+// The text of the file: the page, with all that it fetches in it.
 export async function keptPage(studio, told = () => {}) {
   studio.recording = true;
   let record;
@@ -123,24 +122,14 @@ export async function keptPage(studio, told = () => {}) {
   } finally {
     studio.recording = false;
   }
-  const script = await bundled();
-  const style = await (await fetch("studio.css")).text();
-  const page = await (await fetch("index.html")).text();
+  const [script, style, page] = await Promise.all([bundled(), textAt("studio.css"), textAt("index.html")]);
   const policy = `default-src 'none'; script-src ${await digest(script)}; style-src ${await digest(style)}; img-src blob:`;
-  const body = /<body[^]*<\/body>/.exec(page)[0].replace("<body", '<body class="kept"');
-  return `<!doctype html>
-<html lang="${document.documentElement.lang}">
-<head>
-<meta charset="utf-8">
-<meta http-equiv="Content-Security-Policy" content="${policy}">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta name="color-scheme" content="light dark">
+  const put = (text, [at, part]) => text.replace(at, () => part);
+  return [[/<(link|script) .*\n/g, ""], ["<html lang=\"en\"", `<html lang="${tongue()}"`], ["<body", '<body class="kept"'],
+    [/<title>.*/, `<meta http-equiv="Content-Security-Policy" content="${policy}">
 <title>${plain(studio.file)} · ${plain(w("title"))}</title>
-<style>${style}</style>
-</head>
-${body.replace("</body>", "")}<script type="application/json" id="record">${record}</script>
+<style>${style}</style>`],
+    ["</body>", `<script type="application/json" id="record">${record}</script>
 <script>${script}</script>
-</body>
-</html>
-`;
+</body>`]].reduce(put, page);
 }

@@ -8,6 +8,7 @@
 import { h } from "./dom.js";
 import { w } from "./words.js";
 import { Lost } from "./wire.js";
+import { PICTORIAL } from "./sight.js";
 
 const MM = 25.4 / 96;
 
@@ -43,6 +44,15 @@ function viewKeys(port, width, height) {
 export const upWords = ({ looks: { up } }) => (up ? ["--up", up] : []);
 
 export const eyeWords = (port) => ["--view", port.angles.map((angle) => angle.toFixed(4)).join(",")];
+
+// What `render` is told, so that its picture is what a view of the model shows in a
+// box of its sheet.
+export function shadedAs({ head: { place: [scale, x, y, left, top], central } }, looks, angles, [from, high, width, height]) {
+  const across = (n) => x + (n - left) / scale, up = (n) => y - (n - top) / scale;
+  return ["--view", [...angles, ...(central ? [central[0]] : [])].join(), ...upWords({ looks }),
+    "--projection", central ? "central" : "parallel",
+    "--window=" + [across(from), up(high + height), across(from + width), up(high), ...(central ? [central[0] + central[1]] : [])]];
+}
 
 // `before`: by the rules that the model follows, while others are tried.
 const view = {
@@ -103,16 +113,22 @@ const shaded = {
     port.settings.shade = port.settings.shade || "lambert";
     return [choice(port, "shade", "shade", SHADES, (value) => w("shade_" + value.split("=")[0]))];
   },
-  // Coarse as long as it is being turned.
-  ask: (port, width, height) => {
+  // Coarse as long as it is being turned. Its lines are there to be lit. A page that
+  // is a file has one.
+  ask: async (port, width, height) => {
+    const { wire, record, looks } = port.studio, { extra } = wire;
+    wire.extra = {};
+    if (record) port.angles = [...PICTORIAL];
+    const reply = await view.ask(port, width, height);
+    if (reply.head.replaced || port.kind !== "shaded") return reply;
+    port.showStrokes(reply);
+    const box = record ? [0, 0, ...reply.head.sheet] : port.picture.inSight();
     const fine = port.drag ? 0.5 : Math.min(2, window.devicePixelRatio || 1);
     port.dots = [width, height].map((n) => Math.max(1, Math.round(n * fine)));
-    port.words = [...eyeWords(port), "--size", port.dots.join("x"),
-      ...(port.studio.looks.projection === "central" ? ["--projection", "central"] : []),
-      ...upWords(port.studio)];
+    port.words = [...shadedAs(reply, looks, port.angles, box), "--size", port.dots.join("x")];
     port.coarse = Boolean(port.drag);
-    return port.studio.wire.ask("shaded", { options: [...port.words, "--shade", port.settings.shade,
-      "--smooth", port.drag ? "1" : "4", "--background", "none"] });
+    return { ...await wire.ask("shaded", { ...extra, options: [...port.words, "--shade", port.settings.shade,
+      "--smooth", port.drag ? "1" : "4", "--background", "none"] }), box };
   },
 };
 
@@ -142,8 +158,9 @@ const sheet = {
       port.after = null;
       return port.studio.wire.ask("sheet", { options });
     }
+    const asked = port.studio.wire.ask("sheet", { options, pens: true });
     const { penShown } = await import("./pens.js");
-    const reply = await port.studio.wire.ask("sheet", { options, pens: true });
+    const reply = await asked;
     port.after = () => penShown(port, reply);
     return reply;
   },

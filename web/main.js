@@ -485,7 +485,7 @@ class Studio {
 
   wrong(error) {
     if (error instanceof Lost) return w("away");
-    return error.head && error.head.error ? said(error.head.error) : String(error);
+    return error.head ? said(error.head.error) : String(error);
   }
 
   failed(error, ways = []) {

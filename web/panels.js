@@ -1,7 +1,7 @@
 // What stands beside the pictures: questions, reasons, text, rules.
 
 import { h, calm, say } from "./dom.js";
-import { w, said, tongue, reworded } from "./words.js";
+import { w, tongue, reworded } from "./words.js";
 import { Lost, textOf } from "./wire.js";
 import { upWords } from "./kinds.js";
 
@@ -15,9 +15,11 @@ function linked(text, studio) {
     ? h("button", { class: "name", onclick: () => studio.chosen([part]) }, part) : part);
 }
 
-// An explanation: a line that is too long goes on further in than it began.
-function explained(text, studio, wrong) {
-  return !text ? h("p", { class: "quiet", "data-word": "nothing_why" }) : h("pre", { class: wrong ? "bad" : "" }, ...text.split("\n").map((line, i, lines) => {
+// An explanation of an item: a line that is too long goes on further in than it began.
+async function explained(studio, item, options) {
+  const { head, body } = await studio.wire.ask("explain", { item, lang: tongue(), options });
+  const text = textOf(body.slice(0, head.stdout)).trimEnd();
+  return !text ? h("p", { class: "quiet", "data-word": "nothing_why" }) : h("pre", {}, ...text.split("\n").map((line, i, lines) => {
     const one = h("span", { class: "step" }, ...linked(line + (i + 1 < lines.length ? "\n" : ""), studio));
     one.style.setProperty("--in", /^ */.exec(line)[0].length + 2);
     return one;
@@ -191,10 +193,10 @@ export class Asking {
 export class Why {
   constructor(studio) {
     this.studio = studio;
-    this.inner = h("div", { class: "inner", tabindex: 0, role: "region", "aria-live": "polite" },
-      h("p", { class: "quiet", "data-word": "no_why" }));
+    this.inner = h("div", { class: "inner", tabindex: 0, role: "region", "aria-live": "polite" });
     this.inner.dataset.label = "why";
     this.element = h("div", { class: "panel why" }, h("h2", { "data-word": "why" }), this.inner);
+    this.clear();
   }
 
   clear() {
@@ -250,12 +252,8 @@ export class Why {
     this.studio.names = [];
     this.studio.light("chosen", []);
     this.studio.news(item);
-    const again = () => this.tell(again, async () => {
-      const { head, body } = await this.studio.wire.ask("explain", { item, lang: tongue(), options });
-      const text = head.error ? said(head.error) : textOf(body.slice(0, head.stdout)).trimEnd();
-      return [h("p", { class: "chip" }, h("strong", {}, item)),
-        explained(text, this.studio, head.error)];
-    });
+    const again = () => this.tell(again, async () => [h("p", { class: "chip" }, h("strong", {}, item)),
+      await explained(this.studio, item, options)]);
     await again();
   }
 
@@ -274,11 +272,7 @@ export class Why {
     const looks = [...(port && port.turns ? ["--view", port.angles.map((angle) => angle.toFixed(6)).join(",")]
       : port && !port.slow ? ["--view", port.kind] : []),
     ...(lines ? ["--lines", lines] : []), ...(projection ? ["--projection", projection] : []), ...upWords(studio)];
-    for (const item of explain) {
-      const { head, body } = await studio.wire.ask("explain", { item, lang: tongue(), options: looks });
-      const text = head.error ? said(head.error) : textOf(body.slice(0, head.stdout)).trimEnd();
-      parts.push(explained(text, studio, head.error));
-    }
+    for (const item of explain) parts.push(await explained(studio, item, looks));
     if (!explain.length && !face) parts.push(h("p", { class: "quiet", "data-word": "nothing_why" }));
     if (edge && studio.isText) {
       const wish = (keep) => () => studio.change("cut", { segment: Number(edge[1]), edge: Number(edge[2]), keep });

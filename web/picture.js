@@ -86,7 +86,8 @@ export class Picture {
     this.layers = {};
     this.mine = s("g", { class: "mine" });
     for (const layer of layers) this.layers[layer] = s("path", { class: layer });
-    this.svg = s("svg", { preserveAspectRatio: "xMidYMid meet" }, this.mine, this.lines, this.letters,
+    this.image = s("image", { preserveAspectRatio: "xMidYMid meet" });
+    this.svg = s("svg", { preserveAspectRatio: "xMidYMid meet" }, this.image, this.mine, this.lines, this.letters,
       ...Object.values(this.layers));
     this.shown = null;
     this.lit = {};
@@ -96,14 +97,22 @@ export class Picture {
   // Nothing of a drawing is left.
   clear() {
     this.shown = null;
+    this.paint();
     for (const group of [this.lines, this.letters, this.mine]) group.replaceChildren();
     for (const layer of Object.values(this.layers)) layer.setAttribute("d", "");
   }
 
-  // A group for what the page draws itself, in dots of the screen.
-  own() {
-    return { setAttribute: (name, value) => this.svg.setAttribute(name, value),
-      replaceChildren: (...children) => this.mine.replaceChildren(...children) };
+  // An image below the lines, in a box, or all that is looked at; or none. It
+  // comes when it can be shown at once.
+  async paint(body, box = this.box) {
+    this.painted = body;
+    const address = body && URL.createObjectURL(new Blob([body], { type: "image/png" }));
+    if (body) await Object.assign(new Image(), { src: address }).decode().catch(() => {});
+    if (this.painted !== body) return;
+    URL.revokeObjectURL(this.image.getAttribute("href"));
+    for (const [i, name] of ["x", "y", "width", "height"].entries()) this.image.setAttribute(name, box?.[i] ?? 0);
+    if (body) this.image.setAttribute("href", address);
+    else this.image.removeAttribute("href");
   }
 
   // `space` says where a point of the model is in it, if that can be told.
@@ -131,6 +140,18 @@ export class Picture {
   look(x, y, width, height) {
     this.box = [x, y, width, height];
     this.svg.setAttribute("viewBox", this.box.join(" "));
+  }
+
+  // The point of the sheet at one of the screen.
+  at(clientX, clientY) {
+    return new DOMPoint(clientX, clientY).matrixTransform(this.svg.getScreenCTM().inverse());
+  }
+
+  // Which part of the sheet the screen has room for.
+  inSight() {
+    const { x, y, right, bottom } = this.svg.getBoundingClientRect();
+    const [from, to] = [this.at(x, y), this.at(right, bottom)];
+    return [from.x, from.y, to.x - from.x, to.y - from.y];
   }
 
   // left, top, right, bottom of strokes.
@@ -198,20 +219,19 @@ export class Picture {
 
   // The line nearest to a point of the screen, if one is within some pixels.
   near(clientX, clientY, within = 9) {
-    const matrix = this.svg.getScreenCTM();
-    if (!this.shown || !matrix) return null;
-    const { x, y } = new DOMPoint(clientX, clientY).matrixTransform(matrix.inverse());
+    const { a } = this.svg.getScreenCTM() || {};
+    if (!this.shown || !a) return null;
+    const { x, y } = this.at(clientX, clientY);
     this.nearest ??= new Nearest(this.shown);
-    const found = this.nearest.at(x, y, within / matrix.a);
+    const found = this.nearest.at(x, y, within / a);
     return found && { ...found, name: nameIn(found.stroke, found.edge) };
   }
 
   // The edges of the piece of a pattern, or of the hole in one, that a point of
   // the screen is in: the innermost cut around it.
   pieceAt(clientX, clientY) {
-    const matrix = this.svg.getScreenCTM();
-    if (!this.shown || !matrix) return [];
-    const { x, y } = new DOMPoint(clientX, clientY).matrixTransform(matrix.inverse());
+    if (!this.shown) return [];
+    const { x, y } = this.at(clientX, clientY);
     let best = [], least = Infinity;
     for (const { segment, edges, points, look, closed } of this.shown.strokes) {
       if (!closed || this.shown.looks[look][1] !== "cut") continue;

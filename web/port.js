@@ -21,7 +21,6 @@ export class Port extends Pointing {
     this.pointed = "";
     this.settings = {};
     this.tools = h("span", { class: "tools" });
-    this.image = h("img", { alt: "", hidden: true, draggable: "false" });
     this.choice = h("select", { onchange: () => this.turnTo(this.choice.value) },
       ...kindsOf(studio).map((key) => h("option", { value: key, "data-word": key })));
     this.choice.dataset.label = "view";
@@ -29,7 +28,7 @@ export class Port extends Pointing {
     this.note = h("p", { class: "note", role: "status", hidden: true });
     this.more = h("button", { class: "large", hidden: true, "aria-expanded": "false", "data-label": "details",
       onclick: () => this.tell(this.note.hidden ? this.whole : "") });
-    this.canvas = h("div", { class: "canvas", tabindex: 0, role: "img" }, this.image, this.picture.svg);
+    this.canvas = h("div", { class: "canvas", tabindex: 0, role: "img" }, this.picture.svg);
     this.showing = h("button", { class: "large", "aria-pressed": "false", "data-word": "show_all",
       onclick: () => studio.ports.showAll(this) });
     this.large = h("button", { class: "large", "aria-pressed": "false", "data-label": "larger",
@@ -177,7 +176,6 @@ export class Port extends Pointing {
 
   show(reply) {
     const { head } = reply;
-    this.before = this.picture.shown;
     this.canvas.classList.remove("empty");
     this.element.classList.toggle("flat", ["unfold", "sheet", "problem"].includes(this.kind));
     this.element.dataset.rev = head.rev;
@@ -187,10 +185,12 @@ export class Port extends Pointing {
     this.remark.title = "";
     this.more.hidden = true;
     this.tell("");
-    this.image.hidden = head.kind !== "png";
     if (head.kind === "png") this.showImage(reply);
-    else if (head.kind === "fold") this.showFolding(reply);
-    else this.showStrokes(reply);
+    else {
+      this.picture.paint();
+      if (head.kind === "fold") this.showFolding(reply);
+      else this.showStrokes(reply);
+    }
     const warnings = (head.messages || []).filter(({ kind }) => kind === "warning").map(said);
     if (warnings.length) this.remarks(warnings[0].split("\n")[0], warnings.join("\n"), "⚠");
   }
@@ -215,6 +215,7 @@ export class Port extends Pointing {
   showStrokes(reply) {
     const { head } = reply;
     const strokes = strokesOf(reply);
+    this.before = this.picture.shown;
     this.picture.show(strokes, spaceOf(this, strokes));
     this.took = head.ms ?? 0;
     const { fits } = kindOf(this.kind);
@@ -253,10 +254,13 @@ export class Port extends Pointing {
     this.canvas.setAttribute("aria-label", text + (this.turns ? ". " + w("turn") : ""));
   }
 
-  showImage({ head, body }) {
-    this.picture.clear();
-    URL.revokeObjectURL(this.image.src);
-    this.image.src = URL.createObjectURL(new Blob([body], { type: "image/png" }));
+  // `box`: where it lies among lines that were shown before, if there are any.
+  showImage({ head, body, box }) {
+    if (!box) {
+      this.picture.clear();
+      this.picture.look(0, 0, ...this.size);
+    }
+    this.picture.paint(body, box);
     this.remark.textContent = w("ms", Math.round(head.ms));
     this.describe(w("shaded_picture", this.studio.file));
     if (this.coarse && !this.drag) this.refresh();
@@ -273,7 +277,7 @@ export class Port extends Pointing {
   redraw() {
     const { clientWidth, clientHeight } = this.canvas;
     if (this.kind !== "folded" || !this.folding?.faces) return;
-    this.folding.draw(this.picture.own(), this.angles, clientWidth, clientHeight, this.picture.lit);
+    this.folding.draw(this.picture, this.angles, clientWidth, clientHeight, this.picture.lit);
   }
 
   // Its names are those of the model, and not those of one before.
@@ -293,7 +297,6 @@ export class Port extends Pointing {
     this.canvas.classList.add("empty");
     this.picture.clear();
     this.folding = null;
-    this.image.hidden = true;
     this.more.hidden = true;
     this.remark.textContent = "";
     this.tell("");
@@ -302,6 +305,6 @@ export class Port extends Pointing {
   // No picture is better than that of before.
   failed(error) {
     this.emptied();
-    this.tell(error.head ? said(error.head.error) : String(error));
+    this.tell(this.studio.wrong(error));
   }
 }

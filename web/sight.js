@@ -100,11 +100,12 @@ export class Sight {
     this.keepScale();
     this.zoomed = box;
     this.picture.look(...box);
+    if (this.kind === "shaded") this.rests();
   }
 
   closer(factor, clientX, clientY) {
     if (!this.picture.shown) return;
-    const p = new DOMPoint(clientX, clientY).matrixTransform(this.picture.svg.getScreenCTM().inverse());
+    const p = this.picture.at(clientX, clientY);
     const [x, y, width, height] = this.picture.box;
     const full = this.picture.shown.sheet[0];
     if (width * factor > full * 4 || width * factor < full / 200) return;

@@ -17,7 +17,7 @@ export function axes([theta, phi]) {
 // which way from there another one goes, for one unit more. Null, if nothing is
 // known of its rays.
 export function spaceOf(port, picture) {
-  const angles = ["iso", "section"].includes(port.kind) ? port.angles : VIEWS[port.kind];
+  const angles = ["iso", "section", "shaded"].includes(port.kind) ? port.angles : VIEWS[port.kind];
   const { place, central } = picture || {};
   if (!angles || !place) return null;
   const { eye, right, up } = axes(angles);

@@ -1,5 +1,6 @@
 :- module(sg_sheet_options,
           [ sheet_wanted/1,             % +Options
+            cutaway_wanted/2,           % +Options, -Text
             sheet_request/3,            % +Options, +Picture, -Request
             request_facts/4,            % +Options, +Files, +Request0,
                                         % -Request
@@ -34,6 +35,28 @@ sheet_wanted(Options) :-
     Option =.. [Name,_],
     memberchk(Option, Options),
     !.
+
+%!  cutaway_wanted(+Options, -Text) is semidet.
+%
+%   Options ask for a picture of the model cut open by the plane that Text says,
+%   see cutaway/5.
+%
+%   @error usage_error(bad_value('--cutaway', Text, Form)),
+%   usage_error(both_options(A, B))
+
+cutaway_wanted(Options, Text) :-
+    option(cutaway(Text), Options),
+    forall(( member(Name, [ sheet,views,section,'title-block',angle,'no-frame',
+                            explode,shade,points,'centre-lines' ]),
+             Option =.. [Name,_] ),
+           ( atom_concat(--, Name, Other),
+             apart(Options, Option, '--cutaway', Other) )),
+    apart(Options, projection(central), '--cutaway', '--projection central'),
+    (   plane_form(Text)
+    ->  true
+    ;   usage_error(bad_value('--cutaway', Text,
+                              'x=5, y=5, z=5, x, y, z or A,B,C,D'))
+    ).
 
 %!  sheet_request(+Options, +Picture, -Request) is det.
 %
@@ -137,18 +160,22 @@ each_once(Views) :-
 %   What can be seen of a section without the model.
 
 section_form(Text) :-
-    (   split_string(Text, "=", " ", [Axis|Value]),
-        member(Axis, ["x","y","z","X","Y","Z"]),
-        (   Value = []
-        ;   Value = [Number],
-            decimal_number(Number, _)
-        )
-    ->  true
-    ;   vector(4, Text, [A,B,C,_]),
-        \+ maplist(=:=(0), [A,B,C])
+    (   plane_form(Text)
     ->  true
     ;   usage_error(sheet(section(Text)))
     ).
+
+plane_form(Text) :-
+    split_string(Text, "=", " ", [Axis|Value]),
+    member(Axis, ["x","y","z","X","Y","Z"]),
+    (   Value = []
+    ;   Value = [Number],
+        decimal_number(Number, _)
+    ),
+    !.
+plane_form(Text) :-
+    vector(4, Text, [A,B,C,_]),
+    \+ maplist(=:=(0), [A,B,C]).
 
 vector(N, Text, Numbers) :-
     split_string(Text, ",", " ", Parts),

@@ -205,6 +205,10 @@ verb_option(Verb, option(segment, '', each, 'N',
 verb_option(draw, option(explode, '', number(0), 'F',
     'the cells of what is glued apart, moved by F times their way from the \c
      middle')).
+verb_option(draw, option(cutaway, '', value, 'PLANE',
+    'cut open and hatched at x=5, y=5 or z=5; at x, y or z, through the \c
+     middle; or at A,B,C,D, without what is where A*X + B*Y + C*Z + D > 0; \c
+     seen from anywhere, in parallel projection')).
 verb_option(draw, option(scale, '', value, 'N:M',
     'true scale, such as 1:2 or 5:1; or fit, as large as there is room')).
 verb_option(draw, option(unit, '', one_of([mm, cm, m, inch]), 'UNIT',
@@ -445,6 +449,8 @@ example(draw, 'sanggwan draw part.stl --view iso --hidden removed \c
 --png dots --size 640x400 -o part.png').
 example(draw, 'sanggwan draw facts/pipe_tee.pl --sheet A3 --unit cm \c
 --section y -o tee.pdf').
+example(draw, 'sanggwan draw facts/pipe_tee.pl --cutaway y \c
+--hidden removed -o tee.svg').
 example(draw, 'sanggwan draw part.stl --sheet A4 \c
 --views front,top,isometric --angle first --scale 1:2 -o part.svg').
 example(render, Command) :-

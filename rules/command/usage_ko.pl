@@ -52,6 +52,9 @@ z가 되게 모델을 돌리고, 시점, 방향, 단면은 돌린 모델의 것�
 option_ko(scale, '척도. 1:2, 5:1 등, 또는 fit(자리에 맞추어 가장 크게)').
 option_ko(explode,
     '붙인 것의 세포들을 떼어 그린다. 가운데에서 떨어진 거리의 F배만큼 옮긴다').
+option_ko(cutaway,
+    'x=5, y=5, z=5에서, x, y, z는 가운데에서 잘라 열고 해칭한다. A,B,C,D는 \c
+A*X + B*Y + C*Z + D > 0인 쪽을 없앤다. 어디에서나 볼 수 있다(평행 투상)').
 option_ko(unit, '척도를 위한 모델의 단위. 기본값 mm').
 option_ko(sheet,
     '윤곽선과 표제란이 있는 도면. 용지 A4~A0, A3-portrait(세로), A4-landscape(가로) 등. \c

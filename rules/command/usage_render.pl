@@ -20,9 +20,10 @@ render_option(option(format, '', one_of([png, ppm, pl]), 'FORMAT',
     'the format for -o -')).
 render_option(option(size, '', value, 'WxH',
     'dots, such as 640x400; default 1260x888')).
-render_option(option(window, '', value, 'X1,Y1,X2,Y2',
-    'this part of the picture fills the frame, in its own units; without it \c
-     what is seen, with a margin')).
+render_option(option(window, '', value, 'X1,Y1,X2,Y2[,D]',
+    'this part of the picture fills the frame, in its own units, in \c
+     perspective measured at the distance D from the eye, else at what is \c
+     nearest; without it what is seen, with a margin')).
 render_option(option(smooth, '', one_of(['1', '2', '4', '8', '16']), 'N',
     'scan lines that cross a dot (4, as is usual)')).
 render_option(option(shade, '', value, 'SHADE',
@@ -89,7 +90,8 @@ render_option_ko(surface,
 render_option_ko(spans, '각 주사선에 보이는 것을 행으로 적는다').
 render_option_ko(size, '점의 수. 640x400 등. 기본값 1260x888').
 render_option_ko(window,
-    '그림의 이 부분(그림 자신의 단위)이 틀을 채운다. 없으면 보이는 것 모두와 여백').
+    '그림의 이 부분(그림 자신의 단위)이 틀을 채운다. 투시도에서는 눈에서 D만큼 떨어진 \c
+곳에서 잰 단위이고, D가 없으면 가장 가까운 것의 자리에서 잰다. 없으면 보이는 것 모두와 여백').
 render_option_ko(smooth, '한 점을 지나는 주사선의 수 (기본값 4)').
 render_option_ko(shade,
     'lambert(기본값), gooch(찬 색에서 따뜻한 색으로), cel=N(N단계), zebra=N(밝기가 \c

@@ -10,7 +10,7 @@
 :- use_module('../csg/csg', [root_segment/1]).
 :- use_module('../solid/csg_evaluate', [evaluate/0]).
 :- use_module('../solid/simplify', [simplified_roots/1]).
-:- use_module('../csg/csg_roots', 
+:- use_module('../csg/csg_roots',
               [ aside_segments/1, roots_alone/0, operand_lines/1,
                 with_operand_lines/2 ]).
 :- use_module('../drawing/drawing', [write_drawing/2, drawing_format/2]).
@@ -38,9 +38,9 @@
 :- use_module(picture_marks, [picture_marked/5]).
 :- use_module(report, [print_report/2]).
 :- use_module(sheet_options,
-              [ sheet_wanted/1, sheet_request/3, request_facts/4,
-                request_title/2
-              ]).
+              [ sheet_wanted/1, cutaway_wanted/2, sheet_request/3,
+                request_facts/4, request_title/2 ]).
+:- use_module('../sheet/cutaway', [cutaway_drawing/5]).
 :- use_module('../sheet/sheet_plan', [views_drawing/5]).
 :- use_module(solid_verbs,
               [ solid_verb/1, solid_verb_run/4, solids_written/3,
@@ -55,8 +55,7 @@
 :- use_module('../sheet/stroke', [stroke_key/4]).
 :- use_module(verb_output,
               [ some_files/2, outputs/3, some_outputs/1, no_model_replaced/2,
-                output_written/2, reported/2, usage_error/1
-              ]).
+                output_written/2, reported/2, usage_error/1 ]).
 :- use_module(verbs_batch, [batch_run_verb/3]).
 :- use_module('../gluing/exploded', [cells_exploded/1]).
 :- use_module(verbs_cells, [cells_run/3]).
@@ -66,11 +65,9 @@
               [ unfold_run/3, roots_apart/1, patterns_given/1,
                 pattern_wanted/3 ]).
 :- use_module('../picture/view',
-              [ set_view/1, set_view/3, set_projection/1, turn_up/1, with_up/2
-              ]).
+              [set_view/1, set_view/3, set_projection/1, turn_up/1, with_up/2]).
 :- use_module(picture_options,
-              [ picture_options/2, known_segments/1, drawing_options/2, eye/2
-              ]).
+              [picture_options/2, known_segments/1, drawing_options/2, eye/2]).
 :- use_module(library(apply), [maplist/2, maplist/3, partition/4]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(lists), [append/3, member/2]).
@@ -162,7 +159,19 @@ verb_run(draw, Files, Options, 0) :-
     shade_asked(Options, Outputs, Shade),
     picture_options(Options, PictureOptions),
     drawing_options(Options, DrawingOptions),
-    (   sheet_wanted(Options)
+    (   cutaway_wanted(Options, Plane)
+    ->  eye(Options, Eye),
+        load_model(Files, Options),
+        roots_ready(Options, PictureOptions, Lines),
+        findall(Option,
+                ( member(Option, PictureOptions)
+                ; member(Option, DrawingOptions)
+                ; Option = tolerance(_), member(Option, Options)
+                ),
+                Cutting),
+        facts_snapshot(cutaway_drawing(Plane, Eye, Cutting, Lines, Drawing)),
+        WriteOptions = [drawing(Drawing)|DrawingOptions]
+    ;   sheet_wanted(Options)
     ->  sheet_drawn(Options, Files, load_model(Files, Options), Shade, Drawn),
         append(Drawn, DrawingOptions, WriteOptions)
     ;   eye(Options, Eye),
@@ -364,6 +373,8 @@ penetrated(WriteOptions, S) :-
 %     - projection(Kind): `parallel` or `central`
 %     - lines(Which), crease(Degrees), segments(List): see picture/1
 %     - hidden(How), size(Size), ...: see write_drawing/2
+%     - cutaway(Plane): cut open by that plane, an atom as after the option of
+%       that name
 %     - points(Most): numbered points on penetration lines, see line_points/2
 %     - 'centre-lines'(true): the axes of what is round, as on a sheet
 %     - sheet(Paper), views(Names), section(Planes), angle(Angle), scale(Scale),
@@ -384,6 +395,18 @@ draw(File, Options) :-
                      roots_alone,
                      turn_up(Axis),
                      sheet_made(Options, Full, Lines, Drawing, _) )),
+    drawing_output([drawing(Drawing)|Options], File),
+    when_written(print_message(informational, sanggwan(wrote(File)))).
+draw(File, Options) :-
+    cutaway_wanted(Options, Plane),
+    !,
+    findall(sg_verbs:Goal, ( member(Option, Options), view_goal(Option, Goal) ),
+            Eye),
+    option(up(Axis), Options, z),
+    facts_snapshot(( operand_lines(Lines),
+                     roots_alone,
+                     turn_up(Axis),
+                     cutaway_drawing(Plane, Eye, Options, Lines, Drawing) )),
     drawing_output([drawing(Drawing)|Options], File),
     when_written(print_message(informational, sanggwan(wrote(File)))).
 draw(File, Options) :-

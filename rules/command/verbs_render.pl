@@ -145,7 +145,7 @@ shown_told(Wanted, Scene) :-
     ->  true
     ;   scene_shows(Scene)
     ->  print_message(warning, sanggwan(thinner_than_lines))
-    ;   option(window(_), Wanted)
+    ;   ( member(window(_), Wanted) ; member(window(_,_), Wanted) )
     ->  print_message(warning, sanggwan(nothing_in_window))
     ;   true
     ).
@@ -356,9 +356,9 @@ far_enough(Model, Rho0, Rho) :-
 render_option(Options, size(W-H)) :-
     option(size(Text), Options),
     size_dots(Text, W, H).
-render_option(Options, window(Window)) :-
+render_option(Options, Window) :-
     option(window(Text), Options),
-    window_box(Text, Window).
+    window_told(Text, Window).
 render_option(Options, smooth(N)) :-
     option(smooth(Text), Options),
     atom_number(Text, N).
@@ -403,16 +403,23 @@ whole(Text, N) :-
     catch(number_string(N, Text), error(_, _), fail),
     integer(N).
 
-window_box(Text, b(X1,Y1,X2,Y2)) :-
+%   window_told(Text, Option): as of shaded_picture/4.
+
+window_told(Text, Option) :-
     (   split_string(Text, ",", " ", Parts),
-        maplist(finite, Parts, [X1,Y1,X2,Y2]),
+        maplist(finite, Parts, [X1,Y1,X2,Y2|More]),
         X2-X1 >= 1.0e-90,
-        Y2-Y1 >= 1.0e-90
-    ->  true
+        Y2-Y1 >= 1.0e-90,
+        window_option(More, b(X1,Y1,X2,Y2), Option0)
+    ->  Option = Option0
     ;   usage_error(bad_value('--window', Text,
-                              'X1,Y1,X2,Y2 (X1 < X2, Y1 < Y2; \c
-                               X2-X1, Y2-Y1: 1e-90..1e90)'))
+                              'X1,Y1,X2,Y2[,D] (X1 < X2, Y1 < Y2; \c
+                               X2-X1, Y2-Y1, D: 1e-90..1e90)'))
     ).
+
+window_option([], Box, window(Box)).
+window_option([D], Box, window(Box,D)) :-
+    D >= 1.0e-90.
 
 finite(Text, X) :-
     catch(( number_string(X0, Text), X is float(X0) ), error(_, _), fail),

@@ -29,6 +29,7 @@
 :- use_module('../picture/view', [current_view/4]).
 :- use_module(group_owner, [owners_asked/3]).
 :- use_module(pixel_colour, [pixels_decided/3]).
+:- use_module(shading_eye, [eye_axes/3]).
 :- use_module(shading_light, [light_scene/3]).
 :- use_module(shading_scene,
               [ is_shaded/1, named_face/3, scene_handle/2, scene_leaf/2,
@@ -37,7 +38,7 @@
 :- use_module(surface_ramp, [look_ramp/2, ramp_step/3]).
 :- use_module(surface_tone, [light_ways/1, look_shine/2, look_tones/2]).
 :- use_module(library(apply), [maplist/3]).
-:- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(lists), [append/3, member/2, memberchk/2]).
 :- use_module(library(option), [option/2, option/3]).
 /** <module> A shaded picture in dots.
 
@@ -54,6 +55,8 @@ units.
 %     - size(Width-Height): dots, default 1260-888
 %     - window(b(X1,Y1,X2,Y2)): what fills the frame, in units of the
 %       picture, the longer way; without it all that is seen
+%     - window(Box, Distance): the same; in a central picture Box is measured in
+%       the plane that is so far from the eye, not in that of what is nearest
 
 shaded_picture(Model, Eye, Options, Scene) :-
     picture_place(Model, Eye, Options, Size, Place),
@@ -81,11 +84,28 @@ picture_place(Model, Eye, Options, Size, Place) :-
     option(size(Size), Options, 1260-888),
     (   option(window(Window), Options)
     ->  Margin = 0
+    ;   memberchk(window(Box,Distance), Options)
+    ->  window_nearest(Eye, Distance, Box, Window),
+        Margin = 0
     ;   seen_box(Model, Eye, Window),
         Size = Width-Height,
         Margin is min(Width, Height)/10
     ),
     frame_place(Window, Size, Margin, Place).
+
+%   window_nearest(Eye, Distance, Box, Window): Box in the plane of what is
+%   nearest.
+
+window_nearest(Eye, Distance, b(X1,Y1,X2,Y2), b(X3,Y3,X4,Y4)) :-
+    eye_axes(Eye, eye(_,_,_,Kind,Nearest), _),
+    (   Kind == central
+    ->  Factor is Nearest/Distance
+    ;   Factor = 1
+    ),
+    maplist(times(Factor), [X1,Y1,X2,Y2], [X3,Y3,X4,Y4]).
+
+times(Factor, X0, X) :-
+    X is X0*Factor.
 
 %   seen_box(Model, Eye, Box): round what is seen. Where leaves are is mostly
 %   more, so it is looked at once in dots.

@@ -458,7 +458,8 @@ offered([ "--view","--projection","--lines","--hidden","--crease","--up",
           "--keep","--language","--eye","--target","--title","--part",
           "--section","--explode","--shade","--colours","--background",
           "--smooth","--palette","--direction","--no-frame","--dashes",
-          "--png","--dpi","--segment","--see-through","--light" ]).
+          "--png","--dpi","--segment","--see-through","--light","--window",
+          "--cutaway" ]).
 
 
                 /*******************************

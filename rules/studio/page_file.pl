@@ -119,7 +119,8 @@ packed(Octets, Packed) :-
 
 written_packed(Out, Octets) :-
     setup_call_cleanup(
-        called(zlib, zopen(Out, Zip, [format(gzip),close_parent(false)])),
+        called(zlib, zopen(Out, Zip, [ format(gzip), level(9),
+                                       close_parent(false) ])),
         ( set_stream(Zip, encoding(octet)),
           format(Zip, "~s", [Octets]) ),
         close(Zip)).

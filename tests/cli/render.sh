@@ -90,6 +90,22 @@ far = sum(abs(a - b) > 1 for a, b in zip(rows, q))
 assert len(rows) == len(q) and far < 30 and len(set(q)) > 20, far
 END
 
+# In perspective a window may be measured anywhere: the top of the cube is 9 from an
+# eye that is 10 above its bottom.
+seen() { # seen NAME WINDOW OPTION...
+  shade facts/cube.pl --size 60x60 --view 270,0,10 --window="$2" "${@:3}" \
+    -o "$work/$1.ppm"
+}
+for same in '-2,-1,2,3 -2,-1,2,3,9' '-4,-2,4,6 -2,-1,2,3,4.5'; do
+  seen near "${same% *}" --projection central
+  seen far "${same#* }" --projection central
+  check "a window at a distance: $same" cmp "$work/near.ppm" "$work/far.ppm"
+done
+seen near -2,-1,2,3
+check "that is another one" test ! "$(cmp "$work/near.ppm" "$work/far.ppm")" = ''
+seen far -2,-1,2,3,4.5
+check "parallel, no distance counts" cmp "$work/near.ppm" "$work/far.ppm"
+
 # Looks and lights change dots; the model's own are there without an option.
 cp facts/pipe_tee.pl "$work/l.pl"
 echo 'look(10, colour(red)). light(1, picture(5,2,3)).' >>"$work/l.pl"

@@ -1,6 +1,6 @@
 # sheet.sh -- `sanggwan draw` makes sheets that other programs open, at their
 # true size, and says what is wrong in a line or three.
-# covers: eye
+# covers: eye, cutaway
 . "$(dirname "$0")/harness.bash"
 cd "$here"
 
@@ -96,5 +96,45 @@ cp facts/bracket.pl "$work/m.pl"
 run convert "$work/m.pl" -o "$work/n.pl"
 check "title blocks are written" has "title_block(material, 'GC200')" \
   "$work/n.pl"
+
+# A cutaway that is seen squarely has the lines of the section on a sheet; the model
+# before and behind the plane has all or nothing.
+if command -v python3 >"$work/null"; then
+  for model in facts/bracket.pl facts/pipe_tee.pl facts/figures/glue_materials.pl; do
+    sheet "$model" --section y --views back --no-frame -o "$work/cut.json"
+    check "a section" status_is 0
+    run draw -q "$model" --cutaway y --view front --hidden removed -o "$work/away.json"
+    check "a cutaway" status_is 0
+    check "the same lines: $model" python3 - "$work/cut.json" "$work/away.json" <<'END'
+import json, sys
+def lines(file, view):
+    return sorted([one["visibility"], one["role"], one["segment"], one["edges"]]
+                  for one in json.load(open(file))["lines"]
+                  if one.get("view", view) == view
+                  and one["role"] not in ("hatching", "centre_line"))
+cut, away = lines(sys.argv[1], "A"), lines(sys.argv[2], "")
+assert len(cut) > 4 and any(one[1] == "section" for one in cut), len(cut)
+assert cut == away, [one for one in cut if one not in away][:3]
+END
+  done
+fi
+run draw -q facts/bracket.pl --cutaway z=1e6 --view 300,60 -o "$work/all.svg"
+run draw -q facts/bracket.pl --view 300,60 -o "$work/whole.svg"
+check "behind the plane: the model" cmp "$work/all.svg" "$work/whole.svg"
+run draw facts/bracket.pl --cutaway z=-1e6 -o "$work/no.svg"
+check "before the plane: nothing" has 'nothing to draw'
+for other in '--sheet A4' '--section x' '--points 3' '--projection central' \
+  '--shade lambert' '--explode 1' --centre-lines --no-frame; do
+  # shellcheck disable=SC2086
+  run draw facts/bracket.pl --cutaway y $other -o "$work/none.svg"
+  check "a cutaway and $other" fails 2 'do not go together'
+done
+for plane in q y= x=a 0,0,0,1 1,2,3; do
+  run draw facts/bracket.pl --cutaway "$plane" -o "$work/none.svg"
+  check "no plane: $plane" fails 2 'x=5, y=5, z=5, x, y, z or A,B,C,D'
+done
+run draw -q facts/bracket.pl --up y --cutaway y=5 --view iso -o "$work/up.json"
+run draw -q facts/bracket.pl --up y --cutaway 0,-1,0,5 --view iso -o "$work/too.json"
+check "turned up first; a plane by four numbers" cmp "$work/up.json" "$work/too.json"
 
 finish

@@ -43,6 +43,7 @@ own_golden(cube_front, ['facts/cube.pl', '--view', front]).
 own_golden(cube_central, ['facts/cube.pl', '--view', '300,60,4',
                           '--projection', central]).
 own_golden(hollow_block, ['facts/hollow_block.pl']).
+own_golden(cutaway, ['facts/pipe_tee.pl', '--cutaway', y, '--hidden', removed]).
 own_golden(two_cubes, ['facts/two_cubes.pl']).
 own_golden(two_cubes_removed, ['facts/two_cubes.pl', '--hidden', removed,
                                '--size', '100x70']).

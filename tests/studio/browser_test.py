@@ -100,8 +100,8 @@ def kinds(language):
     # The shaded picture is what render makes; a click says why.
     turned_to("shaded")
     check(language + ": a shaded picture", browser.wait(
-        "studio.ports.ports[0].image.naturalWidth > 100 && !document."
-        "querySelector('.port img').hidden"))
+        "studio.ports.ports[0].picture.image.getAttribute('width') > 100 && "
+        "studio.ports.ports[0].picture.image.hasAttribute('href')"))
     browser.script("studio.ports.ports[0].canvas.focus()")
     box = browser.script("const r = document.querySelector('.canvas')."
                          "getBoundingClientRect(); return [r.x, r.y, r.width, "

@@ -1,8 +1,11 @@
 """states_test.py PROGRAM FOLDER: what the page says is so now: of the model that is
 open, of its revision, and of the program; in a real Chromium."""
 # covers: studio_words, document
+import json
+import math
 import os
 import shutil
+import subprocess
 import sys
 import time
 
@@ -40,6 +43,38 @@ STATE = "document.getElementById('state').textContent"
 BANNER = "document.getElementById('banner')"
 TYPED = "const e = studio.%s; e.field.value = arguments[0]; " \
         "e.field.dispatchEvent(new Event('input'))"
+
+
+# How far what the first port shades is from the lines of the same view, on each
+# side, in dots of the screen.
+SHADES = """
+  const done = arguments[arguments.length - 1];
+  const { picture } = studio.ports.ports[0], { image, shown, svg } = picture;
+  const seen = new Image();
+  seen.src = image.getAttribute("href");
+  seen.decode().then(() => {
+    const [wide, high] = [seen.naturalWidth, seen.naturalHeight];
+    const one = Object.assign(document.createElement("canvas"), { width: wide, height: high }).getContext("2d");
+    one.drawImage(seen, 0, 0);
+    const { data } = one.getImageData(0, 0, wide, high), box = [Infinity, Infinity, -Infinity, -Infinity];
+    for (let y = 0, i = 3; y < high; y++) for (let x = 0; x < wide; x++, i += 4) if (data[i] > 127) {
+      [x, y, x + 1, y + 1].forEach((n, k) => { box[k] = Math[k < 2 ? "min" : "max"](box[k], n); });
+    }
+    const [x, y, width, height] = ["x", "y", "width", "height"].map((name) => Number(image.getAttribute(name)));
+    const lines = picture.around(shown.strokes), dot = svg.getScreenCTM().a;
+    done(lines.map((n, k) => (n - (k % 2 ? y + box[k] * height / high : x + box[k] * width / wide)) * dot));
+  }, (error) => done([String(error)]));"""
+
+
+def shades():
+    """Whether the lines of the first port lie on what it shades."""
+    browser.wait(PAINTED)
+    off = browser.ask("POST", "/execute/async", {"script": SHADES, "args": []})
+    return all(isinstance(n, (int, float)) and abs(n) < 1.6 for n in off), off
+
+
+PAINTED = """(({ kind, busy, picture: { image, shown } }) => kind === 'shaded' && !busy && shown
+  && image.hasAttribute('href'))(studio.ports.ports[0])"""
 
 
 def opened(name):
@@ -133,8 +168,46 @@ def operand():
     check("a section shows it too", browser.wait(
         QUIET + " && studio.ports.ports[0].picture.layers.chosen.getAttribute("
         "'d').length > 20"))
+    shaded()
     browser.script("studio.ports.ports[0].turnTo('iso'); studio.chosen([])")
     check("nothing is lit", browser.wait(lit + ".every(n => n === 0)"))
+
+
+def shaded():
+    """A shaded picture lights the same lines where they are, in any projection,
+    and is drawn again when it is looked at closer."""
+    path = "return studio.ports.ports[0].picture.layers.chosen.getAttribute('d')"
+    words = "return studio.ports.ports[0].words.find(w => w.startsWith(" \
+            "'--window=')).slice(9).split(',').map(Number)"
+    drawn = []
+    for projection in ("parallel", "central"):
+        for up in ("z", "y"):
+            browser.script("Object.assign(studio.looks, { projection: "
+                           "arguments[0], up: arguments[1] }); studio.looked(); "
+                           "studio.ports.ports[0].turnTo('iso')", projection, up)
+            browser.wait(QUIET)
+            drawn.append(browser.script(path))
+            browser.script("studio.ports.ports[0].turnTo('shaded')")
+            good, off = shades()
+            check("%s, %s up: shaded where the lines are" % (projection, up),
+                  good, off)
+            check("%s, %s up: what an operand made is lit there" % (
+                projection, up), browser.script(path) == drawn[-1] != "")
+    check("these are four pictures", len(set(drawn)) == 4)
+    browser.script("studio.looks = {}; studio.looked()")
+    shades()
+    left, low, right, high = browser.script(words)
+    browser.script("""
+      const port = studio.ports.ports[0], { x, y, width, height } = port.canvas.getBoundingClientRect();
+      port.closer(0.5, x + width / 4, y + height / 2);""")
+    check("looked at closer it is drawn again", browser.wait("""
+      (([l, b, r, t]) => Math.abs(r - l - arguments[0]) < 1e-6 && Math.abs(t - b - arguments[1]) < 1e-6 &&
+        Math.abs(l - arguments[2]) < 1e-6)((() => { %s })())""" % words, (right - left) / 2,
+        (high - low) / 2, left + (right - left) / 8), (left, low, right, high,
+                                                       browser.script(words)))
+    check("and lies where it is looked at", browser.wait(PAINTED + """ && (({ picture }) =>
+      ["x", "y", "width", "height"].every((name, i) => Math.abs(picture.image.getAttribute(name) - picture.inSight()[i]) < 1))
+      (studio.ports.ports[0])"""))
 
 
 def korean():
@@ -311,6 +384,16 @@ def forced_colours():
     browser.wait(QUIET)
 
 
+def lengths(lines):
+    """How long the lines of each look of each segment are together."""
+    out = {}
+    for *key, points in lines:
+        pairs = list(zip(points[::2], points[1::2]))
+        out[tuple(key)] = out.get(tuple(key), 0) + sum(
+            math.dist(a, b) for a, b in zip(pairs, pairs[1:]))
+    return out
+
+
 def exports():
     """A drawing is exported as it is seen."""
     browser.script("""
@@ -325,7 +408,10 @@ def exports():
     for looks, kind, more in (
             ("{}", "front", ""), ("{ hidden: 'removed', lines: 'all' }", "front", ""),
             ("{ projection: 'central' }", "iso", ""),
-            ("{}", "apart", "studio.ports.ports[0].factor = 0.5; ")):
+            ("{}", "apart", "studio.ports.ports[0].factor = 0.5; "),
+            ("{ projection: 'central', lines: 'all' }", "section",
+             "studio.ports.ports[0].angles = [300, 60]; studio.ports.ports[0]"
+             ".at = 0.25; ")):
         browser.script("studio.looks = %s; studio.ports.ports[0].turnTo('%s'); "
                        "%sstudio.looked()" % (looks, kind, more))
         browser.wait(QUIET)
@@ -337,7 +423,23 @@ def exports():
         "draw --view front",
         "draw --view front --hidden removed --lines all",
         "draw %s --projection central" % eye,
-        "draw %s --explode 0.5 --hidden removed" % eye], told)
+        "draw %s --explode 0.5 --hidden removed" % eye,
+        "draw --view 300.0000,60.0000 --cutaway y=0.25 --hidden removed "
+        "--lines all"], told)
+    drawn = json.loads(subprocess.run(
+        [program, *told[-1].split(), "fig13.pl", "--format", "json", "-o", "-",
+         "-q"], cwd=models, stdout=subprocess.PIPE, check=True).stdout)
+    # Where strokes end and how many lines hatch them depends on names and scale.
+    shown, scale = browser.script("""
+      const { strokes, looks, place } = studio.ports.ports[0].picture.shown;
+      return [strokes.map(({ look, segment, points }) => [...looks[look], segment, [...points]]), place[0]];""")
+    seen = lengths((*key, points) for *key, points in shown)
+    file = lengths((line["visibility"], line["role"], line["segment"],
+                    [n for point in line["points"] for n in point])
+                   for line in drawn["lines"])
+    check("a section as it is seen", len(seen) > 4 and seen.keys() == file.keys()
+          and all(abs(seen[key] / scale * drawn["scale"] / file[key] - 1) < 1e-3
+                  for key in seen if key[1] != "hatching"), (seen, file))
     check("no export was refused", browser.script(
         "return %s.hidden" % BANNER))
     browser.script("studio.looks = {}; studio.wire.ask = window.was; "
@@ -393,9 +495,21 @@ def on_a_phone():
 
 def from_a_file():
     """A page that is a file lights what an operand made, also one without a
-    number."""
+    number. What is refused while it is made is refused there too, and no more."""
     opened("drilled.pl")
-    page = browser.script("return studio.page()")
+    page = browser.script("""
+      const was = studio.wire.ask, refused = [];
+      studio.wire.ask = (request, keys = {}) => {
+        const wanted = request + (keys.goal || keys.item || keys.pens || "");
+        if (!/^(asknode\\(1,|explainedge|sheettrue|rules)/.test(wanted)) return was.call(studio.wire, request, keys);
+        refused.push(wanted);
+        return Promise.reject(Object.assign(new Error("refused"), { head: { error: { words: { en: "x", ko: "x" } } } }));
+      };
+      return studio.page().finally(() => { studio.wire.ask = was; window.refused = refused; });""")
+    refused = browser.script("return window.refused")
+    check("a file is made though some is refused", "<!doctype" in (page or "")
+          and {"sheettrue", "rules", "asknode(1, _, Operands, _)"} <= set(
+              refused), refused)
     path = os.path.join(models, "drilled.html")
     with open(path, "w", encoding="utf-8") as out:
         out.write(page)
@@ -412,6 +526,12 @@ def from_a_file():
     check("drawn too", browser.script("return studio.ports.ports[0].picture"
                                       ".layers.chosen.getAttribute('d').length")
           > 20)
+    browser.script("studio.ports.ports[0].turnTo('shaded')")
+    good, off = shades()
+    check("shaded in a file, where its lines are", good, off)
+    check("it lights the operand too", browser.script(
+        "return studio.ports.ports[0].picture.layers.chosen.getAttribute('d')"
+        ".length") > 20)
     browser.open(front.address)
     browser.wait(QUIET)
 

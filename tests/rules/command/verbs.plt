@@ -75,6 +75,17 @@ drawn_line(Visibility-Length) :-
     line_ends(1, E, X1-Y1, X2-Y2),
     Length is round((To-From)*sqrt((X2-X1)**2+(Y2-Y1)**2)*1.0e6).
 
+% How many lines in the plane there are of Model, cut open; the world stays so.
+drawn_open(Model, Count, Folder) :-
+    directory_file_path(Folder, 'a.json', File),
+    load_model(Model),
+    rows(Rows0),
+    draw(File, [cutaway('x=0.25'),view(front),up(y)]),
+    rows(Rows),
+    assertion(Rows == Rows0),
+    read_file_to_string(File, Text, []),
+    aggregate_all(count, sub_string(Text, _, _, _, "\"section\""), Count).
+
 % The rows of a model before it is drawn, and before a box was added to it; and
 % after one facts_undo/0 and another.
 
@@ -107,6 +118,9 @@ a_row(Row) :-
 
 :- begin_tests(verbs).
 
+test(draw_cutaway, Squares == 1) :-
+    cube(Cube),
+    in_folder(drawn_open(Cube, Squares)).
 test(draw_up, Turned == Straight) :-
     in_folder(drawn_up(y, box(size(1,3,2)), Turned)),
     in_folder(drawn_up(z, box(size(1,2,3)), Straight)),
