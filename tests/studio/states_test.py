@@ -385,7 +385,7 @@ def forced_colours():
 
 
 def lengths(lines):
-    """How long the lines of each look of each segment are together."""
+    """How long the lines of each look are together."""
     out = {}
     for *key, points in lines:
         pairs = list(zip(points[::2], points[1::2]))
@@ -429,12 +429,12 @@ def exports():
     drawn = json.loads(subprocess.run(
         [program, *told[-1].split(), "fig13.pl", "--format", "json", "-o", "-",
          "-q"], cwd=models, stdout=subprocess.PIPE, check=True).stdout)
-    # Where strokes end and how many lines hatch them depends on names and scale.
+    # Where strokes end and whose they are depends on names, hatching on the scale.
     shown, scale = browser.script("""
       const { strokes, looks, place } = studio.ports.ports[0].picture.shown;
-      return [strokes.map(({ look, segment, points }) => [...looks[look], segment, [...points]]), place[0]];""")
+      return [strokes.map(({ look, points }) => [...looks[look], [...points]]), place[0]];""")
     seen = lengths((*key, points) for *key, points in shown)
-    file = lengths((line["visibility"], line["role"], line["segment"],
+    file = lengths((line["visibility"], line["role"],
                     [n for point in line["points"] for n in point])
                    for line in drawn["lines"])
     check("a section as it is seen", len(seen) > 4 and seen.keys() == file.keys()
