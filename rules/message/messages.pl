@@ -522,11 +522,9 @@ notice_en(cells_parted(S, N)) -->
       [S, N] ].
 notice_en(nothing_glued) -->
     [ 'nothing is glued in this model' ].
-notice_en(opened(contacts)) -->
+notice_en(opened) -->
     [ 'what nearly touches was left as it is: else the result were open', nl,
       '  There may be splinters.' ].
-notice_en(opened(faces)) -->
-    [ 'coplanar faces were left apart: as one, the result were open' ].
 notice_en(contacts(Why)) -->
     contacts_en(Why),
     [ nl,

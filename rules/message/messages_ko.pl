@@ -520,11 +520,9 @@ notice_ko(cells_parted(S, N)) -->
       [S, N] ].
 notice_ko(nothing_glued) -->
     [ '이 모델에는 붙인 것이 없습니다' ].
-notice_ko(opened(contacts)) -->
+notice_ko(opened) -->
     [ '거의 닿는 곳을 그대로 두었습니다: 아니면 결과가 열립니다', nl,
       '  부스러기가 남을 수 있습니다.' ].
-notice_ko(opened(faces)) -->
-    [ '한 평면의 면들을 나눈 채 두었습니다: 합치면 결과가 열립니다' ].
 notice_ko(contacts(Why)) -->
     contacts_ko(Why),
     [ nl, '  선은 모델 그대로에 대해 정확하지만, 가는 조각이 있을 수 있습니다.' ].

@@ -182,8 +182,9 @@ refuse_large(Tolerance, Smallest) :-
 
 %   made(+Expression, +Leaves, +Options, -Solid, -Contacts, -Numbers): it must
 %   be closed if its operands are. If sheets of one operand nearly lie on each
-%   other, touching may open the result, and so may merging of faces; then that
-%   step is left out.
+%   other, touching may open the result; then nothing is made to touch. Merging
+%   of faces opens nothing: of a vertex or an edge that goes, all faces have it
+%   or none (face_merge.h).
 
 made(Expression, Leaves, Options, Solid, Contacts, Numbers) :-
     attempt(Options, Attempt, What),
@@ -194,7 +195,7 @@ made(Expression, Leaves, Options, Solid, Contacts, Numbers) :-
         fail
     ;   What == first
     ->  true
-    ;   print_message(warning, sanggwan(opened(What)))
+    ;   print_message(warning, sanggwan(opened))
     ),
     !,
     Solid = Solid0,
@@ -209,9 +210,7 @@ made(_, _, _, _, _, _) :-
     throw(error(geometry_error(result_open), _)).
 
 attempt(Options, Options, first).
-attempt(Options, [faces(pieces)|Options], faces) :-
-    \+ option(faces(pieces), Options).
-attempt(Options, [tolerance(0)|Options], contacts) :-
+attempt(Options, [tolerance(0)|Options], apart) :-
     option(tolerance(Tolerance), Options),
     tolerance_reach(Tolerance, Reach),
     Reach > 0.

@@ -257,8 +257,8 @@ command(cells_parted(_,_), [unglue, 'facts/two_rooms.pl', '-o', @('a.pl')]).
 command(nothing_glued, [unglue, @('cube.pl'), '-o', @('a.pl')]).
 command(one_segment, [penetrate, @('cube.pl')]).
 command(points_alone(_), [penetrate, @('pin.pl')]).
-command(opened(contacts), [union, @('splinter.pl'), '--tolerance', '0.06',
-                           '-o', @('a.pl')]).
+command(opened, [union, @('splinter.pl'), '--tolerance', '0.06', '-o',
+                 @('a.pl')]).
 command(contacts(wide(_,_)), [penetrate, @('chained.pl'), '--tolerance', '0.01',
                               '-o', @('a.pl')]).
 command(contacts(stuck(_,_)), [penetrate, @('stuck.pl'), '--tolerance', '0.01',
@@ -438,8 +438,6 @@ elsewhere(tight(_,_,_,_,_,_), test('tests/rules/solid/precision.plt')).
 elsewhere(moved(_,_,_,_,_), test('tests/rules/solid/precision.plt')).
 elsewhere(flattened(_,_,_,_,_), test('tests/rules/solid/precision.plt')).
 elsewhere(as_rounded(_), test('tests/transcripts/solids.txt')).
-elsewhere(opened(faces),
-          "a last resort: no model is known whose faces open it as one").
 elsewhere(greeting, "of the top level alone").
 elsewhere(segment(_,_,_), "of the top level alone").
 elsewhere(decision(_/_,_,_), "of the top level alone").

@@ -16,8 +16,7 @@ unsaid(messages, fault_en(result_open)).
 unsaid(explain_glue_en, role_en(slit)).
 unsaid(explain_glue_en, disks_lie_en(cover,_,_)).
 unsaid(part_glue_en, not_glued_en(crossing)).
-unsaid(messages, notice_en(opened(contacts))).
-unsaid(messages, notice_en(opened(faces))).
+unsaid(messages, notice_en(opened)).
 unsaid(messages, notice_en(contacts(_))).
 unsaid(messages, fault_en(written(faulty(_,_,_)))).
 unsaid(model_en, model_en(refused(_,_))).
