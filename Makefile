@@ -330,7 +330,11 @@ covered: $(C_TESTS)
 	  '/^File/ { own = $$2 ~ /[.]c$$/; file = $$2 } \
 	   own && /^Lines/ { lines = $$2 } \
 	   own && /^Taken/ { printf "%-34s lines %6.2f %%, branches %6.2f %%\n", \
-	                            file, lines, $$2 }'
+	                            file, lines, $$2; n++; \
+	              if ($$2 < 95) { less = less " " file } } \
+	   END { if (less) { print "fewer than 95 % of the branches of:" less; \
+	                     exit 1 } \
+	         exit n != $(words $(EXACT)) }'
 
 # Memcheck: the C tests that are not long, and the rules where Prolog holds
 # memory of ours: worlds, work, glue. Threads as above.
