@@ -425,6 +425,26 @@ test_no_memory(void)
   sg_cut_model_clear(&model);
 }
 
+/* Corners that were not added, of a model that fetches none. */
+static void
+test_unknown(void)
+{
+  const int32_t v[3] = {1, 2, 3};
+  const double at[3] = {0, 0, 0};
+  sg_cut_model model;
+  bool face = true, line = true;
+
+  sg_cut_model_init(&model);
+  CHECK("unknown corners",
+        sg_cut_model_vertex(&model, 1, 1, at) &&
+            sg_cut_model_triangle(&model, 1, 1, 1, v, &face) && !face &&
+            sg_cut_model_edge(&model, 1, 1, v, &line) && !line &&
+            model.triangles == 0 && model.edges == 0);
+  CHECK("unknown vertex", sg_cut_model_fetch(&model, 1, 1) == 0 &&
+                              sg_cut_model_fetch(&model, 1, 2) == SG_NO_KEY);
+  sg_cut_model_clear(&model);
+}
+
 int
 main(void)
 {
@@ -435,6 +455,7 @@ main(void)
   test_same_doubles();
   test_names();
   test_edges();
+  test_unknown();
   test_no_memory();
   return check_report();
 }
