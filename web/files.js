@@ -46,7 +46,7 @@ function drawingWords(port) {
   const { kind, settings, studio } = port;
   if (kind === "sheet") return ["--sheet", settings.paper, "--language", tongue(), ...upWords(studio)];
   const cut = { section: ["--cutaway", `${settings.axis}=${port.at}`], apart: ["--explode", String(port.factor)] }[kind] || [];
-  const looks = { ...(cut.length ? { hidden: "removed" } : {}), ...studio.looks, ...(kind === "section" ? { projection: "" } : {}) };
+  const looks = { ...(cut[0] && { hidden: "removed" }), ...studio.looks, ...(kind === "section" && { projection: "" }) };
   const words = [...cut, ...Object.keys(LOOKS).flatMap((key) => (looks[key] ? ["--" + key, looks[key]] : []))];
   if (port.turns) return [...eyeWords(port), ...words];
   return port.slow ? words : ["--view", kind, ...words];

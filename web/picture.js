@@ -102,8 +102,7 @@ export class Picture {
     for (const layer of Object.values(this.layers)) layer.setAttribute("d", "");
   }
 
-  // An image below the lines, in a box, or all that is looked at; or none. It
-  // comes when it can be shown at once.
+  // An image below the lines, in a box, or none. It comes when it is decoded.
   async paint(body, box = this.box) {
     this.painted = body;
     const address = body && URL.createObjectURL(new Blob([body], { type: "image/png" }));
