@@ -17,6 +17,7 @@
 
 :- use_module('../tests/rules/solid/grown').
 :- use_module(library(apply)).
+:- use_module(library(filesex), [delete_directory_and_contents/1]).
 :- use_module(library(lists)).
 :- use_module(library(process)).
 :- use_module(library(readutil)).
@@ -52,16 +53,20 @@ family(holes,      draw,  [500,1000,2000,4000]).
 family(circles,    check, [250,500,1000,2000]).
 family(discs,      check, [250,500,1000,2000]).
 family(rods,       penetrate, [400,800,1600,3200]).
-family(rods,       union, [400,800,1600,3200]).
+family(rods,       union, [400,800,1600]).
 family(boxes,      penetrate, [1000,2000,4000]).
 family(chain,      penetrate, [500,1000,2000]).
 family(chain,      split, [500,1000,2000,4000]).
 family(cubes,      penetrate, [400,800,1600,3200]).
 family(cubes,      draw,  [400,800,1600,3200]).
 family(cubes,      union, [200,400,800]).
-family(shells,     penetrate, [400,800,1600,3200]).
-family(shells,     draw,  [400,800,1600,3200]).
+family(shells,     penetrate, [400,800,1600]).
+family(shells,     draw,  [400,800,1600]).
 family(shells,     union, [200,400,800]).
+family(shells,     glue,  [50,100,200]).
+family(touching,   glue,  [250,500,1000,2000]).
+family(touching,   unfold, [125,250,500,1000]).
+family(jobs,       batch, [100,400,1600]).
 family(curves,     penetrate, [1600,3200,6400,12800]).
 family(curves,     draw,  [1600,3200,6400,12800]).
 family(boxes,      query, [2500,5000,10000]).
@@ -124,22 +129,39 @@ exponent(size(N0,S0,B0), size(N,S,B), Growth) :-
     ).
 
 medians(Verb, File, Seconds, Memory, Bytes) :-
-    verb_arguments(Verb, File, Arguments, Made),
     environment('RUNS', 3, N),
-    findall(S-M, ( between(1, N, _), run_of(Arguments, S, M) ), Runs),
-    (   last(Made, Out),
-        exists_file(Out)
-    ->  size_file(Out, Bytes)
-    ;   Bytes = 0
-    ),
-    forall(( member(F, Made), exists_file(F) ), delete_file(F)),
+    findall(run(S,M,B),
+            ( between(1, N, _), run_anew(Verb, File, S, M, B) ),
+            Runs),
     (   length(Runs, N)
     ->  msort(Runs, Sorted),
         Middle is N//2,
-        nth0(Middle, Sorted, Seconds-_),
-        findall(M, member(_-M, Runs), Ms),
+        nth0(Middle, Sorted, run(Seconds,_,Bytes)),
+        findall(M, member(run(_,M,_), Runs), Ms),
         max_list(Ms, Memory)
     ;   Seconds = none
+    ).
+
+%   run_anew(Verb, File, Seconds, Memory, Bytes) is semidet: what it writes is
+%   deleted.
+
+run_anew(Verb, File, Seconds, Memory, Bytes) :-
+    verb_arguments(Verb, File, Arguments, Made),
+    call_cleanup(
+        ( run_of(Arguments, Seconds, Memory),
+          (   last(Made, Out),
+              exists_file(Out)
+          ->  size_file(Out, Bytes)
+          ;   Bytes = 0
+          ) ),
+        maplist(deleted, Made)).
+
+deleted(File) :-
+    (   exists_file(File)
+    ->  delete_file(File)
+    ;   exists_directory(File)
+    ->  delete_directory_and_contents(File)
+    ;   true
     ).
 
 verb_arguments(check, File, [check,'-q',File], []).
@@ -165,6 +187,14 @@ verb_arguments(query, File,
 verb_arguments(render, File,
                [render,'-q','--size','320x200',File,'-o',Out], [Out]) :-
     output(png, Out).
+verb_arguments(glue, File, [glue,'-q',File,'-o',Out], [Out]) :-
+    output(pl, Out).
+%   The bytes are those of the report.
+verb_arguments(batch, File,
+               [batch,'-q',File,'-o',Folder,'--report',Report],
+               [Folder,Report]) :-
+    tmp_file(growth, Folder),
+    output(jsonl, Report).
 verb_arguments(twice, File, [union,'-q',File,File,'-o',Out], [Out]) :-
     output(off, Out).
 verb_arguments(unfold, File, [unfold,'-q',File,'-o',Out], [Out]) :-
@@ -306,6 +336,20 @@ segments(boxes, N, Stream) :-
                     "segment(~d, solid, at([translate(~w,~w,0)], \c
                      box(size(1,1,1)))).~n",
                     [I,X,Y]) )).
+%   N boxes in a row, each a segment that touches the next one.
+segments(touching, N, Stream) :-
+    forall(between(1, N, I),
+           format(Stream,
+                  "segment(~d, solid, at([translate(~d,0,0)], \c
+                   box(size(1,1,1)))).~n",
+                  [I,I])).
+%   No model, but a manifest: a cube drawn from N sides.
+segments(jobs, N, Stream) :-
+    absolute_file_name(sanggwan('facts/cube.pl'), Cube),
+    format(Stream,
+           "job(from(I), draw, [~q], [view(I,30), output('%.svg')]) \c
+            @ I in 1..~d.~n",
+           [Cube,N]).
 %   One box N times, each a leaf of one tree.
 segments(copies, N, Stream) :-
     forall(between(1, N, I),

@@ -3,18 +3,23 @@
 #include "engine/list.h"
 #include "engine/search.h"
 #include "gap.h"
-#include "join/bvh_join.h"
+#include "join/near_leaf.h"
 #include "join/tree_rows.h"
 #include "rows/append_rows.h"
 #include "rows/sort.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* The least reach that is tried first, as a part of all; then so much more. */
 #define FIRST_PART (1.0 / 1024)
 
-enum { MORE = 4 };
+enum {
+  MORE = 4,
+  CROWD = 16, /* pairs for each segment: of more, leaves are joined first */
+  LEAVES = 64 /* of these, for each pair, no more */
+};
 
 /* The nearest pieces of a pair of segments that were found. */
 typedef struct nearest {
@@ -30,6 +35,7 @@ typedef struct joining {
   sg_kept_tree **tree; /* [n], held */
   size_t pairs;
   nearest *nearest; /* [pairs] */
+  bool *far;        /* [pairs] farther apart than all that is asked */
   sg_bvh_pair *wanted;
   uint32_t *which; /* of which pair wanted[i] is */
   double reach;
@@ -54,9 +60,10 @@ open_joining(sg_call *call, const sg_id_pair_list *pairs, joining *j)
 
   j->s = sg_call_alloc(call, (2 * n + 1) * sizeof *j->s);
   j->nearest = sg_call_alloc(call, (n + 1) * sizeof *j->nearest);
+  j->far = sg_call_alloc(call, (n + 1) * sizeof *j->far);
   j->wanted = sg_call_alloc(call, (n + 1) * sizeof *j->wanted);
   j->which = sg_call_alloc(call, (n + 1) * sizeof *j->which);
-  if (!version || !j->s || !j->nearest || !j->wanted || !j->which) {
+  if (!version || !j->s || !j->nearest || !j->far || !j->wanted || !j->which) {
     return false;
   }
   list_segments(pairs, j);
@@ -84,6 +91,45 @@ close_joining(joining *j)
     sg_kept_tree_drop(j->tree[i]);
   }
   sg_leaf_views_clear(&j->views);
+}
+
+/* Whether a pair of trees is among ascending hits, or is one tree. */
+static bool
+is_among(const sg_bvh_hits *hits, const uint32_t tree[2])
+{
+  uint32_t a = tree[tree[1] < tree[0]], b = tree[tree[0] <= tree[1]];
+  const sg_bvh_hit *hit = hits->hit;
+  size_t at;
+
+  SG_SEARCH(at, 0, hits->n, hit[at].a < a || (hit[at].a == a && hit[at].b < b));
+  return a == b || (at < hits->n && hit[at].a == a && hit[at].b == b);
+}
+
+/* Notes which pairs are far. Where each segment is in many, as of segments that
+ * lie in each other, by one tree of their leaves. */
+static bool
+find_far(sg_call *call, joining *j, double reach)
+{
+  const sg_leaf_tree **tree = sg_call_alloc(call, (j->n + 1) * sizeof *tree);
+  sg_bvh_hits hits = {0};
+  bool more = false;
+
+  memset(j->far, 0, j->pairs * sizeof *j->far);
+  if (!tree || j->pairs <= CROWD * j->n) {
+    return tree != NULL;
+  }
+  for (size_t i = 0; i < j->n; i++) {
+    tree[i] = j->tree[i]->tree;
+  }
+  if (!sg_near_leaves(tree, j->n, &j->views, reach, true, LEAVES * j->pairs,
+                      sg_call_pool(call), &call->cancel, &hits, &more)) {
+    return sg_call_ended(call);
+  }
+  for (size_t i = 0; i < j->pairs && !more; i++) {
+    j->far[i] = !is_among(&hits, j->nearest[i].tree);
+  }
+  free(hits.hit);
+  return true;
 }
 
 static sg_leaf
@@ -136,7 +182,7 @@ join_some(sg_call *call, joining *j)
     const sg_bvh *a = j->tree[of->tree[0]]->tree->boxes;
     const sg_bvh *b = j->tree[of->tree[1]]->tree->boxes;
 
-    if (isinf(of->gap.apart) && a->n > 0 && b->n > 0) {
+    if (!j->far[i] && isinf(of->gap.apart) && a->n > 0 && b->n > 0) {
       j->which[n] = (uint32_t)i;
       j->wanted[n++] = (sg_bvh_pair){a, b};
     }
@@ -185,7 +231,7 @@ sg_door_segment_gaps(sg_call *call, const sg_id_pair_list *pairs, double reach,
   if (reach < 0) {
     return sg_call_domain(call, "not_less_than_zero", 2);
   }
-  bool good = open_joining(call, pairs, &j);
+  bool good = open_joining(call, pairs, &j) && find_far(call, &j, reach);
 
   for (bool last = false; good && !last; j.reach *= MORE) {
     last = j.reach >= reach;

@@ -3,6 +3,7 @@
    two pieces.
    covers: triangle_corners */
 :- module(test_gap, []).
+:- use_module(library(apply)).
 :- use_module(library(lists)).
 :- use_module(library(plunit)).
 :- use_module(library(random)).
@@ -149,5 +150,38 @@ test(large, Gap-P == 0.25-Top) :-
                    call_with_inference_limit(
                        near_misses([1-2], 5.0, [miss(1-P,2-_,Gap,_)]),
                        10000, !) )).
+
+%   Of balls in each other only those beside each other are measured: all pairs
+%   have the same gaps, and take not much longer, though they are 40 times as
+%   many. With itself each is in a pair, too.
+
+test(in_each_other, true(Most < 10)) :-
+    N = 80,
+    in_new_world(( forall(between(1, N, I),
+                          ( R is 1+I/N,
+                            add_primitive(sphere(radius(R), facets(8)), _) )),
+                   complete_segments,
+                   findall(I-J, ( between(1, N, I), between(I, N, J) ), All),
+                   include(beside, All, Few),
+                   gaps_in(Few, N, Gaps, T1),
+                   gaps_in(All, N, Gaps, T2) )),
+    length(Gaps, Length),
+    assertion(Length =:= 2*N-1),
+    Most is T2/max(T1, 0.005).
+
+beside(I-J) :-
+    J-I =< 1.
+
+%   The least time of three.
+
+gaps_in(Pairs, N, Gaps, Time) :-
+    Reach is 1.2/N,
+    findall(T, ( between(1, 3, _),
+                 statistics(process_cputime, T0),
+                 segment_gaps(Pairs, Reach, _),
+                 statistics(process_cputime, T1),
+                 T is T1-T0 ), Ts),
+    min_list(Ts, Time),
+    segment_gaps(Pairs, Reach, Gaps).
 
 :- end_tests(gap).
