@@ -247,7 +247,7 @@ verb_option(draw, option(dashes, '', one_of([auto, geometry, type]), 'HOW',
 verb_option(draw, option(png, '', one_of([smooth, dots]), 'HOW',
     'a .png with smooth lines, as is usual, or in dots, as on the screens of \c
      1988; --size is then in dots')).
-verb_option(draw, option(dpi, '', number(1), 'N',
+verb_option(draw, option(dpi, '', number(1,1000000), 'N',
     'dots to the inch of a smooth .png')).
 
 verb_option(draw, option(points, '', value, 'N',

@@ -63,7 +63,7 @@ render_option(option('scan-line', '', each, 'Y=FILE',
     'the scan line Y dots below the upper edge as a drawing, seen from above: \c
      slices of the faces, those that may be seen wider, what is seen red; may \c
      be repeated')).
-render_option(option(dpi, '', number(1), 'N',
+render_option(option(dpi, '', number(1,1000000), 'N',
     'dots to the inch, written into a .png')).
 
 %!  shown_option(?Spec) is nondet.

@@ -167,7 +167,7 @@ unfold_option(option(style, '', value, 'FILE',
 unfold_option(option(dashes, '', one_of([auto, geometry, type]), 'HOW',
     'dashes as suits the format (auto), as lines of their own (geometry, for \c
      cutters), or as line types of plotters (type)')).
-unfold_option(option(dpi, '', number(1), 'N',
+unfold_option(option(dpi, '', number(1,1000000), 'N',
     'dots to the inch of a .png')).
 unfold_option(option(json, '', flag, '', 'the report as JSON')).
 

@@ -481,7 +481,7 @@ may_be_large(Wanted) :-
 
 per_metre(Options, PerMetre) :-
     (   option(dpi(N), Options)
-    ->  PerMetre is min(0x7fffffff, round(N/0.0254))
+    ->  PerMetre is round(N/0.0254)
     ;   PerMetre = 0
     ).
 

@@ -269,7 +269,7 @@ check "tabs" eval "[ \$(sanggwan unfold -q $box --scale 10:1 --tabs 5 -o - \
   --format svg | wc -c) -gt \
   \$(sanggwan unfold -q $box --scale 10:1 -o - --format svg | wc -c) ]"
 check "too many dots" complains 2 'cannot have .* dots' \
-  sanggwan unfold "$box" --dpi 1e9 -o "$TMP/box.png"
+  sanggwan unfold "$box" --dpi 1000000 -o "$TMP/box.png"
 check "a page that is none" complains 2 'A44' \
   sanggwan unfold "$box" --page A44 -o "$TMP/box.svg"
 
