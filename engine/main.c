@@ -17,7 +17,7 @@
 #include <string.h>
 
 enum { PROLOG_WORDS = 5, WRONG_USAGE = 2, MOST_SHOWN = 200, CANNOT_START = 4 };
-enum { FROM_SYSTEM = 32 << 20, KEPT_FREE = 256 << 20 };
+enum { FROM_SYSTEM = 16 << 20, KEPT_FREE = 256 << 20 };
 
 /* Kernels take and free arrays of megabytes one after another. Pages that went
  * back to the system between two of them would be cleared again for the next:
