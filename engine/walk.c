@@ -219,6 +219,9 @@ gather(sg_walk *walk, const sg_index *index, uint64_t hash)
     sg_row row = sg_index_row(index, at);
     const sg_live *live = sg_map_live(map, row / SG_PAGE_ROWS);
     unsigned place = row % SG_PAGE_ROWS;
+    if (live) {
+      sg_page_fetch(live->page, walk->info, place);
+    }
     if (live && (live->word[place / 64] >> place % 64 & 1) &&
         (!index->members || index->link[at].id == walk->row[1].i) &&
         sg_page_match(live->page, walk->info, walk->mask, place, walk->row)) {
