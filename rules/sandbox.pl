@@ -29,6 +29,7 @@ sandbox:safe_primitive(sg_kernel_world:world_number(_)).
 sandbox:safe_primitive(sg_kernel_world:model_tolerance(_)).
 sandbox:safe_primitive(sg_kernel_world:segments_tolerance(_,_,_)).
 sandbox:safe_primitive(sg_kernel_world:near_segments(_,_,_)).
+sandbox:safe_primitive(sg_kernel_world:segment_borders(_,_)).
 sandbox:safe_primitive(sg_kernel_world:census(_)).
 sandbox:safe_primitive(sg_kernel_world:census_part(_,_)).
 sandbox:safe_primitive(sg_kernel_world:census_shell(_,_,_,_)).

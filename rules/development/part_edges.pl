@@ -2,7 +2,7 @@
           [ parts_attached/3,           % +S, +Tolerance, -Changes
             edge_length/3               % +S, +E, -Length
           ]).
-:- use_module('../kernel', [census_defect/4]).
+:- use_module('../kernel', [segment_borders/2]).
 :- use_module('../solid/repair', [welded_vertex/2]).
 :- use_module('../store',
               [ v/5, e/5, p/3, edge_polygon/3, assert_fact/1,
@@ -39,22 +39,18 @@ edges are long.
 %   that want S as it was do this in a snapshot.
 
 parts_attached(S, Tolerance, Changes) :-
-    border_edges(S, Borders),
+    segment_borders(S, Borders),
     (   Borders == []
     ->  Changes = changes([], [])
     ;   facts_transaction(
             sg_part_edges:attached(S, Borders, Tolerance, Changes))
     ).
 
-border_edges(S, Es) :-
-    findall(E, census_defect(border_edge, S, E, _), Es0),
-    sort(Es0, Es).
-
 attached(S, Borders0, Tolerance, changes(Welded, Divided)) :-
     vertices_welded(S, Borders0, Tolerance, Welded),
     (   Welded == []
     ->  Borders = Borders0
-    ;   border_edges(S, Borders)
+    ;   segment_borders(S, Borders)
     ),
     edges_divided(S, Borders, Tolerance, Divided),
     (   Welded-Divided == []-[]

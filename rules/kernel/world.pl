@@ -125,6 +125,14 @@ Foreign predicates; see kernel.pl.
 %
 %   As leaf.pl, leaves_kept/1. Fails if one is not there.
 
+/* - - - border_rows.c - - - */
+
+%!  segment_borders(+S:id, -Es:list(id)) is det.
+%
+%   Es are the edges of polygons of segment S that no other edge of one runs
+%   along, ascending: its border_edge defects (census_defect/4), at the cost of
+%   S alone, whatever else changed in the world.
+
 /* - - - census_rows.c - - - */
 
 %!  census(-Parts:list(census_part)) is det.

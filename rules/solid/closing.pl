@@ -2,7 +2,7 @@
           [ closed_by_caps/1,           % +S
             border_loops/2              % +S, -Loops
           ]).
-:- use_module('../kernel', [census_defect/4, model_tolerance/1]).
+:- use_module('../kernel', [model_tolerance/1, segment_borders/2]).
 :- use_module('../store',
               [ v/5, e/5, p/3, segment/3, assert_fact/1, retractall_facts/1,
                 facts_transaction/1, fresh_id/3
@@ -65,11 +65,8 @@ cap_edge(S, V1-V2, E, E, E1) :-
 %   @error geometry_error(trim(open(S, V1, V2))): a border that does not close
 
 border_loops(S, Loops) :-
-    findall(E-(V2-V1),
-            ( census_defect(border_edge, S, E, _), e(S, E, V1, V2, _) ),
-            Pairs0),
-    sort(Pairs0, Pairs),
-    findall(Step, member(_-Step, Pairs), Steps),
+    segment_borders(S, Es),
+    findall(V2-V1, ( member(E, Es), e(S, E, V1, V2, _) ), Steps),
     loops(Steps, S, Loops).
 
 loops([], _, []).

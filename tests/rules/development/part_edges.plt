@@ -1,5 +1,6 @@
 :- module(test_part_edges, []).
 :- use_module(library(plunit)).
+:- use_module(library(lists)).
 :- use_module(rules(sanggwan)).
 :- use_module(rules(kernel)).
 :- use_module(rules(development/part_edges)).
@@ -133,5 +134,26 @@ test(bricks, N == M) :-
     with_polygons(apart, Polygons, ( attached(_), partners(Pairs) )),
     length(Pairs, N),
     M is 10*9 + 9*19.
+
+% The borders of a segment are what the census of the world says of them.
+
+test(borders, [ forall(member(How, [apart, shared])), Borders == Defects ]) :-
+    figure5(Polygons),
+    with_polygons(How, Polygons,
+                  ( assert_fact(segment(2, surface, raw)),
+                    forall(nth1(V, [0-0-9,1-0-9,0-1-9], X-Y-Z),
+                           assert_fact(v(2, V, X, Y, Z))),
+                    forall(member(A-B, [1-2,2-3,3-1]),
+                           assert_fact(e(2, A, A, B, 1))),
+                    assert_fact(p(2, 1, [1,2,3])),
+                    complete_segments,
+                    findall(S-E, ( member(S, [1,2,3]),
+                                   segment_borders(S, Es),
+                                   member(E, Es) ),
+                            Borders),
+                    findall(S-E, census_defect(border_edge, S, E, _), Defects0),
+                    sort(Defects0, Defects) )),
+    memberchk(1-_, Borders),
+    memberchk(2-_, Borders).
 
 :- end_tests(part_edges).
