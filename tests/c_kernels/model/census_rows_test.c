@@ -1,7 +1,7 @@
 /* census_rows_test.c -- cubes counted, measured and found defective, through
  * the functions of the doors, without Prolog.
  *
- * covers: census, census_kept_rows
+ * covers: border_rows, census, census_kept_rows
  */
 #include "doors/world.h"
 
@@ -9,6 +9,7 @@
 #include "tests/check.h"
 
 #include <math.h>
+#include <string.h>
 
 static sg_call call;
 
@@ -183,6 +184,35 @@ stop(void *data)
   return true;
 }
 
+/* A triangle alone has borders, a cube has none. */
+static void
+borders(void)
+{
+  const int32_t s[3] = {3, 3, 3}, id[3] = {1, 2, 3}, next[3] = {2, 3, 1};
+  const int32_t real[3] = {1, 1, 1}, edges[4] = {3, 1, 2, 3};
+  const int32_t *list = edges;
+  const double x[3] = {0, 1, 0}, y[3] = {0, 0, 1}, z[3] = {0, 0, 0};
+  sg_int_list of[2] = {{0}};
+
+  sg_world_begin(call.world);
+  CHECK("a triangle",
+        sg_world_add_many(call.world, SG_V, 3, (const void *[]){s, id, x, y, z},
+                          NULL) == SG_OK &&
+            sg_world_add_many(call.world, SG_E, 3,
+                              (const void *[]){s, id, id, next, real},
+                              NULL) == SG_OK &&
+            sg_world_add_many(call.world, SG_P, 1,
+                              (const void *[]){s, id, &list}, NULL) == SG_OK);
+  sg_call_rest(&call);
+  CHECK("its borders", sg_door_segment_borders(&call, 3, &of[0]) &&
+                           of[0].n == 3 &&
+                           memcmp(of[0].at, id, sizeof id) == 0);
+  CHECK("of a cube none",
+        sg_door_segment_borders(&call, 1, &of[1]) && of[1].n == 0);
+  CHECK("it goes", sg_world_rollback(call.world) == SG_OK);
+  sg_call_rest(&call);
+}
+
 int
 main(void)
 {
@@ -199,6 +229,7 @@ main(void)
   sg_call_open(&call, NULL, NULL);
   call.world = world;
   counts();
+  borders();
   defects();
   one_by_one();
   parts_and_shells();
