@@ -787,6 +787,46 @@ exact_volume(difference, Box1, Box2, Volume) :-
     exact_volume(intersection, Box1, Box2, V),
     Volume is V1-V.
 
+%   Parts that were made flush and then turned and moved together are one, and
+%   that is nothing to tell or refuse.
+
+test(turned_together, Failed == []) :-
+    set_random(seed(2022)),
+    cases(40, N),
+    findall(Term, ( between(1, N, _), random_turned(Term) ), Terms),
+    exclude(one_shell_in_silence, Terms, Failed).
+
+random_turned(union([ at(Steps, box(size(SX,SY,SZ))),
+                      at([translate(X,0,0)|Steps], box(size(TX,TY,TZ)))
+                    ])) :-
+    maplist(random_size, [SX,SY,SZ,TX,TY,TZ]),
+    X is (SX+TX)/2,
+    maplist(random_turn, [x,y,z], Turns),
+    maplist(random_move, [MX,MY,MZ]),
+    append(Turns, [translate(MX,MY,MZ)], Steps).
+
+random_size(Size) :-
+    random_between(100, 30000, N),
+    Size is N/1000.0.
+
+random_turn(Axis, rotate(Axis,Degrees)) :-
+    random_between(-18000, 18000, N),
+    Degrees is N/100.0.
+
+random_move(Move) :-
+    random_between(-1000000, 1000000, N),
+    Move is N/1000.0.
+
+one_shell_in_silence(Term) :-
+    retractall(said(_)),
+    new_world(World),
+    in_world(World,
+             ( assert_fact(segment(1, solid, Term)),
+               refusing_moves(evaluate(1)),
+               measured(1, Shells, _) )),
+    Shells == 1,
+    \+ said(_).
+
 %   A step that is lower than the tolerance goes, with a word, or not at all.
 
 step(Height, union([ box(size(4,4,4)),
