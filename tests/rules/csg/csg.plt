@@ -159,7 +159,7 @@ test(no_front, error(model_error(csg(no_front(2))), _)) :-
 %   The helper of a split is larger than the model; what is near is not.
 
 test(near_by_the_operands_alone,
-     [forall(member(Gap-Ps, [4.0e-14-5, 4.0e-13-10])), true(N == Ps)]) :-
+     [forall(member(Gap-Ps, [4.0e-15-5, 4.0e-13-10])), true(N == Ps)]) :-
     Turned = rotate(axis(1,2,3),33),
     Z is 1+Gap,
     with_tree([ at([Turned], box(size(1,1,1))),

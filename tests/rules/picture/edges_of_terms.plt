@@ -452,6 +452,12 @@ rising_line(S, X, Y) :-
     ),
     Z > 0.0.
 
+% Pyramids that are lower than the tolerance are told.
+
+:- multifile user:message_hook/3.
+
+user:message_hook(sanggwan(tight(_,_,_,_,_,_)), warning, _).
+
 :- begin_tests(flat_pyramids).
 
 test(drawn, [ forall(( low(H), flat(H, Term) )), Count == 4 ]) :-
