@@ -3,6 +3,8 @@
             refusing_moves/1,           % :Goal
             moved_said/2,               % +Moved, +Tolerance
             tight_said/1,               % +Tight
+            holding_said/2,             % :Goal, -Held
+            held_said/1,                % +Held
             tolerance_reach/2,          % +Tolerance, -Reach
             resolved_seams/0
           ]).
@@ -84,7 +86,7 @@ closed_contacts([Part|Parts], Set, Tolerance, Moves) :-
     ->  What == changed,
         Moves = Moves0
     ;   Parts == []
-    ->  print_message(warning, sanggwan(contacts(What))),
+    ->  said(print_message(warning, sanggwan(contacts(What)))),
         fail
     ;   closed_contacts(Parts, Set, Tolerance, Moves)
     ).
@@ -107,11 +109,14 @@ moves_said(move(tight, S1-S2, p(X,Y,Z), Move, Feature, N), _) :-
 %   @error geometry_error(unasked(Moved, Reach)): Reach is the tolerance that
 %          allows it
 
-moved_said(Moved, own(Reach)) :-
+moved_said(Moved, Tolerance) :-
+    said(told_moved(Moved, Tolerance)).
+
+told_moved(Moved, own(Reach)) :-
     refused,
     !,
     throw(error(geometry_error(unasked(Moved, Reach)), _)).
-moved_said(Moved, _) :-
+told_moved(Moved, _) :-
     print_message(informational, sanggwan(Moved)).
 
 %!  tight_said(+Tight) is det.
@@ -124,12 +129,45 @@ moved_said(Moved, _) :-
 %          flattened(S, Place, Move, Edge, N)
 
 tight_said(Tight) :-
+    said(told_tight(Tight)).
+
+told_tight(Tight) :-
     (   refused
     ->  throw(error(geometry_error(Tight), _))
     ;   print_message(warning, sanggwan(Tight))
     ).
 
-:- thread_local refused/0.
+:- thread_local refused/0, holding/0, held/1.
+
+said(Goal) :-
+    (   holding
+    ->  assertz(held(Goal))
+    ;   call(Goal)
+    ).
+
+:- meta_predicate holding_said(0, -).
+
+%!  holding_said(:Goal, -Held:list) is semidet.
+%
+%   once/1 of Goal, an attempt. What would be said of what it moves, or refused,
+%   is Held, for held_said/1 when it is known that the attempt counts.
+
+holding_said(Goal, Held) :-
+    setup_call_cleanup(
+        asserta(holding, Ref),
+        ( once(Goal),
+          findall(Said, retract(held(Said)), Held)
+        ),
+        ( erase(Ref),
+          retractall(held(_))
+        )).
+
+%!  held_said(+Held:list) is det.
+%
+%   @error as moved_said/2, tight_said/1
+
+held_said(Held) :-
+    maplist(call, Held).
 
 :- meta_predicate refusing_moves(0).
 

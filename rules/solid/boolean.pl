@@ -10,7 +10,8 @@
 :- use_module(arrangement,
               [ with_arrangement/3, components/2, arranged_solid/3,
                 default_senses/4, contact_vertices/2, pieces_numbers/2,
-                pieces_changed/3, leaves_around/3, part_of_arrangement/3
+                pieces_changed/3, pieces_dropped/0, leaves_around/3,
+                part_of_arrangement/3
               ]).
 :- use_module('../csg/csg_record', [not_kept/2, segments_of_kind/3]).
 :- use_module('../decision', [decision/2, decision_is_default/1]).
@@ -23,7 +24,8 @@
               ]).
 :- use_module(operand, [checked_operand/1]).
 :- use_module('../polygon/triangulation', [new_segments_complete/0]).
-:- use_module('../penetration/resolve', [tolerance_reach/2]).
+:- use_module('../penetration/resolve',
+              [held_said/1, holding_said/2, tolerance_reach/2]).
 :- use_module('../csg/csg_rows', [drop_boundary/1]).
 :- use_module('../csg/source', [source_kept/3]).
 :- use_module('../stage', [stage/2]).
@@ -188,9 +190,12 @@ refuse_large(Tolerance, Smallest) :-
 
 made(Expression, Leaves, Options, Solid, Contacts, Numbers) :-
     attempt(Options, Attempt, What),
-    selected_solid(Expression, Leaves, Attempt, Solid0, Contacts0, Numbers0),
+    holding_said(selected_solid(Expression, Leaves, Attempt, Solid0, Contacts0,
+                                Numbers0),
+                 Held),
     (   is_open(Leaves, Solid0)
     ->  solid_close(Solid0),
+        not_said(Held),
         maplist(checked_leaf, Leaves),
         fail
     ;   What == first
@@ -198,6 +203,11 @@ made(Expression, Leaves, Options, Solid, Contacts, Numbers) :-
     ;   print_message(warning, sanggwan(opened))
     ),
     !,
+    catch(held_said(Held), Error,
+          ( solid_close(Solid0),
+            not_said(Held),
+            throw(Error)
+          )),
     Solid = Solid0,
     Contacts = Contacts0,
     (   What == first,
@@ -208,6 +218,12 @@ made(Expression, Leaves, Options, Solid, Contacts, Numbers) :-
     ).
 made(_, _, _, _, _, _) :-
     throw(error(geometry_error(result_open), _)).
+
+%   not_said(Held): whoever needs the pieces again makes them, and says it.
+
+not_said([]).
+not_said([_|_]) :-
+    pieces_dropped.
 
 attempt(Options, Options, first).
 attempt(Options, [tolerance(0)|Options], apart) :-

@@ -10,8 +10,10 @@
 :- use_module(rules(model/model)).
 :- use_module(rules(penetration/penetration)).
 :- use_module(rules(penetration/resolve), [refusing_moves/1]).
+:- use_module(rules(solid/boolean), [boolean/3]).
 :- use_module(rules(solid/csg_evaluate)).
 :- use_module(rules(polygon/triangulation), [complete_segments/1]).
+:- use_module(rules(primitive/primitive_rows), [add_primitive/2]).
 :- use_module(rules(store)).
 
 /* Families of gaps, walls and offsets, in every format, against arithmetic.
@@ -436,6 +438,16 @@ evaluated_with(Tolerance, Term) :-
              ( assert_fact(segment(1, solid, Term)),
                evaluate(1, [tolerance(Tolerance)]) )).
 
+%   united(Said): what is said first when a gap of a thousandth is closed.
+
+united(Found) :-
+    retractall(said(_)),
+    boolean(union([1,2]), 3, [tolerance(0.00125)]),
+    (   said(Said)
+    ->  functor(Said, Found, _)
+    ;   Found = silent
+    ).
+
 %   coarse_scene(Terms, Options, Words): a box of float32, and beside it what
 %   Gap-[Y,Z]-Size says.
 
@@ -840,6 +852,37 @@ test(a_step, [ forall(member(Height-Words, [ 0.005-[flattened], 0.05-[] ])),
 test(a_step_refused, error(geometry_error(flattened(_, _, _, _, _)))) :-
     step(0.005, Term),
     refusing_moves(test_precision:evaluated_with(0.01, Term)).
+
+%   What an attempt would move that is given up is neither told nor refused: the
+%   second goes through two places of the first that are nearer to each other
+%   than the tolerance.
+
+splinter(union([ prism(outline([[0,0],[4,0],[4,4],[2,0.08],[0,4]]), height(2)),
+                 at([translate(1.6,0,0.25)],
+                    prism(outline([[0,0],[4,0],[4,0.06],[2,0.03],[0,0.06]]),
+                          height(2))) ])).
+
+test(given_up, Found == [opened]) :-
+    splinter(Term),
+    refusing_moves(test_precision:evaluated_with(0.06, Term)),
+    findall(Said, said(Said), Found).
+
+%   What was refused once is refused again, of the same pieces.
+
+test(refused_again, Found == [refused,refused,tight]) :-
+    new_world(World),
+    in_world(World,
+             ( add_primitive(box(size(1,1,1)), 1),
+               add_primitive(at([translate(1.001,0,0)], box(size(1,1,1))), 2),
+               united_strictly(First),
+               united_strictly(Second),
+               united(Third) )),
+    Found = [First,Second,Third].
+
+united_strictly(Found) :-
+    catch(refusing_moves(test_precision:united(Found)),
+          error(geometry_error(tight(_,_,_,_,_,_)), _),
+          Found = refused).
 
 %   Beside a coarse operand a finer one's step is no rounding: a word.
 
