@@ -164,7 +164,7 @@ $(B)/libcore.a: $(CORE)
 	@rm -f $@
 	ar rcs $@ $^
 # After a change of a kernel tests are linked, not compiled.
-.PRECIOUS: $(B)/tests/%_test.o
+.PRECIOUS: $(B)/%.o
 $(B)/tests/%_test: $(B)/tests/%_test.o $(B)/libcore.a
 	$(CC) $(EXTRA_CFLAGS) $< $(B)/libcore.a -o $@ $(LIBS)
 -include $(C_TESTS:%=%.d)
