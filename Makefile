@@ -287,6 +287,7 @@ MADE := documentation.pl core.qlf parts embedded.qlf
 san-text: $(B)/sanggwan
 	@mkdir -p $(B)/san
 	@cp $(MADE:%=$(B)/%) $(B)/san
+	@rm -f $(B)/san/carried.o
 	@OPT=-O1 EXTRA_CFLAGS='$(SAN)' $(MAKE) --no-print-directory -s \
 	  B=$(B)/san $(MADE:%=-o $(B)/san/%) $(B)/san/sanggwan
 	@B=$(B)/san TEXT_FUZZ=$(or $(TEXT_FUZZ),400) TEST_SECONDS=$(CHECK_SECONDS) \
