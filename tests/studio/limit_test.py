@@ -157,8 +157,8 @@ for page, journals in ((front.page(), ""), (pupil("a" * 32), "class/")):
     check("sent: its name", head.get("file") == "good.pl", head)
     untold("sent, explained", page.ask("explain", item="segment(1)"), None)
     page.ask("open", file="cube.pl")
-    journal = max(glob.glob("%s/sanggwan/%scube.pl-*" % (state, journals)),
-                  key=os.path.getmtime)
+    ends = glob.glob("%s/sanggwan/%scube.pl-*.end" % (state, journals))
+    journal = max(ends, key=os.path.getmtime).removesuffix(".end")
     page.ask("open", file="good.pl", upload=True)
     with open(journal, "w") as out:
         out.write("mine\n")
