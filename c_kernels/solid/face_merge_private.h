@@ -211,7 +211,7 @@ sg_merge_end sg_merge_meet(sg_merge *m);
 /* ---- face_merge_tight.c ---- */
 
 /* After brief edges were contracted, while they are known. */
-sg_merge_end sg_merge_note_contracted(sg_merge *m);
+sg_merge_end sg_merge_note_contracted(sg_merge *m, const sg_contracted *was);
 /* Before the solid is written anew. */
 void sg_merge_note_dropped(sg_merge *m);
 

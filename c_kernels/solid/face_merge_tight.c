@@ -2,7 +2,8 @@
  * is there: see face_merge_private.h.
  *
  * Layer: kernel. Inexact. What cuts have made is of no size of its own, so only
- * vertices of operands are looked at, and the edges that end there.
+ * vertices of operands are looked at, and the edges that end there; but a wall
+ * of an operand may have cuts alone at its ends.
  */
 #include "face_merge_private.h"
 
@@ -12,8 +13,9 @@
 
 enum { TIGHT = 100 }; /* a move that is more than 1 / TIGHT of an edge is */
 
+/* What is there is of segment s. */
 static void
-note(sg_merge *m, uint32_t v, double move, double feature)
+note(sg_merge *m, uint32_t v, int32_t s, double move, double feature)
 {
   sg_merge_source source = {0};
 
@@ -21,7 +23,7 @@ note(sg_merge *m, uint32_t v, double move, double feature)
     return;
   }
   if (m->options->source) {
-    source = m->options->source(m->options->data, m->solid->vertex[v].s);
+    source = m->options->source(m->options->data, s);
   }
   if (move <= source.rounding) {
     return;
@@ -30,6 +32,7 @@ note(sg_merge *m, uint32_t v, double move, double feature)
   out->n++;
   if (out->n == 1 || move * out->feature > out->move * feature) {
     out->vertex = m->solid->vertex[v];
+    out->vertex.s = s;
     out->move = move;
     out->feature = feature;
   }
@@ -54,8 +57,67 @@ are_given(const sg_merge *m, uint32_t v, uint32_t w)
          solid->vertex[v].s == solid->vertex[w].s;
 }
 
+/* ---- what is contracted ---- */
+
+/* The face of a half-edge in the list of those that leave, before. */
+static uint32_t
+face_at(const sg_merge *m, uint32_t place)
+{
+  return m->face_of[m->leaving[place].half / 3];
+}
+
+static bool
+has_face(const sg_merge *m, uint32_t v, uint32_t face)
+{
+  for (uint32_t i = m->first[v]; i < m->first[v + 1]; i++) {
+    if (face_at(m, i) == face) {
+      return true;
+    }
+  }
+  return false;
+}
+
+static void
+normal_at(const sg_merge *m, const sg_contracted *was, uint32_t place,
+          double out[3])
+{
+  const uint32_t *corner = was->triangle[m->leaving[place].half / 3];
+  double u[3], w[3];
+
+  sg_minus(sg_merge_at(m, corner[1]), sg_merge_at(m, corner[0]), u);
+  sg_minus(sg_merge_at(m, corner[2]), sg_merge_at(m, corner[0]), w);
+  sg_cross(u, w, out);
+}
+
+/* The segment that has a wall between v and w: a face at each of them, not at
+ * the other, and these look apart. 0: none has. */
+static int32_t
+wall_between(const sg_merge *m, const sg_contracted *was, uint32_t v,
+             uint32_t w)
+{
+  for (uint32_t i = m->first[v]; i < m->first[v + 1]; i++) {
+    const sg_solid_face *one = &was->face[face_at(m, i)];
+    double n[3], k[3];
+
+    if (has_face(m, w, face_at(m, i))) {
+      continue;
+    }
+    normal_at(m, was, i, n);
+    for (uint32_t j = m->first[w]; j < m->first[w + 1]; j++) {
+      if (was->face[face_at(m, j)].s == one->s &&
+          !has_face(m, v, face_at(m, j))) {
+        normal_at(m, was, j, k);
+        if (sg_dot(n, k) < 0) {
+          return one->s;
+        }
+      }
+    }
+  }
+  return 0;
+}
+
 sg_merge_end
-sg_merge_note_contracted(sg_merge *m)
+sg_merge_note_contracted(sg_merge *m, const sg_contracted *was)
 {
   const sg_solid *solid = m->solid;
   unsigned char *used = calloc(solid->vertices + 1, 1);
@@ -70,7 +132,13 @@ sg_merge_note_contracted(sg_merge *m)
     if (v < solid->plain && (!used[v] || !used[w]) &&
         (w >= solid->plain || are_given(m, v, w))) {
       double length = between(m, v, w);
-      note(m, used[v] && w < solid->plain ? w : v, length, length);
+      uint32_t gone = used[v] && w < solid->plain ? w : v;
+      note(m, gone, solid->vertex[gone].s, length, length);
+    } else if (v >= solid->plain && w >= solid->plain &&
+               !(used[v] && used[w])) {
+      int32_t s = wall_between(m, was, v, w);
+      double length = s != 0 ? between(m, v, w) : 0;
+      note(m, v, s, length, length);
     }
   }
   free(used);
@@ -115,7 +183,7 @@ sg_merge_note_dropped(sg_merge *m)
 {
   for (uint32_t v = 0; m->fate && v < m->solid->plain; v++) {
     if (m->fate[v] == SG_INNER || m->fate[v] == SG_DROPPED) {
-      note(m, v, move_of(m, v), edge_of(m, v));
+      note(m, v, m->solid->vertex[v].s, move_of(m, v), edge_of(m, v));
     }
   }
 }
