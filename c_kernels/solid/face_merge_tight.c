@@ -89,12 +89,16 @@ normal_at(const sg_merge *m, const sg_contracted *was, uint32_t place,
   sg_cross(u, w, out);
 }
 
-/* The segment that has a wall between v and w: a face at each of them, not at
- * the other, and these look apart. 0: none has. */
-static int32_t
+/* How thick the wall of a segment is between v and w: it has a face at each of
+ * them, not at the other, and these look apart. Planes that cross at a small
+ * angle part v and w by more than that. 0: there is none. */
+static double
 wall_between(const sg_merge *m, const sg_contracted *was, uint32_t v,
-             uint32_t w)
+             uint32_t w, int32_t *s)
 {
+  double way[3];
+
+  sg_minus(sg_merge_at(m, w), sg_merge_at(m, v), way);
   for (uint32_t i = m->first[v]; i < m->first[v + 1]; i++) {
     const sg_solid_face *one = &was->face[face_at(m, i)];
     double n[3], k[3];
@@ -108,7 +112,9 @@ wall_between(const sg_merge *m, const sg_contracted *was, uint32_t v,
           !has_face(m, v, face_at(m, j))) {
         normal_at(m, was, j, k);
         if (sg_dot(n, k) < 0) {
-          return one->s;
+          *s = one->s;
+          return fmin(fabs(sg_dot(n, way)) / sg_length(n),
+                      fabs(sg_dot(k, way)) / sg_length(k));
         }
       }
     }
@@ -136,9 +142,9 @@ sg_merge_note_contracted(sg_merge *m, const sg_contracted *was)
       note(m, gone, solid->vertex[gone].s, length, length);
     } else if (v >= solid->plain && w >= solid->plain &&
                !(used[v] && used[w])) {
-      int32_t s = wall_between(m, was, v, w);
-      double length = s != 0 ? between(m, v, w) : 0;
-      note(m, v, s, length, length);
+      int32_t s = 0;
+      double thick = wall_between(m, was, v, w, &s);
+      note(m, v, s, thick, thick);
     }
   }
   free(used);
