@@ -49,7 +49,10 @@ $(B)/deps.mk: tools/deps Makefile \
 	                         sed 's/-I */-isystem /g')" && \
 	   echo "PL_LIBS := $$(pkg-config --libs swipl)" && \
 	   echo "PL_ARCH := $$(swipl -g 'current_prolog_flag(arch, A), write(A)' \
-	                         -t halt)"; } > $@
+	                         -t halt)" && \
+	   echo "LEAKS := $$(echo 'int main(void) { return 0; }' | \
+	       $(CC) -fsanitize=leak -x c - -o $(B)/leaks 2>/dev/null && \
+	     $(B)/leaks 2>/dev/null && echo -fsanitize=leak)"; } > $@
 packages:
 	@$(LOOK)
 
@@ -81,7 +84,7 @@ WEB     := $(wildcard web/*)
 all: $(B)/sanggwan.so $(if $(wildcard rules/command/cli.pl),sanggwan)
 
 .PHONY: all sanggwan packages so demo test test-all check check-c check-rules check-embed check-cli bless \
-        mutants check-san san san-text tsan coverage covered check-vg lint \
+        mutants check-san san san-text tsan coverage covered check-vg vg lint \
         docs clean install uninstall bench
 
 # --- objects and libraries -------------------------------------------------
@@ -163,10 +166,12 @@ CLIS    := $(sort $(wildcard $(foreach t,$(NAMED), tests/cli/*$(t)*.sh \
 $(B)/libcore.a: $(CORE)
 	@rm -f $@
 	ar rcs $@ $^
-# After a change of a kernel tests are linked, not compiled.
+# After a change of a kernel tests are linked, not compiled. One that does not give
+# back what it took fails (LEAKS: LeakSanitizer, where it runs).
 .PRECIOUS: $(B)/%.o
 $(B)/tests/%_test: $(B)/tests/%_test.o $(B)/libcore.a
-	$(CC) $(EXTRA_CFLAGS) $< $(B)/libcore.a -o $@ $(LIBS)
+	$(CC) $(EXTRA_CFLAGS) $(if $(findstring sanitize,$(EXTRA_CFLAGS)),,$(LEAKS)) \
+	  $< $(B)/libcore.a -o $@ $(LIBS)
 -include $(C_TESTS:%=%.d)
 
 # The checker of results: shares nothing with the engine.
@@ -342,7 +347,9 @@ covered: $(C_TESTS)
 VG     := valgrind -q --error-exitcode=9 --leak-check=full \
           --errors-for-leak-kinds=definite --suppressions=tests/swipl.supp
 VG_PLT := chain decision mesh model store tree view work worlds
-check-vg: $(B)/sanggwan.so $(C_TESTS)
+check-vg:
+	@$(MAKE) --no-print-directory -s B=$(B)/vg LEAKS= vg
+vg: $(B)/sanggwan.so $(C_TESTS)
 	@RUN='$(VG)' TEST_SECONDS=$(CHECK_SECONDS) tests/run $(filter-out %/cut_test %/mesh_fuzz_test, \
 	  $(C_TESTS))
 	@echo 'skipped: the tests of rules that need threads'
