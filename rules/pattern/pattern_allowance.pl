@@ -1,5 +1,6 @@
 :- module(sg_pattern_allowance,
-          [ allowances/5                % +Seam, +Width, +Pieces, -Strips, -Bare
+          [ allowances/5,               % +Seam, +Width, +Pieces, -Strips, -Bare
+            strip_depth/3               % +Seam, +Width, -Deep
           ]).
 :- use_module('../near', [less_part/2, tolerance/2]).
 :- use_module('../kernel', [shapes_add/2, shapes_free/3]).
@@ -182,6 +183,11 @@ end_slope(Seam, Side1, Side2, Other, Slope) :-
     ;   less_part(0.0, Open),
         Slope is 1/tan(Open)
     ).
+
+%!  strip_depth(+Seam, +Width, -Deep) is semidet.
+%
+%   How far beyond its side the strip of a seam reaches; none but `lap` and
+%   `lock` has one.
 
 strip_depth(lap, Width, Width).
 strip_depth(lock, Width, Deep) :-

@@ -2,7 +2,7 @@
           [ pattern_drawing/3,          % +Ds, +Options, -Drawings
             pattern_layout/3            % +Ds, +Options, -Layout
           ]).
-:- use_module(pattern_fit, [fitted_pieces/5]).
+:- use_module(pattern_fit, [fitted_pieces/5, joint_depth/3]).
 :- use_module(pattern_lines, [outline_loops/2, piece_line/4]).
 :- use_module(pattern_nest, [nested/3]).
 :- use_module(pattern_number, [partner_sheets/3, seam_numbers/2]).
@@ -159,8 +159,8 @@ found_scale(pages(N), Ds, Options, Scale) :-
     maplist(loop_area, Pointss, Areas),
     sum_list(Areas, Area),
     Room is N*W*H,
-    option(tabs(Width), Options, 0),
-    Apart is Gap+Width,
+    joint_depth(Options, _, Deep),
+    Apart is Gap+Deep,
     nesting_options(Options, Apart, Nesting),
     pages_scale(Area, Room, sg_pattern_drawing:in_pages(Ds, Nesting, N),
                 Near),
@@ -171,15 +171,15 @@ found_scale(pages(N), Ds, Options, Scale) :-
     ;   throw(error(usage_error(pattern(no_scale)), _))
     ).
 
-%   nesting_options(Options0, Apart, Options): pieces without tabs, but so far
+%   nesting_options(Options0, Apart, Options): pieces without joints, but so far
 %   Apart that these have room: about where the best scale is.
 
 nesting_options(Options0, Apart, [gap(Apart)|Options]) :-
-    exclude(says_tabs, Options0, Options).
+    exclude(says_joints, Options0, Options).
 
-says_tabs(Option) :-
+says_joints(Option) :-
     functor(Option, Name, _),
-    memberchk(Name, [tabs,open_slits,gap]).
+    memberchk(Name, [tabs,lap,lock,open_slits,gap]).
 
 %   unit_pieces(Ds, Options, Pieces, Paper): the pieces in units of the model.
 

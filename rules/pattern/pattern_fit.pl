@@ -1,8 +1,10 @@
 :- module(sg_pattern_fit,
-          [ fitted_pieces/5             % +Pieces, +Paper, +Options, -Fitted,
+          [ fitted_pieces/5,            % +Pieces, +Paper, +Options, -Fitted,
                                         % -Tabs
+            joint_depth/3,              % +Options, -Joint, -Deep
+            joint_is_wide/5             % +Joint, +Most, +Deep, +W, +H
           ]).
-:- use_module(pattern_allowance, [allowances/5]).
+:- use_module(pattern_allowance, [allowances/5, strip_depth/3]).
 :- use_module(pattern_lines, [outline_loops/2, piece_outline/3]).
 :- use_module(pattern_nest, [fits_on/2]).
 :- use_module(pattern_slit, [opened_slits/5]).
@@ -85,6 +87,38 @@ joints(Options, wide(Deep,On)) :-
         option(tab_sides(On), Options, one),
         must_be(oneof([one,both,alternate]), On)
     ).
+
+%!  joint_depth(+Options, -Joint, -Deep) is det.
+%
+%   Deep, in millimetres, is how far pieces may reach beyond their sides with
+%   what joins them, as of fitted_pieces/5; Joint is wide(Width,On) of it.
+
+joint_depth(Options, Joint, Deep) :-
+    joints(Options, Joint),
+    Joint = wide(Width, On),
+    joint_reach(On, Width, Deep).
+
+joint_reach(On, Width, Deep) :-
+    (   strip_depth(On, Width, Deep)
+    ->  true
+    ;   Deep = Width
+    ).
+
+%!  joint_is_wide(+Joint, +Most, +Deep, +W, +H) is failure.
+%
+%   A page with room for W x H mm takes what is Most deep, and not Joint, which
+%   is Deep.
+%
+%   @error usage_error(pattern(wide(Option, Width, Most, W-H)))
+
+joint_is_wide(wide(Width,On), Most, Deep, W, H) :-
+    once(joint_option(On, Option)),
+    Whole is floor(min(Most, Most*Width/Deep)),
+    throw(error(usage_error(pattern(wide(Option, Width, Whole, W-H))), _)).
+
+joint_option(lap,  '--lap').
+joint_option(lock, '--lock-seam').
+joint_option(_,    '--tabs').
 
 told(wide(Deep,Joint), Open, Pieces0, Pieces1, Fitted, Tabs) :-
     told_opened(Open, Pieces0, Pieces1),
@@ -389,20 +423,14 @@ pieces_split(Pieces0, on(Paper,Flat), Width, Tight, Split, Origins) :-
 %   and by as much as half the room for each of more Times.
 
 tab_room(room(W0,H0,Gap), wide(Width,On), Pieces, Times, room(W,H,Gap)) :-
-    (   On == lap
-    ->  Option = '--lap',
-        Deep = Width
-    ;   On == lock
-    ->  Option = '--lock-seam',
-        Deep is 1.5*Width
-    ;   Option = '--tabs',
-        deepest_tab(Width, Pieces, Deep)
+    (   strip_depth(On, Width, Deep)
+    ->  true
+    ;   deepest_tab(Width, Pieces, Deep)
     ),
     Most is min(W0, H0)/4,
     (   Deep =< Most
     ->  Off is min(2*Most, (1+Times)*Deep),
         W is W0-Off,
         H is H0-Off
-    ;   Whole is floor(min(Most, Most*Width/Deep)),
-        throw(error(usage_error(pattern(wide(Option, Width, Whole, W0-H0))), _))
+    ;   joint_is_wide(wide(Width,On), Most, Deep, W0, H0)
     ).

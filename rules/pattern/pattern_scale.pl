@@ -5,6 +5,7 @@
             scale_text/2                % +Scale, -Text
           ]).
 :- use_module('../bisection', [bisection/5]).
+:- use_module(pattern_fit, [joint_depth/3, joint_is_wide/5]).
 :- use_module(pattern_nest, [fits_on/2]).
 :- use_module(pattern_piece, [piece_points/2]).
 :- use_module('../store', [v/5]).
@@ -12,7 +13,6 @@
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [member/2, min_list/2]).
-:- use_module(library(option), [option/3]).
 /** <module> The scale of a pattern, from what should come of it.
 
 A paper model is to be 200 mm high, or to take five pages, and nobody knows the
@@ -52,18 +52,18 @@ along(z, _, _, Z, Z).
 %!  fitting_scale(+Pieces, +Paper, +Options, -Scale) is det.
 %
 %   Scale is the largest at which each of Pieces, in units of the model, fits on
-%   Paper (pattern_nest.pl) with tabs(W) all round; within a hundredth.
+%   Paper (pattern_nest.pl) with what joins it all round: tabs(W), lap(W) or
+%   lock(W) (pattern_fit.pl); within a hundredth.
 
 fitting_scale(Pieces, room(RoomW,RoomH,Gap), Options, Scale) :-
-    option(tabs(Width), Options, 0),
-    W is RoomW-2*Width,
-    H is RoomH-2*Width,
+    joint_depth(Options, Joint, Deep),
+    W is RoomW-2*Deep,
+    H is RoomH-2*Deep,
     (   min(W, H) > 0
     ->  maplist(piece_scale(room(W,H,Gap)), Pieces, Scales),
         min_list(Scales, Scale)
-    ;   Most is floor(min(RoomW, RoomH)/4),
-        throw(error(usage_error(pattern(wide('--tabs', Width, Most,
-                                             RoomW-RoomH))), _))
+    ;   Most is min(RoomW, RoomH)/4,
+        joint_is_wide(Joint, Most, Deep, RoomW, RoomH)
     ).
 
 %   A piece that is as long as the diagonal of the page might just fit; half of

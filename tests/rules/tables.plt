@@ -4,6 +4,7 @@
 :- use_module(rules(development/bend), [bend_deduction/3]).
 :- use_module(rules(drawing/style), [line_style/4, sheet_role/1]).
 :- use_module(rules(limits), [limit_value/2]).
+:- use_module(rules(near), [tolerance/2]).
 :- use_module(rules(sheet/sheet_paper)).
 :- use_module(rules(store), [relation_column/5]).
 
@@ -68,6 +69,14 @@ test(limits, Limits == [ blocks-512, clauses-100000, contacts-20000000,
                          variants-10000 ]) :-
     findall(Name-Most, limit_value(Name, Most), Limits0),
     msort(Limits0, Limits).
+
+%   Each with its reason in rules/near.pl.
+
+test(tolerances, Nears == [ angle-1.0e-6, event-5.0e-8, exact-2.0e-13,
+                            fold-0.01, gap-0.001, paper-1.0e-6, place-1.0e-7,
+                            rounding-1.0e-9, surface-1.0e-6 ]) :-
+    findall(Of-Near, tolerance(Of, Near), Nears0),
+    msort(Nears0, Nears).
 
 %   What a model has, as every file and every rule of a user writes it.
 

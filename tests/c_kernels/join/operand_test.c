@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST = 64, SOUPS = 400 };
+enum { MOST = 64, SOUPS = 400, MANY = 35 /* pages */ };
 
 static uint32_t
 draw(uint32_t n)
@@ -165,6 +165,43 @@ test_tetrahedra(void)
   open_mesh(m);
   o = operand_of(m);
   CHECK("not balanced", !o.balanced);
+  close_mesh(m);
+}
+
+/* Shows each page of a relation so often. */
+static void
+repeat(const sg_view *view, sg_cells cells[6][MANY], const uint64_t *live[MANY],
+       sg_view *out)
+{
+  *out = *view;
+  out->pages = MANY;
+  out->live = live;
+  for (int i = 0; i < MANY; i++) {
+    live[i] = view->live[0];
+    for (int c = 0; c < 6; c++) {
+      cells[c][i] = view->column[c].page[0];
+      out->column[c].page = cells[c];
+    }
+  }
+}
+
+/* Many pages are shared among tasks: each is counted once. */
+static void
+test_pages(void)
+{
+  static const double origin[3] = {0};
+  static sg_cells edges[6][MANY], triangles[6][MANY];
+  static const uint64_t *live[2][MANY];
+  mesh *m = new_mesh();
+
+  add_tetrahedron(m, (int32_t[4]){1, 2, 3, 4}, origin, 6);
+  open_mesh(m);
+  repeat(&m->e.view, edges, live[0], &m->views.e);
+  repeat(&m->t.view, triangles, live[1], &m->views.t);
+  m->tree->end = MANY * SG_PAGE_ROWS;
+  sg_operand o = operand_of(m);
+  CHECK("half-edges of all pages", o.balanced && o.half_edges == MANY * 12);
+  CHECK("the volume of all", fabs(o.volume - MANY * 36) <= o.error);
   close_mesh(m);
 }
 
@@ -357,6 +394,7 @@ main(void)
   size_t kept = 0, met = 0;
 
   test_tetrahedra();
+  test_pages();
   test_star();
   test_knots();
   for (int i = 0; i < SOUPS; i++) {

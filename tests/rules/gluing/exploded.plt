@@ -74,4 +74,42 @@ test(moved, Low-High == 0.0 - 2.25) :-
     Low is Low0+0.25,
     High is High0+0.0.
 
+%   Each copy is its original, moved by the factor times the way from the middle
+%   of the whole box to that of its own, along each axis.
+
+test(rigid, [ forall(member(File, [ 'facts/figures/glue_vertex.pl',
+                                    'facts/figures/glue_crossing.pl',
+                                    'facts/figures/glue_materials.pl' ])),
+              nondet ]) :-
+    in_new_world(( load_model(File),
+                   once(segment(S, cells, _)),
+                   findall(p(X,Y,Z), v(S, _, X, Y, Z), All),
+                   ( region(S, _, _) -> true ; regions_made(S, _) ),
+                   segment_exploded(S, 0.75, Parts),
+                   findall(N, ( member(part(N,_,_), Parts),
+                                segment(N, solid, _) ), Ns),
+                   forall(nth1(Axis, [x,y,z], _),
+                          ( middle(Axis, All, Whole),
+                            forall(member(N, Ns),
+                                   moved(S, N, Axis, Whole)) )) )),
+    length(Ns, Count),
+    assertion(Count > 1).
+
+moved(S, N, Axis, Whole) :-
+    findall(From-To,
+            ( v(N, V, X, Y, Z),
+              v(S, V, X0, Y0, Z0),
+              arg(Axis, p(X0,Y0,Z0), From),
+              arg(Axis, p(X,Y,Z), To) ),
+            Pairs),
+    findall(p(F,F,F), member(F-_, Pairs), Own),
+    middle(Axis, Own, Middle),
+    forall(member(From-To, Pairs),
+           assertion(abs(From + 0.75*(Middle-Whole) - To) < 1.0e-9)).
+
+middle(Axis, Points, Middle) :-
+    aggregate_all(max(C), ( member(P, Points), arg(Axis, P, C) ), High),
+    aggregate_all(min(C), ( member(P, Points), arg(Axis, P, C) ), Low),
+    Middle is (Low+High)/2.
+
 :- end_tests(exploded).

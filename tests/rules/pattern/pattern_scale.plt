@@ -44,18 +44,27 @@ test(flat_has_none, error(usage_error(pattern(no_height)))) :-
 test(fit, Sheets == 1) :-
     scaled_box(size(1,1,1), [fit(true)], Scale, Sheets),
     assertion(( Scale > 0.99*190/3, Scale =< 190/3 )).
-% Tabs of 5 mm may stand at each end of the shorter side.
-test(fit_with_tabs) :-
-    scaled_box(size(1,1,1), [fit(true),tabs(5)], Scale, _),
-    assertion(( Scale > 0.99*180/3, Scale =< 180/3 )).
+% What joins it may stand at each end of the shorter side: nothing is divided.
+test(fit_with_joints, [ forall(member(Joint-Deep,
+                                      [tabs(5)-5,lap(5)-5,lock(4)-6])),
+                        Sheets == 1 ]) :-
+    scaled_box(size(1,1,1), [fit(true),Joint], Scale, Sheets),
+    Best is (190-2*Deep)/3,
+    assertion(( Scale > 0.99*Best, Scale =< Best )).
 % With more pages it is larger, and a tenth larger still takes more of them.
 test(pages, [forall(member(N, [1,2,5])), true(Sheets =< N)]) :-
     scaled_box(size(1,1,1), [pages(N)], Scale, Sheets),
     Larger is Scale*1.25,
     scaled_box(size(1,1,1), [scale(Larger),page('A4')], _, More),
     assertion(More > N).
-test(no_room_for_tabs, error(usage_error(pattern(wide('--tabs',100,47,_))))) :-
-    scaled_box(size(1,1,1), [fit(true),tabs(100)], _, _).
+test(pages_with_a_lap, true(Sheets =< 2)) :-
+    scaled_box(size(1,1,1), [pages(2),lap(20)], _, Sheets).
+test(no_room_for_joints,
+     [ forall(member(Joint-Option-Most, [ tabs(100)-'--tabs'-47,
+                                          lap(95)-'--lap'-47,
+                                          lock(64)-'--lock-seam'-31 ])),
+       error(usage_error(pattern(wide(Option,_,Most,190.0-268.0)))) ]) :-
+    scaled_box(size(1,1,1), [fit(true),Joint], _, _).
 test(texts, Texts == ["1:2","70:1","1:2.5"]) :-
     findall(Text, ( member(Scale, [1:2,70,0.4]), scale_text(Scale, Text) ),
             Texts).
