@@ -1,5 +1,6 @@
 # held.sh -- every verb and every format, again and again in one process: what
-# our library holds of memory does not grow.
+# our library holds of memory does not grow; also where they are stopped, or
+# refused memory.
 . "$(dirname "$0")/../check.sh"
 
 say() { local IFS=$'\t'; printf '%s\n' "$*"; }
@@ -97,7 +98,7 @@ for verb in $verbs; do
   check "$verb is among them" grep -q "^$verb	" "$TMP/commands"
 done
 
-LD_PRELOAD="$B/tests/failing_malloc.so" timeout 280 swipl -p foreign="$B" \
+LD_PRELOAD="$B/tests/failing_malloc.so" timeout ${TEST_ALL:+3}580 swipl -p foreign="$B" \
   tests/memory/held.pl -- "$TMP/commands" >"$TMP/log" 2>&1
 check "nothing more is held" grep -q '^[1-9][0-9]* passed, 0 failed$' "$TMP/log"
 [ "$check_failed" = 0 ] || cat "$TMP/log"

@@ -4,6 +4,9 @@
 :- module(sg_counted,
           [ sanggwan/2,     % +Arguments, -Status
             request_fails/2, % +N, +After
+            stops/1,        % +N
+            look_for/1,     % +What
+            new_places/1,   % -Numbers
             requests/2,     % -Made, -Held
             requests_of/1   % +Library
           ]).

@@ -1,4 +1,5 @@
-/* failing_malloc.c -- an allocator that fails where a test says so.
+/* failing_malloc.c -- an allocator that fails, and a question that is answered
+ * with stop, where a test says so.
  *
  * Loaded before all others (LD_PRELOAD), it passes every request on, counts
  * those that one shared object makes itself and remembers what of theirs is
@@ -10,6 +11,7 @@
 #include <SWI-Prolog.h>
 #include <dlfcn.h>
 #include <errno.h>
+#include <execinfo.h>
 #include <link.h>
 #include <pthread.h>
 #include <stdatomic.h>
@@ -78,6 +80,9 @@ ready(void)
 static uintptr_t first_byte, past_last; /* of the code whose requests count */
 static atomic_long requests, fails_at;  /* 0: none fails */
 static atomic_bool all_after;           /* fail too */
+static atomic_int looking_for;          /* new places of these */
+
+enum { NOTHING, QUESTIONS, REQUESTS };
 
 static bool
 is_ours(const void *caller)
@@ -87,11 +92,17 @@ is_ours(const void *caller)
   return at >= first_byte && at < past_last;
 }
 
+static void note_place(long number);
+
 /* Counts a request of ours. True: it fails. */
 static bool
 refused(void)
 {
   long number = atomic_fetch_add(&requests, 1) + 1;
+
+  if (atomic_load(&looking_for) == REQUESTS) {
+    note_place(number);
+  }
   long at = atomic_load(&fails_at);
 
   if (at != 0 && (number == at || (number > at && atomic_load(&all_after)))) {
@@ -99,6 +110,60 @@ refused(void)
     return true;
   }
   return false;
+}
+
+/* ---- places: who asks, on behalf of whom ---- */
+
+enum { DEEP = 12, NAMED = 4, SEEN = 1 << 16 };
+
+static uintptr_t seen[SEEN]; /* hashes of places; 0: empty */
+static long *first_at;       /* numbers of what came from a new place */
+static size_t firsts, first_room;
+static _Thread_local bool in_note;
+
+/* The next frames of ours, as many as name a place. */
+static uintptr_t
+place_here(void)
+{
+  void *frame[DEEP];
+  int n = backtrace(frame, DEEP), named = 0;
+  uintptr_t hash = 0;
+
+  for (int i = 2; i < n && named < NAMED; i++) {
+    if (is_ours(frame[i])) {
+      hash = (hash ^ (uintptr_t)frame[i]) * 0x9E3779B97F4A7C15u;
+      named++;
+    }
+  }
+  return hash | 1;
+}
+
+/* Keeps the number of a question or a request that comes from a new place. Of
+ * one thread only. */
+static void
+note_place(long number)
+{
+  if (in_note) {
+    return;
+  }
+  in_note = true;
+  uintptr_t place = place_here();
+  size_t at = place >> 20 & (SEEN - 1);
+
+  while (seen[at] != 0 && seen[at] != place) {
+    at = (at + 1) & (SEEN - 1);
+  }
+  if (seen[at] == 0) {
+    seen[at] = place;
+    if (firsts == first_room) {
+      first_room = 2 * first_room + 64;
+      first_at = next_realloc(first_at, first_room * sizeof *first_at);
+    }
+    if (first_at) {
+      first_at[firsts++] = number;
+    }
+  }
+  in_note = false;
 }
 
 /* ---- what of ours is held ---- */
@@ -288,6 +353,36 @@ free(void *block)
   }
 }
 
+/* ---- the question of our kernels whether to stop ---- */
+
+static atomic_long questions, stops_at; /* 0: none is answered with stop */
+
+int
+PL_handle_signals(void)
+{
+  static int (*next)(void);
+
+  if (!next) {
+    *(void **)&next = dlsym(RTLD_NEXT, "PL_handle_signals");
+  }
+  if (is_ours(__builtin_return_address(0))) {
+    long number = atomic_fetch_add(&questions, 1) + 1;
+
+    if (atomic_load(&looking_for) == QUESTIONS) {
+      note_place(number);
+    }
+    if (number == atomic_load(&stops_at)) {
+      term_t stopped = PL_new_term_ref();
+
+      return PL_put_atom_chars(stopped, "stopped") &&
+                     PL_raise_exception(stopped)
+                 ? 0
+                 : -1;
+    }
+  }
+  return next();
+}
+
 /* ---- predicates, and the environment ---- */
 
 /* Where the code of the object with this end of its name lies; the program has
@@ -353,6 +448,50 @@ pl_request_fails(term_t number, term_t after)
   return TRUE;
 }
 
+/* stops(+N): the N-th of the next questions is answered with stop; 0: none. */
+static foreign_t
+pl_stops(term_t number)
+{
+  int64_t n;
+
+  if (!PL_get_int64_ex(number, &n)) {
+    return FALSE;
+  }
+  atomic_store(&questions, 0);
+  atomic_store(&stops_at, (long)n);
+  return TRUE;
+}
+
+/* look_for(+What): new places of what asks from now on: 1, questions, 2,
+ * requests, 0, nothing. */
+static foreign_t
+pl_look_for(term_t what)
+{
+  int sort;
+
+  if (!PL_get_integer_ex(what, &sort)) {
+    return FALSE;
+  }
+  firsts = 0;
+  atomic_store(&looking_for, sort);
+  return TRUE;
+}
+
+/* new_places(-Numbers): of the questions or requests that came from one. */
+static foreign_t
+pl_new_places(term_t numbers)
+{
+  term_t list = PL_copy_term_ref(numbers), head = PL_new_term_ref();
+
+  for (size_t i = 0; i < firsts; i++) {
+    if (!PL_unify_list(list, head, list) ||
+        !PL_unify_int64(head, first_at[i])) {
+      return FALSE;
+    }
+  }
+  return PL_unify_nil(list);
+}
+
 /* requests(-Count, -Held): made since request_fails/2; blocks held in all. */
 static foreign_t
 pl_requests(term_t count, term_t blocks)
@@ -368,5 +507,8 @@ install(void)
 {
   PL_register_foreign("requests_of", 1, pl_requests_of, 0);
   PL_register_foreign("request_fails", 2, pl_request_fails, 0);
+  PL_register_foreign("stops", 1, pl_stops, 0);
+  PL_register_foreign("look_for", 1, pl_look_for, 0);
+  PL_register_foreign("new_places", 1, pl_new_places, 0);
   PL_register_foreign("requests", 2, pl_requests, 0);
 }

@@ -6,13 +6,19 @@
    Each line of the file COMMANDS is a command of the program, its words between
    tabs; none is wrong usage. All run twice in one process, and what our library
    holds has not grown, when Prolog has collected what it held of it. If it has,
-   and twice more, those are named that do the same alone. The last line counts.
+   and twice more, those are named that do the same alone. Then again, stopped
+   where a kernel asks whether it is to stop, and refused memory where it asks
+   for some: in some of all such places, all if TEST_ALL. The last line counts.
 */
 :- module(sg_held, []).
 :- use_module(library(apply)).
 :- use_module(library(lists)).
+:- use_module(library(random)).
 :- use_module(library(readutil)).
-:- use_module(counted, [sanggwan/2, requests/2, requests_of/1]).
+:- use_module(counted,
+              [ sanggwan/2, look_for/1, new_places/1, request_fails/2,
+                requests/2, requests_of/1, stops/1
+              ]).
 
 :- initialization(main, main).
 
@@ -28,18 +34,28 @@ main :-
     read_file_to_string(File, Text, [encoding(utf8)]),
     split_string(Text, "\n", "", Lines0),
     exclude(==(""), Lines0, Lines),
-    maplist([Line,Words]>>atomic_list_concat(Words, '\t', Line), Lines,
+    maplist([Line,Words-none]>>atomic_list_concat(Words, '\t', Line), Lines,
             Commands),
     requests_of('sanggwan.so'),
-    (   grows(Commands)
-    ->  include([Command]>>grows([Command]), Commands, Growing)
-    ;   Growing = []
-    ),
+    set_random(seed(16)),
+    findall(Given,
+            ( member(Kind, [stop,refuse]),
+              foldl(faulty(Kind), Commands, Given0, []),
+              sample(Kind, Given0, Given) ),
+            Givens),
+    findall(Growing,
+            ( member(Given, [Commands|Givens]),
+              grows(Given),
+              member(Growing, Given),
+              grows([Growing]) ),
+            Growings),
     findall(Command, misused(Command), Misused0),
     sort(Misused0, Misused),
-    maplist(said('holds more each time'), Growing),
+    maplist(said('holds more each time'), Growings),
     maplist(said('is wrong usage'), Misused),
-    maplist(length, [Commands,Growing,Misused], [Count,N1,N2]),
+    foldl([Given,N0,N]>>( length(Given, Own), N is N0+Own ),
+          [Commands|Givens], 0, Count),
+    maplist(length, [Growings,Misused], [N1,N2]),
     Failed is N1+N2,
     Passed is Count-Failed,
     format("~d passed, ~d failed~n", [Passed,Failed]),
@@ -48,9 +64,41 @@ main :-
     ;   halt(1)
     ).
 
-said(What, Command) :-
+%   faulty(+Kind, +Command, -Given, ?Rest): Command, stopped where a question is
+%   asked in a place of our library that none asked in before, or refused memory
+%   in such a place. A place is a few functions that call each other.
+
+faulty(Kind, Command-none, Given0, Given) :-
+    request_fails(0, false),
+    stops(0),
+    (   Kind == stop
+    ->  look_for(1)
+    ;   look_for(2)
+    ),
+    runs(Command-none),
+    new_places(Ns),
+    look_for(0),
+    findall(Command-Fault, ( member(N, Ns), Fault =.. [Kind,N] ), Own),
+    append(Own, Given, Given0).
+
+%   sample(+Kind, +All, -Some): all if TEST_ALL, else one in so many.
+
+sample(Kind, All, Some) :-
+    (   getenv('TEST_ALL', _)
+    ->  Some = All
+    ;   part(Kind, Part),
+        include(drawn(Part), All, Some)
+    ).
+
+part(stop,   4).
+part(refuse, 30).
+
+drawn(Part, _) :-
+    random(Part) =:= 0.
+
+said(What, Command-Fault) :-
     atomic_list_concat(Command, ' ', Shown),
-    format("FAILED: ~w: ~w~n", [Shown,What]).
+    format("FAILED: ~w (~w): ~w~n", [Shown,Fault,What]).
 
 %   grows(+Commands) is semidet: each time more is held, four times; Prolog may
 %   hold something of the last world for a while.
@@ -68,15 +116,32 @@ grows(Commands) :-
 
 held_after(Commands, Held) :-
     forall(member(Command, Commands), runs(Command)),
-    runs([check,'facts/cube.pl']),      % what it holds is held every time
+    runs([check,'facts/cube.pl']-none),      % what it holds is held every time
     garbage_collect,
     garbage_collect_atoms,
     garbage_collect_atoms,
     requests(_, Held).
 
-runs(Command) :-
-    with_output_to(string(_), sanggwan(Command, Status)),
-    (   Status =:= 2
-    ->  assertz(misused(Command))
+runs(Command-Fault) :-
+    setup_call_cleanup(
+        set(Fault),
+        catch(with_output_to(string(_), sanggwan(Command, Status)), stopped,
+              Status = stopped),
+        unset(Fault)),
+    (   Fault == none,
+        Status == 2
+    ->  assertz(misused(Command-Fault))
     ;   true
     ).
+
+set(none).
+set(stop(N)) :-
+    stops(N).
+set(refuse(N)) :-
+    request_fails(N, false).
+
+unset(none).
+unset(stop(_)) :-
+    stops(0).
+unset(refuse(_)) :-
+    request_fails(0, false).
