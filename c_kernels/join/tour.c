@@ -367,7 +367,7 @@ step_to(walker *k, list near, const sg_point *p)
   sg_point step[4], corner[3];
   double t[3][3];
 
-  if (!p->exactly) {
+  if (!p->exactly || near.begin == near.end) {
     return;
   }
   k->failed = !find_steps(p, step) || k->failed;
