@@ -64,6 +64,17 @@ sg_mesh_add_corner(sg_mesh_lists *lists, int32_t vertex)
 }
 
 bool
+sg_mesh_expect(sg_mesh_lists *lists, size_t count, size_t corners)
+{
+  return sg_list_need(&lists->corner, corners, &lists->corner_room,
+                      sizeof *lists->corner) &&
+         sg_list_need(&lists->start, count + 1, &lists->start_room,
+                      sizeof *lists->start) &&
+         sg_list_need(&lists->segment, count, &lists->room,
+                      sizeof *lists->segment);
+}
+
+bool
 sg_mesh_end_list(sg_mesh_lists *lists, int32_t segment)
 {
   if (!sg_list_grow(&lists->start, lists->count + 1, &lists->start_room,
@@ -242,9 +253,10 @@ source_grain(const sg_mesh_reader *r)
 }
 
 static bool
-finish(sg_mesh_reader *r, sg_mesh_format format, sg_mesh_weld weld)
+finish(sg_mesh_reader *r, sg_mesh_format format)
 {
   sg_mesh *mesh = r->mesh;
+  sg_mesh_weld weld = r->joined ? SG_WELD_NONE : r->weld;
   bool stopped = false;
 
   if (weld == SG_WELD_AUTO && format != SG_MESH_STL) {
@@ -362,13 +374,14 @@ sg_mesh_read(sg_mesh_format format, const char *bytes, size_t n,
   r.error = error;
   r.cancel = options->cancel;
   r.one_segment = options->one_segment;
+  r.weld = options->weld;
   if (is_blank_file(bytes, n)) {
     return sg_mesh_fail(&r, SG_MESH_EMPTY_FILE, NULL, NULL);
   }
   if (format == SG_MESH_UNKNOWN) {
     format = sg_mesh_detect(bytes, n);
   }
-  if (read_format(&r, format) && finish(&r, format, options->weld)) {
+  if (read_format(&r, format) && finish(&r, format)) {
     return true;
   }
   sg_mesh_clear(out);

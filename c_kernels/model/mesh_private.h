@@ -25,6 +25,8 @@ typedef struct sg_mesh_reader {
   double single;  /* the largest coordinate of float32 */
   double stated;  /* a unit in the last place, as a comment says; or -1 */
   bool one_segment;
+  sg_mesh_weld weld; /* what is asked */
+  bool joined;       /* the reader has joined equal vertices */
   sg_mesh *mesh;
   sg_mesh_error *error;
   const sg_cancel *cancel;
@@ -65,6 +67,8 @@ bool sg_mesh_index(sg_mesh_reader *r, const sg_word *w, size_t limit,
 bool sg_mesh_vertex(sg_mesh_reader *r, const double xyz[3]);
 bool sg_mesh_corner(sg_mesh_reader *r, sg_mesh_lists *lists, int32_t vertex);
 bool sg_mesh_end(sg_mesh_reader *r, sg_mesh_lists *lists, int32_t segment);
+/* Room for so many lists and corners in all. False: no memory. */
+bool sg_mesh_expect(sg_mesh_lists *lists, size_t count, size_t corners);
 /* The new segment's number, -1 after a failure. */
 int32_t sg_mesh_segment(sg_mesh_reader *r, const sg_word *name);
 void sg_mesh_ignore(sg_mesh_reader *r, size_t line);

@@ -5,11 +5,20 @@
  * begin with the word "solid" all the same, so that word decides nothing.
  */
 #include "mesh_private.h"
+#include "rows/key_table.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { HEADER = 84, RECORD = 50, COUNT_AT = 80, NORMAL = 12 };
+enum {
+  HEADER = 84,
+  RECORD = 50,
+  COUNT_AT = 80,
+  NORMAL = 12,
+  AHEAD = 3 /* records */
+};
+
+#define MINUS_ZERO 0x80000000u /* as a float32 */
 
 static uint32_t
 get_uint32(const char *p)
@@ -72,28 +81,119 @@ sg_stl_is_binary(const char *bytes, size_t n)
   return !starts_as_text(bytes, n) && memchr(bytes, '\0', HEADER) != NULL;
 }
 
+/* Corner i of a record, at 3 float32. */
+static const char *
+corner_at(const char *record, int i)
+{
+  return record + NORMAL + 12 * i;
+}
+
 static bool
-read_record(sg_mesh_reader *r, const char *record, int32_t s)
+read_vertex(sg_mesh_reader *r, const char *corner)
+{
+  double p[3];
+
+  for (int k = 0; k < 3; k++) {
+    const char *at = corner + 4 * k;
+    p[k] = (double)get_float32(at);
+    if (!isfinite(p[k])) {
+      sg_mesh_fail_byte(r, SG_MESH_NOT_FINITE, (size_t)(at - r->start), NULL, 0,
+                        0);
+      strcpy(r->error->text, isnan(p[k]) ? "nan" : p[k] < 0 ? "-inf" : "inf");
+      return false;
+    }
+    r->single = fmax(r->single, fabs(p[k]));
+  }
+  return sg_mesh_vertex(r, p);
+}
+
+/* The bits of a place: of equal ones the same, as 0.0 is for -0.0. */
+static void
+get_key(const char *corner, uint32_t key[3])
+{
+  for (int k = 0; k < 3; k++) {
+    uint32_t bits = get_uint32(corner + 4 * k);
+
+    key[k] = bits == MINUS_ZERO ? 0 : bits;
+  }
+}
+
+/* The vertex at a corner: that of a place that is known, or a new one. */
+static bool
+find_vertex(sg_mesh_reader *r, sg_key_table *places, const char *corner,
+            int32_t *v)
+{
+  uint32_t key[3], *place;
+
+  get_key(corner, key);
+  if (!(place = sg_key_table_put(places, key))) {
+    return sg_mesh_fail_byte(r, SG_MESH_NO_MEMORY, 0, NULL, 0, 0);
+  }
+  if (*place == SG_NO_KEY) {
+    *place = (uint32_t)r->mesh->vertices;
+    if (!read_vertex(r, corner)) {
+      return false;
+    }
+  }
+  *v = (int32_t)*place;
+  return true;
+}
+
+static bool
+read_record(sg_mesh_reader *r, sg_key_table *places, const char *record,
+            int32_t s)
 {
   for (int i = 0; i < 3; i++) {
-    double p[3];
-    for (int k = 0; k < 3; k++) {
-      const char *at = record + NORMAL + 12 * i + 4 * k;
-      p[k] = (double)get_float32(at);
-      if (!isfinite(p[k])) {
-        sg_mesh_fail_byte(r, SG_MESH_NOT_FINITE, (size_t)(at - r->start), NULL,
-                          0, 0);
-        strcpy(r->error->text, isnan(p[k]) ? "nan" : p[k] < 0 ? "-inf" : "inf");
-        return false;
-      }
-      r->single = fmax(r->single, fabs(p[k]));
-    }
-    if (!sg_mesh_vertex(r, p) ||
-        !sg_mesh_corner(r, &r->mesh->face, (int32_t)r->mesh->vertices - 1)) {
+    const char *corner = corner_at(record, i);
+    int32_t v = (int32_t)r->mesh->vertices;
+
+    if (!(r->weld == SG_WELD_NONE ? read_vertex(r, corner)
+                                  : find_vertex(r, places, corner, &v)) ||
+        !sg_mesh_corner(r, &r->mesh->face, v)) {
       return false;
     }
   }
   return sg_mesh_end(r, &r->mesh->face, s);
+}
+
+/* What will be looked up soon is read from memory meanwhile. */
+static void
+fetch_places(const sg_key_table *places, const char *record)
+{
+  for (int i = 0; i < 3; i++) {
+    uint32_t key[3];
+
+    get_key(corner_at(record, i), key);
+    sg_key_table_fetch(places, key);
+  }
+}
+
+/* Room for so many triangles, which mostly are a closed surface: of half as
+ * many vertices. */
+static bool
+make_room(sg_mesh_reader *r, sg_key_table *places, size_t triangles)
+{
+  return (sg_mesh_expect(&r->mesh->face, triangles, 3 * triangles) &&
+          (r->weld == SG_WELD_NONE ||
+           sg_key_table_reserve(places, triangles / 2))) ||
+         sg_mesh_fail_byte(r, SG_MESH_NO_MEMORY, 0, NULL, 0, 0);
+}
+
+static bool
+read_records(sg_mesh_reader *r, sg_key_table *places, uint64_t count)
+{
+  int32_t s = sg_mesh_segment(r, NULL);
+  bool good = s >= 0 && make_room(r, places, count);
+
+  for (uint64_t i = 0; i < count && good; i++) {
+    const char *record = r->start + HEADER + i * RECORD;
+
+    if (r->weld != SG_WELD_NONE && i + AHEAD < count) {
+      fetch_places(places, record + AHEAD * RECORD);
+    }
+    good = read_record(r, places, record, s);
+  }
+  return good;
 }
 
 static bool
@@ -102,19 +202,20 @@ read_binary(sg_mesh_reader *r)
   size_t n = (size_t)(r->end - r->start);
   uint64_t count = get_uint32(r->start + COUNT_AT);
   uint64_t present = (n - HEADER) / RECORD;
-  int32_t s = sg_mesh_segment(r, NULL);
+  sg_key_table places;
 
   if (count > present) {
     return sg_mesh_fail_byte(r, SG_MESH_TRUNCATED, n, "triangles",
                              (int64_t)present, (int64_t)count);
   }
-  for (uint64_t i = 0; i < count; i++) {
-    if (s < 0 || !read_record(r, r->start + HEADER + i * RECORD, s)) {
-      return false;
-    }
-  }
+  sg_key_table_init(&places, 3);
+  bool good = read_records(r, &places, count);
+
+  sg_key_table_clear(&places);
+  r->joined = r->weld != SG_WELD_NONE;
+  r->mesh->welded = r->mesh->face.corners - r->mesh->vertices;
   r->mesh->trailing = n - HEADER - (size_t)count * RECORD;
-  return true;
+  return good;
 }
 
 /* Text ------------------------------------------------------------------- */
