@@ -7,160 +7,16 @@
 #include "ring_ears.h"
 #include "rows/by_segment.h"
 #include "rows/key_table.h"
-#include "rows/keys.h"
-#include "rows/sort.h"
 #include "triangulate.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- what is read ------------------------------------------------------- */
-
-typedef struct vertex {
-  int32_t s, id;
-  double p[3];
-} vertex;
-
-typedef struct edge {
-  int32_t s, id, v1, v2;
-} edge;
-
-typedef struct polygon_key {
-  int32_t s, id;
-} polygon_key;
-
-typedef struct model {
-  vertex *v;
-  edge *e;
-  polygon_key *with_plane, *with_triangles;
-  sg_keys vertices, edges, planes, triangles;
-  const sg_completion_input *in;
-  sg_flatness own, whole; /* of what is read; of the model, once it is asked */
-  bool asked;
-  const sg_cancel *cancel;
-  bool stopped;
-} model;
-
-/* For every live row r of page i of a view. */
-#define EACH_ROW(view, i, r)                                                   \
-  for (unsigned r = sg_live_next((view)->live[i], 0); r < SG_PAGE_ROWS;        \
-       r = sg_live_next((view)->live[i], r + 1))
-
-static size_t
-count_rows(const sg_view *view)
-{
-  size_t n = 0;
-
-  for (size_t i = 0; i < view->pages; i++) {
-    for (size_t k = 0; k < SG_LIVE_WORDS; k++) {
-      n += (size_t)__builtin_popcountll(view->live[i][k]);
-    }
-  }
-  return n;
-}
-
-static bool
-stops(model *m)
-{
-  m->stopped = m->stopped || sg_cancelled(m->cancel);
-  return m->stopped;
-}
-
-static int32_t
-int_at(const sg_view *view, int column, size_t i, unsigned r)
-{
-  return view->column[column].page[i].i[r];
-}
-
-/* False: no memory, or stopped. */
-static bool
-sort_keys(model *m, void *base, size_t size, size_t n, sg_keys *out)
-{
-  *out = (sg_keys){base, size, n, 0};
-  if (m->stopped) {
-    return false;
-  }
-  sg_sort_end end = sg_sort(base, n, size, sg_key_compare, m->cancel);
-  m->stopped = end == SG_SORT_STOPPED;
-  return end == SG_SORTED;
-}
-
-static bool
-read_vertices(const sg_view *view, model *out)
-{
-  size_t n = 0;
-
-  out->v = malloc((count_rows(view) + 1) * sizeof *out->v);
-  if (!out->v) {
-    return false;
-  }
-  for (size_t i = 0; i < view->pages && !stops(out); i++) {
-    EACH_ROW(view, i, r)
-    {
-      vertex *v = &out->v[n++];
-      v->s = int_at(view, 0, i, r);
-      v->id = int_at(view, 1, i, r);
-      for (int k = 0; k < 3; k++) {
-        v->p[k] = view->column[2 + k].page[i].f[r];
-      }
-      sg_flatness_see(&out->own, v->p);
-    }
-  }
-  return sort_keys(out, out->v, sizeof *out->v, n, &out->vertices);
-}
-
-static bool
-read_edges(const sg_view *view, model *out)
-{
-  size_t n = 0;
-
-  out->e = malloc((count_rows(view) + 1) * sizeof *out->e);
-  if (!out->e) {
-    return false;
-  }
-  for (size_t i = 0; i < view->pages && !stops(out); i++) {
-    EACH_ROW(view, i, r)
-    {
-      out->e[n++] = (edge){int_at(view, 0, i, r), int_at(view, 1, i, r),
-                           int_at(view, 2, i, r), int_at(view, 3, i, r)};
-    }
-  }
-  return sort_keys(out, out->e, sizeof *out->e, n, &out->edges);
-}
-
-/* The polygons that have a row in plane/6 or t/6. */
-static bool
-read_polygons(const sg_view *view, model *m, polygon_key **out, sg_keys *keys)
-{
-  size_t n = 0;
-
-  *out = malloc((count_rows(view) + 1) * sizeof **out);
-  if (!*out) {
-    return false;
-  }
-  for (size_t i = 0; i < view->pages && !stops(m); i++) {
-    EACH_ROW(view, i, r)
-    {
-      (*out)[n++] = (polygon_key){int_at(view, 0, i, r), int_at(view, 1, i, r)};
-    }
-  }
-  return sort_keys(m, *out, sizeof **out, n, keys);
-}
-
-static void
-model_clear(model *m)
-{
-  free(m->v);
-  free(m->e);
-  free(m->with_plane);
-  free(m->with_triangles);
-}
-
 /* What is flat depends on the size of the whole model, which is at least that
  * of what is read: most often nobody needs to ask. */
 static double
-flat_reach(model *m)
+flat_reach(sg_completed_model *m)
 {
   if (!m->asked) {
     m->asked = true;
@@ -169,27 +25,19 @@ flat_reach(model *m)
   return sg_flatness_flat(&m->whole);
 }
 
-static bool
-model_read(const sg_completion_input *in, model *out)
-{
-  return read_vertices(in->v, out) && read_edges(in->e, out) &&
-         read_polygons(in->plane, out, &out->with_plane, &out->planes) &&
-         read_polygons(in->t, out, &out->with_triangles, &out->triangles);
-}
-
 /* ---- one polygon -------------------------------------------------------- */
 
 /* A polygon with its edges' vertices, and scratch that is used again. */
 typedef struct task {
-  model *model;
+  sg_completed_model *model;
   sg_completion *out;
   const sg_cancel *cancel;
   sg_key_table counts; /* triangles a segment */
   int32_t s, p;
   bool needs_plane, needs_triangles;
   size_t n, room;
-  const edge **e;
-  const vertex **start, **end; /* [n] */
+  const sg_completed_edge **e;
+  const sg_completed_vertex **start, **end; /* [n] */
   sg_plane plane;
   double off;     /* the farthest that a vertex is off the plane */
   double seen[3]; /* along which it is divided: the plane's normal, mostly */
@@ -219,39 +67,25 @@ make_room(task *t, size_t n)
          sg_list_need(&t->end, n, &t->room, sizeof *t->end);
 }
 
-/* Looks its edges and vertices up. The store keeps references whole, so that
- * none is missing. */
+/* Looks its edges and vertices up. */
 static bool
 look_up(task *t, const int32_t *list)
 {
-  model *m = t->model;
+  sg_completed_model *m = t->model;
 
   t->n = (size_t)list[0];
   if (!make_room(t, t->n)) {
     return false;
   }
-  for (size_t i = 0; i < t->n; i++) {
-    size_t at = sg_keys_find(&m->edges, t->s, list[1 + i]);
-    size_t v1 = sg_keys_find(&m->vertices, t->s, m->e[at].v1);
-    size_t v2 = sg_keys_find(&m->vertices, t->s, m->e[at].v2);
-    t->e[i] = &m->e[at];
-    t->start[i] = &m->v[v1];
-    t->end[i] = &m->v[v2];
-  }
+  sg_complete_look_up(m, &m->edges, &m->vertices, t->s, list, t->e, t->start,
+                      t->end);
   return true;
 }
 
-/* Three edges in a ring: the third corner of the first edge, or null. */
-static const vertex *
-third_corner(const task *t)
+static bool
+is_ring_of_three(const task *t)
 {
-  if (t->n != 3) {
-    return NULL;
-  }
-  int second = t->start[1] == t->end[0] ? 1 : 2, third = 3 - second;
-  bool ring = t->start[second] == t->end[0] &&
-              t->start[third] == t->end[second] && t->end[third] == t->start[0];
-  return ring ? t->end[second] : NULL;
+  return t->n == 3 && sg_complete_third(t->start, t->end) != NULL;
 }
 
 static bool
@@ -450,33 +284,6 @@ triangulate(task *t)
   return true;
 }
 
-/* A triangle needs no scratch relation; *done tells if it was one. */
-static bool
-quick_triangle(task *t, bool *done)
-{
-  const vertex *c = third_corner(t), *a = t->start[0], *b = t->end[0];
-  int axis = 0;
-  sg_point p[3];
-
-  *done = false;
-  if (!c) {
-    return true;
-  }
-  for (int k = 1; k < 3; k++) {
-    axis = fabs(t->plane.n[k]) > fabs(t->plane.n[axis]) ? k : axis;
-  }
-  sg_point_set(&p[0], a->p);
-  sg_point_set(&p[1], b->p);
-  sg_point_set(&p[2], c->p);
-  int turn = sg_point_turn(axis, &p[0], &p[1], &p[2]);
-  if (turn != (t->plane.n[axis] < 0 ? -1 : 1)) {
-    return true; /* the long way finds out what is wrong */
-  }
-  *done = true;
-  return sg_complete_add_triangle(&t->out->triangles, &t->counts, t->s, t->p,
-                                  (const int32_t[3]){a->id, b->id, c->id});
-}
-
 static bool
 note_bent(task *t)
 {
@@ -509,7 +316,7 @@ static bool
 find_gap(task *t, int32_t *gap)
 {
   *gap = 0;
-  if (third_corner(t)) {
+  if (is_ring_of_three(t)) {
     return true;
   }
   if (!fill_work(t)) {
@@ -547,7 +354,7 @@ static bool
 do_polygon(task *t)
 {
   int32_t gap;
-  bool done = false, flat = find_plane(t);
+  bool flat = find_plane(t);
 
   if (!find_gap(t, &gap)) {
     return false;
@@ -566,12 +373,6 @@ do_polygon(task *t)
   if (!t->needs_triangles) {
     return true;
   }
-  if (!quick_triangle(t, &done)) {
-    return false;
-  }
-  if (done) {
-    return true;
-  }
   t->folded = false;
   begin_steps(t);
   bool good = (t->n > 3 || fill_work(t)) && triangulate(t) &&
@@ -583,51 +384,75 @@ do_polygon(task *t)
 
 /* ---- all polygons ------------------------------------------------------- */
 
-enum { POLYGONS_AN_ASK = 256 };
+enum { POLYGONS_AN_ASK = 256, MANY = 1 << 14 /* worth several threads */ };
 
 /* The polygon of one row, if something of it is missing. */
 static bool
-do_row(task *t, const sg_view *view, size_t i, unsigned r)
+do_row(task *t, const sg_found_triangle *triangle, const int32_t *list)
 {
-  t->s = int_at(view, 0, i, r);
-  t->p = int_at(view, 1, i, r);
-  t->needs_plane = sg_keys_find(&t->model->planes, t->s, t->p) == SG_NOWHERE;
-  t->needs_triangles =
-      sg_keys_find(&t->model->triangles, t->s, t->p) == SG_NOWHERE;
+  t->needs_plane = triangle->needs_plane;
+  t->needs_triangles = triangle->needs_triangles;
+  if (triangle->found) {
+    return (!t->needs_plane || sg_complete_add_plane(&t->out->planes, t->s,
+                                                     t->p, &triangle->plane)) &&
+           (!t->needs_triangles ||
+            sg_complete_add_triangle(&t->out->triangles, &t->counts, t->s, t->p,
+                                     triangle->v));
+  }
   return (!t->needs_plane && !t->needs_triangles) ||
-         (look_up(t, view->column[2].page[i].list[r]) && do_polygon(t) &&
-          !t->model->stopped);
+         (look_up(t, list) && do_polygon(t) && !t->model->stopped);
 }
 
 static bool
-do_polygons(task *t, const sg_view *view)
+do_page(task *t, const sg_view *view, size_t i,
+        const sg_found_triangle *triangle)
 {
   size_t n = 0;
 
-  for (size_t i = 0; i < view->pages; i++) {
-    EACH_ROW(view, i, r)
-    {
-      if (++n % POLYGONS_AN_ASK == 0 && sg_cancelled(t->cancel)) {
-        t->stopped = true;
-        return false;
-      }
-      if (!do_row(t, view, i, r)) {
-        return false;
-      }
+  SG_EACH_ROW(view, i, r)
+  {
+    if (++n % POLYGONS_AN_ASK == 0 && sg_cancelled(t->cancel)) {
+      t->stopped = true;
+      return false;
+    }
+    t->s = sg_int_at(view, 0, i, r);
+    t->p = sg_int_at(view, 1, i, r);
+    if (!do_row(t, &triangle[r], view->column[2].page[i].list[r])) {
+      return false;
     }
   }
   return true;
 }
 
 static bool
+do_polygons(task *t, const sg_view *view, sg_pool *pool)
+{
+  size_t some = view->pages < SG_FIND_PAGES ? view->pages : SG_FIND_PAGES;
+  sg_found_triangle *triangle =
+      malloc((some * SG_PAGE_ROWS + 1) * sizeof *triangle);
+  bool good = triangle != NULL;
+
+  for (size_t i = 0; i < view->pages && good; i += some) {
+    size_t n = view->pages - i < some ? view->pages - i : some;
+
+    good = sg_complete_find_triangles(t->model, i, n, pool, triangle);
+    t->stopped = !good;
+    for (size_t k = 0; k < n && good; k++) {
+      good = do_page(t, view, i + k, triangle + k * SG_PAGE_ROWS);
+    }
+  }
+  free(triangle);
+  return good;
+}
+
+static bool
 complete(const sg_completion_input *in, task *t)
 {
-  model *m = t->model;
+  sg_completed_model *m = t->model;
+  bool done = sg_complete_read(in, m) &&
+              do_polygons(t, in->p, m->edges.n < MANY ? NULL : in->pool);
 
-  m->in = in;
-  bool done = model_read(in, m) && do_polygons(t, in->p);
-
-  model_clear(m);
+  sg_complete_forget(m);
   return done;
 }
 
@@ -639,7 +464,7 @@ complete_some(const sg_completion_input *in, task *t)
   sg_view some[5] = {{0}};
   sg_completion_input of = {&some[0], &some[1], &some[2], &some[3],
                             &some[4], NULL,     0,        in->contacts,
-                            in->see,  in->of};
+                            in->see,  in->of,   in->pool};
   bool good = true;
 
   for (int k = 0; k < 5 && good; k++) {
@@ -656,7 +481,7 @@ bool
 sg_complete(const sg_completion_input *in, sg_completion *out, bool *stopped,
             const sg_cancel *cancel)
 {
-  model m = {.cancel = cancel};
+  sg_completed_model m = {.cancel = cancel};
   task t = {.model = &m, .out = out, .cancel = cancel, .spare = in->contacts};
 
   *out = (sg_completion){0};

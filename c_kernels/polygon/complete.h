@@ -11,6 +11,7 @@
 #include "engine/cancel.h"
 #include "engine/column.h"
 #include "flatness.h"
+#include "thread_pool.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -63,6 +64,7 @@ typedef struct sg_completion_input {
   /* What counts as flat in the whole model. False: stopped, or no memory. */
   bool (*see)(void *of, sg_flatness *out);
   void *of;
+  sg_pool *pool; /* null: the caller alone */
 } sg_completion_input;
 
 /* False: no memory, or stopped (*stopped). Polygons in row order. Owner: the

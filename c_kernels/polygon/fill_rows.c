@@ -126,8 +126,9 @@ find_missing(sg_call *call, const int32_t *segment, size_t n, size_t contacts,
              sg_completion *found)
 {
   const sg_version *version = sg_call_version(call);
+  sg_pool *pool = sg_call_pool(call);
   sg_view view[5] = {{0}};
-  bool stopped, good = version;
+  bool stopped, good = version && pool;
 
   *found = (sg_completion){0};
   for (int i = 0; good && i < 5; i++) {
@@ -136,7 +137,7 @@ find_missing(sg_call *call, const int32_t *segment, size_t n, size_t contacts,
   good =
       good && sg_complete(&(sg_completion_input){&view[0], &view[1], &view[2],
                                                  &view[3], &view[4], segment, n,
-                                                 contacts, see_all, call},
+                                                 contacts, see_all, call, pool},
                           found, &stopped, &call->cancel);
   for (int i = 0; i < 5; i++) {
     sg_view_clear(&view[i]);

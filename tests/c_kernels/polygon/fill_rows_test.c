@@ -1,7 +1,7 @@
 /* fill_rows_test.c -- planes and triangles of a cube, and what is one place in
  * it, through the functions of the doors, without Prolog.
  *
- * covers: by_segment, complete, grain_rows, keys, pattern_rows
+ * covers: by_segment, grain_rows, keys, pattern_rows
  */
 #include "doors/world.h"
 #include "engine/term.h"
