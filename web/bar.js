@@ -1,94 +1,58 @@
 // The bar: menus, what has become of the document, and a stop for what takes long.
 
-import { $, h, arrows } from "./dom.js";
-import { w, otherTongue } from "./words.js";
-import { LOOKS, lookCalled } from "./link.js";
+import { $, h } from "./dom.js";
+import { w } from "./words.js";
 
-export const FORMATS = {
-  drawing: ["pdf", "svg", "dxf", "hpgl", "png", "eps", "json"],
-  shaded: ["png"],
-  pattern: ["pdf", "svg", "dxf", "fold"],
-  model: ["stl", "obj", "off", "ply", "pl"],
-  page: ["html"],
-};
+const MENUS = ["file", "menu", "solid", "unfolding", "sheets", "rules"];
+const SIGNS = { undo: "↶", redo: "↷", language: null, find: "⌕", help: "?" };
 
 export class Bar {
   constructor(studio) {
     this.studio = studio;
-    const button = (word, act, sign) => (sign ? h("button", { onclick: act, "data-label": word }, sign)
-      : h("button", { onclick: act, "data-word": word }));
     this.stop = h("button", { id: "stop", hidden: true, onclick: () => studio.wire.stop() });
     $("state").after(this.stop);
     setInterval(() => this.long(), 300);
-    $("menus").append(
-      this.menu("open", () => this.openMenu()), button("save", () => studio.save()), this.menu("export", () => this.exportMenu()),
-      this.menu("menu", () => this.viewMenu()), button("undo", () => studio.change("undo"), "↶"),
-      button("redo", () => studio.change("redo"), "↷"), button("language", () => otherTongue()),
-      this.menu("help", () => ["pointing", "keys"].map((word) => h("p", {}, w(word))), "?"));
+    this.element = $("menus");
+    const live = (words) => words.filter((word) => !studio.record || !["file", "undo", "redo"].includes(word));
+    const button = (word, sign, act, keys) => h("button", { role: "menuitem", tabindex: -1, [sign ? "data-label" : "data-word"]: word, onclick: act, ...keys }, sign || "");
+    this.element.append(...live(MENUS).map((word) => {
+      const key = button(word, null, () => this.open(list.hidden && key), { id: "menu_" + word, "aria-haspopup": "menu", "aria-expanded": "false" });
+      const list = h("div", { class: "menu", role: "menu", tabindex: -1, "aria-labelledby": "menu_" + word, hidden: true });
+      return h("span", { class: "menubox", role: "none" }, key, list);
+    }), h("span", { class: "gap", role: "none" }), ...live(Object.keys(SIGNS)).map((word) => button(word, SIGNS[word], () => this.act(word))));
+    this.keys = [...this.element.querySelectorAll("button")];
+    this.keys[0].tabIndex = 0;
+    this.file = h("input", { type: "file", hidden: true, onchange: () => studio.upload(this.file.files[0]) });
+    this.element.after(this.file);
+    const inside = ({ relatedTarget }) => this.element.contains(relatedTarget);
+    this.element.addEventListener("keydown", async (event) => {
+      if (event.ctrlKey || event.altKey || event.metaKey || !/^(Arrow\w+|Home|End|Escape|\S)$/u.test(event.key)) return;
+      event.preventDefault();
+      event.stopPropagation();
+      (this.made || await this.menus()).keyed(event.key);
+    });
+    // Tab comes to the key that was there last; the arrow keys go to the others.
+    this.element.addEventListener("focusin", (event) => {
+      if (!inside(event)) this.from = event.relatedTarget;
+      this.menus();
+      if (this.keys.includes(event.target)) for (const key of this.keys) key.tabIndex = key === event.target ? 0 : -1;
+    });
+    this.element.addEventListener("focusout", (event) => { if (!inside(event)) this.made?.open(null); });
   }
 
-  menu(word, made, sign) {
-    const list = h("div", { class: "menu", hidden: true });
-    const key = h("button", { "aria-haspopup": "true", "aria-expanded": "false",
-      [sign ? "data-label" : "data-word"]: word,
-      onclick: () => {
-        opened(list.hidden);
-        if (list.hidden) return;
-        list.replaceChildren(...made());
-        list.querySelector("button, select, input")?.focus();
-      } }, sign || "");
-    const opened = (on) => {
-      list.hidden = !on;
-      key.setAttribute("aria-expanded", String(on));
-    };
-    list.addEventListener("done", () => opened(false));
-    const box = h("span", { class: "menubox",
-      onkeydown: (event) => {
-        if (event.key === "Escape") { opened(false); key.focus(); event.stopPropagation(); }
-        arrows(list, event);
-      },
-      onfocusout: (event) => { if (!box.contains(event.relatedTarget)) opened(false); } }, key, list);
-    return box;
+  // They come when one is wanted.
+  async menus() {
+    const { Menus } = await import("./menus.js");
+    this.made ??= new Menus(this);
+    return this.made;
   }
 
-  openMenu() {
-    const { studio } = this;
-    const choice = (name, keys) => h("button", { class: "code", onclick: (event) => {
-      event.target.closest(".menu")?.dispatchEvent(new Event("done"));
-      studio.opened(name, null, keys);
-    } }, name);
-    const file = h("input", { type: "file", class: "unseen",
-      onchange: () => studio.upload(file.files[0]) });
-    return [...studio.models.map((name) => choice(name)), ...studio.uploads.map((name) => choice(name, { upload: true })),
-      h("label", { class: "file" }, w("upload"), file)];
+  async open(key) {
+    (await this.menus()).open(key);
   }
 
-  exportMenu() {
-    const { studio } = this;
-    return studio.formats.map(([what, formats]) => h("p", { class: "formats" },
-      h("span", {}, w(what + "_of")),
-      ...formats.map((format) => h("button", { class: "code", onclick: (event) => {
-        event.target.closest(".menu").dispatchEvent(new Event("done"));
-        studio.export(what, format);
-      } }, format))));
-  }
-
-  viewMenu() {
-    const { studio } = this;
-    const choice = (key) => {
-      const select = h("select", { onchange: () => { studio.looks[key] = select.value; studio.looked(); } },
-        ...LOOKS[key].map((value) => h("option", { value }, lookCalled(value))));
-      select.value = studio.looks[key] || LOOKS[key][0];
-      return h("label", {}, w(key), select);
-    };
-    const central = h("input", { type: "checkbox", checked: studio.looks.projection === "central",
-      onchange: () => { studio.looks.projection = central.checked ? "central" : "parallel"; studio.looked(); } });
-    const count = h("select", { onchange: () => studio.ports.many(Number(count.value)) },
-      ...[1, 2, 3, 4, 5, 6].map((value) => h("option", { value }, String(value))));
-    count.value = studio.ports.ports.length;
-    return [choice("hidden"), choice("lines"), choice("up"),
-      h("label", {}, w("central"), central), h("label", {}, w("ports"), count),
-      ...(studio.record ? [] : [h("button", { onclick: () => studio.halved() }, w("two_windows"))])];
+  async act(word) {
+    (await this.menus()).act(word);
   }
 
   // What takes long says how far it is, and can be stopped.

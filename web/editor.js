@@ -81,6 +81,19 @@ export class Text extends Editor {
     this.said(null);
   }
 
+  // What `pattern` finds, its group, is chosen; where it finds nothing, `text` is put at the end before.
+  within(pattern, text) {
+    const { field } = this;
+    if (!pattern.test(field.value)) {
+      field.value += text;
+      this.typed();
+    }
+    const [whole, part] = pattern.exec(field.value);
+    const to = field.value.search(pattern) + whole.length;
+    field.focus();
+    field.setSelectionRange(to - part.length, to);
+  }
+
   async done() {
     const text = this.field.value;
     try {

@@ -1,9 +1,9 @@
 // Files: one of the reader's machine, one that another program wrote, and exports.
 
 import { $, h, calm } from "./dom.js";
-import { w, tongue } from "./words.js";
+import { w } from "./words.js";
 import { textOf } from "./wire.js";
-import { eyeWords, upWords } from "./kinds.js";
+import { eyeWords, sheetWords, upWords } from "./kinds.js";
 import { LOOKS } from "./link.js";
 
 const VERBS = { drawing: "draw", shaded: "render", pattern: "unfold", model: "convert" };
@@ -44,7 +44,7 @@ async function exportPage(studio) {
 // The options of a drawing of what a port shows.
 function drawingWords(port) {
   const { kind, settings, studio } = port;
-  if (kind === "sheet") return ["--sheet", settings.paper, "--language", tongue(), ...upWords(studio)];
+  if (kind === "sheet") return sheetWords(port);
   const cut = { section: ["--cutaway", `${settings.axis}=${port.at}`], apart: ["--explode", String(port.factor)] }[kind] || [];
   const looks = { ...(cut[0] && { hidden: "removed" }), ...studio.looks, ...(kind === "section" && { projection: "" }) };
   const words = [...cut, ...Object.keys(LOOKS).flatMap((key) => (looks[key] ? ["--" + key, looks[key]] : []))];

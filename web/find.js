@@ -1,47 +1,11 @@
-// Ctrl-K: any command, name or predicate, by a part of what it is called.
+// Ctrl-K: any command, name or predicate, by a part of what it is called; and the help.
 
 import { h, calm } from "./dom.js";
-import { w, tongue, otherTongue } from "./words.js";
-import { kindsOf } from "./kinds.js";
-import { LOOKS, lookCalled } from "./link.js";
+import { w, tongue } from "./words.js";
+import { commands, fullName, run } from "./commands.js";
 import { Lost } from "./wire.js";
 
 const MOST = 30;
-
-// Pairs of what is found and what it does.
-function commands(studio) {
-  const named = (...words) => words.join(": ");
-  const { change, looks, ports } = studio;
-  const look = (key, values) => values.map((value) => [named(w(key), lookCalled(value)), () => {
-    looks[key] = value;
-    studio.looked();
-  }]);
-  return [
-    ...["undo", "redo"].map((word) => [w(word), () => change.call(studio, word)]), [w("save"), () => studio.save()],
-    ...["tree", "text", "rules"].map((pane) => [w(pane), () => { studio.paneTo("left"); studio.leftTo(pane); }]),
-    [w("clear"), () => studio.asking.clear()], [w("larger"), () => ports.enlarge(ports.focused())],
-    ...kindsOf(studio).map((kind) => [named(w("menu"), w(kind)), () => ports.focused().turnTo(kind)]),
-    ...["hidden", "lines", "up"].flatMap((key) => look(key, LOOKS[key])),
-    [w("central"), () => {
-      looks.projection = looks.projection === "central" ? "parallel" : "central";
-      studio.looked();
-    }],
-    ...studio.models.map((name) => [named(w("open"), name), () => studio.opened(name)]),
-    ...studio.formats.flatMap(([what, formats]) => formats.map((format) =>
-      [named(w("export"), w(what + "_of"), format), () => studio.export(what, format)])),
-    ...studio.asking.questions.map(({ name, goal }) => [named(w("ask"), name), () => studio.asking.pose(goal), goal]),
-    ["한국어 / English", otherTongue],
-    ...studio.segments.map(({ segment, name }) => [`s${segment} ${name}`, () => {
-      studio.leftTo("tree");
-      studio.tree.choose(segment, "/" + segment, 0);
-    }]),
-    ...studio.tree.unfoldable().map((one) => [named(w("unfold"), `${one} ${studio.tree.called(one)}`), () => {
-      const port = ports.focused();
-      port.settings.segment = one;
-      port.turnTo("unfold");
-    }]),
-  ];
-}
 
 export function find(studio) {
   const from = studio.ports.focused().element.contains(document.activeElement) ? document.activeElement : null;
@@ -50,7 +14,7 @@ export function find(studio) {
   const list = h("ul", { id: "found", role: "listbox", "aria-label": w("find") });
   const dialog = h("dialog", { class: "find", onclose: () => { dialog.remove(); from?.focus(); },
     onkeydown: (event) => keyed(event) }, box, list);
-  const all = commands(studio);
+  const all = commands(studio).filter(({ off }) => !off).map((row) => [fullName(row), () => run(studio, row), row.doc, row.called]);
   let items = [], at = 0, predicates = [];
 
   const act = (i) => {
@@ -66,8 +30,10 @@ export function find(studio) {
   const show = () => {
     const text = box.value.trim(), parts = text.toLowerCase().split(/\s+/);
     const name = /^(s\d+([epvj]-?\d+)?|l\d+)$/.test(text) ? [[text, () => studio.chosen([text])]] : [];
-    items = [...name, ...all.filter(([word]) => parts.every((part) => word.toLowerCase().includes(part))),
-      ...predicates].slice(0, MOST);
+    // What is called so itself comes before what stands in a menu called so.
+    const within = (word) => parts.every((part) => word.toLowerCase().includes(part));
+    const named = all.filter(([word]) => within(word)).sort(([, , , a], [, , , b]) => within(b) - within(a));
+    items = [...name, ...named.slice(0, predicates.length ? MOST / 2 : MOST), ...predicates].slice(0, MOST);
     list.replaceChildren(...items.map(([word, , doc], i) => h("li", { role: "option", id: "found" + i,
       onclick: () => act(i) }, h("b", {}, word), doc ? h("span", {}, doc) : null)));
     mark(0);
@@ -98,4 +64,14 @@ export function find(studio) {
   document.body.append(dialog);
   dialog.showModal();
   show();
+}
+
+// What a pointer does, and the keys of the table.
+export function help(studio) {
+  const keys = commands(studio).filter(({ keys }) => keys).map(({ keys, called }) => h("tr", {},
+    h("th", { scope: "row" }, ...keys.map((key) => h("kbd", {}, key))), h("td", {}, called)));
+  const dialog = h("dialog", { class: "find help", "aria-label": w("help"), onclose: () => dialog.remove() },
+    h("p", {}, w("pointing")), h("p", {}, w("turn")), h("table", {}, ...keys), h("button", { onclick: () => dialog.close() }, w("close")));
+  document.body.append(dialog);
+  dialog.showModal();
 }

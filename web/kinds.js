@@ -105,13 +105,14 @@ const apart = {
   },
 };
 
-const SHADES = ["lambert", "gooch", "cel=4", "zebra=8", "flat"];
+export const shadeCalled = (value) => w("shade_" + value.split("=")[0]);
+export const SHADES = ["lambert", "gooch", "cel=4", "zebra=8", "flat"];
 
 const shaded = {
   turns: true,
   tools: (port) => {
     port.settings.shade = port.settings.shade || "lambert";
-    return [choice(port, "shade", "shade", SHADES, (value) => w("shade_" + value.split("=")[0]))];
+    return [choice(port, "shade", "shade", SHADES, shadeCalled)];
   },
   // Coarse as long as it is being turned. Its lines are there to be lit. A page that
   // is a file has one.
@@ -123,6 +124,7 @@ const shaded = {
     if (reply.head.replaced || port.kind !== "shaded") return reply;
     port.showStrokes(reply);
     const box = record ? [0, 0, ...reply.head.sheet] : port.picture.inSight();
+    if (!box) throw new Lost("hidden");
     const fine = port.drag ? 0.5 : Math.min(2, window.devicePixelRatio || 1);
     port.dots = [width, height].map((n) => Math.max(1, Math.round(n * fine)));
     port.words = [...shadedAs(reply, looks, port.angles, box), "--size", port.dots.join("x")];
@@ -132,7 +134,25 @@ const shaded = {
   },
 };
 
-const PAPERS = ["A4", "A3", "A2", "A4-portrait", "A3-portrait"];
+// What a sheet may have; of what is said with each, what is usual comes first.
+export const SHEET = {
+  paper: ["A3", "A4", "A4-landscape", "A3-portrait", "A2", "A1", "A0"],
+  views: ["front", "top", "right", "left", "back", "bottom", "isometric"],
+  cuts: ["x", "y", "z"],
+  scale: ["auto", "1:1", "1:2", "1:5", "1:10", "2:1", "5:1"],
+  unit: ["mm", "cm", "m", "inch"],
+  angle: ["third", "first"],
+};
+export const SHEET_SHOWS = { views: ["front", "top", "right", "isometric"], cuts: [] };
+
+// The sheet of a port, as options of `draw`.
+export function sheetWords({ settings, studio }) {
+  const said = ["scale", "unit", "angle"].filter((key) => (settings[key] ?? SHEET[key][0]) !== SHEET[key][0]);
+  const views = settings.views.join() || SHEET_SHOWS.views.join();
+  return ["--sheet", settings.paper, ...(views === SHEET_SHOWS.views.join() ? [] : ["--views", views]),
+    ...settings.cuts.flatMap((axis) => ["--section", axis]), ...said.flatMap((key) => ["--" + key, settings[key]]),
+    "--language", document.documentElement.lang, ...upWords(studio)];
+}
 
 function penTools(port) {
   port.along = port.along ?? 1;
@@ -150,10 +170,10 @@ const sheet = {
   fits: "frame",
   tools: (port) => {
     port.settings.paper = port.settings.paper || "A3";
-    return [choice(port, "paper", "paper", PAPERS), ...penTools(port)];
+    return [choice(port, "paper", "paper", SHEET.paper), ...penTools(port)];
   },
   ask: async (port) => {
-    const options = ["--sheet", port.settings.paper, "--language", document.documentElement.lang, ...upWords(port.studio)];
+    const options = sheetWords(port);
     if (!port.settings.pens) {
       port.after = null;
       return port.studio.wire.ask("sheet", { options });

@@ -5,8 +5,7 @@ import { w, wordsLoaded, reworded, said } from "./words.js";
 import { Wire, Lost } from "./wire.js";
 import { Ports } from "./ports.js";
 import { Link } from "./link.js";
-import { Bar, FORMATS } from "./bar.js";
-import { KINDS } from "./kinds.js";
+import { Bar } from "./bar.js";
 import { Tree, childrenOf } from "./tree.js";
 import { Asking, Why } from "./panels.js";
 
@@ -19,7 +18,7 @@ class Studio {
     this.segments = [];
     this.names = [];
     this.models = [];
-    this.formats = Object.entries(FORMATS);
+    this.uploads = [];
     this.rev = 0;
     this.saved = true;
     this.warning = "";
@@ -195,7 +194,7 @@ class Studio {
     this.taught(head.shows === "seen");
     if (head.rev && this.file === file && this.ready) await this.revised(head);
     else if (file) await this.opened(file);
-    else if (!head.class) this.banner("open", this.bar.openMenu());
+    else if (!head.class) this.banner("open", (await this.bar.menus()).openers());
   }
 
   async inClass(told) {
@@ -243,7 +242,7 @@ class Studio {
       if (this.text?.dirty) this.text.done();
       const names = this.link.taken("chosen");
       if (names) await this.chosen(names.split(","));
-      if (document.body.dataset.half === "ports") this.other?.postMessage({ begun: true });
+      this.begun?.();
       if (this.record?.asked) {
         this.asking.box.value = this.record.asked;
         this.asking.ask();
@@ -281,6 +280,7 @@ class Studio {
     this.light("came", came);
     this.light("changed", changed);
     this.ports.ghost(went);
+    this.other?.postMessage({ went });
     if (came.length + changed.length + went.length) this.light("chosen", []);    // what is chosen is red too
   }
 
@@ -404,16 +404,23 @@ class Studio {
     this.other?.postMessage({ layer, names: [...names], ends });
   }
 
-  // The two monitors as two windows.
-  halved() {
-    window.open(`?half=ports#${this.wire.token}`, "_blank", "popup,width=1200,height=900");
-    this.half("left");
+  // The two monitors as two windows: one of them is a new window.
+  halved(which) {
+    window.open(`?half=${which}#${this.wire.token}`, "_blank", "popup,width=1200,height=900");
+    this.half(which === "ports" ? "left" : "ports");
   }
 
   async half(which) {
     document.body.dataset.half = which;
     const { half } = await import("./half.js");
     half(this, which);
+  }
+
+  // The facts of the title block are of the text.
+  async titleBlock() {
+    this.paneTo("left");
+    await this.leftTo("text");
+    this.text.within(/^\s*title_block\(\w+, *"([^"]*)/m, `title_block(name, "${this.file.replace(/\.\w+$/, "")}").\n`);
   }
 
   // Also names that have no line of their own: polygons, vertices, joints,
@@ -436,6 +443,7 @@ class Studio {
   lightSegment(segment, path = []) {
     this.operand = { segment, path };
     this.light("chosen", ["s" + segment]);
+    this.other?.postMessage({ segment });
   }
 
   // The operand that was chosen is not drawn itself: what it made is lit.
@@ -463,9 +471,15 @@ class Studio {
     this.from = port || this.from || this.pictured();
     this.light("chosen", names);
     this.linked();
-    this.other?.postMessage({ chosen: names });
+    this.toldFrom(role);
     this.news(names[0]);
     return this.why.show(names, this.from, role);
+  }
+
+  // What the other window says of what was chosen here: with the picture it is in.
+  toldFrom(role) {
+    const { kind, angles, turns, slow, said } = this.from || {};
+    this.other?.postMessage({ chosen: this.names, from: this.from && { kind, angles, turns, slow, said }, role });
   }
 
   // On a phone the reason is in another pane: its tab says of what.
@@ -479,6 +493,7 @@ class Studio {
     const { head } = await this.wire.ask("select", { names: [name] });
     this.paneTo("asking");
     this.asking.set(head.selected[0].goal);
+    this.other?.postMessage({ goal: head.selected[0].goal });
   }
 
   // --- what is said ---
@@ -518,30 +533,17 @@ class Studio {
     if (milliseconds) calm(milliseconds, close)();
   }
 
-  // --- keys ---
-
-  async find() {
-    const { find } = await import("./find.js");
-    if (!document.querySelector("dialog[open]")) find(this);
+  // The table of keys comes with the first of them.
+  async keyed(event) {
+    if (!this.table && (event.ctrlKey || event.metaKey) && /^[ks]$/i.test(event.key)) event.preventDefault();
+    this.table ??= await import("./commands.js");
+    this.table.keyed(this, event);
   }
 
-  keyed(event) {
-    const typing = /^(input|textarea|select)$/i.test(event.target.tagName);
-    const key = event.key.toLowerCase();
-    const control = event.ctrlKey || event.metaKey;
-    if (control && key === "s") this.save();
-    else if (control && key === "k" && !document.querySelector("dialog[open]")) this.find();
-    else if (control && !typing && key === "z") this.change(event.shiftKey ? "redo" : "undo");
-    else if (control && !typing && key === "y") this.change("redo");
-    else if (key === "f6") this.ports.next();
-    else if (typing || control || event.altKey) return;
-    else if (key === "/") $("goal").focus();
-    else if (key === "t") this.leftTo("tree");
-    else if (key === "x") this.leftTo("text");
-    else if (key === "escape") { this.asking.clear(); this.chosen([]); this.tried(); }
-    else if (/^[1-7]$/.test(key)) this.ports.focused().turnTo(KINDS[key - 1]);
-    else return;
-    event.preventDefault();
+  // Ctrl-K, or the help.
+  async find(what = "find") {
+    const found = await import("./find.js");
+    if (!document.querySelector("dialog[open]")) found[what](this);
   }
 }
 

@@ -3,7 +3,7 @@
 import { h, calm } from "./dom.js";
 import { w, said, reworded } from "./words.js";
 import { Picture, strokesOf, laidOf } from "./picture.js";
-import { KINDS, kindOf, kindsOf } from "./kinds.js";
+import { KINDS, SHEET_SHOWS, kindOf, kindsOf } from "./kinds.js";
 import { spaceOf } from "./space.js";
 import { Lost, textOf } from "./wire.js";
 import { Pointing } from "./pointing.js";
@@ -19,7 +19,7 @@ export class Port extends Pointing {
     this.picture = new Picture();
     this.under = null;
     this.pointed = "";
-    this.settings = {};
+    this.settings = { ...SHEET_SHOWS };
     this.tools = h("span", { class: "tools" });
     this.choice = h("select", { onchange: () => this.turnTo(this.choice.value) },
       ...kindsOf(studio).map((key) => h("option", { value: key, "data-word": key })));

@@ -12,6 +12,10 @@ export class Ports {
   constructor(studio, element) {
     this.studio = studio;
     this.element = element;
+    element.addEventListener("focusin", ({ target }) => {
+      this.used = this.ports.find((port) => port.element.contains(target));
+      for (const port of this.ports) port.element.classList.toggle("used", port === this.used);
+    });
     this.went = new Set();
     this.make(studio.link.get("ports")?.split(";").slice(0, 6) || JSON.parse(localStorage.getItem("ports") || "null")
       || ["iso", "unfold", "top", "front", "right"]);
@@ -98,8 +102,9 @@ export class Ports {
     port.canvas.focus();
   }
 
+  // The port that was used last.
   focused() {
-    return this.ports.find((port) => port.element.contains(document.activeElement)) || this.one || this.ports[0];
+    return this.one || (this.ports.includes(this.used) ? this.used : this.ports[0]);
   }
 
   kept() {

@@ -108,7 +108,7 @@ export class Tree {
   }
 
   called(segment) {
-    return label(this.byNumber.get(segment).term);
+    return label(this.byNumber?.get(segment)?.term ?? "");
   }
 
   // What a word of a term is called.

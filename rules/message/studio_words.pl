@@ -128,9 +128,27 @@ studio_word(too_long,
     'This is more than a megabyte. Open it as a file of this computer.',
     '1메가바이트보다 깁니다. 이 컴퓨터의 파일로 여십시오.').
 studio_word(up, 'Axis that points up', '위를 향하는 축').
-studio_word(two_windows, 'Two windows', '두 창으로').
+studio_word(two_windows, 'In a window of its own', '따로 창으로').
 studio_word(central, 'Perspective', '중심 투상').
+studio_word(file, 'File', '파일').
 studio_word(menu, 'View', '보기').
+studio_word(solid, 'Solid', '입체').
+studio_word(unfolding, 'Unfold', '전개').
+studio_word(sheets, 'Sheet', '도면').
+studio_word(fit, 'Fit the port', '뷰포트에 맞춤').
+studio_word(views, 'Views', '투상도').
+studio_word(cuts, 'Sections', '단면').
+studio_word(scale, 'Scale', '척도').
+studio_word(unit, 'Unit', '단위').
+studio_word(angle, 'Angle', '각법').
+studio_word(auto, 'as fits', '자동').
+studio_word(third, 'third', '제3각법').
+studio_word(first, 'first', '제1각법').
+studio_word(inch, 'inch', '인치').
+studio_word(isometric, 'isometric', '등각 투상도').
+studio_word(title_block, 'Title block in the text', '텍스트의 표제란').
+studio_word(half_ports, 'ports', '뷰포트').
+studio_word(half_left, 'tree, text, questions', '트리·텍스트·질문').
 studio_word(turn,
     'Drag, or use the arrow keys, to turn. Enter goes into the lines.',
     '끌거나 화살표 키로 돌립니다. 엔터를 누르면 선으로 들어갑니다.').
@@ -170,14 +188,9 @@ studio_word(replayed,
 studio_word(cut, 'Cut here', '여기서 자르기').
 studio_word(join, 'Keep joined', '이어 두기').
 studio_word(either, 'Either', '상관없음').
-studio_word(help, 'Keys', '단축키').
+studio_word(help, 'Help', '도움말').
 studio_word(find, 'Find a command, a name or a predicate',
     '명령, 이름, 술어 찾기').
-studio_word(keys,
-    'Ctrl K find · Ctrl Z undo · Ctrl Y redo · Ctrl S save · / question · T \c
-     tree · X text · F6 next port · 1 to 7 views · Esc clears what is lit',
-    'Ctrl K 찾기 · Ctrl Z 실행 취소 · Ctrl Y 다시 실행 · Ctrl S 저장 · / 질문 · T \c
-     트리 · X 텍스트 · F6 다음 뷰포트 · 1~7 투상도 · Esc 강조 해제').
 studio_word(pointing,
     'Drag turns · wheel or two fingers: closer · click a line: why · double \c
      click it, or hold a finger on it: its goal',

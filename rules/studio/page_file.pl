@@ -162,6 +162,8 @@ script(pointing).
 script(port).
 script(ports).
 script(bar).
+script(commands).
+script(menus).
 script(turning).
 script(find).
 script(handles).

@@ -22,6 +22,7 @@ checks = Checks()
 check = checks.check
 MODEL = open("facts/figures/fig13.pl").read()
 CONTROL, ENTER, ESCAPE, LEFT = "\ue009", "\ue007", "\ue00c", "\ue012"
+DOWN, UP, RIGHT = "\ue015", "\ue013", "\ue014"
 
 # The lines that a port shows, as one text.
 LINES = ("[...document.querySelectorAll('.port')[%d].querySelectorAll('.lines "
@@ -139,6 +140,8 @@ def kinds(language):
                           ".length)" % drawn)
     check(language + ": as far as the slider says", sum(whole) > sum(half) >
           sum(whole) / 4, (whole, half))
+
+    sheet_of_the_menu(language)
 
     # The pattern of one segment, chosen by the keyboard.
     turned_to("unfold")
@@ -328,6 +331,54 @@ def as_drawn(language, what):
         [max(of_axis) - min(of_axis) for of_axis in off])
 
 
+def sheet_of_the_menu(language):
+    """What the menu Sheet says, the port shows and its export has."""
+    browser.script("studio.ports.ports[0].canvas.focus()")
+    rows = ["[aria-label] + * button"]
+    for group, row in ((1, "A4-landscape"), (3, "y"), (4, "1:2"), (5, "cm"),
+                       (2, None), (6, None)):
+        browser.click("#menu_sheets")
+        rows.append(browser.wait("""((group, row) => {
+          const items = [...document.querySelectorAll("#menu_sheets + .menu:not([hidden]) > [role=group]")][group]
+            ?.querySelectorAll("button");
+          const item = items && (row ? [...items].find((e) => e.textContent === row) : items[items.length - 1]);
+          item?.click();
+          return item && item.textContent;
+        })(arguments[0], arguments[1])""", group, row))
+    check(language + ": the sheet that the menu says", browser.wait(
+        "!studio.ports.ports[0].busy && studio.ports.ports[0].kind === 'sheet'"
+        " && studio.ports.ports[0].picture.shown.sheet[0] === 297000"), rows)
+    browser.script("""
+      const { click } = HTMLAnchorElement.prototype;
+      HTMLAnchorElement.prototype.click = function () {
+        HTMLAnchorElement.prototype.click = click;
+        fetch(this.href).then((answer) => answer.text()).then((text) => { window.fetched = text; });
+      };
+      window.fetched = null;
+      studio.export("drawing", "svg");""")
+    got = browser.wait("window.fetched")
+    wanted = cli("draw", "-q", "tee.pl", "--sheet", "A4-landscape", "--views",
+                 "front,top,right", "--section", "y", "--scale", "1:2",
+                 "--unit", "cm", "--angle", "first", "--language", language,
+                 "--format", "svg", "-o", "-").decode()
+    check(language + ": its export has the bytes of draw", got == wanted and
+          wanted, ((got or "")[:300], wanted[:300]))
+    # The title block is of the text.
+    browser.click("#menu_sheets")
+    browser.wait("document.querySelector('#menu_sheets + .menu:not([hidden])')")
+    browser.click("#menu_sheets + .menu > :last-child button:last-child")
+    browser.wait("studio.pane === 'text' && document.activeElement === "
+                 "studio.text.field")
+    browser.keys("Bogen")
+    check(language + ": a title block", browser.wait(
+        "studio.text.field.value.endsWith('title_block(name, \"Bogen\").\\n') "
+        "&& !studio.text.dirty && studio.ports.ports[0].rev === studio.rev"))
+    browser.script("return studio.change('undo').then(() => 1)")
+    browser.script("studio.leftTo('tree'); studio.ports.ports[0].settings = "
+                   "{ views: ['front'], cuts: [] }")
+    browser.wait("studio.saved")
+
+
 def cut_seam(language):
     """A fold that is cut by the page: its pattern is that of `unfold --cut`."""
     with open(os.path.join(models, "box.pl"), "w") as out:
@@ -490,7 +541,6 @@ def file_changed(language):
     sent = os.path.join(models, "..", "sent %s.pl" % language)
     with open(sent, "w") as out:
         out.write("segment(1, solid, box(size(1, 2, 3))).\n")
-    browser.script("document.querySelector('#bar [data-word=open]').click()")
     browser.keys(os.path.realpath(sent), "#bar input[type=file]")
     check(language + ": a file of the reader", browser.wait(
         "studio.segments.length === 1 && studio.file === arguments[0]",
@@ -543,20 +593,86 @@ def by_keyboard():
     browser.keys("/")
     check("/ goes to the question", browser.script(
         "return document.activeElement.id") == "goal")
-    browser.script("document.querySelector('#bar [data-word=export]').focus()")
-    browser.keys(ENTER)
-    check("a menu by the keyboard", browser.script(
-        "return document.activeElement.closest('.menu') !== null"))
+    menubar()
+
+
+def menubar():
+    """The menus, by the keyboard alone, as WAI-ARIA has a menubar."""
+    said = {"en": ["s", "s", "bb", "bottom7", "dashed", "edges of the shape"],
+            "ko": ["ㅇ", "ㄷ", "ㅈㅈㅈ", "저면도7", "파선", "형상의 모서리"]}[
+                browser.script("return document.documentElement.lang")]
+    focused = "return [document.activeElement.id, document.activeElement." \
+              "textContent, document.activeElement.closest('.menu') !== null]"
+    expanded = "return [...document.querySelectorAll('#menus [aria-expanded=" \
+               "true]')].map(e => e.id)"
+    browser.script("studio.ports.ports[2].canvas.focus()")
+    browser.script("document.querySelector('#menu_file').focus()")
+    stops = browser.script("return [...document.querySelectorAll('#menus "
+                           "button')].filter(e => e.tabIndex === 0).length")
+    check("Tab stops once in the bar", stops == 1, stops)
+    browser.keys(RIGHT + RIGHT)
+    check("an arrow goes to the next menu", browser.script(focused)[0] ==
+          "menu_solid", browser.script(focused))
+    browser.keys(LEFT + LEFT + LEFT)
+    check("and around the end", browser.script(
+        "return document.activeElement.dataset.label") == "help")
+    browser.keys("\ue011")
+    check("Home is the first", browser.script(focused)[0] == "menu_file")
+    browser.keys(said[0])
+    check("a letter goes there", browser.script(focused)[0] == "menu_solid")
+    browser.keys(said[1])
+    check("and to the next one", browser.script(focused)[0] == "menu_sheets")
+    browser.keys("\ue011" + DOWN)
+    browser.wait("document.activeElement.closest('.menu')")
+    check("down opens it, at the first row", browser.script(focused)[1:] ==
+          [browser.script("return studio.models[0]"), True] and browser.script(expanded) == ["menu_file"],
+          browser.script(focused))
+    browser.keys(UP)
+    check("up goes around", browser.script(focused)[1] == "html")
     check("what has the keyboard there stands out", browser.script("""
       const { outlineColor } = getComputedStyle(document.activeElement);
       return outlineColor !== "rgb(255, 255, 255)";"""))
-    check("formats stand below one another", browser.script("""
-      const rows = [...document.activeElement.closest(".menu").querySelectorAll(".formats")];
-      const at = rows.map((row) => [...row.querySelectorAll("button")].slice(0, 4).map((b) => Math.round(b.getBoundingClientRect().x)));
-      return at.every((row) => row.every((x, i) => x === at[0][i]));"""))
+    browser.keys(RIGHT)
+    check("an arrow opens the menu beside it", browser.script(expanded) ==
+          ["menu_menu"] and browser.script(focused)[2])
+    chosen = browser.script("""
+      return [...document.activeElement.closest(".menu").querySelectorAll("[role=menuitemradio][aria-checked=true]")]
+        .map((e) => e.firstChild.textContent);""")
+    check("what is so is told", chosen[1:] == [*said[4:], "z", "5"], chosen)
     browser.keys(ESCAPE)
-    check("and out of it", browser.script(
-        "return document.activeElement.dataset.word") == "export")
+    check("Escape closes it", browser.script(expanded) == [] and
+          browser.script(focused)[0] == "menu_menu")
+    browser.keys(UP)
+    check("up opens it at its end", browser.script(focused)[2])
+    browser.keys("\ue011" + said[2])
+    check("letters go to the rows", browser.script(focused)[1] == said[3],
+          browser.script(focused))
+    browser.keys(ENTER)
+    check("Enter does it, in the port used last", browser.script(expanded) == []
+          and browser.script("return [studio.ports.ports[2].kind, studio.ports"
+                             ".ports[2].canvas === document.activeElement]")
+          == ["bottom", True])
+    browser.script("studio.ports.ports[2].turnTo('top')")
+    rows = browser.script("""
+      studio.bar.made.open(document.getElementById("menu_menu"));
+      const seen = [...document.querySelectorAll("#menus .menu:not([hidden]) [role^=menuitem]")]
+        .every((e) => e.closest("[role=menu]").getAttribute("aria-labelledby") === "menu_menu");
+      document.activeElement.blur();
+      studio.bar.made.open(null);
+      return seen;""")
+    check("rows are of their menu", rows)
+    # One table: what has a key says it in the menu, in the help, and it works.
+    browser.keys("?")
+    told = browser.wait("[...document.querySelectorAll('.help kbd')].map(e => "
+                        "e.textContent)") or []
+    check("the help has the keys", {"Ctrl+S", "Ctrl+Z", "Ctrl+K", "F6", "T",
+                                    "X", "/", "?", "1", "7"} <= set(told), told)
+    browser.keys(ESCAPE)
+    browser.keys("x")
+    check("a key of the table", browser.wait("studio.pane === 'text'"))
+    browser.keys("t")
+    browser.wait("studio.pane === 'tree'")
+    browser.script("document.activeElement.blur()")
 
 
 def screens():
@@ -723,8 +839,9 @@ def as_a_file(language, words):
         "document.querySelector('dialog.find li')"))
     browser.keys(ESCAPE)
     check(language + ": nothing is changed there", browser.script(
-        "return [...document.querySelectorAll('#menus [data-word=save], "
-        ".wishes, [data-word=save_question]')].every(e => getComputedStyle(e).display === 'none')"))
+        "return [...document.querySelectorAll('.wishes, [data-word=save_question]')]"
+        ".every(e => getComputedStyle(e).display === 'none') && !document."
+        "querySelector('#menu_file, #menus [data-label=undo]')"))
     check(language + ": its sizes are there to read", browser.script("""
       studio.tree.choose(1, '/1', 0);
       const boxes = [...document.querySelectorAll('.form input[type=number]')];
@@ -1032,12 +1149,12 @@ for language in ("en", "ko"):
     browser = Browser(1440, 900, language)
     try:
         flows(language)
+        menubar()
         if language == "en":
             browser.script("document.querySelector('#bar [data-word=language]'"
                            ").click()")
-            check("switched live", browser.script(
-                "return document.querySelector('.why h2').textContent")
-                == "이유")
+            check("switched live", browser.wait(
+                "document.querySelector('.why h2').textContent === '이유'"))
             browser.size(500, 700)
             check("a small screen has one pane", browser.wait(
                 "[...document.querySelectorAll('main > *')].filter(e => "

@@ -131,7 +131,7 @@ for path in ["/", "/words.json"] + sorted(
               and (gzip.decompress(octets) if packed else octets) == plain,
               headers)
         sent += len(octets) if given.startswith("gzip, ") else 0
-check("all of the page is small", sent < 76_600, sent)
+check("all of the page is small", sent < 83_000, sent)
 for path in ("/", "/main.js", "/nothing", "/x/none", "/../rules/about.pl",
              "/%2e%2e/README.md", "/studio.css/", "//etc/passwd"):
     status, headers, octets = front.get(path)

@@ -243,9 +243,10 @@ for language in ("en", "ko"):
     check("left", browser.wait("!document.querySelector('dialog')"))
     # One to six ports, and the two monitors as two windows.
     for count in (1, 2, 3, 4, 6, 5):
-        browser.click("#bar [data-word=menu]")
-        browser.script("""const s = [...document.querySelectorAll('.menu:not([hidden]) select')].at(-1);
-          s.value = arguments[0]; s.dispatchEvent(new Event('change'))""", count)
+        browser.click("#menu_menu")
+        browser.wait("document.querySelector('#menus .menu:not([hidden])')")
+        browser.script("""[...document.querySelectorAll('.menu:not([hidden]) .named button')]
+          .find((e) => e.textContent === String(arguments[0])).click()""", count)
         check("%d ports" % count, browser.wait(
             "studio.ports.ports.length === arguments[0] && studio.ports.ports"
             ".filter(({slow}) => !slow).every((p) => p.picture.shown)", count,
@@ -257,11 +258,10 @@ for language in ("en", "ko"):
           return [over, r.reduce((sum, a) => sum + a.width * a.height, 0) / (all.width * all.height)]""")
         check("%d ports fill their half" % count, room[0] is False and
               room[1] > 0.94, room)
-        browser.script("document.querySelector('.menu:not([hidden])').hidden"
-                       " = true")
     first = browser.ask("GET", "/window")
-    browser.click("#bar [data-word=menu]")
-    browser.click(".menu:not([hidden]) button:last-of-type")
+    browser.click("#menu_menu")
+    browser.wait("document.querySelector('#menus .menu:not([hidden])')")
+    browser.click(".menu:not([hidden]) > :last-child button")
     second = [one for one in browser.ask("GET", "/window/handles")
               if one != first]
     check("another window", len(second) == 1)
@@ -283,6 +283,58 @@ for language in ("en", "ko"):
     if os.environ.get("PICTURES"):
         browser.picture(os.path.join(os.environ["PICTURES"], "half-left-%s"
                                      ".png" % language))
+    # That window is closed; then the other half is in a window of its own.
+    browser.ask("POST", "/window", {"handle": second[0]})
+    browser.ask("DELETE", "/window")
+    browser.ask("POST", "/window", {"handle": first})
+    check("both halves are here again", browser.wait(
+        "document.getElementById('ports').offsetParent && document.getElementById"
+        "('left').offsetParent && studio.ports.ports[0].picture.shown"))
+    browser.click("#menu_menu")
+    browser.wait("document.querySelector('#menus .menu:not([hidden])')")
+    browser.click(".menu:not([hidden]) > :last-child button:last-child")
+    second = [one for one in browser.ask("GET", "/window/handles")
+              if one != first]
+    check("the tree went", len(second) == 1 and browser.wait(
+        "document.getElementById('left').offsetParent === null && "
+        "document.getElementById('ports').offsetParent"))
+    browser.ask("POST", "/window", {"handle": second[0]})
+    check("is there", browser.wait(
+        "studio.tree?.byNumber && studio.ready && document.getElementById("
+        "'ports').offsetParent === null && document.getElementById('left')"
+        ".offsetParent", seconds=40))
+    browser.ask("POST", "/window", {"handle": first})
+    browser.script("studio.chosen(['s2e3'], studio.ports.ports[0]); "
+                   "studio.askAbout('s2e3')")
+    browser.ask("POST", "/window", {"handle": second[0]})
+    check("it says why, and has the goal", browser.wait(
+        "document.querySelector('.why').textContent.includes('s2e3') && "
+        "document.getElementById('goal').value.startsWith('e(2, 3')"),
+        browser.script("return document.querySelector('.why').textContent"))
+    browser.script("studio.tree.choose(2, '/2', 0)")
+    browser.click("#menu_menu")
+    browser.wait("document.querySelector('#menus .menu:not([hidden])')")
+    browser.keys("\ue011" + DOWN + ENTER)
+    if os.environ.get("PICTURES"):
+        browser.picture(os.path.join(os.environ["PICTURES"], "half-tree-%s"
+                                     ".png" % language))
+    browser.ask("POST", "/window", {"handle": first})
+    check("its menus are done where the ports are", browser.wait(
+        "studio.ports.focused().kind === 'front'"),
+        browser.script("return studio.ports.focused().kind"))
+    check("what is chosen in its tree is lit, with dots", browser.wait(
+        "studio.ports.ports.some(({ picture }) => picture.layers.chosen"
+        ".getAttribute('d').length > 8) && studio.handles.list.length"))
+    browser.script("document.querySelector('[data-word=language]').click()")
+    browser.ask("POST", "/window", {"handle": second[0]})
+    check("one language in both", browser.wait(
+        "document.documentElement.lang !== arguments[0]", language))
+    browser.script("document.querySelector('[data-word=language]').click()")
+    browser.ask("DELETE", "/window")
+    browser.ask("POST", "/window", {"handle": first})
+    check("and again here", browser.wait(
+        "document.getElementById('left').offsetParent && "
+        "document.documentElement.lang === arguments[0]", language))
     log = [line for line in browser.log() if "favicon" not in line]
     check("nothing is wrong", log == [], log)
     browser.end()

@@ -115,7 +115,8 @@ def one_port():
     step("the next port", browser.script(seen) == ["p1"] and browser.script(
         "return studio.ports.focused().name") == "p1")
     browser.keys(F6)
-    step("and the next by its key", browser.script(seen) == ["p2"])
+    step("and the next by its key", browser.wait(
+        "String((() => { %s })()) === 'p2'" % seen))
     for _ in range(3):
         browser.script(press % "steps button:first-child")
     step("and back, around the end", browser.script(seen) == ["p4"])
@@ -176,13 +177,11 @@ def flows():
     for name in ("section", "shaded", "sheet", "unfold", "folded"):
         step(name, kind(name))
     kind("iso")
-    for menu in ("open", "export", "menu"):
-        browser.script("document.querySelector('#bar [data-word=%s]').click()"
-                       % menu)
-        step("menu " + menu, browser.script(
-            "return Boolean(document.querySelector('#bar .menu:not([hidden])'))"))
-        browser.script("document.querySelector('#bar [data-word=%s]').click()"
-                       % menu)
+    for menu in ("file", "menu", "solid", "unfolding", "sheets", "rules"):
+        browser.click("#menu_" + menu)
+        step("menu " + menu, browser.wait(
+            "document.querySelector('#menu_%s + .menu:not([hidden])')" % menu))
+        browser.click("#menu_" + menu)
     complaints = [line for line in browser.log() if "favicon" not in line]
     checks.check("%s %s: no complaints" % (language, screen),
                  complaints == [], complaints)

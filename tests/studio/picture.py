@@ -10,7 +10,7 @@ sys.path[:0] = [os.path.dirname(os.path.abspath(__file__))]
 from browser import Browser  # noqa: E402
 from front import Front  # noqa: E402
 
-program, out = sys.argv[1:3]
+program, out = map(os.path.abspath, sys.argv[1:3])
 folder = tempfile.mkdtemp()
 shutil.copy("facts/pipe_tee.pl", folder)
 front = Front(program, folder, "pipe_tee.pl", (),

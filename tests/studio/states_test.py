@@ -4,6 +4,7 @@ open, of its revision, and of the program; in a real Chromium."""
 import json
 import math
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -32,7 +33,7 @@ TEE = os.path.join(models, "pipe_tee.pl")
 with open(TEE) as file:
     TEXT = file.read()
 env = dict(os.environ, XDG_STATE_HOME=os.path.join(folder, "state"))
-ENTER, CONTROL = "\ue007", "\ue009"
+ENTER, CONTROL, UP, DOWN = "\ue007", "\ue009", "\ue013", "\ue015"
 QUIET = "studio.ready && studio.ports.ports.every(p => !p.busy && " \
         "!p.canvas.classList.contains('empty'))"
 ROW = "[...document.querySelectorAll('.tree .row')].find(r => " \
@@ -98,10 +99,10 @@ def menus():
     expanded = "[...document.querySelectorAll('[aria-expanded][aria-haspopup]" \
                "')].filter(e => e.getAttribute('aria-expanded') === 'true')" \
                ".map(e => e.dataset.word)"
-    for word in ("open", "export", "menu"):
+    for word in ("file", "menu", "rules"):
         browser.click("#bar [data-word=%s]" % word)
         check("one menu is open: " + word,
-              browser.script("return " + expanded) == [word])
+              browser.wait("String(%s) === arguments[0]" % expanded, word))
     browser.click(".tabs [data-word=tree]")
     check("no menu is open", browser.script("return " + expanded) == [])
 
@@ -169,6 +170,9 @@ def operand():
         QUIET + " && studio.ports.ports[0].picture.layers.chosen.getAttribute("
         "'d').length > 20"))
     shaded()
+    shaded_by_hand()
+    browser.script("studio.ports.ports[0].turnTo('iso')")
+    several()
     browser.script("studio.ports.ports[0].turnTo('iso'); studio.chosen([])")
     check("nothing is lit", browser.wait(lit + ".every(n => n === 0)"))
 
@@ -208,6 +212,115 @@ def shaded():
     check("and lies where it is looked at", browser.wait(PAINTED + """ && (({ picture }) =>
       ["x", "y", "width", "height"].every((name, i) => Math.abs(picture.image.getAttribute(name) - picture.inSight()[i]) < 1))
       (studio.ports.ports[0])"""))
+
+
+def shaded_by_hand():
+    """In a shaded picture sizes are pulled, lines walked and asked for, as in one
+    of lines."""
+    knobs = "return [...studio.ports.ports[0].knobs.querySelectorAll('.knob')]" \
+            ".map(e => e.getAttribute('d'))"
+    seen = []
+    for kind in ("iso", "shaded"):
+        browser.script("studio.ports.ports[0].turnTo(arguments[0]); "
+                       "studio.tree.choose(2, '/10/9/2', 0)", kind)
+        browser.wait(QUIET + " && studio.handles.list.length && studio.ports"
+                     ".ports[0].knobs.querySelector('.knob')")
+        seen.append(browser.script(knobs))
+    check("dots of a shaded picture are where they are without", seen[0] ==
+          seen[1] != [], seen)
+    radius = "studio.tree.valueOf({ segment: 2, path: [1, 1] })"
+    was = browser.script("return " + radius)
+    browser.script("studio.ports.ports[0].knobs.querySelector('[data-name="
+                   "radius]').focus()")
+    browser.keys(UP)
+    check("and pull", browser.wait("%s > arguments[0] && !studio.tree.sets"
+                                   ".length && %s" % (radius, QUIET), was))
+    browser.script("return studio.change('undo').then(() => 1)")
+    browser.wait(QUIET)
+    browser.script("studio.ports.ports[0].canvas.focus()")
+    spoken = "document.getElementById('spoken').textContent"
+    browser.keys(ENTER)
+    first = browser.wait("/s10e/.test(%s) && %s" % (spoken, spoken))
+    browser.keys(DOWN)
+    check("its lines are walked", browser.wait(
+        "%s !== arguments[0] && studio.ports.ports[0].picture.layers.hover"
+        ".getAttribute('d')" % spoken, first))
+    # Another picture comes meanwhile: the walk begins anew.
+    browser.script("studio.ports.ports[0].refresh()")
+    browser.wait(QUIET)
+    browser.keys(ENTER)
+    check("after another picture too", browser.wait(
+        "%s === arguments[0]" % spoken, first))
+    browser.keys(ENTER)
+    check("and asked for", browser.wait(
+        "/s10e/.test(document.querySelector('.why .chip strong').textContent)"))
+    x, y, name = browser.script("""
+      const port = studio.ports.ports[0], box = port.canvas.getBoundingClientRect();
+      for (let x = box.x + 20; x < box.right; x += 3) for (let y = box.y + 20; y < box.bottom; y += 3) {
+        const found = port.near({ clientX: x, clientY: y }, 3);
+        if (found && document.elementFromPoint(x, y).closest(".canvas") === port.canvas) return [x, y, found.name];
+      }""")
+    browser.pointer((x, y), "down", "up", "down", "up")
+    check("a double click asks for its goal", browser.wait(
+        "document.getElementById('goal').value.startsWith(arguments[0])",
+        "e(%s, %s" % tuple(re.findall("[0-9]+", name))),
+        (name, browser.script("return document.getElementById('goal').value")))
+    # A port that is not on the screen is asked for nothing.
+    check("nor does it end what is asked of a port that went", browser.script("""
+      const port = studio.ports.ports[0];
+      port.element.hidden = true;
+      try {
+        const { picture } = port;
+        port.closer(0.5, 10, 10);
+        port.pan(5, 5);
+        return picture.pieceAt(10, 10).length === 0 && picture.near(10, 10) === null;
+      } finally {
+        port.element.hidden = false;
+      }"""))
+    # An image that is not shown any more is let go.
+    browser.script("""
+      window.let_go = [];
+      window.made = [];
+      const { createObjectURL, revokeObjectURL } = URL;
+      URL.createObjectURL = (blob) => { const it = createObjectURL.call(URL, blob); window.made.push(it); return it; };
+      URL.revokeObjectURL = (it) => { window.let_go.push(it); revokeObjectURL.call(URL, it); };""")
+    browser.script("""
+      const { picture } = studio.ports.ports[0], png = atob("iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAQAAAC1HAwCAAAAC0lEQVR42mNk+A8AAQUBAScY42YAAAAASUVORK5CYII=");
+      const body = () => Uint8Array.from(png, (c) => c.charCodeAt(0)).buffer;
+      return Promise.all([picture.paint(body()), picture.paint(body()), picture.paint(body())]).then(() => 1);""")
+    check("and an image that another one came before", browser.script(
+        "return window.made.length === 3 && window.made.slice(0, 2).every(one "
+        "=> window.let_go.includes(one)) && !window.let_go.includes(window"
+        ".made[2])"))
+    browser.script("studio.asking.set(''); document.activeElement.blur()")
+
+
+def several():
+    """With Ctrl one more line is chosen, and one less."""
+    browser.script("studio.chosen([])")
+    browser.wait(QUIET)
+    points = browser.script("""
+      const port = studio.ports.ports[0], box = port.canvas.getBoundingClientRect(), found = new Map();
+      for (let x = box.x + 20; x < box.right; x += 3) for (let y = box.y + 20; y < box.bottom; y += 3) {
+        const name = port.near({ clientX: x, clientY: y }, 2)?.name;
+        if (name && document.elementFromPoint(x, y).closest(".canvas") === port.canvas) found.set(name, [x, y, name]);
+      }
+      return [...found.values()].slice(0, 2);""")
+    for many, (x, y, name) in enumerate([*points, points[0]]):
+        browser.script("""
+          const at = { bubbles: true, pointerId: 1, clientX: arguments[0], clientY: arguments[1], ctrlKey: arguments[2] };
+          const { canvas } = studio.ports.ports[0];
+          canvas.setPointerCapture = () => {};
+          canvas.dispatchEvent(new PointerEvent("pointerdown", at));
+          canvas.dispatchEvent(new PointerEvent("pointerup", at));""", x, y, many > 0)
+        wanted = [[points[0][2]], [one[2] for one in points[:2]], [points[1][2]]]
+        check("chosen: %d" % many, browser.script(
+            "return studio.names") == wanted[many] and browser.wait(
+                "String([...document.querySelectorAll('.why .chip strong')]"
+                ".map(e => e.textContent)) === arguments[0]",
+                ",".join(wanted[many])), wanted[many])
+    browser.script("delete studio.ports.ports[0].canvas.setPointerCapture; "
+                   "studio.chosen([])")
 
 
 def korean():
