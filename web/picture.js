@@ -107,7 +107,10 @@ export class Picture {
     this.painted = body;
     const address = body && URL.createObjectURL(new Blob([body], { type: "image/png" }));
     if (body) await Object.assign(new Image(), { src: address }).decode().catch(() => {});
-    if (this.painted !== body) return;
+    if (this.painted !== body) {
+      if (address) URL.revokeObjectURL(address);
+      return;
+    }
     URL.revokeObjectURL(this.image.getAttribute("href"));
     for (const [i, name] of ["x", "y", "width", "height"].entries()) this.image.setAttribute(name, box?.[i] ?? 0);
     if (body) this.image.setAttribute("href", address);
@@ -141,13 +144,15 @@ export class Picture {
     this.svg.setAttribute("viewBox", this.box.join(" "));
   }
 
-  // The point of the sheet at one of the screen.
+  // The point of the sheet at one of the screen; null: it is not on the screen.
   at(clientX, clientY) {
-    return new DOMPoint(clientX, clientY).matrixTransform(this.svg.getScreenCTM().inverse());
+    const matrix = this.svg.getScreenCTM();
+    return matrix && new DOMPoint(clientX, clientY).matrixTransform(matrix.inverse());
   }
 
-  // Which part of the sheet the screen has room for.
+  // Which part of the sheet the screen has room for; null: none.
   inSight() {
+    if (!this.svg.getScreenCTM()) return null;
     const { x, y, right, bottom } = this.svg.getBoundingClientRect();
     const [from, to] = [this.at(x, y), this.at(right, bottom)];
     return [from.x, from.y, to.x - from.x, to.y - from.y];
@@ -229,8 +234,9 @@ export class Picture {
   // The edges of the piece of a pattern, or of the hole in one, that a point of
   // the screen is in: the innermost cut around it.
   pieceAt(clientX, clientY) {
-    if (!this.shown) return [];
-    const { x, y } = this.at(clientX, clientY);
+    const at = this.shown && this.at(clientX, clientY);
+    if (!at) return [];
+    const { x, y } = at;
     let best = [], least = Infinity;
     for (const { segment, edges, points, look, closed } of this.shown.strokes) {
       if (!closed || this.shown.looks[look][1] !== "cut") continue;

@@ -5,7 +5,7 @@ import { calm } from "./dom.js";
 export const PICTORIAL = [315, 54.735610317245346];
 const USUAL = { projection: "parallel", up: "z", lines: "feature" };
 const TOO_SMALL = "usage_error.sheet";
-const SLOW = 40;          // ms: exact pictures that take longer do not turn well
+const SLOW = 20;          // ms: exact pictures that take longer do not turn well
 
 export class Sight {
   turn(theta, phi) {
@@ -89,8 +89,8 @@ export class Sight {
   });
 
   pan(dx, dy) {
-    if (!this.picture.shown) return;
-    const { a } = this.picture.svg.getScreenCTM();
+    const { a } = this.picture.svg.getScreenCTM() || {};
+    if (!this.picture.shown || !a) return;
     const [x, y, width, height] = this.picture.box;
     this.zoom(x - dx / a, y - dy / a, width, height);
   }
@@ -104,8 +104,8 @@ export class Sight {
   }
 
   closer(factor, clientX, clientY) {
-    if (!this.picture.shown) return;
-    const p = this.picture.at(clientX, clientY);
+    const p = this.picture.shown && this.picture.at(clientX, clientY);
+    if (!p) return;
     const [x, y, width, height] = this.picture.box;
     const full = this.picture.shown.sheet[0];
     if (width * factor > full * 4 || width * factor < full / 200) return;
