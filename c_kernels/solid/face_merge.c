@@ -233,9 +233,7 @@ make_mesh(sg_merge *m, sg_solid *solid, sg_contracted *before)
       (m->briefs || solid->vertices - solid->plain > 1)) {
     end = sg_merge_contract(m, solid, before);
     if (end == SG_MERGE_DONE && before->triangle) {
-      end = sg_merge_note_contracted(m, before);
-    }
-    if (end == SG_MERGE_DONE && before->triangle) {
+      sg_merge_note_contracted(m, before);
       sg_merge_mesh_clear(m);
       end = sg_merge_mesh(m);
     }

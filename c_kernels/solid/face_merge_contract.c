@@ -72,6 +72,8 @@ static bool
 join_made(joining *joins, bool *any)
 {
   const sg_merge *m = joins->m;
+  const sg_merge_faces of = {m->solid->triangle, m->solid->face};
+  sg_merge_sides wall;
   size_t made = m->solid->vertices - m->solid->plain;
   sg_measured *list = malloc((made + 1) * sizeof *list);
   size_t n = list ? list_made(m, list) : 0;
@@ -80,7 +82,8 @@ join_made(joining *joins, bool *any)
   for (size_t i = 0; memory && i < n; i++) {
     for (size_t j = i + 1;
          j < n && list[j].value - list[i].value <= 2 * m->tolerance; j++) {
-      if (are_near(m, list[i].of, list[j].of)) {
+      if (are_near(m, list[i].of, list[j].of) &&
+          !sg_merge_wall(m, &of, list[i].of, list[j].of, &wall)) {
         *any = join(joins, list[i].of, list[j].of) || *any;
       }
     }
@@ -146,9 +149,9 @@ add_triangles(const joining *j, bool moved, sg_sheet *sheet)
   return SG_MERGE_DONE;
 }
 
-/* The triangles that meet, one of them moved. */
+/* The triangles that meet, one of them moved, and those that fold. */
 static sg_merge_end
-find_after(const joining *j, sg_key_pairs *out)
+find_after(const joining *j, sg_key_pairs *out, sg_folds *folds)
 {
   sg_sheet sheet = {.m = j->m};
   sg_merge_end end = add_triangles(j, true, &sheet);
@@ -156,6 +159,9 @@ find_after(const joining *j, sg_key_pairs *out)
   if (end == SG_MERGE_DONE) {
     end = sg_sheet_mark(&sheet) ? add_triangles(j, false, &sheet)
                                 : SG_MERGE_NO_MEMORY;
+  }
+  if (end == SG_MERGE_DONE) {
+    end = sg_sheet_folds(&sheet, folds);
   }
   if (end == SG_MERGE_DONE) {
     end = sg_sheet_meet(&sheet, out);
@@ -182,29 +188,61 @@ find_before(const joining *j, const sg_key_pairs *after, sg_key_pairs *out)
   return end;
 }
 
-/* Triangles that meet, and did not before, get their corners back. *again:
- * there were any. */
+/* A triangle has come to another place. */
+static bool
+is_elsewhere(const joining *j, uint32_t t)
+{
+  const uint32_t *corner = j->m->solid->triangle[t];
+  bool is = false;
+
+  for (int k = 0; k < 3; k++) {
+    const double *was = sg_merge_at(j->m, corner[k]);
+    const double *at = sg_merge_at(j->m, sg_disjoint_root(j->up, corner[k]));
+    is = is || at[0] != was[0] || at[1] != was[1] || at[2] != was[2];
+  }
+  return is;
+}
+
+/* Their corners stay where they were. */
+static void
+block_pair(joining *j, const sg_key_pair *pair)
+{
+  for (int i = 0; i < 6; i++) {
+    uint32_t t = i < 3 ? pair->low : pair->high;
+    uint32_t v = j->m->solid->triangle[t][i % 3];
+    j->blocked[v] |= sg_disjoint_root(j->up, v) != v;
+  }
+}
+
+/* Triangles that meet, and did not before, or fold where they are now, get
+ * their corners back. *again: there were any. */
 static sg_merge_end
 block(joining *j, bool *again)
 {
   sg_key_pairs after = {0}, before = {0};
-  sg_merge_end end = find_after(j, &after);
+  sg_folds folds = {0};
+  sg_merge_end end = find_after(j, &after, &folds);
 
   *again = false;
   if (end == SG_MERGE_DONE && after.n) {
     end = find_before(j, &after, &before);
   }
-  for (size_t i = 0; end == SG_MERGE_DONE && i < 2 * after.n; i++) {
-    const sg_key_pair *pair = &after.item[i / 2];
-    const uint32_t *corner =
-        j->m->solid->triangle[i % 2 ? pair->high : pair->low];
-    for (int k = 0; k < 3 && !sg_key_pairs_have(&before, pair); k++) {
+  for (size_t i = 0; end == SG_MERGE_DONE && i < after.n; i++) {
+    if (!sg_key_pairs_have(&before, &after.item[i])) {
       *again = true;
-      j->blocked[corner[k]] |= sg_disjoint_root(j->up, corner[k]) != corner[k];
+      block_pair(j, &after.item[i]);
+    }
+  }
+  for (size_t i = 0; end == SG_MERGE_DONE && i < folds.n; i++) {
+    const sg_key_pair *key = &folds.item[i].key;
+    if (is_elsewhere(j, key->low) || is_elsewhere(j, key->high)) {
+      *again = true;
+      block_pair(j, key);
     }
   }
   free(after.item);
   free(before.item);
+  free(folds.item);
   return end;
 }
 
@@ -290,7 +328,7 @@ exchange(sg_solid *solid, sg_contracted *other)
 
   *other = (sg_contracted){solid->triangle, solid->auxiliary, solid->face,
                            solid->part,     solid->triangles, solid->faces,
-                           solid->parts};
+                           solid->parts,    kept.up};
   solid->triangle = kept.triangle;
   solid->auxiliary = kept.auxiliary;
   solid->face = kept.face;
@@ -312,6 +350,11 @@ sg_merge_contract(const sg_merge *m, sg_solid *solid, sg_contracted *before)
     if (make_room(solid, before)) {
       write_faces(solid, j.up, before);
       exchange(solid, before);
+      for (uint32_t v = 0; v < solid->vertices; v++) {
+        j.up[v] = sg_disjoint_root(j.up, v);
+      }
+      before->up = j.up;
+      j.up = NULL;
     } else {
       sg_merge_forget(before);
       end = SG_MERGE_NO_MEMORY;
@@ -337,5 +380,6 @@ sg_merge_forget(sg_contracted *before)
   free(before->auxiliary);
   free(before->face);
   free(before->part);
+  free(before->up);
   *before = (sg_contracted){0};
 }

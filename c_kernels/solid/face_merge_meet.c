@@ -4,14 +4,17 @@
  * Layer: kernel. Where vertices vanish a face lies a little beside where it
  * was, up to the tolerance; a sheet that was nearer than that is then gone
  * through, or lies in the same place. Whether triangles meet is exact, on the
- * doubles. Asked are the new triangles alone, beside what is near them: a mesh
- * in which little changes costs a look at each triangle.
+ * doubles; whether they fold is not. Asked are the new triangles alone, beside
+ * what is near them: a mesh in which little changes costs a look at each
+ * triangle.
  *
  * Faces with very many triangles whose boxes lie over each other (a round one
  * with more than about a thousand corners) are not asked about: that would
  * take time by the square of them.
  */
 #include "face_merge_sheet.h"
+
+#include "engine/search.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -83,9 +86,10 @@ add_others(sg_sheet *sheet, const bool *asked)
 }
 
 /* The labels of faces and groups that meet, one of them a group that is asked
- * about. */
+ * about; and of those that fold, if that is not null. */
 static sg_merge_end
-find_pairs(const sg_merge *m, const bool *asked, bool before, sg_key_pairs *out)
+find_pairs(const sg_merge *m, const bool *asked, bool before, sg_key_pairs *out,
+           sg_folds *folds)
 {
   sg_sheet sheet = {.m = m};
   bool memory = true;
@@ -96,6 +100,9 @@ find_pairs(const sg_merge *m, const bool *asked, bool before, sg_key_pairs *out)
   }
   if (memory && sg_sheet_mark(&sheet)) {
     end = add_others(&sheet, asked);
+  }
+  if (end == SG_MERGE_DONE && folds) {
+    end = sg_sheet_folds(&sheet, folds);
   }
   if (end == SG_MERGE_DONE) {
     end = sg_sheet_meet(&sheet, out);
@@ -184,25 +191,91 @@ keep_asking(const sg_merge *m, const sg_key_pairs *pairs, bool *asked)
   return memory;
 }
 
-/* Groups that meet what they did not meet before have failed. */
 static void
-note_failures(sg_merge *m, const sg_key_pairs *after,
-              const sg_key_pairs *before)
+note_failure(const sg_merge *m, const sg_key_pair *pair)
 {
-  for (size_t i = 0; i < 2 * after->n; i++) {
-    const sg_key_pair *pair = &after->item[i / 2];
-    sg_group *group = changed_group(m, i % 2 ? pair->high : pair->low);
-    if (group && !sg_key_pairs_have(before, pair)) {
+  for (int i = 0; i < 2; i++) {
+    sg_group *group = changed_group(m, i ? pair->high : pair->low);
+    if (group) {
       group->failed = true;
     }
   }
 }
+
+/* Groups that meet what they did not meet before have failed. */
+static void
+note_met(const sg_merge *m, const sg_key_pairs *after,
+         const sg_key_pairs *before)
+{
+  for (size_t i = 0; i < after->n; i++) {
+    if (!sg_key_pairs_have(before, &after->item[i])) {
+      note_failure(m, &after->item[i]);
+    }
+  }
+}
+
+/* ---- two sides in one place --------------------------------------------- */
+
+/* How many edges a polygon of n triangles has: those of one triangle alone.
+ * SIZE_MAX: no memory. */
+static size_t
+count_edges(const uint32_t (*triangle)[3], size_t n)
+{
+  uint64_t *key = malloc((3 * n + 1) * sizeof *key);
+  size_t edges = 0;
+
+  for (size_t i = 0; key && i < 3 * n; i++) {
+    uint64_t v = triangle[i / 3][i % 3], w = triangle[i / 3][(i + 1) % 3];
+    key[i] = v < w ? v << 32 | w : w << 32 | v;
+  }
+  if (!key) {
+    return SIZE_MAX;
+  }
+  qsort(key, 3 * n, sizeof *key, sg_compare_keys);
+  for (size_t i = 0; i < 3 * n; i++) {
+    edges += (i == 0 || key[i] != key[i - 1]) &&
+             (i + 1 == 3 * n || key[i] != key[i + 1]);
+  }
+  free(key);
+  return edges;
+}
+
+/* The group folds with one other face at n edges, and has no more. */
+static bool
+folds_all_round(const sg_group *group, size_t n)
+{
+  return group && count_edges((const uint32_t(*)[3])group->triangle,
+                              group->triangles) == n;
+}
+
+/* Groups that would be one side of a wall of no thickness have failed. */
+static void
+note_folded(const sg_merge *m, const sg_folds *folds)
+{
+  size_t end;
+
+  for (size_t i = 0; i < folds->n; i = end) {
+    const sg_key_pair *key = &folds->item[i].key;
+    for (end = i + 1; end < folds->n && folds->item[end].key.low == key->low &&
+                      folds->item[end].key.high == key->high;
+         end++) {
+    }
+    if (end - i > 2 &&
+        (folds_all_round(changed_group(m, key->low), end - i) ||
+         folds_all_round(changed_group(m, key->high), end - i))) {
+      note_failure(m, key);
+    }
+  }
+}
+
+/* ---- all of it ---------------------------------------------------------- */
 
 sg_merge_end
 sg_merge_meet(sg_merge *m)
 {
   bool *asked = calloc(m->groups + 1, sizeof *asked), any = false;
   sg_key_pairs after = {0}, before = {0};
+  sg_folds folds = {0};
   sg_merge_end end = asked ? SG_MERGE_DONE : SG_MERGE_NO_MEMORY;
 
   for (size_t i = 0; asked && i < m->groups; i++) {
@@ -210,17 +283,20 @@ sg_merge_meet(sg_merge *m)
     any = any || asked[i];
   }
   if (any) {
-    end = find_pairs(m, asked, false, &after);
+    end = find_pairs(m, asked, false, &after, &folds);
   }
   if (end == SG_MERGE_DONE && after.n) {
-    end = keep_asking(m, &after, asked) ? find_pairs(m, asked, true, &before)
-                                        : SG_MERGE_NO_MEMORY;
-    if (end == SG_MERGE_DONE) {
-      note_failures(m, &after, &before);
-    }
+    end = keep_asking(m, &after, asked)
+              ? find_pairs(m, asked, true, &before, NULL)
+              : SG_MERGE_NO_MEMORY;
+  }
+  if (end == SG_MERGE_DONE) {
+    note_met(m, &after, &before);
+    note_folded(m, &folds);
   }
   free(asked);
   free(after.item);
   free(before.item);
+  free(folds.item);
   return end;
 }

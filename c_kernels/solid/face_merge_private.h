@@ -5,8 +5,8 @@
  * without length (face_merge_contract.c), groups of faces (face_merge_grow.c),
  * which vertices vanish (face_merge_vertex.c, face_merge_run.c), new triangles
  * (face_merge_fill.c, face_merge_hold.c), what they meet (face_merge_meet.c,
- * face_merge_sheet.c), how far that moves things (face_merge_tight.c), the
- * solid anew (face_merge_write.c).
+ * face_merge_sheet.c, face_merge_fold.c), how far that moves things
+ * (face_merge_tight.c), the solid anew (face_merge_write.c).
  */
 #ifndef SG_FACE_MERGE_PRIVATE_H
 #define SG_FACE_MERGE_PRIVATE_H
@@ -146,11 +146,13 @@ typedef struct sg_contracted {
   sg_solid_face *face;
   struct sg_solid_part *part;
   size_t triangles, faces, parts;
+  uint32_t *up; /* [vertices]: which vertex stands for each */
 } sg_contracted;
 
 /* Puts the ends of brief edges together, and vertices made by cuts that are
- * within the tolerance of each other: of each the first vertex stays. Not so
- * where triangles would meet that did not before.
+ * within the tolerance of each other, with no wall between: of each the first
+ * vertex stays. Not so where triangles would meet that did not before, or lie
+ * back on each other.
  * Triangles, and faces, of which nothing is left go; every half-edge that is
  * left has the opposite that it had. *before is empty if nothing changed, else
  * what sg_merge_restore() needs. */
@@ -210,8 +212,26 @@ sg_merge_end sg_merge_meet(sg_merge *m);
 
 /* ---- face_merge_tight.c ---- */
 
+/* The triangles and faces that half-edges are of. */
+typedef struct sg_merge_faces {
+  uint32_t (*triangle)[3];
+  const sg_solid_face *face;
+} sg_merge_faces;
+
+/* A wall of a segment, or a slot that it cuts, and the normal of one side. */
+typedef struct sg_merge_sides {
+  int32_t s;
+  double thick;
+  double normal[3]; /* of any length */
+} sg_merge_sides;
+
+/* Between v and w there is a wall: a segment has a face at each of them, not at
+ * the other, and these look apart. Planes that cross at a small angle part v
+ * and w by more than its thickness. The normal is that at v. */
+bool sg_merge_wall(const sg_merge *m, const sg_merge_faces *of, uint32_t v,
+                   uint32_t w, sg_merge_sides *out);
 /* After brief edges were contracted, while they are known. */
-sg_merge_end sg_merge_note_contracted(sg_merge *m, const sg_contracted *was);
+void sg_merge_note_contracted(sg_merge *m, const sg_contracted *was);
 /* Before the solid is written anew. */
 void sg_merge_note_dropped(sg_merge *m);
 

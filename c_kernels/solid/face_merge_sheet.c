@@ -190,18 +190,19 @@ static bool
 list_pairs(const sg_sheet *sheet, const sg_self_meetings *met,
            sg_key_pairs *out)
 {
-  out->item = malloc((met->n + 1) * sizeof *out->item);
-  for (size_t i = 0; out->item && i < met->n; i++) {
+  bool memory = true;
+
+  for (size_t i = 0; memory && i < met->n; i++) {
     uint32_t a = sheet->key[met->item[i].t[0]];
     uint32_t b = sheet->key[met->item[i].t[1]];
     if (met->item[i].kind != SG_SELF_TOUCHING) {
-      out->item[out->n++] = (sg_key_pair){a < b ? a : b, a < b ? b : a};
+      memory = SG_PUSH(*out, (sg_key_pair){a < b ? a : b, a < b ? b : a});
     }
   }
   if (out->n) {
     qsort(out->item, out->n, sizeof *out->item, compare_pairs);
   }
-  return out->item;
+  return memory;
 }
 
 /* What tells triangles of several faces apart, as polygons of a segment. */

@@ -2,29 +2,32 @@
  * is there: see face_merge_private.h.
  *
  * Layer: kernel. Inexact. What cuts have made is of no size of its own, so only
- * vertices of operands are looked at, and the edges that end there; but a wall
- * of an operand may have cuts alone at its ends.
+ * vertices of operands are looked at, and the edges that end there; of what
+ * cuts made, the walls of operands that they are cut from.
  */
 #include "face_merge_private.h"
 
 #include "number/vector.h"
 
-#include <stdlib.h>
-
 enum { TIGHT = 100 }; /* a move that is more than 1 / TIGHT of an edge is */
+
+static sg_merge_source
+source_of(const sg_merge *m, int32_t s)
+{
+  const sg_merge_options *options = m->options;
+
+  return options->source ? options->source(options->data, s)
+                         : (sg_merge_source){0};
+}
 
 /* What is there is of segment s. */
 static void
 note(sg_merge *m, uint32_t v, int32_t s, double move, double feature)
 {
-  sg_merge_source source = {0};
-
   if (!(move * TIGHT > feature)) {
     return;
   }
-  if (m->options->source) {
-    source = m->options->source(m->options->data, s);
-  }
+  sg_merge_source source = source_of(m, s);
   if (move <= source.rounding) {
     return;
   }
@@ -57,9 +60,9 @@ are_given(const sg_merge *m, uint32_t v, uint32_t w)
          solid->vertex[v].s == solid->vertex[w].s;
 }
 
-/* ---- what is contracted ---- */
+/* ---- walls ---- */
 
-/* The face of a half-edge in the list of those that leave, before. */
+/* The face of a half-edge in the list of those that leave. */
 static uint32_t
 face_at(const sg_merge *m, uint32_t place)
 {
@@ -78,10 +81,10 @@ has_face(const sg_merge *m, uint32_t v, uint32_t face)
 }
 
 static void
-normal_at(const sg_merge *m, const sg_contracted *was, uint32_t place,
+normal_at(const sg_merge *m, const sg_merge_faces *of, uint32_t place,
           double out[3])
 {
-  const uint32_t *corner = was->triangle[m->leaving[place].half / 3];
+  const uint32_t *corner = of->triangle[m->leaving[place].half / 3];
   double u[3], w[3];
 
   sg_minus(sg_merge_at(m, corner[1]), sg_merge_at(m, corner[0]), u);
@@ -89,79 +92,112 @@ normal_at(const sg_merge *m, const sg_contracted *was, uint32_t place,
   sg_cross(u, w, out);
 }
 
-/* How thick the wall of a segment is between v and w: it has a face at each of
- * them, not at the other, and these look apart. Planes that cross at a small
- * angle part v and w by more than that. 0: there is none. */
-static double
-wall_between(const sg_merge *m, const sg_contracted *was, uint32_t v,
-             uint32_t w, int32_t *s)
+bool
+sg_merge_wall(const sg_merge *m, const sg_merge_faces *of, uint32_t v,
+              uint32_t w, sg_merge_sides *out)
 {
-  double way[3];
+  double way[3], n[3], k[3];
 
   sg_minus(sg_merge_at(m, w), sg_merge_at(m, v), way);
   for (uint32_t i = m->first[v]; i < m->first[v + 1]; i++) {
-    const sg_solid_face *one = &was->face[face_at(m, i)];
-    double n[3], k[3];
-
+    const sg_solid_face *one = &of->face[face_at(m, i)];
     if (has_face(m, w, face_at(m, i))) {
       continue;
     }
-    normal_at(m, was, i, n);
+    normal_at(m, of, i, n);
     for (uint32_t j = m->first[w]; j < m->first[w + 1]; j++) {
-      if (was->face[face_at(m, j)].s == one->s &&
+      if (of->face[face_at(m, j)].s == one->s &&
           !has_face(m, v, face_at(m, j))) {
-        normal_at(m, was, j, k);
+        normal_at(m, of, j, k);
         if (sg_dot(n, k) < 0) {
-          *s = one->s;
-          return fmin(fabs(sg_dot(n, way)) / sg_length(n),
-                      fabs(sg_dot(k, way)) / sg_length(k));
+          double thick = fmin(fabs(sg_dot(n, way)) / sg_length(n),
+                              fabs(sg_dot(k, way)) / sg_length(k));
+          *out = (sg_merge_sides){one->s, thick, {n[0], n[1], n[2]}};
+          return true;
         }
       }
     }
   }
-  return 0;
+  return false;
 }
 
-sg_merge_end
-sg_merge_note_contracted(sg_merge *m, const sg_contracted *was)
+/* A vertex that a cut made is `move` from where it was, or goes to `to`, if
+ * that is not null: beside the walls there, which that moves in parts only. */
+static void
+note_made(sg_merge *m, const sg_merge_faces *of, uint32_t v, double move,
+          const double *to)
+{
+  sg_merge_sides wall, worst = {0, INFINITY, {0}};
+  double way[3], most = 0;
+
+  if (!(move > source_of(m, 0).rounding)) {
+    return;
+  }
+  for (uint32_t i = m->first[v]; i < m->first[v + 1]; i++) {
+    if (!sg_merge_wall(m, of, v, m->leaving[i].to, &wall)) {
+      continue;
+    }
+    double part = move;
+    if (to) {
+      sg_minus(to, sg_merge_at(m, v), way);
+      part = fabs(sg_dot(wall.normal, way)) / sg_length(wall.normal);
+    }
+    if (part * worst.thick > most * wall.thick) {
+      most = part;
+      worst = wall;
+    }
+  }
+  note(m, v, worst.s, most, worst.thick);
+}
+
+/* ---- what is contracted ---- */
+
+/* An edge between vertices of operands, or from one to a cut. */
+static void
+note_brief(sg_merge *m, const uint32_t *up, uint32_t v, uint32_t w)
 {
   const sg_solid *solid = m->solid;
-  unsigned char *used = calloc(solid->vertices + 1, 1);
 
-  for (size_t t = 0; used && t < solid->triangles; t++) {
-    for (int k = 0; k < 3; k++) {
-      used[solid->triangle[t][k]] = 1;
-    }
+  if (v < solid->plain && (up[v] != v || up[w] != w) &&
+      (w >= solid->plain || are_given(m, v, w))) {
+    double length = between(m, v, w);
+    uint32_t gone = up[v] == v && w < solid->plain ? w : v;
+    note(m, gone, solid->vertex[gone].s, length, length);
   }
-  for (size_t i = 0; used && i < m->briefs; i++) {
-    uint32_t v = m->brief[i][0], w = m->brief[i][1];
-    if (v < solid->plain && (!used[v] || !used[w]) &&
-        (w >= solid->plain || are_given(m, v, w))) {
-      double length = between(m, v, w);
-      uint32_t gone = used[v] && w < solid->plain ? w : v;
-      note(m, gone, solid->vertex[gone].s, length, length);
-    } else if (v >= solid->plain && w >= solid->plain &&
-               !(used[v] && used[w])) {
-      int32_t s = 0;
-      double thick = wall_between(m, was, v, w, &s);
-      note(m, v, s, thick, thick);
-    }
-  }
-  free(used);
-  return used ? SG_MERGE_DONE : SG_MERGE_NO_MEMORY;
 }
 
+void
+sg_merge_note_contracted(sg_merge *m, const sg_contracted *was)
+{
+  const sg_merge_faces of = {was->triangle, was->face};
+
+  for (size_t i = 0; i < m->briefs; i++) {
+    note_brief(m, was->up, m->brief[i][0], m->brief[i][1]);
+  }
+  for (size_t v = m->solid->plain; v < m->solid->vertices; v++) {
+    uint32_t made = (uint32_t)v, root = was->up[v];
+    if (root != made) {
+      note_made(m, &of, made, between(m, made, root), sg_merge_at(m, root));
+    }
+  }
+}
+
+/* ---- what is left out ---- */
+
 /* How far a vertex is from where its faces will be. One face alone has no other
- * plane than before. */
+ * plane than before. A vertex that stays is off it only where a face no wider
+ * than the tolerance becomes a part: it may be a wall's end. */
 static double
 move_of(const sg_merge *m, uint32_t v)
 {
+  bool stays = m->fate[v] != SG_INNER && m->fate[v] != SG_DROPPED;
   double move = 0;
 
   for (uint32_t i = m->first[v]; i < m->first[v + 1]; i++) {
     uint32_t group = m->group_of[m->face_of[m->leaving[i].half / 3]];
     if (group != SG_NOTHING && m->group[group].n > 1 &&
-        m->group[group].state != SG_AS_IT_WAS) {
+        m->group[group].state != SG_AS_IT_WAS &&
+        (!stays || m->group[group].thin)) {
       move = fmax(move, fabs(sg_plane_distance(&m->group[group].plane,
                                                sg_merge_at(m, v))));
     }
@@ -187,9 +223,14 @@ edge_of(const sg_merge *m, uint32_t v)
 void
 sg_merge_note_dropped(sg_merge *m)
 {
-  for (uint32_t v = 0; m->fate && v < m->solid->plain; v++) {
-    if (m->fate[v] == SG_INNER || m->fate[v] == SG_DROPPED) {
-      note(m, v, m->solid->vertex[v].s, move_of(m, v), edge_of(m, v));
+  const sg_solid *solid = m->solid;
+  const sg_merge_faces of = {solid->triangle, solid->face};
+
+  for (uint32_t v = 0; m->fate && v < solid->vertices; v++) {
+    if (v < solid->plain) {
+      note(m, v, solid->vertex[v].s, move_of(m, v), edge_of(m, v));
+    } else {
+      note_made(m, &of, v, move_of(m, v), NULL);
     }
   }
 }
