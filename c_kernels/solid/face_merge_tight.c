@@ -80,16 +80,28 @@ has_face(const sg_merge *m, uint32_t v, uint32_t face)
   return false;
 }
 
-static void
+/* False: the triangle is no wider than the tolerance, so it looks any way. */
+static bool
 normal_at(const sg_merge *m, const sg_merge_faces *of, uint32_t place,
           double out[3])
 {
   const uint32_t *corner = of->triangle[m->leaving[place].half / 3];
-  double u[3], w[3];
+  double u[3], w[3], x[3];
 
   sg_minus(sg_merge_at(m, corner[1]), sg_merge_at(m, corner[0]), u);
   sg_minus(sg_merge_at(m, corner[2]), sg_merge_at(m, corner[0]), w);
+  sg_minus(w, u, x);
   sg_cross(u, w, out);
+  double longest = fmax(sg_length(u), fmax(sg_length(w), sg_length(x)));
+
+  return sg_length(out) > m->tolerance * longest;
+}
+
+/* Within 30 degrees: faces at a blunter edge are no sides of a wall. */
+static bool
+look_apart(const double n[3], const double k[3])
+{
+  return sg_dot(n, k) < -0.866 * sg_length(n) * sg_length(k);
 }
 
 bool
@@ -101,36 +113,35 @@ sg_merge_wall(const sg_merge *m, const sg_merge_faces *of, uint32_t v,
   sg_minus(sg_merge_at(m, w), sg_merge_at(m, v), way);
   for (uint32_t i = m->first[v]; i < m->first[v + 1]; i++) {
     const sg_solid_face *one = &of->face[face_at(m, i)];
-    if (has_face(m, w, face_at(m, i))) {
+    if (has_face(m, w, face_at(m, i)) || !normal_at(m, of, i, n)) {
       continue;
     }
-    normal_at(m, of, i, n);
     for (uint32_t j = m->first[w]; j < m->first[w + 1]; j++) {
-      if (of->face[face_at(m, j)].s == one->s &&
-          !has_face(m, v, face_at(m, j))) {
-        normal_at(m, of, j, k);
-        if (sg_dot(n, k) < 0) {
-          double thick = fmin(fabs(sg_dot(n, way)) / sg_length(n),
-                              fabs(sg_dot(k, way)) / sg_length(k));
-          *out = (sg_merge_sides){one->s, thick, {n[0], n[1], n[2]}};
-          return true;
-        }
+      const sg_solid_face *other = &of->face[face_at(m, j)];
+      if (other->s == one->s && other->reversed == one->reversed &&
+          !has_face(m, v, face_at(m, j)) && normal_at(m, of, j, k) &&
+          look_apart(n, k)) {
+        double thick = fmin(fabs(sg_dot(n, way)) / sg_length(n),
+                            fabs(sg_dot(k, way)) / sg_length(k));
+        *out = (sg_merge_sides){one->s, thick, {n[0], n[1], n[2]}};
+        return true;
       }
     }
   }
   return false;
 }
 
-/* A vertex that a cut made is `move` from where it was, or goes to `to`, if
- * that is not null: beside the walls there, which that moves in parts only. */
+/* A vertex that a cut made is `move` from where it was, or goes to another one,
+ * if that is not SG_NOTHING: beside the walls there, which that moves in parts
+ * only. Not of cells, whose faces look both ways. */
 static void
 note_made(sg_merge *m, const sg_merge_faces *of, uint32_t v, double move,
-          const double *to)
+          uint32_t to)
 {
   sg_merge_sides wall, worst = {0, INFINITY, {0}};
   double way[3], most = 0;
 
-  if (!(move > source_of(m, 0).rounding)) {
+  if (m->options->cells || !(move > source_of(m, 0).rounding)) {
     return;
   }
   for (uint32_t i = m->first[v]; i < m->first[v + 1]; i++) {
@@ -138,8 +149,8 @@ note_made(sg_merge *m, const sg_merge_faces *of, uint32_t v, double move,
       continue;
     }
     double part = move;
-    if (to) {
-      sg_minus(to, sg_merge_at(m, v), way);
+    if (to != SG_NOTHING) {
+      sg_minus(sg_merge_at(m, to), sg_merge_at(m, v), way);
       part = fabs(sg_dot(wall.normal, way)) / sg_length(wall.normal);
     }
     if (part * worst.thick > most * wall.thick) {
@@ -152,17 +163,25 @@ note_made(sg_merge *m, const sg_merge_faces *of, uint32_t v, double move,
 
 /* ---- what is contracted ---- */
 
-/* An edge between vertices of operands, or from one to a cut. */
+/* An edge between vertices of operands, from one to a cut, or between cuts that
+ * have a wall between them. */
 static void
-note_brief(sg_merge *m, const uint32_t *up, uint32_t v, uint32_t w)
+note_brief(sg_merge *m, const sg_merge_faces *of, const uint32_t *up,
+           uint32_t v, uint32_t w)
 {
   const sg_solid *solid = m->solid;
+  sg_merge_sides wall;
 
-  if (v < solid->plain && (up[v] != v || up[w] != w) &&
-      (w >= solid->plain || are_given(m, v, w))) {
+  if (up[v] == v && up[w] == w) {
+    return;
+  }
+  if (v < solid->plain && (w >= solid->plain || are_given(m, v, w))) {
     double length = between(m, v, w);
     uint32_t gone = up[v] == v && w < solid->plain ? w : v;
     note(m, gone, solid->vertex[gone].s, length, length);
+  } else if (v >= solid->plain && w >= solid->plain &&
+             sg_merge_wall(m, of, v, w, &wall)) {
+    note(m, v, wall.s, wall.thick, wall.thick);
   }
 }
 
@@ -172,12 +191,12 @@ sg_merge_note_contracted(sg_merge *m, const sg_contracted *was)
   const sg_merge_faces of = {was->triangle, was->face};
 
   for (size_t i = 0; i < m->briefs; i++) {
-    note_brief(m, was->up, m->brief[i][0], m->brief[i][1]);
+    note_brief(m, &of, was->up, m->brief[i][0], m->brief[i][1]);
   }
   for (size_t v = m->solid->plain; v < m->solid->vertices; v++) {
     uint32_t made = (uint32_t)v, root = was->up[v];
     if (root != made) {
-      note_made(m, &of, made, between(m, made, root), sg_merge_at(m, root));
+      note_made(m, &of, made, between(m, made, root), root);
     }
   }
 }
@@ -230,7 +249,7 @@ sg_merge_note_dropped(sg_merge *m)
     if (v < solid->plain) {
       note(m, v, solid->vertex[v].s, move_of(m, v), edge_of(m, v));
     } else {
-      note_made(m, &of, v, move_of(m, v), NULL);
+      note_made(m, &of, v, move_of(m, v), SG_NOTHING);
     }
   }
 }

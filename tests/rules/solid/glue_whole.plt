@@ -18,6 +18,7 @@
 :- multifile user:message_hook/3.
 
 user:message_hook(sanggwan(tight(_,_,_,_,_,_)), warning, _).
+user:message_hook(sanggwan(flattened(_,_,_,_,_)), warning, _).
 
 %   made(Parts, Steps, How, Rows): what is glued; How says whether it was cut.
 
