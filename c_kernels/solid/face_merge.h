@@ -29,8 +29,8 @@
  *     apart. So it is where its triangles would go through others, or lie on
  *     them, that the faces did not meet before: of sheets that are nearer than
  *     the tolerance. Nor does a face become the one side of a wall that has the
- *     other side in the same place. And vertices are not put together where that
- *     would come of it.
+ *     other side in the same place. And vertices are not put together where
+ * that would come of it.
  *
  * What comes out depends on neither the number of threads nor, except for equal
  * areas in equal places, on the order of faces.
