@@ -186,6 +186,48 @@ add_hit(hit_list *list, sg_bvh_hit hit)
   list->hit[list->n++] = hit;
 }
 
+/* ---- one box ---- */
+
+static bool
+meets_below(const sg_bvh *tree, unsigned level, size_t group,
+            const sg_box32 *box)
+{
+  const sg_box4 *four_of = &tree->level[level][group];
+  lanes all = four_of->lo[0] <= four(box->hi[0]);
+
+  for (int c = 0; c < 3; c++) {
+    all &= (four_of->lo[c] <= four(box->hi[c])) &
+           (four(box->lo[c]) <= four_of->hi[c]);
+  }
+  bool met = level == 0 && bits_of(all) != 0;
+
+  for (unsigned bits = level == 0 ? 0 : bits_of(all); bits && !met;
+       bits &= bits - 1) {
+    met = meets_below(tree, level - 1,
+                      group * SG_BVH_WIDTH + (size_t)__builtin_ctz(bits), box);
+  }
+  return met;
+}
+
+bool
+sg_bvh_meets(const sg_bvh *tree, const sg_box *box)
+{
+  sg_bvh_frame frame = {{tree->origin[0], tree->origin[1], tree->origin[2]},
+                        tree->unit};
+  sg_box inside = *box;
+
+  if (tree->n == 0 || !sg_box_overlap(&tree->all, box, 0)) {
+    return false;
+  }
+  for (int c = 0; c < 3; c++) { /* no more than a float can hold */
+    inside.lo[c] = fmax(inside.lo[c], tree->all.lo[c]);
+    inside.hi[c] = fmin(inside.hi[c], tree->all.hi[c]);
+  }
+  sg_box32 out = sg_box_let_out(&frame, &inside);
+
+  return meets_below(tree, tree->levels - 1, 0, &out);
+}
+
 /* ---- descending ---- */
 
 /* A pair that is wanted may be two triangles near each other: exact signs. */

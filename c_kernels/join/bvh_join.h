@@ -35,6 +35,10 @@ typedef struct sg_bvh_hits {
 bool sg_bvh_join(const sg_bvh_pair *pair, size_t n, double reach, sg_pool *pool,
                  const sg_cancel *cancel, sg_bvh_hits *out);
 
+/* Whether any box of a tree overlaps this one; also true of some that nearly
+ * do. */
+bool sg_bvh_meets(const sg_bvh *tree, const sg_box *box);
+
 /* Whether a hit is wanted. Called by any thread of the thread pool, several at
  * a time; the answer may depend on the hit alone. */
 typedef bool sg_bvh_wants(void *data, const sg_bvh_hit *hit);

@@ -11,7 +11,9 @@
 #include <string.h>
 
 enum {
-  BLOCK = 2048 /* candidates in a task */
+  BLOCK = 2048,     /* candidates in a task */
+  MARKED = 1 << 15, /* triangles in one */
+  FEW = 8 /* if no more than this part is changed, what is near is looked for */
 };
 
 /* A meeting, and what it says about the one across the edge. */
@@ -33,6 +35,7 @@ typedef struct joiner {
   uint32_t *some;   /* [triangles]: these, from the first; null: all */
   uint32_t *place;
   const unsigned char *changed; /* [triangles], or null */
+  unsigned char *own_changed;   /* the same, of some; or null */
   bool in_faces;
   sg_bvh_hits hits;
   block *block;
@@ -211,6 +214,52 @@ clear(joiner *j)
   free(j->hits.hit);
   free(j->place);
   free(j->some);
+  free(j->own_changed);
+}
+
+/* ---- places ---- */
+
+/* The vertices of some triangles, ascending. Null: no memory. */
+static int32_t *
+vertices_of_some(const joiner *j, size_t *n)
+{
+  int32_t *v = malloc((3 * j->triangles + 1) * sizeof *v);
+
+  for (size_t i = 0; v && i < j->triangles; i++) {
+    memcpy(v + 3 * i, j->model.d->corner[triangle_at(j, (uint32_t)i)],
+           3 * sizeof *v);
+  }
+  *n = v ? sg_sort_ids(v, 3 * j->triangles) : 0;
+  return v;
+}
+
+/* The places of these; those of others are not there. */
+static uint32_t *
+places_of_some(const joiner *j, size_t vertices, const sg_cancel *cancel)
+{
+  size_t n;
+  int32_t *v = vertices_of_some(j, &n);
+  double(*at)[3] = malloc((n + 1) * sizeof *at);
+  uint32_t *place = malloc((vertices + 1) * sizeof *place), *first = NULL;
+
+  if (v && at && place) {
+    for (size_t i = 0; i < n; i++) {
+      memcpy(at[i], j->model.d->at[v[i]], sizeof *at);
+    }
+    first = sg_places_of((const double(*)[3])at, n, cancel);
+  }
+  for (size_t i = 0; first && i < n; i++) {
+    place[(uint32_t)v[i] - j->model.first] =
+        (uint32_t)v[first[i]] - j->model.first;
+  }
+  if (!first) {
+    free(place);
+    place = NULL;
+  }
+  free(first);
+  free(at);
+  free(v);
+  return place;
 }
 
 static bool
@@ -218,18 +267,24 @@ find_places(joiner *j, size_t vertices, const sg_cancel *cancel)
 {
   const double(*at)[3] = (const double(*)[3])j->model.d->at + j->model.first;
 
-  j->model.place = j->place = sg_places_of(at, vertices, cancel);
+  j->model.place = j->place = j->own_changed
+                                  ? places_of_some(j, vertices, cancel)
+                                  : sg_places_of(at, vertices, cancel);
   return j->place != NULL;
 }
 
-static bool
-any_changed(const joiner *j)
-{
-  size_t i = 0;
+/* ---- what is asked ---- */
 
-  for (; j->changed && i < j->triangles && !j->changed[i]; i++) {
+/* How many triangles are changed. */
+static size_t
+changed_of(const joiner *j)
+{
+  size_t n = 0;
+
+  for (size_t i = 0; i < j->triangles; i++) {
+    n += !j->changed || j->changed[i];
   }
-  return !j->changed || i < j->triangles;
+  return n;
 }
 
 /* Leaves triangles of some polygons out. False: no memory. */
@@ -256,6 +311,99 @@ leave_out(joiner *j, size_t s, const unsigned char *left_out)
   return true;
 }
 
+static sg_box
+box_of(const joiner *j, uint32_t i)
+{
+  const sg_dense *d = j->model.d;
+  const int32_t *corner = d->corner[j->first + (int32_t)i];
+  sg_box box = sg_box_none();
+
+  for (int k = 0; k < 3; k++) {
+    sg_box_add(&box, d->at[corner[k]]);
+  }
+  return box;
+}
+
+/* A tree of the boxes of the n changed ones. Null: no memory, or stopped. */
+static sg_bvh *
+tree_of_changed(const joiner *j, size_t n, const sg_cancel *cancel)
+{
+  sg_box *box = malloc((n + 1) * sizeof *box);
+  size_t k = 0;
+
+  for (uint32_t i = 0; box && i < j->triangles; i++) {
+    if (j->changed[i]) {
+      box[k++] = box_of(j, i);
+    }
+  }
+  sg_bvh *tree = box ? sg_bvh_open(box, n, cancel) : NULL;
+
+  free(box);
+  return tree;
+}
+
+typedef struct marking {
+  const joiner *j;
+  const sg_bvh *changed;
+  unsigned char *near; /* [triangles] */
+} marking;
+
+static void
+mark_block(void *data, size_t task)
+{
+  marking *m = data;
+  size_t end = (task + 1) * MARKED;
+
+  end = end < m->j->triangles ? end : m->j->triangles;
+  for (size_t i = task * MARKED; i < end; i++) {
+    sg_box box = box_of(m->j, (uint32_t)i);
+
+    m->near[i] = sg_bvh_meets(m->changed, &box);
+  }
+}
+
+/* Only these are asked, with what is changed of them. False: no memory. */
+static bool
+ask_near(joiner *j, const unsigned char *near)
+{
+  size_t n = 0;
+
+  j->some = malloc((j->triangles + 1) * sizeof *j->some);
+  j->own_changed = malloc(j->triangles + 1);
+  if (!j->some || !j->own_changed) {
+    return false;
+  }
+  for (uint32_t i = 0; i < j->triangles; i++) {
+    if (near[i]) {
+      j->own_changed[n] = j->changed[i];
+      j->some[n++] = i;
+    }
+  }
+  j->changed = j->own_changed;
+  j->triangles = n;
+  return true;
+}
+
+/* If few triangles, n, are changed, only these meet others, and what their
+ * boxes do not overlap meets none of them. False: no memory, or stopped. */
+static bool
+leave_far_out(joiner *j, size_t n, sg_pool *pool, const sg_cancel *cancel)
+{
+  if (n > j->triangles / FEW) {
+    return true;
+  }
+  sg_bvh *changed = tree_of_changed(j, n, cancel);
+  marking m = {j, changed, malloc(j->triangles + 1)};
+  bool good = changed && m.near &&
+              sg_pool_run(pool, (j->triangles + MARKED - 1) / MARKED,
+                          mark_block, &m, cancel) &&
+              ask_near(j, m.near);
+
+  free(m.near);
+  sg_bvh_close(changed);
+  return good;
+}
+
 static bool
 cut(joiner *j, size_t s, sg_pool *pool, const sg_cancel *cancel,
     sg_self_meetings *out)
@@ -264,9 +412,11 @@ cut(joiner *j, size_t s, sg_pool *pool, const sg_cancel *cancel,
   size_t vertices = d->vertex_begin[s + 1] - d->vertex_begin[s];
 
   *out = (sg_self_meetings){0};
+  size_t changed = changed_of(j);
   bool done =
-      j->triangles == 0 || !any_changed(j) ||
-      (find_places(j, vertices, cancel) && find_candidates(j, pool, cancel) &&
+      changed == 0 ||
+      (leave_far_out(j, changed, pool, cancel) &&
+       find_places(j, vertices, cancel) && find_candidates(j, pool, cancel) &&
        test_candidates(j, pool, cancel) && gather(j, out));
 
   clear(j);

@@ -32,8 +32,9 @@ typedef struct finder {
   size_t room;
   chord *chord; /* [n] */
   size_t n, chord_room;
-  sg_key_table ends; /* of chords: the first between these ends */
-  unsigned char *is; /* [polygons] touched inside */
+  sg_key_table ends;     /* of chords: the first between these ends */
+  unsigned char *at_end; /* [vertices] it is an end of a chord */
+  unsigned char *is;     /* [polygons] touched inside */
 } finder;
 
 static bool
@@ -65,8 +66,9 @@ open_finder(finder *f, size_t vertices)
   f->sorted = malloc((f->triangles + 1) * sizeof *f->sorted);
   f->seen = calloc(vertices + 1, sizeof *f->seen);
   f->is = calloc(f->polygons + 1, 1);
+  f->at_end = calloc(vertices + 1, 1);
   sg_key_table_init(&f->ends, 2);
-  return f->begin && f->sorted && f->seen && f->is;
+  return f->begin && f->sorted && f->seen && f->is && f->at_end;
 }
 
 static void
@@ -78,6 +80,7 @@ close_finder(finder *f)
   free(f->chord);
   free(f->side);
   free(f->is);
+  free(f->at_end);
   sg_key_table_clear(&f->ends);
 }
 
@@ -123,9 +126,10 @@ has_vertex_inside(finder *f, size_t p)
 static bool
 put_chord(finder *f, size_t p, uint64_t ends)
 {
-  uint32_t *first = sg_key_table_put(
-      &f->ends, (uint32_t[2]){(uint32_t)(ends >> 32), (uint32_t)ends});
+  const uint32_t end[2] = {(uint32_t)(ends >> 32), (uint32_t)ends};
+  uint32_t *first = sg_key_table_put(&f->ends, end);
 
+  f->at_end[end[0]] = f->at_end[end[1]] = 1;
   if (!sg_list_grow(&f->chord, f->n, &f->chord_room, sizeof *f->chord)) {
     return false;
   }
@@ -199,6 +203,10 @@ static void
 mark_chords(finder *f, size_t of, uint32_t u, uint32_t w)
 {
   uint64_t ends = ends_of(u, w);
+
+  if (!f->at_end[u] || !f->at_end[w]) { /* as of most edges of a large mesh */
+    return;
+  }
   uint32_t first = sg_key_table_get(
       &f->ends, (uint32_t[2]){(uint32_t)(ends >> 32), (uint32_t)ends});
 

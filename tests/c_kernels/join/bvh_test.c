@@ -65,6 +65,15 @@ is_right(const sg_box *a, size_t na, const sg_box *b, size_t nb, double reach,
       good = good && (found || !sg_box_overlap(&a[i], &b[j], reach));
     }
   }
+  for (size_t j = 0; good && reach == 0 && j < nb; j++) {
+    size_t near = 0, met = 0;
+
+    for (size_t i = 0; i < na; i++) {
+      near += sg_box_overlap(&a[i], &b[j], more);
+      met += sg_box_overlap(&a[i], &b[j], 0);
+    }
+    good = sg_bvh_meets(ta, &b[j]) ? near > 0 : met == 0;
+  }
   free(hits.hit);
   sg_bvh_close(ta);
   if (tb != ta) {
