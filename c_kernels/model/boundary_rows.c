@@ -389,6 +389,9 @@ sg_door_boundary_write(sg_call *call, sg_boundaries *b, const sg_output *stream,
   sg_mesh mesh = {0};
   bool good = true;
 
+  if (b->segments == 1) {
+    return sg_mesh_send(call, &b->part[0].mesh, names, format, stream, result);
+  }
   for (size_t i = 0; good && i < b->segments; i++) {
     good = append(&b->part[i].mesh, &mesh);
   }

@@ -17,8 +17,8 @@ bool sg_mesh_add_rows(sg_call *call, const sg_mesh *mesh, int32_t first,
 bool sg_mesh_add_part(sg_call *call, sg_world *world, const sg_mesh *mesh,
                       const sg_mesh_part *part, int32_t s);
 
-/* Gives the segments of a mesh their names, and writes it. */
-bool sg_mesh_send(sg_call *call, sg_mesh *mesh, const sg_name_list *names,
+/* Writes a mesh; its segments have these names. */
+bool sg_mesh_send(sg_call *call, const sg_mesh *mesh, const sg_name_list *names,
                   sg_mesh_format format, const sg_output *to,
                   sg_mesh_written *result);
 

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { BUFFER = 65536, ASK_EVERY = 4096, STL_HEADER = 80 };
+enum { BUFFER = 65536, ASK_EVERY = 4096, STL_HEADER = 80, STL_RECORD = 50 };
 
 typedef struct sg_writer {
   const sg_mesh *mesh;
@@ -261,8 +261,9 @@ write_stl(sg_writer *w)
   return !w->failed;
 }
 
+/* As a float32, little endian. */
 static void
-put_float(sg_writer *w, double x)
+set_float(sg_writer *w, double x, unsigned char *out)
 {
   float f = (float)x;
   uint32_t bits;
@@ -271,7 +272,9 @@ put_float(sg_writer *w, double x)
     fail(w, SG_MESH_UNSUPPORTED, "a coordinate too large for binary STL");
   }
   memcpy(&bits, &f, sizeof bits);
-  put_bits(w, bits, sizeof bits);
+  for (int i = 0; i < 4; i++) {
+    out[i] = (unsigned char)(bits >> 8 * i & 0xff);
+  }
 }
 
 static bool
@@ -285,17 +288,17 @@ write_stl_binary(sg_writer *w)
   for (size_t i = 0; i < face->count && tick(w); i++) {
     size_t size;
     const int32_t *v = corners(face, i, &size);
+    unsigned char record[STL_RECORD] = {0};
     double n[3];
+
     normal_of(w->mesh, v, n);
     for (int k = 0; k < 3; k++) {
-      put_float(w, n[k]);
-    }
-    for (int c = 0; c < 3; c++) {
-      for (int k = 0; k < 3; k++) {
-        put_float(w, w->mesh->vertex[v[c]][k]);
+      set_float(w, n[k], record + 4 * k);
+      for (int c = 0; c < 3; c++) {
+        set_float(w, w->mesh->vertex[v[c]][k], record + 12 * (c + 1) + 4 * k);
       }
     }
-    put_bits(w, 0, 2);
+    put(w, record, sizeof record);
   }
   return !w->failed;
 }

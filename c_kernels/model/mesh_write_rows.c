@@ -6,33 +6,24 @@
 #include "mesh_rows.h"
 #include "rows/dense_rows.h"
 
-#include <string.h>
-
-static bool
-name_segments(sg_call *call, const sg_name_list *names, sg_mesh *mesh)
-{
-  if (names->n != mesh->segments) {
-    return sg_call_domain(call, "names_of_segments", 4);
-  }
-  for (size_t i = 0; i < names->n; i++) {
-    if (*names->at[i] && !(mesh->name[i] = strdup(names->at[i]))) {
-      return sg_call_no_memory(call);
-    }
-  }
-  return true;
-}
-
 bool
-sg_mesh_send(sg_call *call, sg_mesh *mesh, const sg_name_list *names,
+sg_mesh_send(sg_call *call, const sg_mesh *mesh, const sg_name_list *names,
              sg_mesh_format format, const sg_output *to,
              sg_mesh_written *result)
 {
   const sg_mesh_sink sink = {to->write, to->data};
+  sg_mesh named = *mesh;
 
-  if (!name_segments(call, names, mesh)) {
-    return false;
+  if (names->n != mesh->segments) {
+    return sg_call_domain(call, "names_of_segments", 4);
   }
-  if (sg_mesh_write(format, mesh, &sink, &call->cancel, &result->fault)) {
+  if (!(named.name = sg_call_alloc(call, names->n * sizeof *named.name))) {
+    return sg_call_no_memory(call);
+  }
+  for (size_t i = 0; i < names->n; i++) {
+    named.name[i] = *names->at[i] ? (char *)names->at[i] : NULL;
+  }
+  if (sg_mesh_write(format, &named, &sink, &call->cancel, &result->fault)) {
     result->is = SG_MESH_WRITTEN_OK;
     return true;
   }
