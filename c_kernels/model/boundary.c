@@ -97,33 +97,76 @@ number_vertices(const placed *sorted, size_t n, const double (*was)[3],
 }
 
 static sg_boundary_end
+end_of(sg_sort_end end)
+{
+  return end == SG_SORTED         ? SG_BOUNDARY_DONE
+         : end == SG_SORT_STOPPED ? SG_BOUNDARY_STOPPED
+                                  : SG_BOUNDARY_NO_MEMORY;
+}
+
+/* By x, in which most vertices differ: `sorted` gets them from `from`. */
+static sg_boundary_end
+sort_along_x(const placed *from, size_t n, const sg_cancel *cancel,
+             placed *sorted)
+{
+  sg_measured *x = malloc((n + 1) * sizeof *x);
+  sg_sort_end end = SG_SORT_NO_MEMORY;
+
+  for (size_t i = 0; x && i < n; i++) {
+    x[i] = (sg_measured){from[i].at[0], (uint32_t)i};
+  }
+  if (x) {
+    end = sg_sort_measured(x, n, cancel);
+  }
+  for (size_t i = 0; end == SG_SORTED && i < n; i++) {
+    sorted[i] = from[x[i].of];
+  }
+  free(x);
+  return end_of(end);
+}
+
+/* Those of one x among each other. */
+static sg_boundary_end
+sort_across(placed *sorted, size_t n, const sg_cancel *cancel)
+{
+  sg_sort_end how = SG_SORTED;
+
+  for (size_t i = 0, end; how == SG_SORTED && i < n; i = end) {
+    for (end = i + 1; end < n && sorted[end].at[0] == sorted[i].at[0]; end++) {
+    }
+    how = sg_sort(sorted + i, end - i, sizeof *sorted, compare_placed, cancel);
+  }
+  return end_of(how);
+}
+
+static sg_boundary_end
 make_vertices(const sg_boundary_source *source, const sg_rounding *rounding,
               const sg_cancel *cancel, uint32_t *number, sg_boundary *out)
 {
   const sg_dense *d = source->dense;
   size_t first = d->vertex_begin[source->s];
   size_t n = d->vertex_begin[source->s + 1] - first;
+  placed *from = malloc((n + 1) * sizeof *from);
   placed *sorted = malloc((n + 1) * sizeof *sorted);
+  sg_boundary_end end = SG_BOUNDARY_NO_MEMORY;
 
   out->at = malloc((n + 1) * sizeof *out->at);
   out->was = malloc((n + 1) * sizeof *out->was);
   out->moved = malloc(n + 1);
-  if (!sorted || !out->at || !out->was || !out->moved) {
-    free(sorted);
-    return SG_BOUNDARY_NO_MEMORY;
+  if (from && sorted && out->at && out->was && out->moved) {
+    end = place(source, first, n, rounding, from)
+              ? sort_along_x(from, n, cancel, sorted)
+              : SG_BOUNDARY_TOO_FAR;
   }
-  if (!place(source, first, n, rounding, sorted)) {
-    free(sorted);
-    return SG_BOUNDARY_TOO_FAR;
+  free(from);
+  if (end == SG_BOUNDARY_DONE) {
+    end = sort_across(sorted, n, cancel);
   }
-  sg_sort_end end = sg_sort(sorted, n, sizeof *sorted, compare_placed, cancel);
-  if (end == SG_SORTED) {
+  if (end == SG_BOUNDARY_DONE) {
     number_vertices(sorted, n, (const double(*)[3])d->at + first, number, out);
   }
   free(sorted);
-  return end == SG_SORTED         ? SG_BOUNDARY_DONE
-         : end == SG_SORT_STOPPED ? SG_BOUNDARY_STOPPED
-                                  : SG_BOUNDARY_NO_MEMORY;
+  return end;
 }
 
 /* ---- faces --------------------------------------------------------------- */
