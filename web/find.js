@@ -69,7 +69,7 @@ export function find(studio) {
 // What a pointer does, and the keys of the table.
 export function help(studio) {
   const keys = commands(studio).filter(({ keys }) => keys).map(({ keys, called }) => h("tr", {},
-    h("th", { scope: "row" }, ...keys.map((key) => h("kbd", {}, key))), h("td", {}, called)));
+    h("th", { scope: "row" }, ...keys.flatMap((key) => [" ", h("kbd", {}, key)])), h("td", {}, called)));
   const dialog = h("dialog", { class: "find help", "aria-label": w("help"), onclose: () => dialog.remove() },
     h("p", {}, w("pointing")), h("p", {}, w("turn")), h("table", {}, ...keys), h("button", { onclick: () => dialog.close() }, w("close")));
   document.body.append(dialog);

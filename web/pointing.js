@@ -82,9 +82,13 @@ export class Pointing extends Sight {
     }
     if (this.kind === "taught") return;
     const found = this.near(event, event.pointerType === "touch" ? 22 : 9);
+    this.choose(found, event);
+  }
+
+  // With Ctrl one more is chosen, or one less.
+  choose(found, { ctrlKey, metaKey }) {
     const { names } = this.studio, name = found?.name;
-    // With Ctrl one more is chosen, or one less.
-    if (!event.ctrlKey && !event.metaKey) this.studio.chosen(found ? [name] : [], this, found?.role);
+    if (!ctrlKey && !metaKey) this.studio.chosen(found ? [name] : [], this, found?.role);
     else if (found) this.studio.chosen(names.includes(name) ? names.filter((one) => one !== name) : [...names, name], this, found.role);
   }
 
@@ -121,10 +125,10 @@ export class Pointing extends Sight {
 
   keyed(event) {
     const arrow = { ArrowLeft: [5, 0], ArrowRight: [-5, 0], ArrowUp: [0, 5], ArrowDown: [0, -5] }[event.key];
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.altKey || ((event.ctrlKey || event.metaKey) && event.key !== "Enter")) return;
     const under = this.walking && this.under;         // none, if another picture came meanwhile
     if (event.key === "Enter" && !under) this.walk(0);
-    else if (event.key === "Enter") this.studio.chosen([under.name], this);
+    else if (event.key === "Enter") this.choose(under, event);
     else if (event.key === "Escape" && this.walking) this.unwalk();
     else if (arrow && this.walking) this.walk(arrow[0] < 0 || arrow[1] < 0 ? 1 : -1);
     else if (arrow) this.turn(...arrow);

@@ -181,6 +181,7 @@ export class Port extends Pointing {
     this.element.dataset.rev = head.rev;
     this.rev = head.rev;
     this.under = null;
+    if (this.pointed) this.studio.hovered(null, []);        // what was pointed at was of the picture before
     this.pointed = "";
     this.remark.title = "";
     this.more.hidden = true;

@@ -263,6 +263,9 @@ def seams(language):
         return names.size > 20 && JSON.stringify([...names].sort()) === JSON.stringify([...flat.lit.hover].sort()) &&
           space.layers.hover.getAttribute("d").split("M").length > 20;
       })()""", middle), middle)
+    # Another picture comes meanwhile.
+    browser.script("studio.ports.ports[1].draw()")
+    browser.wait("!studio.ports.ports[1].busy")
     browser.pointer((5, 5))
     check(language + ": pointed at no more", browser.wait(
         "!%s && !%s" % (LAYER % (0, "hover"), LAYER % (1, "hover"))))

@@ -33,7 +33,8 @@ TEE = os.path.join(models, "pipe_tee.pl")
 with open(TEE) as file:
     TEXT = file.read()
 env = dict(os.environ, XDG_STATE_HOME=os.path.join(folder, "state"))
-ENTER, CONTROL, UP, DOWN = "\ue007", "\ue009", "\ue013", "\ue015"
+ENTER, CONTROL, UP, DOWN, ESCAPE = (
+    "\ue007", "\ue009", "\ue013", "\ue015", "\ue00c")
 QUIET = "studio.ready && studio.ports.ports.every(p => !p.busy && " \
         "!p.canvas.classList.contains('empty'))"
 ROW = "[...document.querySelectorAll('.tree .row')].find(r => " \
@@ -320,7 +321,15 @@ def several():
                 ".map(e => e.textContent)) === arguments[0]",
                 ",".join(wanted[many])), wanted[many])
     browser.script("delete studio.ports.ports[0].canvas.setPointerCapture; "
-                   "studio.chosen([])")
+                   "studio.chosen([]); studio.ports.ports[0].canvas.focus()")
+    browser.keys(ENTER + ENTER)
+    browser.wait("studio.names.length === 1")
+    browser.keys(DOWN)
+    browser.chord(CONTROL, ENTER)
+    check("and by the keyboard", browser.wait(
+        "new Set(studio.names).size === 2"))
+    browser.keys(ESCAPE)
+    browser.script("document.activeElement.blur(); studio.chosen([])")
 
 
 def korean():
@@ -475,6 +484,52 @@ def pictures():
       const wide = (k) => Math.max(...all.map((p) => p[k])) - Math.min(...all.map((p) => p[k]));
       return Math.max(wide(0) / canvas.clientWidth, wide(1) / canvas.clientHeight);""",
                              part) > 0.8 for part in (0, 0.5, 1)))
+
+
+# Texts that are seen and have less than 4.5:1 to what is behind them (WCAG 2.2, 1.4.3).
+FAINT = r"""
+  const rgb = (c) => (c.match(/[\d.]+/g) || []).map(Number);
+  const lum = (c) => { const [r, g, b] = c.map((n) => { n /= 255; return n <= .04045 ? n / 12.92 : ((n + .055) / 1.055) ** 2.4; }); return .2126 * r + .7152 * g + .0722 * b; };
+  const over = (a, alpha, b) => a.slice(0, 3).map((n, i) => n * alpha + b[i] * (1 - alpha));
+  const ground = (e) => { let c = [255, 255, 255]; const chain = []; for (let x = e; x; x = x.parentElement) chain.unshift(x);
+    for (const x of chain) { const b = rgb(getComputedStyle(x).backgroundColor); const a = b.length > 3 ? b[3] : 1; if (b.length) c = over(b, a, c); } return c; };
+  return [...document.querySelectorAll("body *")].filter((e) => e.offsetParent && [...e.childNodes].some((n) => n.nodeType === 3 && n.textContent.trim()) && !e.closest("[aria-disabled], :disabled, .paper, .unseen")).map((e) => {
+    let fade = 1; for (let x = e; x; x = x.parentElement) fade *= Number(getComputedStyle(x).opacity);
+    const under = ground(e), text = rgb(getComputedStyle(e).color);
+    const [a, b] = [lum(over(text, (text[3] ?? 1) * fade, under)), lum(under)].sort((p, q) => q - p);
+    return [(a + .05) / (b + .05), e.className || e.tagName, e.textContent.trim().slice(0, 20)];
+  }).filter(([c]) => c < 4.5);"""
+
+
+def contrast():
+    """By day and by night; and at 200 % the page is as wide as its window."""
+    for scheme in ("light", "dark"):
+        browser.media(prefers_color_scheme=scheme)
+        browser.script("studio.tree.choose(9, '/10/9', 2); studio.asking.set("
+                       "'p(10, P, _)'); studio.asking.ask(); studio.chosen(["
+                       "'s10e21'], studio.ports.ports[0])")
+        browser.wait(QUIET + " && document.querySelector('.why pre') && "
+                     "document.querySelector('.answers td')")
+        for menu in (None, "menu", "sheets", "rules"):
+            if menu:
+                browser.click("#menu_" + menu)
+                browser.wait("document.querySelector('#menu_%s + .menu:not("
+                             "[hidden])')" % menu)
+            faint = browser.script(FAINT)
+            check("%s, %s: texts stand out" % (scheme, menu), faint == [], faint)
+        browser.script("document.activeElement.blur()")
+    browser.media()
+    for width, height in ((720, 450), (960, 540)):
+        browser.emulate("setDeviceMetricsOverride", width=width, height=height,
+                        deviceScaleFactor=2, mobile=False)
+        check("200 %%: %d" % width, browser.wait(
+            "document.documentElement.scrollWidth <= innerWidth && [...document"
+            ".querySelectorAll('#bar button')].filter(e => e.offsetParent)"
+            ".every(e => e.getBoundingClientRect().right <= innerWidth + 1)"))
+    browser.emulate("clearDeviceMetricsOverride")
+    browser.script("studio.asking.set(''); studio.asking.clear(); "
+                   "studio.chosen([])")
+    browser.wait(QUIET)
 
 
 def forced_colours():
@@ -668,6 +723,7 @@ try:
     sizes()
     operand()
     korean()
+    contrast()
     reasons()
     rules()
     pictures()
