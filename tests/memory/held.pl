@@ -4,13 +4,15 @@
            tests/memory/held.pl -- COMMANDS
 
    Each line of the file COMMANDS is a command of the program, its words between
-   tabs; none is wrong usage. All run twice in one process, and what our library
-   holds has not grown, when Prolog has collected what it held of it. If it has,
-   and twice more, those are named that do the same alone. Then again, stopped
-   where a kernel asks whether it is to stop, and refused memory where it asks
-   for some: in some of all such places, all if TEST_ALL. The last line counts.
+   tabs; none is wrong usage. All run twice in one process; no file is left open,
+   and what our library holds has not grown, when Prolog has collected what it
+   held of it. If it has, and twice more, those are named that do the same alone.
+   Then again, stopped where a kernel asks whether it is to stop, and refused
+   memory where it asks for some: in some of all such places, all if TEST_ALL.
+   The last line counts.
 */
 :- module(sg_held, []).
+:- use_module(library(aggregate)).
 :- use_module(library(apply)).
 :- use_module(library(lists)).
 :- use_module(library(random)).
@@ -53,10 +55,13 @@ main :-
     sort(Misused0, Misused),
     maplist(said('holds more each time'), Growings),
     maplist(said('is wrong usage'), Misused),
+    findall(Command, left_open(Command), Open0),
+    sort(Open0, Open),
+    maplist(said('leaves a file open'), Open),
     foldl([Given,N0,N]>>( length(Given, Own), N is N0+Own ),
           [Commands|Givens], 0, Count),
-    maplist(length, [Growings,Misused], [N1,N2]),
-    Failed is N1+N2,
+    maplist(length, [Growings,Misused,Open], Ns),
+    sum_list(Ns, Failed),
     Passed is Count-Failed,
     format("~d passed, ~d failed~n", [Passed,Failed]),
     (   Failed =:= 0
@@ -112,7 +117,7 @@ grows(Commands) :-
     held_after(Commands, Held4),
     Held3 < Held4.
 
-:- dynamic misused/1.
+:- dynamic misused/1, left_open/1.
 
 held_after(Commands, Held) :-
     forall(member(Command, Commands), runs(Command)),
@@ -123,6 +128,7 @@ held_after(Commands, Held) :-
     requests(_, Held).
 
 runs(Command-Fault) :-
+    open_files(Before),
     setup_call_cleanup(
         set(Fault),
         catch(with_output_to(string(_), sanggwan(Command, Status)), stopped,
@@ -132,7 +138,15 @@ runs(Command-Fault) :-
         Status == 2
     ->  assertz(misused(Command-Fault))
     ;   true
+    ),
+    open_files(After),
+    (   After > Before
+    ->  assertz(left_open(Command-Fault))
+    ;   true
     ).
+
+open_files(Count) :-
+    aggregate_all(count, stream_property(_, file_name(_)), Count).
 
 set(none).
 set(stop(N)) :-
