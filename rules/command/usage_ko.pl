@@ -127,7 +127,8 @@ option_ko(set, '모델의 매개변수 param(NAME, 기본값)의 값, 수 또는
 option_ko(rules, '결정을 바꾸는 규칙 파일. 여러 번 쓸 수 있다').
 option_ko(limits, '텍스트가 쓸 수 있는 크기: depth, blocks, digits, name, fact, file, \c
 text, facets, nodes').
-option_ko(strict, '경고가 있으면 아무것도 쓰지 않고 종료 코드 1').
+option_ko(strict,
+    '경고가 있으면 아무것도 쓰지 않고 종료 코드 1, 점을 옮긴다는 경고면 4').
 option_ko(quiet, '알림과 진행 표시 없이').
 option_ko(timings, '단계별 시간을 JSON으로 표준 오류에').
 option_ko(stats, '행, 바이트, 색인 사용을 JSON으로 표준 오류에').

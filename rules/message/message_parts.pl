@@ -12,6 +12,7 @@
             shown_count/2,              % +Count, -Shown
             shown_names/2,              % +Names, -Text
             shown_value/2,              % +Value, -Shown
+            shown_number/3,             % +Decimals, +Number, -Text
             syntax_words//1,            % +What
             loading_fault//2,           % :Words, +Formal
             loading_warnings/2,         % +Term, -Whats
@@ -171,6 +172,16 @@ size_that_fits(Width, Height, Size) :-
         H is ceiling(Height)
     ),
     format(atom(Size), '~wx~w', [W, H]).
+
+%!  shown_number(+Decimals, +Number, -Text) is det.
+%
+%   Text is Number with so many Decimals; from a million on, with six digits.
+
+shown_number(Decimals, Number, Text) :-
+    (   abs(Number) < 1.0e6
+    ->  format(atom(Text), "~*f", [Decimals,Number])
+    ;   format(atom(Text), "~6g", [Number])
+    ).
 
 %!  shown_value(+Value, -Shown) is det.
 %

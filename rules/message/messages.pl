@@ -16,7 +16,7 @@
 :- use_module(part_glue_en, [part_glue_en//1]).
 :- use_module(message_parts,
               [ counted//3, dots_that_fit/5, loading_fault//2, located//1,
-                manual_page//1, shown_names/2
+                manual_page//1, shown_names/2, shown_number/3
               ]).
 :- use_module(session_en, [session_en//1]).
 :- use_module(prolog_en, [prolog_en//2]).
@@ -31,6 +31,7 @@
 :- use_module(parameter_en, [parameter_en//1]).
 :- use_module(pattern_en, [pattern_en//1]).
 :- use_module(written_en, [written_en//1, unwritten_en//1]).
+:- use_module(library(apply), [maplist/3]).
 :- use_module(library(pairs), [pairs_keys/2]).
 /** <module> Messages in English; messages_ko.pl has them in Korean.
 
@@ -177,8 +178,11 @@ notice_en(summary_sent(File)) -->
 notice_en(wrote(File)) -->
     [ 'wrote ~w'-[File] ].
 notice_en(pen_travel(N, Way, Unsorted)) -->
-    { Metres is Way/1.0e6, Before is Unsorted/1.0e6 },
-    [ '~D lines for the pen; between them it goes ~3f m (~3f m unsorted)'-
+    { Metres0 is Way/1.0e6,
+      Before0 is Unsorted/1.0e6,
+      maplist(shown_number(3), [Metres0,Before0], [Metres,Before])
+    },
+    [ '~D lines for the pen; between them it goes ~w m (~w m unsorted)'-
       [N, Metres, Before] ].
 notice_en(each_failed(Bad, Count, Files)) -->
     { shown_names(Files, Text) },
@@ -280,9 +284,12 @@ notice_en(mesh(File, trailing(Bytes))) -->
 
 %   drawing_en(domain(Domain, Value))//: options of a drawing.
 
-drawing_en(domain(sheet_size, W-H)) -->
-    { number(W), number(H) },
-    [ 'the picture would be ~0f x ~0f mm large'-[W,H], nl,
+drawing_en(domain(sheet_size, W0-H0)) -->
+    { number(W0),
+      number(H0),
+      maplist(shown_number(0), [W0,H0], [W,H])
+    },
+    [ 'the picture would be ~w x ~w mm large'-[W,H], nl,
       '  Take a smaller --scale; a side can be above 0 and up to 100000 mm.' ].
 drawing_en(domain(sheet_size, Size)) -->
     [ 'no sheet has the size ~p'-[Size], nl,
@@ -328,8 +335,9 @@ notice_en(pixel_colour_in_vain) -->
 notice_en(shadows_in_vain) -->
     [ 'a rule decides tone/3, which knows no shadows: --shadows changes \c
        nothing' ].
-notice_en(facets_off(Dots)) -->
-    [ 'what is round is shown round; the facets of files are up to ~1f dots \c
+notice_en(facets_off(Dots0)) -->
+    { shown_number(1, Dots0, Dots) },
+    [ 'what is round is shown round; the facets of files are up to ~w dots \c
        from that (--surface facets shows them)'-[Dots] ].
 notice_en(format_option(Option, Format)) -->
     [ '~w changes nothing: it is about .~w, and no file here is one'-

@@ -22,7 +22,7 @@
 :- use_module(part_glue_ko, [part_glue_ko//1]).
 :- use_module(message_parts,
               [ dots_that_fit/5, loading_fault//2, located//1, manual_page//1,
-                shown_names/2
+                shown_names/2, shown_number/3
               ]).
 :- use_module(session_ko, [session_ko//1]).
 :- use_module(prolog_ko, [prolog_ko//2]).
@@ -32,6 +32,7 @@
 :- use_module(unfold_ko, [wish_ko//3, unfold_ko//1, trim_ko//1]).
 :- use_module(particle, [lines_joined/2]).
 :- use_module(primitive_ko, [comma_ko//1, primitive_ko//2]).
+:- use_module(library(apply), [maplist/3]).
 :- use_module(library(pairs), [pairs_keys/2]).
 /** <module> Messages in Korean; messages.pl has them in English.
 
@@ -176,8 +177,11 @@ notice_ko(summary_sent(File)) -->
 notice_ko(wrote(File)) -->
     [ '~w 파일을 썼습니다'-[File] ].
 notice_ko(pen_travel(N, Way, Unsorted)) -->
-    { Metres is Way/1.0e6, Before is Unsorted/1.0e6 },
-    [ '펜이 그리는 선 ~D개, 그 사이에 들고 가는 길이 ~3f m (차례를 바꾸지 않으면 ~3f m)'-
+    { Metres0 is Way/1.0e6,
+      Before0 is Unsorted/1.0e6,
+      maplist(shown_number(3), [Metres0,Before0], [Metres,Before])
+    },
+    [ '펜이 그리는 선 ~D개, 그 사이에 들고 가는 길이 ~w m (차례를 바꾸지 않으면 ~w m)'-
       [N, Metres, Before] ].
 notice_ko(each_failed(Bad, Count, Files)) -->
     { shown_names(Files, Text) },
@@ -269,9 +273,12 @@ notice_ko(mesh(File, trailing(Bytes))) -->
                 *            drawing           *
                 *******************************/
 
-drawing_ko(domain(sheet_size, W-H)) -->
-    { number(W), number(H) },
-    [ '그림이 ~0f x ~0f mm입니다'-[W,H], nl,
+drawing_ko(domain(sheet_size, W0-H0)) -->
+    { number(W0),
+      number(H0),
+      maplist(shown_number(0), [W0,H0], [W,H])
+    },
+    [ '그림이 ~w x ~w mm입니다'-[W,H], nl,
       '  --scale 값을 줄이십시오. 각 변은 0보다 크고 100000 mm 이하여야 합니다.' ].
 drawing_ko(domain(sheet_size, Size)) -->
     [ '~p: 용지의 크기가 아닙니다'-[Size], nl,
@@ -315,8 +322,9 @@ notice_ko(pixel_colour_in_vain) -->
       '  --background에 색을 주십시오.' ].
 notice_ko(shadows_in_vain) -->
     [ '그림자를 모르는 tone/3을 규칙이 정하므로 --shadows는 아무것도 바꾸지 않습니다' ].
-notice_ko(facets_off(Dots)) -->
-    [ '둥근 것은 둥글게 보입니다. 파일의 면은 거기서 많아야 ~1f점 떨어져 있습니다 (--surface \c
+notice_ko(facets_off(Dots0)) -->
+    { shown_number(1, Dots0, Dots) },
+    [ '둥근 것은 둥글게 보입니다. 파일의 면은 거기서 많아야 ~w점 떨어져 있습니다 (--surface \c
 facets는 그 면을 보입니다)'-[Dots] ].
 notice_ko(format_option(Option, Format)) -->
     [ '~w 옵션은 .~w 파일에 관한 것인데, 그런 파일이 없어 아무것도 바꾸지 \c

@@ -31,7 +31,8 @@
               ]).
 :- use_module('../limits', [limit_value/2]).
 :- use_module(operand, [operand_faults/2]).
-:- use_module('../penetration/resolve', [tolerance_reach/2]).
+:- use_module('../penetration/resolve',
+              [held_said/1, holding_said/2, tolerance_reach/2]).
 :- use_module('../polygon/triangulation', [new_segments_complete/0]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
@@ -126,7 +127,30 @@ faces_glued(Operands, S, Options, Reach) :-
 %   Parts of operands in nearly one plane may meet others as one face that they
 %   do not meet as they are: then these stay Apart, and all is done once more.
 
+%   What a round moves is said when it is known to be the last.
+
 faces_glued(Operands, Solids, S, Options, Reach, Apart) :-
+    holding_said(sg_glue:round_made(Operands, Solids, S, Options, Reach, Apart,
+                                    How),
+                 Held),
+    (   How == whole
+    ->  held_said(Held)
+    ;   How = cut(Copies),
+        stage(join, points_in_faces(S, Meetings)),
+        (   Meetings == []
+        ->  held_said(Held),
+            copies_named(S, Copies)
+        ;   merged_parts(S, Meetings, Pairs),
+            ord_union(Apart, Pairs, More),
+            More \== Apart
+        ->  drop_boundary(S),
+            faces_glued(Operands, Solids, S, Options, Reach, More)
+        ;   Meetings = [meeting(_, P1, P2, X, Y, Z)|_],
+            throw(error(geometry_error(glue_meets(S, P1, P2, X, Y, Z)), _))
+        )
+    ).
+
+round_made(Operands, Solids, S, Options, Reach, Apart, How) :-
     pieces(Operands, Solids, Reach, Options, Solid, Contacts, How),
     call_cleanup(
         ( stage(faces, faces_merged(Solid,
@@ -138,22 +162,7 @@ faces_glued(Operands, Solids, S, Options, Reach, Apart) :-
         ),
         solid_close(Solid)),
     contact_origins(S, Contacts),
-    forall(member(V-P, Loops), assert_fact(lies_in(S, v(V), p(P)))),
-    (   How == whole
-    ->  true
-    ;   How = cut(Copies),
-        stage(join, points_in_faces(S, Meetings)),
-        (   Meetings == []
-        ->  copies_named(S, Copies)
-        ;   merged_parts(S, Meetings, Pairs),
-            ord_union(Apart, Pairs, More),
-            More \== Apart
-        ->  drop_boundary(S),
-            faces_glued(Operands, Solids, S, Options, Reach, More)
-        ;   Meetings = [meeting(_, P1, P2, X, Y, Z)|_],
-            throw(error(geometry_error(glue_meets(S, P1, P2, X, Y, Z)), _))
-        )
-    ).
+    forall(member(V-P, Loops), assert_fact(lies_in(S, v(V), p(P)))).
 
 %   merged_parts(S, Meetings, Pairs): what became one in the polygons of
 %   Meetings, pairs as of solid_neighbours/3.

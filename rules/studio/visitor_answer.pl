@@ -115,8 +115,6 @@ lines_taken(In, Lines, Damaged0, Damaged) :-
         End =:= -1
     ->  Lines = [],
         Damaged = Damaged0
-    ;   Line == ""
-    ->  lines_taken(In, Lines, Damaged0, Damaged)
     ;   End =:= 0'\n,
         once(line_step(_, 0, Line, Row)),
         line_taken(Row)

@@ -216,6 +216,12 @@ time.sleep(0.1)
 kim.close()
 teacher.close()
 front.end(signal.SIGINT)
+with open(book[0], "a") as out:
+    out.write("\n")
+front = started()
+front.page().close()
+check("an emptied line is noticed", os.path.exists(book[0] + ".damaged-2"))
+front.end(signal.SIGINT)
 done = subprocess.run([program, "serve", "--no-open", "--problems",
                        os.path.join(models, "fig10.pl")],
                       stdout=subprocess.PIPE, stderr=subprocess.PIPE,
