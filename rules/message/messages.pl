@@ -476,6 +476,12 @@ fault_en(glue_law(S, Faults0)) -->
       [S, Text], nl,
       '  Give another --tolerance, --repair the operands, or mend the \c
        --rules.' ].
+fault_en(thin_operand(S, Thick, Reach, X, Y, Z)) -->
+    [ 'segment ~d is about ~3g thick at ~6g ~6g ~6g, and what is nearer than \c
+       ~3g is made one place, so nothing was glued'-[S, Thick, X, Y, Z, Reach],
+      nl,
+      '  Leave it out or make it thicker, or give --tolerance 0, which moves \c
+       nothing.' ].
 fault_en(part_glue(What)) -->
     part_glue_en(What).
 fault_en(glue_meets(S, P1, P2, X, Y, Z)) -->

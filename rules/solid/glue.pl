@@ -30,7 +30,7 @@
                 solid_write_cells/3
               ]).
 :- use_module('../limits', [limit_value/2]).
-:- use_module(operand, [operand_faults/2]).
+:- use_module(operand, [operand_faults/2, segment_thickness/2]).
 :- use_module('../penetration/resolve',
               [held_said/1, holding_said/2, tolerance_reach/2]).
 :- use_module('../polygon/triangulation', [new_segments_complete/0]).
@@ -44,7 +44,7 @@
               [convlist/3, exclude/3, maplist/2, maplist/3]).
 :- use_module(library(assoc), [get_assoc/3, ord_list_to_assoc/2]).
 :- use_module(library(error), [existence_error/2, type_error/2]).
-:- use_module(library(lists), [append/3, member/2]).
+:- use_module(library(lists), [append/3, list_to_set/2, member/2]).
 :- use_module(library(option), [option/2]).
 :- use_module(library(ordsets), [ord_subtract/3, ord_union/3]).
 :- use_module(library(pairs),
@@ -72,6 +72,8 @@ The operands keep their rows, so nothing is needed to take them apart again.
 %   @error geometry_error(wrong_triangles(S, P)): of wires_written/3
 %   @error geometry_error(glue_meets(S, P1, P2, X, Y, Z)): two of its polygons
 %          meet there and share nothing
+%   @error geometry_error(thin_operand(S, Thick, Reach, X, Y, Z)): one of both,
+%          and S, round there, is about as thin as what is made one place
 
 glued_boundary(Operands, S, Options0) :-
     new_segments_complete,
@@ -83,16 +85,37 @@ glued_boundary(Operands, S, Options0) :-
     boolean_tolerance(Operands, Options0, Options),
     option(tolerance(Tolerance), Options),
     tolerance_reach(Tolerance, Reach),
+    catch(lawfully_glued(Operands, Others, Curves, S, Options, Reach),
+          error(geometry_error(Fault), Context),
+          blamed(Fault, Context, Others, Reach)),
+    (   choice_made(S)
+    ->  stage(rules, chosen(S, Operands))
+    ;   true
+    ).
+
+lawfully_glued(Operands, Others, Curves, S, Options, Reach) :-
     faces_glued(Others, S, Options, Reach),
     stage(rules, wires_written(S, Curves, Reach)),
     source_kept(Operands, 1, S),
     stage(regions, regions_found(S, Report)),
     lawful(S, Report),
-    contents_found(S, Operands),
-    (   choice_made(S)
-    ->  stage(rules, chosen(S, Operands))
-    ;   true
-    ).
+    contents_found(S, Operands).
+
+%   blamed(Fault, Context, Operands, Reach): where a law breaks, an operand that
+%   is about as thin as what is made one place is why.
+
+blamed(Fault, _, Operands, Reach) :-
+    functor(Fault, Name, _),
+    memberchk(Name, [glue_law,glue_meets]),
+    member(S, Operands),
+    segment(S, solid, _),
+    segment_thickness(S, Thick),
+    Thick =< 4*Reach,
+    !,
+    once(v(S, _, X, Y, Z)),
+    throw(error(geometry_error(thin_operand(S, Thick, Reach, X, Y, Z)), _)).
+blamed(Fault, Context, _, _) :-
+    throw(error(geometry_error(Fault), Context)).
 
 %   chosen(S, Operands): not all of S is to be glued.
 
@@ -162,7 +185,8 @@ round_made(Operands, Solids, S, Options, Reach, Apart, How) :-
         ),
         solid_close(Solid)),
     contact_origins(S, Contacts),
-    forall(member(V-P, Loops), assert_fact(lies_in(S, v(V), p(P)))).
+    list_to_set(Loops, Once),
+    forall(member(V-P, Once), assert_fact(lies_in(S, v(V), p(P)))).
 
 %   merged_parts(S, Meetings, Pairs): what became one in the polygons of
 %   Meetings, pairs as of solid_neighbours/3.

@@ -1,6 +1,7 @@
 :- module(sg_operand,
           [ operand_faults/2,           % +S, -Faults
-            checked_operand/1           % +S
+            checked_operand/1,          % +S
+            segment_thickness/2         % +S, -Thick
           ]).
 :- use_module('../kernel',
               [ census/1, segment_edges/4, segment_operand/2
@@ -8,7 +9,9 @@
 :- use_module('../polygon/triangulation',
               [new_segments_complete/0, untriangulated/1]).
 :- use_module('../stage', [stage/2]).
-:- use_module('../store', [v/5, segment/3, facts_snapshot/1]).
+:- use_module('../store', [t/6, v/5, segment/3, facts_snapshot/1]).
+:- use_module(library(aggregate), [aggregate_all/3]).
+:- use_module(library(apply), [maplist/3]).
 :- use_module(library(error), [existence_error/2]).
 :- use_module(library(lists), [member/2]).
 /** <module> What makes a segment unfit for a Boolean.
@@ -115,3 +118,23 @@ checked_operand(S) :-
     ->  print_message(warning, sanggwan(operand(inside_out, S)))
     ;   true
     ).
+
+%!  segment_thickness(+S, -Thick) is semidet.
+%
+%   The closed segment S is about Thick thick: twice its volume by its area.
+
+segment_thickness(S, Thick) :-
+    segment_operand(S, operand(_, _, true, Volume, _, _)),
+    aggregate_all(sum(A), triangle_area(S, A), Area),
+    Area > 0,
+    Thick is 2*abs(Volume)/Area.
+
+triangle_area(S, Area) :-
+    t(S, _, _, V1, V2, V3),
+    maplist(place(S), [V1,V2,V3], [[X1,Y1,Z1],[X2,Y2,Z2],[X3,Y3,Z3]]),
+    A1 is X2-X1, A2 is Y2-Y1, A3 is Z2-Z1,
+    B1 is X3-X1, B2 is Y3-Y1, B3 is Z3-Z1,
+    Area is sqrt((A2*B3-A3*B2)**2+(A3*B1-A1*B3)**2+(A1*B2-A2*B1)**2)/2.
+
+place(S, V, [X,Y,Z]) :-
+    v(S, V, X, Y, Z).

@@ -394,6 +394,32 @@ test(open, [ error(geometry_error(operand(1, [open_edges(4, _)]))) ]) :-
                    assert_fact(segment(3, cells, glue([1,2]))),
                    evaluate(3) )).
 
+%   What is thinner than the tolerance is glued, or named.
+
+flat(H, pyramid(base(4,4),height(H))).
+flat(H, pyramid(base(6,6),height(H))).
+flat(H, cone(radius(4),height(H),facets(8))).
+flat(H, prism(outline([[0,0],[4,0],[0,1]]),height(H))).
+
+flat_glued(K, Z, Kind) :-
+    H is 2.0**K,
+    flat(H, Flat),
+    in_new_world(( assert_fact(segment(1, solid, box(size(4,4,1)))),
+                   assert_fact(segment(2, solid,
+                                       at([translate(0.5,0.25,Z)], Flat))),
+                   assert_fact(segment(3, cells, glue([1,2]))),
+                   catch(( evaluate(3), Kind = glued ),
+                         error(geometry_error(Fault), _),
+                         functor(Fault, Kind, _)) )).
+
+test(thin, [ setup(asserta(test_glue:quiet, Ref)), cleanup(erase(Ref)),
+             true(Kinds == [glued,thin_operand]) ]) :-
+    setof(Kind,
+          K^Z^( member(K, [-50,-49,-44,-40]),
+                member(Z, [0,1]),
+                flat_glued(K, Z, Kind) ),
+          Kinds).
+
 %   As a surface it is glued: its walls are laminar.
 
 test(open_surface, Counts == c(12,20,10,10,1,2,2,0)) :-
