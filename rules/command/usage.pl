@@ -415,8 +415,8 @@ common_option(option(limits, '', value, 'NAME=N,...',
     'how much a text may ask for: depth, blocks, digits, name, fact, file, \c
      text, facets, nodes')).
 common_option(option(strict, '', flag, '',
-    'after a warning nothing is written, and the exit code is 1; 4 if it would \c
-     tell of a move')).
+    'after a warning nothing is written, and the exit code is 1; 4 if it \c
+     would tell of a move')).
 common_option(option(quiet, q, flag, '', 'no notices, no progress')).
 common_option(option(timings, '', flag, '',
     'the seconds of each stage, as JSON on standard error')).
