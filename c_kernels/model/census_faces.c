@@ -214,13 +214,43 @@ typedef struct hashed {
 
 SG_ORDER(compare_hashed, hashed, SG_BY(hash) SG_BY(place));
 
+/* Those whose hashes have one upper half, which are few, by all of it. */
+static void
+sort_alike(hashed *item, size_t n)
+{
+  for (size_t i = 0, end; i < n; i = end) {
+    for (end = i + 1; end < n && item[end].hash >> 32 == item[i].hash >> 32;
+         end++) {
+    }
+    if (end - i > 1) {
+      qsort(item + i, end - i, sizeof *item, compare_hashed);
+    }
+  }
+}
+
+/* In the order of compare_hashed(); their places ascend. */
 static bool
 sort_hashed(sg_counting *c, hashed *item, size_t n)
 {
-  sg_sort_end end = sg_sort(item, n, sizeof *item, compare_hashed, c->cancel);
+  uint64_t *key = malloc((n + 1) * sizeof *key);
+  hashed *was = malloc((n + 1) * sizeof *was);
+  bool good = key && was;
 
-  c->stopped = c->stopped || end == SG_SORT_STOPPED;
-  return end == SG_SORTED;
+  for (size_t i = 0; good && i < n; i++) {
+    key[i] = (item[i].hash & UINT64_C(0xffffffff00000000)) | i;
+    was[i] = item[i];
+  }
+  good = good && sg_sort_upper(key, n);
+  for (size_t i = 0; good && i < n; i++) {
+    item[i] = was[(uint32_t)key[i]];
+  }
+  if (good) {
+    sort_alike(item, n);
+  }
+  free(key);
+  free(was);
+  c->stopped = c->stopped || sg_cancelled(c->cancel);
+  return good && !c->stopped;
 }
 
 /* Is each of the vertices of polygon p one of q, and as many? */
