@@ -476,6 +476,10 @@ fault_en(glue_law(S, Faults0)) -->
       [S, Text], nl,
       '  Give another --tolerance, --repair the operands, or mend the \c
        --rules.' ].
+fault_en(undivided(S, P, X, Y, Z, Tolerance)) -->
+    [ 'segment ~d: polygon ~d cannot be divided at ~6g ~6g ~6g: what is there \c
+       is about as small as the tolerance, ~3g'-[S, P, X, Y, Z, Tolerance], nl,
+      '  Give a smaller one; --tolerance 0 moves nothing.' ].
 fault_en(thin_operand(S, Thick, Reach, X, Y, Z)) -->
     [ 'segment ~d is about ~3g thick at ~6g ~6g ~6g, and what is nearer than \c
        ~3g is made one place, so nothing was glued'-[S, Thick, X, Y, Z, Reach],

@@ -484,6 +484,10 @@ fault_ko(glue_law(S, Faults0)) -->
     [ '세그먼트 ~d: 붙인 것이 법칙에 어긋나(~w) 아무것도 붙이지 않았습니다'-
       [S, Text], nl,
       '  --tolerance를 바꾸거나 --repair로 피연산자를 고치거나 --rules를 고치십시오.' ].
+fault_ko(undivided(S, P, X, Y, Z, Tolerance)) -->
+    [ '세그먼트 ~d의 다각형 ~d을(를) ~6g ~6g ~6g에서 나눌 수 없습니다. 그곳의 것이 허용 오차 ~3g만큼 \c
+       작습니다'-[S, P, X, Y, Z, Tolerance], nl,
+      '  더 작은 값을 주십시오. --tolerance 0은 아무것도 옮기지 않습니다.' ].
 fault_ko(thin_operand(S, Thick, Reach, X, Y, Z)) -->
     [ '세그먼트 ~d의 두께가 ~6g ~6g ~6g에서 ~3g쯤인데 ~3g보다 가까우면 한 점이 됩니다. 그래서 붙이지 \c
        않았습니다'-[S, X, Y, Z, Thick, Reach], nl,

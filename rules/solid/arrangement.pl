@@ -30,7 +30,7 @@
 :- use_module('../penetration/resolve', [tolerance_reach/2]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
-              [ v/5, segment/3, segment_stamps/2, segments_key/2,
+              [ v/5, e/5, p/3, segment/3, segment_stamps/2, segments_key/2,
                 facts_snapshot/1
               ]).
 % Loaded with this file, not by the first Boolean that calls them.
@@ -70,8 +70,9 @@ since a vertex that they share is shared by moving it.
 %     What is nearer than this (model units) is made to touch first. Default:
 %     as segments_tolerance/3 sees the leaves.
 %
-%   @error geometry_error(polygon_edge(S, P, V1, V2)): with its lines, P cannot
-%          be triangulated
+%   @error geometry_error(undivided(S, P, X, Y, Z, Tolerance)): with its lines,
+%          P cannot be triangulated there; or polygon_edge(S, P, V1, V2), if
+%          nothing may be moved
 
 with_arrangement(Leaves0, Options, Goal) :-
     sort(Leaves0, Leaves),
@@ -87,7 +88,9 @@ with_arrangement(Leaves0, Options, Goal) :-
           include_current(Current0, Stale, Current),
           counted(sg_pieces_made, Stale),
           counted(sg_pieces_found, Current),
-          fresh_pieces(Stale, Near, Tolerance, Fresh, Touch),
+          catch(fresh_pieces(Stale, Near, Tolerance, Fresh, Touch),
+                error(geometry_error(Fault), Context),
+                undivided(Fault, Context, Reach)),
           setup_call_cleanup(
               true,
               ( keep(Leaves, Keys, Fresh, Touch),
@@ -99,6 +102,22 @@ with_arrangement(Leaves0, Options, Goal) :-
               drop_fresh(Fresh))
         ),
         maplist(arrangement_drop, Held)).
+
+%   undivided(Fault, Context, Reach): Fault is thrown with its place.
+
+undivided(polygon_edge(S, P, V1, V2), _, Reach) :-
+    Reach > 0,
+    (   member(V, [V1,V2])
+    ;   p(S, P, Es),
+        member(E0, Es),
+        E is abs(E0),
+        e(S, E, V, _, _)
+    ),
+    v(S, V, X, Y, Z),
+    !,
+    throw(error(geometry_error(undivided(S, P, X, Y, Z, Reach)), _)).
+undivided(Fault, Context, _) :-
+    throw(error(geometry_error(Fault), Context)).
 
 leaves_tolerance(Leaves, Options, Tolerance) :-
     (   option(tolerance(_), Options)

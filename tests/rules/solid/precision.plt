@@ -899,6 +899,28 @@ test(a_wall_between_cuts,
     refusing_moves(test_precision:evaluated_with(0.006, Term)),
     findall(Said, said(Said), Found).
 
+%   Steps as small as the tolerance that cannot be divided are refused with their
+%   place; without a tolerance they are no fault.
+
+steps(union([ at([translate(0,0,-1.75)],
+                 prism(outline([[1,1.25],[3,1.25],[3,1.75],
+                                [3.000000000000057,1.75],
+                                [3.000000000000057,1.7500000000000089],
+                                [3,1.7500000000000089],[3,2.250000000000009],
+                                [1,2.250000000000009]]),
+                       height(2))),
+              at([translate(0,0,-0.75)],
+                 prism(outline([[1.75,1.25],[2.5,1.25],[2.5,2.5],
+                                [2.125,1.2500000000000036],[1.75,2.5]]),
+                       height(2))) ])).
+
+test(undivided, error(geometry_error(undivided(_, _, _, _, _, 1.0e-6)))) :-
+    steps(Term),
+    evaluated_with(1.0e-6, Term).
+test(divided) :-
+    steps(Term),
+    evaluated_with(0, Term).
+
 %   Beside a coarse operand a finer one's step is no rounding: a word.
 
 test(a_step_beside_coarse,
