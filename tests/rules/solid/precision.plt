@@ -899,8 +899,8 @@ test(a_wall_between_cuts,
     refusing_moves(test_precision:evaluated_with(0.006, Term)),
     findall(Said, said(Said), Found).
 
-%   Steps as small as the tolerance that cannot be divided are refused with their
-%   place; without a tolerance they are no fault.
+%   Steps as small as the tolerance that cannot be divided are refused with
+%   their place; without a tolerance they are no fault.
 
 steps(union([ at([translate(0,0,-1.75)],
                  prism(outline([[1,1.25],[3,1.25],[3,1.75],
