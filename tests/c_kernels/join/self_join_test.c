@@ -307,6 +307,31 @@ make_tents(size_t n)
   }
 }
 
+/* Pages on two edges across from each other: at its corners nothing goes
+ * through, farther away much does. */
+static void
+test_two_books(void)
+{
+  enum { N = 1200 };
+
+  by_place = false;
+  for (uint32_t i = 0; i < N; i++) {
+    sg_fan_triangle *t = &triangle[i];
+    double side = i % 2, y = 1.5 * i / N;
+
+    place(t, 0, 0, side, 0, 2 * (i % 2));
+    place(t, 1, 1, side, 0, 2 * (i % 2) + 1);
+    place(t, 2, 0.5 + 0.1 * sin(i), i % 2 ? 1 - y : y, 1 + 0.1 * cos(i), 4 + i);
+    t->polygon = (int32_t)i;
+  }
+  memset(changed, 0, sizeof changed);
+  sg_bvh_hits all = joined(N, false);
+
+  CHECK("pages do", all.n > 1000 && all.n < (size_t)N * N / 4);
+  CHECK("which pages do", are_all(&all, N, false));
+  free(all.hit);
+}
+
 enum { SIDES = 12 };
 
 /* Rings in each other, two triangles to a side; off their middle by up to
@@ -423,6 +448,7 @@ main(void)
   srand(1988);
   test_same();
   test_in_faces();
+  test_two_books();
   test_rings();
   test_growth();
   test_stops();
