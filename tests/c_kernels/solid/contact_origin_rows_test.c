@@ -48,9 +48,9 @@ add_meeting(int32_t s, int32_t v, bool near, int32_t a, int32_t b)
   return add_origin(s, &item, &origin);
 }
 
-/* origin(LEAF, e(part), e(whole)). */
+/* origin(s, e(part), e(whole)). */
 static bool
-add_part(int32_t part, int32_t whole)
+add_part(int32_t s, int32_t part, int32_t whole)
 {
   sg_term_builder item, origin;
 
@@ -58,7 +58,7 @@ add_part(int32_t part, int32_t whole)
   sg_term_open(&origin);
   sg_term_unary(&item, SG_SYMBOL_E, part);
   sg_term_unary(&origin, SG_SYMBOL_E, whole);
-  return add_origin(LEAF, &item, &origin);
+  return add_origin(s, &item, &origin);
 }
 
 static bool
@@ -130,7 +130,8 @@ places(sg_contact_places **contacts)
         add_row(SG_LEAF_V,
                 (sg_value[]){
                     {.i = LEAF}, {.i = MOVED}, {.f = 0}, {.f = 0}, {.f = 0}}));
-  CHECK("origins that go round end", add_part(7, 8) && add_part(8, 7));
+  CHECK("origins that go round end",
+        add_part(LEAF, 7, 8) && add_part(LEAF, 8, 7));
   call_again();
   CHECK("both touch", sg_door_contact_places(&call, LEAF, contacts));
   CHECK("facts",
@@ -160,6 +161,7 @@ origins(sg_contact_places *contacts)
                 (sg_value[]){
                     {.i = RESULT}, {.i = ALIKE}, {.i = LEAF}, {.i = MADE}}) &&
             add_meeting(RESULT, CUT, true, 1, 2));
+  CHECK("and an edge", add_part(RESULT, 3, 4));
   CHECK("no leaf, no change",
         sg_door_contact_origins(&call, RESULT, &(sg_leaf_contacts_list){0}) &&
             rows_of(SG_FROM_V) == 1);
