@@ -310,7 +310,8 @@ san: $(B)/sanggwan.so $(C_TESTS) $(CHECKERS)
 # of the store, and of the thread pool, which shares the work on meshes and
 # pictures.
 TSAN     := -fsanitize=thread -fno-omit-frame-pointer -Wno-maybe-uninitialized
-TSAN_C   := thread_pool threads exact_point bvh leaf_tree hide_search solid_rows
+TSAN_C   := thread_pool threads exact_point bvh leaf_tree hide_search solid_rows \
+            complete self_cut
 TSAN_PLT := solid/ model/mesh picture/hidden_lines penetration/penetration_m \
             penetration/resolve penetration/self_cut
 tsan: export TSAN_OPTIONS = die_after_fork=0 exitcode=66
