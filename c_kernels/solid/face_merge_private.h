@@ -227,7 +227,8 @@ typedef struct sg_merge_sides {
 
 /* Between v and w there is a wall: a segment has a face at each of them, not at
  * the other, and these look apart. Planes that cross at a small angle part v
- * and w by more than its thickness. The normal is that at v. */
+ * and w by more than its thickness. What is no thicker than doubles are rounded
+ * by is none: v and w are on the edge of a blade. The normal is that at v. */
 bool sg_merge_wall(const sg_merge *m, const sg_merge_faces *of, uint32_t v,
                    uint32_t w, sg_merge_sides *out);
 /* After brief edges were contracted, while they are known. */

@@ -123,8 +123,10 @@ sg_merge_wall(const sg_merge *m, const sg_merge_faces *of, uint32_t v,
           look_apart(n, k)) {
         double thick = fmin(fabs(sg_dot(n, way)) / sg_length(n),
                             fabs(sg_dot(k, way)) / sg_length(k));
-        *out = (sg_merge_sides){one->s, thick, {n[0], n[1], n[2]}};
-        return true;
+        if (thick > source_of(m, one->s).rounding) {
+          *out = (sg_merge_sides){one->s, thick, {n[0], n[1], n[2]}};
+          return true;
+        }
       }
     }
   }

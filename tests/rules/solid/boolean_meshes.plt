@@ -1,5 +1,6 @@
 :- module(test_boolean_meshes, []).
 :- use_module(library(plunit)).
+:- use_module(library(apply)).
 :- use_module(library(lists)).
 :- use_module(rules(solid/boolean), [boolean/3]).
 :- use_module(rules(kernel), [model_tolerance/1]).
@@ -19,7 +20,13 @@ mcut, and what takes long. BOOLEAN_CASES=N places N times as many solids. */
 user:message_hook(sanggwan(not_flat(_, _, _, _)), warning, _).
 user:message_hook(sanggwan(no_area(_, _, _)), warning, _).
 user:message_hook(sanggwan(tight(_, _, _, _, _, _)), warning, _).
-user:message_hook(sanggwan(flattened(_, _, _, _, _)), warning, _).
+user:message_hook(sanggwan(Said), warning, _) :-
+    functor(Said, flattened, _),
+    assertz(test_boolean_meshes:flattened(Said)).
+
+%   What is said about faces that became flat is kept.
+
+:- dynamic flattened/1.
 
 shared :-
     (   exists_directory('../shared/data')
@@ -64,6 +71,29 @@ made_fault(Least, Factor-Operation-Measure) :-
     measured([S], [Measure]),
     Measure.good \== yes.
 
+%   Of a result that is as without a tolerance nothing is said to have moved.
+
+said_in_vain(Name-Operation-Said) :-
+    mesh_pair(booleans, Name, file(First), file(Second)),
+    member(Operation, [union,intersection,difference]),
+    new_world(World),
+    in_world(World,
+             ( read_mesh(First, _),
+               read_mesh(Second, _),
+               complete_segments,
+               Expression =.. [Operation,[1,2]],
+               retractall(flattened(_)),
+               boolean(Expression, 3, []),
+               findall(Said, flattened(Said), Saids),
+               boolean(Expression, 4, [tolerance(0)]),
+               maplist(places, [3,4], [Places,Exact]) )),
+    Places == Exact,
+    member(Said, Saids).
+
+places(S, Places) :-
+    findall(p(X,Y,Z), v(S, _, X, Y, Z), Places0),
+    msort(Places0, Places).
+
 outcome_faults(Name, First, Second, Faults) :-
     catch(pair_outcome(First, Second, Outcome), Error,
           Outcome = outcome(unread, [], [Error])),
@@ -96,6 +126,8 @@ test(mcut, [condition(shared), true(Faults == [])]) :-
     findall(F, fault(mcut, F), Faults).
 test(booleans, [condition(shared), true(Faults == [])]) :-
     findall(F, fault(booleans, F), Faults).
+test(said_in_vain, [condition(shared), true(Saids == [])]) :-
+    findall(Said, said_in_vain(Said), Saids).
 test(tolerances, [condition(shared), true(Faults == [])]) :-
     findall(F, tolerance_fault('Generic_Twin_7863.1.t0', F), Faults).
 test(mcut_all, [condition(( shared, all )), true(Faults == [])]) :-
