@@ -217,55 +217,70 @@ note_met(const sg_merge *m, const sg_key_pairs *after,
 /* ---- two sides in one place --------------------------------------------- */
 
 /* How many edges a polygon of n triangles has: those of one triangle alone.
- * SIZE_MAX: no memory. */
-static size_t
-count_edges(const uint32_t (*triangle)[3], size_t n)
+ * False: no memory. */
+static bool
+count_edges(const uint32_t (*triangle)[3], size_t n, size_t *edges)
 {
   uint64_t *key = malloc((3 * n + 1) * sizeof *key);
-  size_t edges = 0;
 
   for (size_t i = 0; key && i < 3 * n; i++) {
     uint64_t v = triangle[i / 3][i % 3], w = triangle[i / 3][(i + 1) % 3];
     key[i] = v < w ? v << 32 | w : w << 32 | v;
   }
   if (!key) {
-    return SIZE_MAX;
+    return false;
   }
   qsort(key, 3 * n, sizeof *key, sg_compare_keys);
+  *edges = 0;
   for (size_t i = 0; i < 3 * n; i++) {
-    edges += (i == 0 || key[i] != key[i - 1]) &&
-             (i + 1 == 3 * n || key[i] != key[i + 1]);
+    *edges += (i == 0 || key[i] != key[i - 1]) &&
+              (i + 1 == 3 * n || key[i] != key[i + 1]);
   }
   free(key);
-  return edges;
+  return true;
 }
 
-/* The group folds with one other face at n edges, and has no more. */
+/* One of two groups folds with the other face at n edges, and has no more.
+ * False: no memory. */
 static bool
-folds_all_round(const sg_group *group, size_t n)
+fold_all_round(const sg_merge *m, const sg_key_pair *pair, size_t n, bool *out)
 {
-  return group && count_edges((const uint32_t(*)[3])group->triangle,
-                              group->triangles) == n;
+  bool memory = true;
+
+  *out = false;
+  for (int i = 0; memory && i < 2; i++) {
+    const sg_group *group = changed_group(m, i ? pair->high : pair->low);
+    size_t edges = 0;
+
+    memory = !group || count_edges((const uint32_t(*)[3])group->triangle,
+                                   group->triangles, &edges);
+    *out = *out || (group && edges == n);
+  }
+  return memory;
 }
 
-/* Groups that would be one side of a wall of no thickness have failed. */
-static void
+/* Groups that would be one side of a wall of no thickness have failed. False:
+ * no memory. */
+static bool
 note_folded(const sg_merge *m, const sg_folds *folds)
 {
-  size_t end;
+  bool memory = true;
 
-  for (size_t i = 0; i < folds->n; i = end) {
+  for (size_t i = 0, end; memory && i < folds->n; i = end) {
     const sg_key_pair *key = &folds->item[i].key;
     for (end = i + 1; end < folds->n && folds->item[end].key.low == key->low &&
                       folds->item[end].key.high == key->high;
          end++) {
     }
-    if (end - i > 2 &&
-        (folds_all_round(changed_group(m, key->low), end - i) ||
-         folds_all_round(changed_group(m, key->high), end - i))) {
-      note_failure(m, key);
+    if (end - i > 2) {
+      bool folded;
+      memory = fold_all_round(m, key, end - i, &folded);
+      if (folded) {
+        note_failure(m, key);
+      }
     }
   }
+  return memory;
 }
 
 /* ---- all of it ---------------------------------------------------------- */
@@ -292,7 +307,7 @@ sg_merge_meet(sg_merge *m)
   }
   if (end == SG_MERGE_DONE) {
     note_met(m, &after, &before);
-    note_folded(m, &folds);
+    end = note_folded(m, &folds) ? SG_MERGE_DONE : SG_MERGE_NO_MEMORY;
   }
   free(asked);
   free(after.item);
