@@ -214,18 +214,19 @@ typedef struct hashed {
 
 SG_ORDER(compare_hashed, hashed, SG_BY(hash) SG_BY(place));
 
-/* Those whose hashes have one upper half, which are few, by all of it. */
-static void
-sort_alike(hashed *item, size_t n)
+/* Those whose hashes have one upper half, mostly few, by all of it. */
+static sg_sort_end
+sort_alike(hashed *item, size_t n, const sg_cancel *cancel)
 {
-  for (size_t i = 0, end; i < n; i = end) {
+  sg_sort_end how = SG_SORTED;
+
+  for (size_t i = 0, end; how == SG_SORTED && i < n; i = end) {
     for (end = i + 1; end < n && item[end].hash >> 32 == item[i].hash >> 32;
          end++) {
     }
-    if (end - i > 1) {
-      qsort(item + i, end - i, sizeof *item, compare_hashed);
-    }
+    how = sg_sort(item + i, end - i, sizeof *item, compare_hashed, cancel);
   }
+  return how;
 }
 
 /* In the order of compare_hashed(); their places ascend. */
@@ -244,13 +245,12 @@ sort_hashed(sg_counting *c, hashed *item, size_t n)
   for (size_t i = 0; good && i < n; i++) {
     item[i] = was[(uint32_t)key[i]];
   }
-  if (good) {
-    sort_alike(item, n);
-  }
   free(key);
   free(was);
-  c->stopped = c->stopped || sg_cancelled(c->cancel);
-  return good && !c->stopped;
+  sg_sort_end end = good ? sort_alike(item, n, c->cancel) : SG_SORT_NO_MEMORY;
+
+  c->stopped = c->stopped || end == SG_SORT_STOPPED || sg_cancelled(c->cancel);
+  return end == SG_SORTED && !c->stopped;
 }
 
 /* Is each of the vertices of polygon p one of q, and as many? */
