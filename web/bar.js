@@ -22,7 +22,10 @@ export class Bar {
     }), h("span", { class: "gap", role: "none" }), ...live(Object.keys(SIGNS)).map((word) => button(word, SIGNS[word], () => this.act(word))));
     this.keys = [...this.element.querySelectorAll("button")];
     this.keys[0].tabIndex = 0;
-    this.file = h("input", { type: "file", hidden: true, onchange: () => studio.upload(this.file.files[0]) });
+    this.file = h("input", { type: "file", hidden: true, onchange: () => {
+      studio.upload(this.file.files[0]);
+      this.file.value = "";              // so that the same one may be chosen again
+    } });
     this.element.after(this.file);
     const inside = ({ relatedTarget }) => this.element.contains(relatedTarget);
     this.element.addEventListener("keydown", async (event) => {

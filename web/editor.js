@@ -85,7 +85,7 @@ export class Text extends Editor {
   within(pattern, text) {
     const { field } = this;
     if (!pattern.test(field.value)) {
-      field.value += text;
+      field.value += (/[^\n]$/.test(field.value) ? "\n" : "") + text;
       this.typed();
     }
     const [whole, part] = pattern.exec(field.value);

@@ -420,7 +420,7 @@ class Studio {
   async titleBlock() {
     this.paneTo("left");
     await this.leftTo("text");
-    this.text.within(/^\s*title_block\(\w+, *"([^"]*)/m, `title_block(name, "${this.file.replace(/\.\w+$/, "")}").\n`);
+    this.text.within(/^\s*title_block\(\w+, *"([^"]*)/m, `title_block(name, "${this.file.replace(/\.\w+$|["\\]/g, "")}").\n`);
   }
 
   // Also names that have no line of their own: polygons, vertices, joints,
@@ -535,7 +535,9 @@ class Studio {
 
   // The table of keys comes with the first of them.
   async keyed(event) {
-    if (!this.table && (event.ctrlKey || event.metaKey) && /^[ks]$/i.test(event.key)) event.preventDefault();
+    const { key, ctrlKey, metaKey, target } = event;
+    const ours = ctrlKey || metaKey ? /^[ks]$/i.test(key) : key === "F6" || (key === "/" && !/^(input|textarea|select)$/i.test(target.tagName));
+    if (!this.table && ours) event.preventDefault();       // later it is too late
     this.table ??= await import("./commands.js");
     this.table.keyed(this, event);
   }

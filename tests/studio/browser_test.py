@@ -429,6 +429,51 @@ def cut_seam(language):
     os.remove(os.path.join(models, "box.pl"))
 
 
+def without_line_end(language):
+    """A title block for a text whose last line has no end."""
+    with open(os.path.join(models, "plain.pl"), "w") as out:
+        out.write("segment(1, solid, box(size(3, 2, 1))).")
+    browser.script("return studio.opened('plain.pl').then(() => "
+                   "studio.titleBlock()).then(() => 1)")
+    check(language + ": a title block behind a line without an end",
+          browser.wait("studio.text.field.value === 'segment(1, solid, "
+                       "box(size(3, 2, 1))).\\ntitle_block(name, \"plain\").\\n'"
+                       " && !studio.text.dirty"), browser.log())
+    browser.script("return studio.change('undo').then(() => studio.opened("
+                   "'tee.pl')).then(() => studio.leftTo('tree')).then(() => 1)")
+    browser.wait("studio.file === 'tee.pl' && studio.ports.ports.every((p) => "
+                 "!p.busy && p.picture.shown)")
+    os.remove(os.path.join(models, "plain.pl"))
+
+
+def first_keys():
+    """A key of ours that is the first one is not the browser's too; a file is
+    sent again."""
+    check("the first key", browser.script("""
+      const table = studio.table;
+      const ours = (key, more) => {
+        studio.table = undefined;
+        return !document.body.dispatchEvent(new KeyboardEvent("keydown",
+          { key, bubbles: true, cancelable: true, ...more }));
+      };
+      const found = [ours("F6"), ours("k", { ctrlKey: true }), ours("q")];
+      studio.table = table;
+      return found;""") == [True, True, False])
+    browser.wait("document.querySelector('dialog[open]')")
+    browser.script("document.querySelector('dialog[open]').close()")
+    check("one file twice", browser.script("""
+      const { file } = studio.bar, sent = [], { upload } = studio;
+      studio.upload = (one) => sent.push(one.name);
+      for (let i = 0; i < 2; i++) {
+        const data = new DataTransfer();
+        data.items.add(new File(["segment(1, solid, box(size(1,1,1)))."], "one.pl"));
+        file.files = data.files;
+        file.dispatchEvent(new Event("change"));
+      }
+      delete studio.upload;
+      return [sent, file.value];""") == [["one.pl", "one.pl"], ""])
+
+
 def strokes_of(body):
     """The points of each stroke (docs/protocol.md)."""
     numbers = struct.unpack("<%di" % (len(body) // 4), body)
@@ -936,6 +981,8 @@ def flows(language):
 
     seams(language)
     cut_seam(language)
+    without_line_end(language)
+    first_keys()
 
     # A question: its answers are lit in every port.
     browser.script("document.getElementById('goal').value = arguments[0]",
