@@ -300,8 +300,8 @@ point_in_face(S, meeting(self_touching, P1, P2, X, Y, Z)) :-
     ),
     corner_at(S, Q, X, Y, Z, V),
     !,
-    (   lies_in(S, v(V), p(P))
-    ->  true
+    (   lies_in(S, v(V), Face)
+    ->  Face == p(P)                    % in two faces it is no mere point
     ;   assert_fact(lies_in(S, v(V), p(P)))
     ).
 

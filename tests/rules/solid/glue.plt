@@ -415,8 +415,11 @@ flat_glued(K, Z, Kind) :-
 test(thin, [ setup(asserta(test_glue:quiet, Ref)), cleanup(erase(Ref)),
              true(Kinds == [glued,thin_operand]) ]) :-
     setof(Kind,
-          K^Z^( member(K, [-50,-49,-44,-40]),
-                member(Z, [0,1]),
+          K^Z^( (   member(K, [-50,-49,-44,-40]),
+                    member(Z, [0,1])
+                ;   K = -53,
+                    Z = 0.5
+                ),
                 flat_glued(K, Z, Kind) ),
           Kinds).
 
