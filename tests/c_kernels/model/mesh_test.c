@@ -117,6 +117,20 @@ test_stl_binary(void)
   memcpy(bytes + 84 + 16, &nan, 4);
   CHECK("nan", !read_bytes(SG_MESH_STL, bytes, n) &&
                    error.code == SG_MESH_NOT_FINITE && error.byte == 100);
+  n = binary_stl(bytes, "joined", 2, 2);
+  for (int k = 0; k < 9; k++) { /* the first triangle again; its 0 are -0.0 */
+    float x;
+    memcpy(&x, bytes + 84 + 12 + 4 * k, 4);
+    x = x == 0 ? -0.0f : x;
+    memcpy(bytes + 84 + 50 + 12 + 4 * k, &x, 4);
+  }
+  CHECK("equal corners are joined, -0.0 too",
+        read_bytes(SG_MESH_STL, bytes, n) && mesh.vertices == 3 &&
+            mesh.welded == 3 && mesh.face.count == 2);
+  memcpy(bytes + 84 + 50 + 12 + 32, &nan, 4);
+  CHECK("nan in the last corner", !read_bytes(SG_MESH_STL, bytes, n) &&
+                                      error.code == SG_MESH_NOT_FINITE &&
+                                      error.byte == 84 + 50 + 12 + 32);
   CHECK("short header", !read_bytes(SG_MESH_STL, "solid\0\1\2", 8) &&
                             error.code == SG_MESH_TRUNCATED);
 }
