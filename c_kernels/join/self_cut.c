@@ -384,6 +384,24 @@ ask_near(joiner *j, const unsigned char *near)
   return true;
 }
 
+/* Whole polygons: whether one is flat is asked of all its triangles. False: no
+ * memory. */
+static bool
+mark_polygons(const joiner *j, unsigned char *near)
+{
+  const int32_t *of = j->model.d->polygon_of + j->first;
+  unsigned char *marked = calloc(j->model.d->polygons + 1, 1);
+
+  for (size_t i = 0; marked && i < j->triangles; i++) {
+    marked[of[i]] |= near[i];
+  }
+  for (size_t i = 0; marked && i < j->triangles; i++) {
+    near[i] = marked[of[i]];
+  }
+  free(marked);
+  return marked != NULL;
+}
+
 /* If few triangles, n, are changed, only these meet others, and what their
  * boxes do not overlap meets none of them. False: no memory, or stopped. */
 static bool
@@ -397,7 +415,7 @@ leave_far_out(joiner *j, size_t n, sg_pool *pool, const sg_cancel *cancel)
   bool good = changed && m.near &&
               sg_pool_run(pool, (j->triangles + MARKED - 1) / MARKED,
                           mark_block, &m, cancel) &&
-              ask_near(j, m.near);
+              mark_polygons(j, m.near) && ask_near(j, m.near);
 
   free(m.near);
   sg_bvh_close(changed);

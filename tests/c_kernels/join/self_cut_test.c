@@ -111,6 +111,37 @@ of_each(int32_t step, const sg_dense *d, const sg_self_meetings *all,
   free(some.item);
 }
 
+/* A polygon of triangles that lie on each other in one plane, and of one that
+ * does not and is far away: it is not flat. */
+static void
+not_flat(sg_dense d, sg_pool *pool)
+{
+  enum { ON = 40, ALL = ON + 1 };
+
+  sg_self_meetings all, some;
+
+  for (int32_t t = 0; t < ALL; t++) {
+    double x = t < ON ? t / 1024.0 : 1000;
+
+    for (int k = 0; k < 3; k++) {
+      at[3 * t + k][0] = x + (k == 1);
+      at[3 * t + k][1] = k == 2;
+      at[3 * t + k][2] = t < ON ? 0 : k;
+    }
+    polygon_of[t] = 0;
+    changed[t] = t == 0;
+  }
+  d.triangle_begin = (uint32_t[2]){0, ALL};
+  d.triangles = ALL;
+  CHECK("one polygon", sg_self_cut(&d, 0, 0, pool, NULL, &all));
+  CHECK("a part of it is changed",
+        sg_self_cut_changed(&d, 0, changed, false, 0, pool, NULL, &some));
+  CHECK("they lie on each other", all.n == ON * (ON - 1) / 2);
+  CHECK("the whole of it is not flat", are_those_changed(&all, &some));
+  free(all.item);
+  free(some.item);
+}
+
 int
 main(void)
 {
@@ -128,6 +159,7 @@ main(void)
   }
   of_each(10, &d, &all, pool); /* those with a corner in another's place */
   free(all.item);
+  not_flat(d, pool);
   sg_pool_close(pool);
   return check_report();
 }
