@@ -97,11 +97,14 @@ normal_at(const sg_merge *m, const sg_merge_faces *of, uint32_t place,
   return sg_length(out) > m->tolerance * longest;
 }
 
-/* Within 30 degrees: faces at a blunter edge are no sides of a wall. */
+#define COSINE_APART 0.866 /* of 30 degrees */
+
+/* Whether they look opposite ways, to within that angle: faces at a blunter
+ * edge are no sides of a wall. */
 static bool
 look_apart(const double n[3], const double k[3])
 {
-  return sg_dot(n, k) < -0.866 * sg_length(n) * sg_length(k);
+  return sg_dot(n, k) < -COSINE_APART * sg_length(n) * sg_length(k);
 }
 
 bool
