@@ -60,20 +60,20 @@ refuse(sg_call *call, const sg_regions_handle *h, sg_regions_end end,
       call, end == SG_REGIONS_OPEN ? "open_polygon" : "wrong_triangles", of, 2);
 }
 
+/* False: no memory, or stopped. */
 static bool
-is_solid(sg_call *call, int32_t s)
+find_solid(sg_call *call, int32_t s, bool *solid)
 {
   const sg_version *version = sg_call_version(call);
-  sg_segment_rows rows;
-  bool solid = false;
+  sg_segment_rows rows = {0};
+  bool good =
+      version && sg_rows_of_segment(call, version, SG_SEGMENT, s, &rows);
 
-  if (version && sg_rows_of_segment(call, version, SG_SEGMENT, s, &rows)) {
-    solid = rows.begin[1] > 0 &&
-            sg_version_value(version, SG_SEGMENT, rows.row[0], 1).i ==
-                SG_SYMBOL_SOLID;
-    sg_segment_rows_clear(&rows);
-  }
-  return solid;
+  *solid = good && rows.begin[1] > 0 &&
+           sg_version_value(version, SG_SEGMENT, rows.row[0], 1).i ==
+               SG_SYMBOL_SOLID;
+  sg_segment_rows_clear(&rows);
+  return good;
 }
 
 static void
@@ -134,12 +134,13 @@ open_regions(sg_call *call, int32_t s, const sg_point_loop_fact_list *loops,
   sg_point_loop *loop = NULL;
   sg_zones_told told = {0};
   size_t bad = 0;
+  bool solid = false;
 
   if (!h) {
     return sg_call_no_memory(call);
   }
   h->s = s;
-  if (!sg_dense_read(call, &s, 1, &h->dense) ||
+  if (!find_solid(call, s, &solid) || !sg_dense_read(call, &s, 1, &h->dense) ||
       !find_loops(call, &h->dense, loops, &loop) ||
       (meetings && !find_told(call, &h->dense, meetings, &told))) {
     sg_regions_handle_free(h);
@@ -153,7 +154,7 @@ open_regions(sg_call *call, int32_t s, const sg_point_loop_fact_list *loops,
     sg_regions_handle_free(h);
     return false;
   }
-  if (is_solid(call, s)) {
+  if (solid) {
     find_voids(&h->regions);
   }
   *out = h;

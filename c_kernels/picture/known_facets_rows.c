@@ -181,9 +181,7 @@ sg_door_known_facets(sg_call *call, const sg_known_segment_list *known,
   bool good = sg_dense_read_these(call, ss, &dense) &&
               sg_known_surfaces_read(call, known, &dense, &surfaces);
 
-  /* the answer has their frames */
-  good = sg_call_adopt(call, surfaces.surface) &&
-         sg_call_adopt(call, surfaces.of) && good &&
+  good = sg_known_surfaces_adopt(call, &surfaces) && good &&
          (!surfaces.of || (numbering_init(call, &f, &dense) &&
                            add_segments(call, &f, &dense, facets)));
   sg_dense_clear(&dense);

@@ -326,3 +326,11 @@ sg_known_surfaces_read(sg_call *call, const sg_known_segment_list *known,
   sg_key_table_clear(&f.faces);
   return good;
 }
+
+bool
+sg_known_surfaces_adopt(sg_call *call, sg_known_surfaces *surfaces)
+{
+  bool kept = sg_call_adopt(call, surfaces->surface);
+
+  return sg_call_adopt(call, surfaces->of) && kept;
+}

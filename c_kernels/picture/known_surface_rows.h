@@ -16,4 +16,8 @@
 bool sg_known_surfaces_read(sg_call *call, const sg_known_segment_list *known,
                             const sg_dense *dense, sg_known_surfaces *out);
 
+/* Frees them when the call is closed, whose answer has their frames; false:
+ * refused, and freed at once. */
+bool sg_known_surfaces_adopt(sg_call *call, sg_known_surfaces *surfaces);
+
 #endif

@@ -137,9 +137,7 @@ sg_door_round_extents(sg_call *call, const sg_known_segment_list *known,
   bool good = sg_dense_read_these(call, ss, &dense) &&
               sg_known_surfaces_read(call, known, &dense, &surfaces);
 
-  /* the answer has their frames */
-  good = sg_call_adopt(call, surfaces.surface) &&
-         sg_call_adopt(call, surfaces.of) && good;
+  good = sg_known_surfaces_adopt(call, &surfaces) && good;
   if (good && surfaces.of) {
     m.extent = sg_call_alloc(call, surfaces.n * sizeof *m.extent);
     good = m.extent != NULL;

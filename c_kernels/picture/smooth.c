@@ -265,7 +265,7 @@ find_sides(sg_smooth_builder *b, bool *memory)
       e.start[v + 1] += e.start[v];
     }
     put_entries(b, &e, false);
-    done = join_all(b, &e);
+    done = !sg_cancelled(b->cancel) && join_all(b, &e);
   }
   free(e.start);
   free(e.item);
@@ -364,6 +364,9 @@ find_normals(sg_smooth_builder *b)
   }
   for (size_t i = 0; i < 3 * b->in->triangles; i++) {
     double area[3], size;
+    if (sg_smooth_stop(b, i)) {
+      return false;
+    }
     look_at_corner(b, (uint32_t)i, area);
     size = sg_length(area);
     out->apex[out->fan[i]] |=
@@ -502,7 +505,8 @@ make_fans(sg_smooth_builder *b, bool *memory)
   out->sunk = calloc(out->fans + 1, sizeof *out->sunk);
   *memory = out->normal && out->apex && out->sunk;
   return *memory && !sg_cancelled(b->cancel) && find_normals(b) &&
-         (*memory = sg_smooth_find_curved(b) && find_known(b));
+         sg_smooth_find_bent(b, memory) && sg_smooth_find_coarse(b, memory) &&
+         (*memory = find_known(b)) && !sg_cancelled(b->cancel);
 }
 
 bool

@@ -88,17 +88,16 @@ add_surface(const sg_smooth_builder *b, turning *t, uint32_t corner)
   t->surface = surface;
 }
 
-/* Of the roots of sheets alone. */
-static bool
-find_bent(sg_smooth_builder *b)
+bool
+sg_smooth_find_bent(sg_smooth_builder *b, bool *memory)
 {
   sg_smooth *out = b->out;
   turning *turn = calloc(out->fans + 1, sizeof *turn);
 
-  if (!turn) {
-    return false;
-  }
-  for (uint32_t i = 0; i < 3 * b->in->triangles; i++) {
+  *memory = turn != NULL;
+  bool done = *memory;
+  for (uint32_t i = 0; done && i < 3 * b->in->triangles; i++) {
+    done = !sg_smooth_stop(b, i);
     add_surface(b, &turn[out->fan[i]], i);
     turn[out->fan[i]].corners++;
     if ((out->side[i] & SG_SIDE_SMOOTH) && out->across[i] > i) {
@@ -106,13 +105,14 @@ find_bent(sg_smooth_builder *b)
       add_link(b, turn, i, sg_smooth_next(i), i);
     }
   }
-  for (uint32_t i = 0; i < 3 * b->in->triangles; i++) {
+  for (uint32_t i = 0; done && i < 3 * b->in->triangles; i++) {
     uint32_t fan = out->fan[i];
+    done = !sg_smooth_stop(b, i);
     out->curved[sg_disjoint_root(b->sheet, i / 3)] |=
         is_round(b, i) || (!out->apex[fan] && bends_both_ways(&turn[fan]));
   }
   free(turn);
-  return true;
+  return done;
 }
 
 /* ---------------------------------------------------------------- coarse */
@@ -178,41 +178,43 @@ add_length(const sg_smooth_builder *b, uint32_t side, double size, lengths *out)
   }
 }
 
-/* Of roots of sheets, as find_bent(). */
+/* Which sheets are coarse, of their roots alone. */
 static bool
-find_coarse(sg_smooth_builder *b)
+find_coarse(sg_smooth_builder *b, lengths *sheet)
 {
   const sg_dense *d = b->in;
-  lengths *sheet = calloc(d->triangles + 1, sizeof *sheet);
 
-  for (size_t s = 0; sheet && s < d->segments; s++) {
+  for (size_t s = 0; s < d->segments; s++) {
     double size = size_of(b, s);
     for (uint32_t i = 3 * d->triangle_begin[s];
          i < 3 * d->triangle_begin[s + 1]; i++) {
       uint32_t root = sg_disjoint_root(b->sheet, i / 3);
+      if (sg_smooth_stop(b, i)) {
+        return false;
+      }
       if (b->out->curved[root] && (b->out->side[i] & SG_SIDE_SMOOTH) &&
           b->out->across[i] > i) {
         add_length(b, i, size, &sheet[root]);
       }
     }
   }
-  for (size_t t = 0; sheet && t < d->triangles; t++) {
+  for (size_t t = 0; t < d->triangles; t++) {
     b->out->coarse[t] = sheet[t].coarse > MOST * sheet[t].all;
   }
-  free(sheet);
-  return sheet != NULL;
+  return true;
 }
 
 bool
-sg_smooth_find_curved(sg_smooth_builder *b)
+sg_smooth_find_coarse(sg_smooth_builder *b, bool *memory)
 {
-  if (!find_bent(b) || !find_coarse(b)) {
-    return false;
-  }
-  for (uint32_t t = 0; t < b->in->triangles; t++) {
+  lengths *sheet = calloc(b->in->triangles + 1, sizeof *sheet);
+  bool done = (*memory = sheet != NULL) && find_coarse(b, sheet);
+
+  free(sheet);
+  for (uint32_t t = 0; done && t < b->in->triangles; t++) {
     uint32_t root = sg_disjoint_root(b->sheet, t);
     b->out->curved[t] = b->out->curved[root];
     b->out->coarse[t] = b->out->coarse[root];
   }
-  return true;
+  return done;
 }

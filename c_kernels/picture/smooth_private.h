@@ -67,7 +67,10 @@ sg_smooth_surface(const sg_smooth_builder *b, uint32_t corner)
   return sg_known_surface_of(&b->known, b->in->polygon_of[corner / 3]);
 }
 
-/* Which sheets are curved, and which coarse. False: no memory. */
-bool sg_smooth_find_curved(sg_smooth_builder *b);
+/* Which sheets are curved, of their roots alone. False: stopped, or no memory.
+ */
+bool sg_smooth_find_bent(sg_smooth_builder *b, bool *memory);
+/* Then: which triangles are of curved sheets, and of coarse ones. */
+bool sg_smooth_find_coarse(sg_smooth_builder *b, bool *memory);
 
 #endif

@@ -98,6 +98,10 @@ fill_work(task *t)
   sg_work_clear(t->work, t->seen);
   for (size_t i = 0; i < t->n; i++) {
     sg_point start, end;
+    if (sg_cancel_every(t->cancel, i + 1)) {
+      t->stopped = true;
+      return false;
+    }
     sg_point_set(&start, t->start[i]->p);
     sg_point_set(&end, t->end[i]->p);
     int32_t a = sg_work_vertex(t->work, t->start[i]->id, &start);
