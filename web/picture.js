@@ -5,19 +5,27 @@ import { Nearest } from "./nearest.js";
 
 // Which segment is meant by another one, and whether it has its edges: parts of
 // what is taken apart have, and patterns of facets. These have both halves of an
-// edge; pictures have one, by whose number it goes.
-export function laidOf(head) {
-  return new Map([...(head.parts || []).map(([part, segment]) => [part, { segment, edges: true }]),
-    ...(head.patterns || []).map(({ pattern, segment, edges, halves }) => [pattern, { segment, edges, halves: new Map(halves) }])]);
+// edge; pictures have one, by whose number it goes: the body begins with them. `rest`
+// is where it goes on.
+export function laidOf({ head, body }) {
+  const laid = new Map((head.parts || []).map(([part, segment]) => [part, { segment, edges: true }]));
+  let rest = 0;
+  for (const { pattern, segment, edges, halves } of head.patterns || []) {
+    const n = new Int32Array(body, rest, 2 * halves);
+    const pairs = Array.from({ length: halves }, (_, i) => n.subarray(2 * i, 2 * i + 2));
+    laid.set(pattern, { segment, edges, halves: new Map(pairs) });
+    rest += n.byteLength;
+  }
+  return { laid, rest };
 }
 
 export const edgeIn = ({ halves }, edge) => halves?.get(edge) ?? edge;
 
 // The strokes of a reply (docs/protocol.md).
 export function strokesOf({ head, body }) {
-  const n = new Int32Array(body);
+  const { laid, rest } = laidOf({ head, body });
+  const n = new Int32Array(body, rest);
   const strokes = [];
-  const laid = laidOf(head);
   for (let i = 0; i < n.length;) {
     const [look, segment, ends, e, p] = n.subarray(i, i + 5);
     const edges = n.subarray(i + 5, i + 5 + e);

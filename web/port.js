@@ -267,9 +267,10 @@ export class Port extends Pointing {
     if (this.coarse && !this.drag) this.refresh();
   }
 
-  showFolding({ head, body }) {
+  showFolding(reply) {
     this.picture.clear();
-    this.folding.read(textOf(body), laidOf(head));
+    const { laid, rest } = laidOf(reply);
+    this.folding.read(textOf(new Uint8Array(reply.body, rest)), laid);
     this.remark.textContent = this.folding.folds ? "" : w("no_folds");
     this.describe(w("folded_of", this.folding.faces.length));
   }

@@ -16,8 +16,9 @@
 :- use_module(port, [drawing_body/3, strokes_body/4]).
 :- use_module(request, [request_error/1, request_options/2]).
 :- use_module(world_state, [in_state/3, made_once/4]).
-:- use_module(library(apply), [maplist/3]).
-:- use_module(library(lists), [append/3, member/2, min_list/2, nth1/3]).
+:- use_module(library(apply), [foldl/4, maplist/4]).
+:- use_module(library(lists),
+              [append/2, append/3, member/2, min_list/2, nth1/3]).
 /** <module> What a session lays out: sheets, patterns, pictures.
 
 Makers is that of session/4 (session.pl); what they make is kept with the
@@ -86,7 +87,7 @@ shaded(Head, Makers, Reply, Octets) :-
 
 %!  unfolded(+Head:dict, +Makers, -Reply:dict, -Octets) is det.
 %
-%   The patterns as strokes, one sheet of them.
+%   The patterns as strokes, one sheet of them, behind the halves.
 %
 %   @error as sheet_laid/4
 
@@ -116,26 +117,42 @@ pattern_sheet(Sheet, Reply, Octets, Ds, Options) :-
     ->  true
     ;   request_error(bad_key(sheet, sheet(Sheets)))
     ),
-    drawing_body(Drawing, Reply0, Octets),
-    pattern_titles(Ds, Patterns),
+    drawing_body(Drawing, Reply0, Strokes),
+    pattern_titles(Ds, Patterns, Halves),
+    string_concat(Halves, Strokes, Octets),
     Reply = Reply0.put(_{sheets:Sheets, patterns:Patterns}).
 
-pattern_titles(Ds, Patterns) :-
-    maplist(pattern_title, Ds, Patterns).
+%   pattern_titles(Ds, Patterns, Octets): Octets are pairs of numbers, as many of
+%   each pattern as its `halves` says.
+
+pattern_titles(Ds, Patterns, Octets) :-
+    maplist(pattern_title, Ds, Patterns, Numbers0),
+    append(Numbers0, Numbers),
+    foldl(int32_codes, Numbers, Codes, []),
+    string_codes(Octets, Codes).
+
+int32_codes(N, [A,B,C,D|Codes], Codes) :-
+    A is N /\ 255,
+    B is N>>8 /\ 255,
+    C is N>>16 /\ 255,
+    D is N>>24 /\ 255.
 
 %   Only development(S) has the edges of a segment S of the model.
 
-pattern_title(D, Pattern) :-
+pattern_title(D, Pattern, Numbers) :-
     segment(D, _, Term),
     format(string(Title), "~W", [Term, [quoted(true), max_depth(12)]]),
     pattern_of(D, T),
     part_named(T, S),
-    Pattern0 = _{pattern:D, of:Title, segment:S},
     (   Term == development(S)
-    ->  findall([E,Half], other_half(D, S, E, Half), Halves),
-        Pattern = Pattern0.put(_{edges:true, halves:Halves})
-    ;   Pattern = Pattern0.put(edges, false)
-    ).
+    ->  Edges = true,
+        findall([E,Half], other_half(D, S, E, Half), Halves)
+    ;   Edges = false,
+        Halves = []
+    ),
+    length(Halves, N),
+    append(Halves, Numbers),
+    Pattern = _{pattern:D, of:Title, segment:S, edges:Edges, halves:N}.
 
 %   other_half(D, S, E, Half) is nondet: the pattern D has an edge E of S, which
 %   pictures call by the number of the other half of it.
@@ -149,7 +166,7 @@ other_half(D, S, E, Half) :-
 
 %!  folded(+Head:dict, +Makers, -Reply:dict, -Octets) is det.
 %
-%   What can be folded, as FOLD.
+%   What can be folded, as FOLD, behind the halves.
 %
 %   @error as sheet_laid/4
 
@@ -159,8 +176,9 @@ folded(Head, Makers,
              Titles0-Octets0, Patterns-Octets, Objects).
 
 fold_octets(Patterns, Octets, Ds, Options) :-
-    captured(copied_to(-, fold, sg_laid_out:fold_written(Ds, Options)), Octets),
-    pattern_titles(Ds, Patterns).
+    captured(copied_to(-, fold, sg_laid_out:fold_written(Ds, Options)), File),
+    pattern_titles(Ds, Patterns, Halves),
+    string_concat(Halves, File, Octets).
 
 :- public fold_written/3.
 

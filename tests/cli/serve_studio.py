@@ -433,7 +433,7 @@ for language, said in (("en", "there is no predicate segmnt/3"),
 
 # ---- patterns ----
 
-head, octets = s.ask("unfold", segment=1)
+head, halves, octets = s.laid("unfold", segment=1)
 got = strokes(head, octets)
 check("unfold", head["sheets"] == 1 and len(got) == head["strokes"] > 0 and
       [[p["of"], p["segment"], p["edges"]] for p in head["patterns"]] ==
@@ -443,8 +443,8 @@ wanted = json.loads(alone("unfold", "facts/two_cubes.pl", "--only", "1", "-o",
 check("as the verb", [points for _, _, _, _, _, points in got] ==
       [tuple(tuple(round(c * 1000) for c in p) for p in line["points"])
        for line in wanted["lines"]], wanted["lines"][:2])
-head, octets = s.ask("fold", segment=1)
-check("fold", octets == alone("unfold", "facts/two_cubes.pl", "--only", "1",
+head, again, octets = s.laid("fold", segment=1)
+check("fold", again == halves and octets == alone("unfold", "facts/two_cubes.pl", "--only", "1",
                               "-o", "-", "--format", "fold")[1] and
       b"file_spec" in octets, octets[:300])
 refused("no sheet", "request_error.bad_key", "from 1 to 1", "unfold", sheet=2)
@@ -465,7 +465,12 @@ segment(1, solid, box(size(3, 4, 5))). % no end of line"""
 with open(model, "w", encoding="utf-8") as f:
     f.write(TEXT)
 s.ask("open", file=model, journal=True)
-folds = s.ask("unfold")[1]
+head, _ = s.ask("ask", goal="e(1, E, V1, V2, _)")
+ends = {e: (a, b) for e, a, b in head["answers"]}
+pairs = {e: min(f for f, back in ends.items() if back == (b, a))
+         for e, (a, b) in ends.items()}
+check("halves", s.laid("unfold")[1] ==
+      {2: {e: f for e, f in pairs.items() if f < e}} and len(ends) == 24, ends)
 head, _ = s.ask("cut", segment=1, edge=1)
 check("cut", head["wish"] == "unfolding(1, cut(1))", head)
 check("it stands in the text", s.ask("text")[1].decode() ==
@@ -473,7 +478,7 @@ check("it stands in the text", s.ask("text")[1].decode() ==
 head, _ = s.ask("cut", segment=1, edge="base-side(2)", keep=True)
 check("by its name", head["wish"] == "unfolding(1, keep(base-side(2)))", head)
 text = s.ask("text")[1].decode()
-head, octets = s.ask("unfold")
+head, _, octets = s.laid("unfold")
 check("as the verb", [points for _, _, _, _, _, points in
                       strokes(head, octets)] ==
       [tuple(tuple(round(c * 1000) for c in p) for p in line["points"])
@@ -492,7 +497,7 @@ other = 0
 for i in range(1, 13):
     head, _ = s.ask("cut", segment=1, edge=i)
     if code(head) == "":
-        other += s.ask("unfold")[1] != octets
+        other += s.laid("unfold")[2] != octets
         s.ask("undo")
 check("patterns have it", other > 0, other)
 check("as it was", s.ask("text")[1].decode() == text)

@@ -40,6 +40,18 @@ class Session:
             if head is None or "progress" not in head:
                 return head, octets
 
+    def laid(self, do, **keys):
+        """head, {pattern: {edge: its other half}}, what is behind them in the
+        body; of unfold and fold."""
+        head, octets = self.ask(do, **keys)
+        halves, at = {}, 0
+        for one in head["patterns"]:
+            n = one["halves"]
+            pairs = struct.iter_unpack("<2i", octets[at:at + 8 * n])
+            halves[one["pattern"]] = dict(pairs)
+            at += 8 * n
+        return head, halves, octets[at:]
+
     def run(self, *argv, body=b"", **keys):
         """status, standard output, standard error, head"""
         head, octets = self.ask("run", body, argv=list(argv), **keys)
