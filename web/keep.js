@@ -9,7 +9,7 @@ import { childrenOf } from "./tree.js";
 const SIDES = ["front", "top", "right", "left", "back", "bottom"];
 const MOST_NAMES = 1500;
 // What the page fetches when it is wanted, of that what a file may want.
-const LATE = ["commands", "editor", "find", "fold", "kept", "menus", "pens"];
+const LATE = ["commands", "editor", "find", "fold", "kept", "menus", "pens", "why"];
 const LATER = new RegExp(`import\\("\\./(${LATE.join("|")})\\.js"\\)`, "g");
 
 function base64(body) {

@@ -5,15 +5,15 @@ import { Nearest } from "./nearest.js";
 
 // Which segment is meant by another one, and whether it has its edges: parts of
 // what is taken apart have, and patterns of facets. These have both halves of an
-// edge; pictures have one, by whose number it goes: the body begins with them. `rest`
-// is where it goes on.
+// edge, with which the body begins; pictures have one, by whose number it goes.
+// `rest` is where the body goes on.
 export function laidOf({ head, body }) {
   const laid = new Map((head.parts || []).map(([part, segment]) => [part, { segment, edges: true }]));
   let rest = 0;
   for (const { pattern, segment, edges, halves } of head.patterns || []) {
-    const n = new Int32Array(body, rest, 2 * halves);
-    const pairs = Array.from({ length: halves }, (_, i) => n.subarray(2 * i, 2 * i + 2));
-    laid.set(pattern, { segment, edges, halves: new Map(pairs) });
+    const n = new Int32Array(body, rest, 2 * halves), other = new Map();
+    for (let i = 0; i < n.length; i += 2) other.set(n[i], n[i + 1]);
+    laid.set(pattern, { segment, edges, halves: other });
     rest += n.byteLength;
   }
   return { laid, rest };

@@ -122,8 +122,8 @@ pattern_sheet(Sheet, Reply, Octets, Ds, Options) :-
     string_concat(Halves, Strokes, Octets),
     Reply = Reply0.put(_{sheets:Sheets, patterns:Patterns}).
 
-%   pattern_titles(Ds, Patterns, Octets): Octets are pairs of numbers, as many of
-%   each pattern as its `halves` says.
+%   pattern_titles(Ds, Patterns, Octets): Octets are pairs of numbers, as many
+%   of each pattern as its `halves` says.
 
 pattern_titles(Ds, Patterns, Octets) :-
     maplist(pattern_title, Ds, Patterns, Numbers0),

@@ -180,6 +180,7 @@ script(problems).
 script(half).
 script(ghost).
 script(taught).
+script(why).
 
 %   page_words(Text): the words of the page in both languages, as JSON: {Key:
 %   [English, Korean]}.
