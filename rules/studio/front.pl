@@ -8,7 +8,8 @@
 :- use_module('../version', [version/1]).
 :- use_module(visitor_answer,
               [class_begun/2, class_file/1, class_opens/1, class_pupil/2]).
-:- use_module(front_socket, [called/2, front_socket/4, front_socket_gone/1]).
+:- use_module(front_socket,
+              [called/2, front_socket/4, front_socket_gone/1, http_loaded/0]).
 :- use_module(guard,
               [ behind_begun/1, embed_begun/1, host_allowed/2, is_loopback/1,
                 new_secret/1, origin_allowed/2, pupil_secret/1, same_secret/2,
@@ -91,6 +92,7 @@ front(Model, Options, 130) :-
     % of the page are made: who opens the page first waits for neither.
     ( Model == none -> true ; visitor_expected(Front, owner, Model) ),
     page_files_expected,
+    http_loaded,
     place_name(Host, Name),
     % A connection that waits for its next request has a worker, and a page that
     % was just opened has six of them.

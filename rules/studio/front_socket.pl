@@ -1,6 +1,7 @@
 :- module(sg_front_socket,
           [ front_socket/4,             % +Options, -Socket, -Bound, -Port
             front_socket_gone/1,        % +Bound
+            http_loaded/0,
             called/2                    % +Module, +Goal
           ]).
 :- use_module('../kernel', [passed_socket/1, passed_taken/1]).
@@ -10,8 +11,9 @@
 socket, which a proxy on the same machine asks. Who starts the program, such as
 systemd, may have opened that socket, and passes it.
 
-library(http), library(socket) and library(zlib) are loaded when the front
-starts: no other verb pays for them.
+library(socket) and library(zlib) are loaded when the front starts, and
+library(http) when it has begun what can be done meanwhile: no other verb pays
+for them.
 */
 
 % made_here(Path): a Unix socket that is gone with the program.
@@ -30,7 +32,7 @@ usual_port(1989).
 %   usage_error(no_socket(Path)), usage_error(socket_passed(Path))
 
 front_socket(Options, Socket, Bound, Port) :-
-    libraries_loaded,
+    loaded([library(socket),library(zlib)]),
     (   option(socket(Path), Options)
     ->  Bound = unix(Path),
         Port = none,
@@ -51,11 +53,14 @@ front_socket(Options, Socket, Bound, Port) :-
 called(Module, Goal) :-
     Module:Goal.
 
-libraries_loaded :-
-    load_files([ library(socket), library(http/thread_httpd),
-                 library(http/websocket), library(http/http_dispatch),
-                 library(zlib) ],
-               [if(not_loaded), imports([]), silent(true)]).
+%!  http_loaded is det.
+
+http_loaded :-
+    loaded([ library(http/thread_httpd), library(http/websocket),
+             library(http/http_dispatch) ]).
+
+loaded(Libraries) :-
+    load_files(Libraries, [if(not_loaded), imports([]), silent(true)]).
 
 %   bound_port(Host, Options, Socket, Port): answers are sent at once; a socket
 %   that waits for more to send costs 40 ms each.
