@@ -180,7 +180,10 @@ add_face(sg_boundary_maker *m, size_t f)
       size_t face = m->loop.count;
       bool done =
           take_loop_triangle(m, (int32_t[3]){e[0][0], e[0][1], e[second][1]});
-      m->changed[face] = m->b->changed[f];
+
+      if (done) {
+        m->changed[face] = m->b->changed[f];
+      }
       return done;
     }
   }

@@ -19,7 +19,7 @@ typedef struct checker {
   uint32_t *face_of; /* [triangles] */
   double reach;
   const sg_cancel *cancel;
-  bool stopped;      /* it said stop */
+  bool stopped;      /* it said stop, or there is no memory */
   atomic_bool found; /* something that is not whole */
 } checker;
 
@@ -303,21 +303,19 @@ single_faces(const sg_solid *solid)
   return true;
 }
 
-/* Whether a key is new; *value is what it was first put with. */
-static bool
-put_new(sg_key_table *table, const uint32_t *key, uint32_t *value)
+/* What a key was first put with. Null: no memory. */
+static const uint32_t *
+put_first(sg_key_table *table, const uint32_t *key, uint32_t value)
 {
   uint32_t *is = sg_key_table_put(table, key);
-  bool first = is && *is == SG_NO_KEY;
 
-  if (is) {
-    *is = *value = first ? *value : *is;
+  if (is && *is == SG_NO_KEY) {
+    *is = value;
   }
-  return first;
+  return is;
 }
 
-/* No segment has two vertices in one place. False too: no memory, which the
- * join will not have either. */
+/* No segment has two vertices in one place. */
 static bool
 single_vertices(checker *c)
 {
@@ -328,11 +326,15 @@ single_vertices(checker *c)
   sg_key_table_init(&at, 6);
   sg_key_table_init(&seen, 2);
   for (uint32_t v = 0; good && v < solid->vertices && !stops(c, v); v++) {
-    uint32_t place[6], key[2] = {v, (uint32_t)solid->vertex[v].s}, one = 1;
+    uint32_t place[6];
 
     memcpy(place, solid->vertex[v].at, sizeof place);
-    put_new(&at, place, &key[0]);
-    good = put_new(&seen, key, &one);
+    const uint32_t *here = put_first(&at, place, v);
+    const uint32_t key[2] = {here ? *here : 0, (uint32_t)solid->vertex[v].s};
+    const uint32_t *only = here ? put_first(&seen, key, v) : NULL;
+
+    c->stopped = !only;
+    good = only && *only == v;
   }
   sg_key_table_clear(&at);
   sg_key_table_clear(&seen);

@@ -6,6 +6,7 @@
 
 #include "tests/c_kernels/cube_world.h"
 #include "tests/check.h"
+#include "tests/memory/refuse.h"
 
 #include <math.h>
 #include <string.h>
@@ -39,9 +40,10 @@ counts(sg_development *d)
   double step;
   sg_int_list borders = {0};
 
-  CHECK("counts", sg_door_flattening_counts(&call, d, &faces, &joints, &step));
+  CHECK_DOOR("counts",
+             sg_door_flattening_counts(&call, d, &faces, &joints, &step));
   CHECK("faces and joints", faces == 6 && joints == 12);
-  CHECK("borders", sg_door_flattening_borders(&call, d, &borders));
+  CHECK_DOOR("borders", sg_door_flattening_borders(&call, d, &borders));
   CHECK("a cube has none", borders.n == 0);
 }
 
@@ -53,16 +55,17 @@ joins(sg_development *d)
   sg_int_list order = {0}, path = {0};
   int32_t j = 0;
 
-  CHECK("order", sg_door_joint_order(&call, d, 0, &order));
+  CHECK_DOOR("order", sg_door_joint_order(&call, d, 0, &order));
   CHECK("each joint once", order.n == 12 && order.at[0] >= 1);
-  CHECK("a joint", sg_door_flattening_joint(&call, d, order.at[0], &joint));
+  CHECK_DOOR("a joint",
+             sg_door_flattening_joint(&call, d, order.at[0], &joint));
   CHECK("a right angle", fabs(joint.angle - 90) < 1e-9);
   CHECK("not joined yet", joint.state == SG_JOINT_OPEN);
-  CHECK("edge", sg_door_edge_joint(&call, d, joint.edge2, &j));
+  CHECK_DOOR("edge", sg_door_edge_joint(&call, d, joint.edge2, &j));
   CHECK("its joint", j == order.at[0]);
-  CHECK("join", sg_door_join_faces(&call, d, j, &result));
+  CHECK_DOOR("join", sg_door_join_faces(&call, d, j, &result));
   CHECK("joined", result.is == SG_JOIN_RESULT_JOINED);
-  CHECK("path", sg_door_joint_path(&call, d, j, &path));
+  CHECK_DOOR("path", sg_door_joint_path(&call, d, j, &path));
   CHECK("over itself", path.n == 1 && path.at[0] == j);
   CHECK("joint 13", !sg_door_flattening_joint(&call, d, 13, &joint));
   CHECK("is missing",
@@ -79,14 +82,14 @@ writes(sg_world *world, sg_development *d)
   CHECK("refused", call.refusal.how == SG_REFUSED_PERMISSION &&
                        !strcmp(call.refusal.action, "lay"));
   call.refusal.how = SG_REFUSED_NOTHING;
-  CHECK("join all", sg_door_join_all(&call, d, 0));
+  CHECK_DOOR("join all", sg_door_join_all(&call, d, 0));
   CHECK("no polygon 9", !sg_door_flattening_lay(&call, d, 9));
   call.refusal.how = SG_REFUSED_NOTHING;
-  CHECK("lay", sg_door_flattening_lay(&call, d, 1));
-  CHECK("measures", sg_door_flattening_measures(&call, d, &m));
+  CHECK_DOOR("lay", sg_door_flattening_lay(&call, d, 1));
+  CHECK_DOOR("measures", sg_door_flattening_measures(&call, d, &m));
   CHECK("of a cube",
         m.pieces == 1 && fabs(m.area - 6) < 1e-12 && fabs(m.seam - 7) < 1e-12);
-  CHECK("write", sg_door_flattening_write(&call, d, PATTERN));
+  CHECK_DOOR("write", sg_door_flattening_write(&call, d, PATTERN));
   CHECK("vertices", rows_in(world, SG_V) == 8 + 14);
   CHECK("pieces", rows_in(world, SG_PIECE) == 6);
   CHECK("joints", rows_in(world, SG_JOINT) == 12);
@@ -106,26 +109,27 @@ exchanges(sg_development *d)
   size_t helped;
   double before = 0, after = 0;
 
-  CHECK("joined",
-        sg_door_flattening_restart(&call, d) && sg_door_join_all(&call, d, 0));
-  CHECK("seam",
-        sg_door_seam_length(&call, d, &before) && fabs(before - 7) < 1e-12);
-  CHECK("exchange",
-        sg_door_exchange_seams(&call, d, 0, &none, SG_EXCHANGE_OBJECTIVE_SEAM,
-                               1000, &helped));
-  CHECK("no worse", sg_door_seam_length(&call, d, &after) && after <= before);
-  CHECK("a bound", sg_door_flattening_bound(&call, d, &bound));
+  CHECK_DOOR("joined", sg_door_flattening_restart(&call, d) &&
+                           sg_door_join_all(&call, d, 0));
+  CHECK_DOOR("seam", sg_door_seam_length(&call, d, &before) &&
+                         fabs(before - 7) < 1e-12);
+  CHECK_DOOR("exchange",
+             sg_door_exchange_seams(&call, d, 0, &none,
+                                    SG_EXCHANGE_OBJECTIVE_SEAM, 1000, &helped));
+  CHECK_DOOR("no worse",
+             sg_door_seam_length(&call, d, &after) && after <= before);
+  CHECK_DOOR("a bound", sg_door_flattening_bound(&call, d, &bound));
   CHECK("is reached by a cube",
         fabs(bound.bound - 7) < 1e-9 && bound.bound <= after + 1e-9);
-  CHECK("folds between 1 and 6", sg_door_fold_path(&call, d, 1, 6, &path));
+  CHECK_DOOR("folds between 1 and 6", sg_door_fold_path(&call, d, 1, 6, &path));
   CHECK("there are", path.n > 0 && path.n < 6);
   CHECK("no polygon 9", !sg_door_fold_path(&call, d, 1, 9, &folds) &&
                             call.refusal.how == SG_REFUSED_EXISTENCE &&
                             call.refusal.argument == 3);
   call.refusal.how = SG_REFUSED_NOTHING;
-  CHECK("these alone", sg_door_join_folds(&call, d, &path));
-  CHECK("are joined", sg_door_seam_length(&call, d, &after) &&
-                          fabs(after - (12 - (double)path.n)) < 1e-12);
+  CHECK_DOOR("these alone", sg_door_join_folds(&call, d, &path));
+  CHECK_DOOR("are joined", sg_door_seam_length(&call, d, &after) &&
+                               fabs(after - (12 - (double)path.n)) < 1e-12);
 }
 
 /* Joint 1 must not be joined; of the rest those before joint 2. */
@@ -137,20 +141,20 @@ forbids(sg_development *d)
   sg_joint_fact joint;
   size_t joined = 0;
 
-  CHECK("every face is flat",
-        sg_door_flattening_bent(&call, d, &bent) && bent.n == 0);
-  CHECK("and valid",
-        sg_door_flattening_invalid(&call, d, &invalid) && invalid.n == 0);
-  CHECK("order", sg_door_joint_order(&call, d, 0, &order));
-  CHECK("forbid", sg_door_forbid_joint(&call, d, order.at[1]));
-  CHECK("before the third", sg_door_join_before(&call, d, 0, order.at[2]));
+  CHECK_DOOR("every face is flat",
+             sg_door_flattening_bent(&call, d, &bent) && bent.n == 0);
+  CHECK_DOOR("and valid",
+             sg_door_flattening_invalid(&call, d, &invalid) && invalid.n == 0);
+  CHECK_DOOR("order", sg_door_joint_order(&call, d, 0, &order));
+  CHECK_DOOR("forbid", sg_door_forbid_joint(&call, d, order.at[1]));
+  CHECK_DOOR("before the third", sg_door_join_before(&call, d, 0, order.at[2]));
   for (int32_t j = 1; j <= 12; j++) {
-    CHECK("joint", sg_door_flattening_joint(&call, d, j, &joint));
+    CHECK_DOOR("joint", sg_door_flattening_joint(&call, d, j, &joint));
     joined += joint.state == SG_JOINT_JOINED;
   }
   CHECK("is the first alone", joined == 1);
-  CHECK("not this", sg_door_join_faces(&call, d, order.at[1], &result) &&
-                        result.is == SG_JOIN_RESULT_FORBIDDEN);
+  CHECK_DOOR("not this", sg_door_join_faces(&call, d, order.at[1], &result) &&
+                             result.is == SG_JOIN_RESULT_FORBIDDEN);
   CHECK("too late", !sg_door_forbid_joint(&call, d, order.at[0]) &&
                         call.refusal.how == SG_REFUSED_PERMISSION);
   call.refusal.how = SG_REFUSED_NOTHING;
@@ -180,8 +184,8 @@ main(void)
   forbids(d);
   sg_development_free(d);
   d = opened(&two);
-  CHECK("without two",
-        sg_door_flattening_counts(&call, d, &faces, &joints, &step));
+  CHECK_DOOR("without two",
+             sg_door_flattening_counts(&call, d, &faces, &joints, &step));
   CHECK("are four", faces == 4);
   sg_development_free(d);
   sg_call_close(&call);

@@ -9,6 +9,7 @@
 #include "tests/c_kernels/cube_world.h"
 #include "tests/c_kernels/door_call.h"
 #include "tests/check.h"
+#include "tests/memory/refuse.h"
 
 #include "engine/symbol.h"
 
@@ -65,9 +66,9 @@ edges_drawn(const sg_ranked_look_list *look, double scale, int32_t removed)
   }
   for (size_t i = 0; i < runs.n; i++) {
     CHECK("runs follow each other", runs.at[i].from == next);
-    CHECK("strokes of a run",
-          sg_door_chain_strokes(&call, chains, runs.at[i].from, runs.at[i].to,
-                                &strokes));
+    CHECK_DOOR("strokes of a run",
+               sg_door_chain_strokes(&call, chains, runs.at[i].from,
+                                     runs.at[i].to, &strokes));
     next = runs.at[i].to + 1;
   }
   for (size_t i = 0; i < strokes.n; i++) {
@@ -90,7 +91,7 @@ drawn(void)
   sg_call_rest(&call);
   CHECK("a cube", draw_cube());
   sg_call_rest(&call);
-  CHECK("its box", sg_door_drawn_box(&call, &box));
+  CHECK_DOOR("its box", sg_door_drawn_box(&call, &box));
   CHECK("is round it", box.x2 - box.x1 > 1 && box.x2 - box.x1 < 1.5 &&
                            box.y2 - box.y1 > 1 && box.y2 - box.y1 < 1.8);
   CHECK("its edges", edges_drawn(&look, 100, -1) == 12);
@@ -122,20 +123,21 @@ chains(void)
   sg_sheet_stroke_list strokes = {0}, none = {0};
   sg_bytes octets = {0};
 
-  CHECK("looks", sg_door_stroke_looks(
-                     &call, &(sg_looking_part_list){looking, 4, 0}, &names));
+  CHECK_DOOR("looks",
+             sg_door_stroke_looks(&call, &(sg_looking_part_list){looking, 4, 0},
+                                  &names));
   CHECK("each once",
         names.n == 2 && names.at[1].visibility == SG_SYMBOL_HIDDEN);
-  CHECK("chains", sg_door_stroke_chains(&call, &parts, &look, &strokes));
+  CHECK_DOOR("chains", sg_door_stroke_chains(&call, &parts, &look, &strokes));
   CHECK("of one look each", strokes.n == 2);
   CHECK("no look", !sg_door_stroke_chains(
                        &call, &parts, &(sg_ranked_look_list){0}, &strokes) &&
                        is_domain("look", 1));
-  CHECK("of nothing none",
-        sg_door_stroke_chains(&call, &(sg_sheet_part_list){0},
-                              &(sg_ranked_look_list){0}, &none) &&
-            none.n == 0);
-  CHECK("octets", sg_door_stroke_octets(&call, &look, &strokes, &octets));
+  CHECK_DOOR("of nothing none",
+             sg_door_stroke_chains(&call, &(sg_sheet_part_list){0},
+                                   &(sg_ranked_look_list){0}, &none) &&
+                 none.n == 0);
+  CHECK_DOOR("octets", sg_door_stroke_octets(&call, &look, &strokes, &octets));
   CHECK("words of two strokes of one edge",
         octets.n == sizeof(int32_t) * 2 * (5 + 1 + 4));
   CHECK("edges, points", octets.at[12] == 1 && octets.at[16] == 2);
@@ -166,11 +168,12 @@ travels(void)
   double way, unsorted;
   size_t n;
 
-  CHECK("travel", sg_door_travel_open(&call, &start, SG_TRAVEL_SHORT, &strokes,
-                                      &travel, &n, &way, &unsorted));
-  CHECK("the near one, then the other backwards",
-        sg_door_travel_numbers(&call, travel, 1, n, &order) && order.n == 2 &&
-            order.at[0] == 2 && order.at[1] == -1);
+  CHECK_DOOR("travel",
+             sg_door_travel_open(&call, &start, SG_TRAVEL_SHORT, &strokes,
+                                 &travel, &n, &way, &unsorted));
+  CHECK_DOOR("the near one, then the other backwards",
+             sg_door_travel_numbers(&call, travel, 1, n, &order) &&
+                 order.n == 2 && order.at[0] == 2 && order.at[1] == -1);
   CHECK("how far", way == 10 + 10 && unsorted == 100 + 50);
   CHECK("no more", !sg_door_travel_numbers(&call, travel, 2, 3, &order) &&
                        is_domain("place", 2));
@@ -191,7 +194,7 @@ crossings(void)
   sg_travelled_stroke_list strokes = {stroke, 2, 0};
   sg_stroke_mark_list marks = {0};
 
-  CHECK("crossings", sg_door_stroke_crossings(&call, &strokes, &marks));
+  CHECK_DOOR("crossings", sg_door_stroke_crossings(&call, &strokes, &marks));
   CHECK("one of each", marks.n == 2 && marks.at[0].stroke == 1 &&
                            marks.at[0].way == 400 && marks.at[1].stroke == 2 &&
                            marks.at[1].way == 500);
@@ -265,13 +268,14 @@ streamed(void)
   CHECK("nothing between", is_written(few, 0, "<\"\"/>"));
   CHECK("points between", is_written(few, 2, "<\"0,-0.001 -12.34,1.005\"/>"));
   CHECK("the stream refuses", !is_written(far, 2, ""));
-  CHECK("numbers",
-        sg_door_thousandths_text(&call, &(sg_integer_list){number, 3, 3},
-                                 &text) &&
-            text.n == 14 && memcmp(text.at, "0 -0.001 12.34", 14) == 0);
-  CHECK("no numbers", sg_door_thousandths_text(
-                          &call, &(sg_integer_list){number, 0, 0}, &text) &&
-                          text.n == 0);
+  CHECK_DOOR("numbers",
+             sg_door_thousandths_text(&call, &(sg_integer_list){number, 3, 3},
+                                      &text) &&
+                 text.n == 14 && memcmp(text.at, "0 -0.001 12.34", 14) == 0);
+  CHECK_DOOR("no numbers",
+             sg_door_thousandths_text(&call, &(sg_integer_list){number, 0, 0},
+                                      &text) &&
+                 text.n == 0);
 }
 
 static bool
@@ -290,14 +294,14 @@ dots(void)
   sg_bytes raster = {0}, file = {0};
   size_t inked = 0;
 
-  CHECK("dots", sg_door_raster_dots(&call, 8, 4, &strokes, &raster));
+  CHECK_DOOR("dots", sg_door_raster_dots(&call, 8, 4, &strokes, &raster));
   for (size_t i = 0; i < raster.n; i++) {
     inked += raster.at[i] == 7;
   }
   CHECK("of ink", raster.n == 32 && inked == 5 && raster.at[8 + 3] == 7);
-  CHECK("file", sg_door_raster_png(&call, 8, 4, &raster,
-                                   &(sg_rgb_list){colour, 8, 0}, &file) &&
-                    is_png(&file));
+  CHECK_DOOR("file", sg_door_raster_png(&call, 8, 4, &raster,
+                                        &(sg_rgb_list){colour, 8, 0}, &file) &&
+                         is_png(&file));
   CHECK("ink 7 has no colour",
         !sg_door_raster_png(&call, 8, 4, &raster, &(sg_rgb_list){colour, 7, 0},
                             &file) &&
@@ -315,8 +319,9 @@ smooth(void)
   const sg_canvas_line_fact_list lines = {&line, 1, 0};
   sg_bytes file = {0};
 
-  CHECK("canvas", sg_door_canvas_png(&call, 8, 4, 1, &paper, &lines, &file) &&
-                      is_png(&file));
+  CHECK_DOOR("canvas",
+             sg_door_canvas_png(&call, 8, 4, 1, &paper, &lines, &file) &&
+                 is_png(&file));
   CHECK("no colour", !sg_door_canvas_png(&call, 8, 4, 1, &odd, &lines, &file) &&
                          is_domain("byte", 0));
   line.width = 0;

@@ -12,6 +12,7 @@
 #include "tests/c_kernels/door_call.h"
 #include "tests/c_kernels/shading/shaded_sphere.h"
 #include "tests/check.h"
+#include "tests/memory/refuse.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -28,7 +29,8 @@ static bool
 write_bytes(void *data, const char *bytes, size_t n)
 {
   written *to = data;
-  uint8_t *more = to->full ? NULL : realloc(to->byte, to->n + n);
+  uint8_t *more = /* refuse.c does not stand before this one */
+      to->full ? NULL : reallocarray(to->byte, to->n + n, 1);
 
   if (!more) {
     return false;
@@ -187,19 +189,20 @@ parts_and_strokes(void)
   CHECK("no such row",
         !sg_door_image_parts(&call, scene, &how, &looks, &leaves, 30, &parts) &&
             is_domain("image_dot", 5));
-  CHECK("strokes", sg_door_image_strokes(&call, scene, 1, &looks, &leaves, 2, 1,
-                                         &strokes) &&
-                       strokes.n > 0 && strokes.at[0].x1 < strokes.at[0].x2);
+  CHECK_DOOR("strokes", sg_door_image_strokes(&call, scene, 1, &looks, &leaves,
+                                              2, 1, &strokes) &&
+                            strokes.n > 0 &&
+                            strokes.at[0].x1 < strokes.at[0].x2);
   CHECK("no spacing", !sg_door_image_strokes(&call, scene, 1, &looks, &leaves,
                                              0, 1, &strokes) &&
                           is_domain("spacing", 5));
   CHECK("its size", image &&
                         sg_door_image_size(&call, image, &width, &height) &&
                         width == 40 && height == 30);
-  CHECK("the byte of light",
-        sg_door_light_srgb(&call, SG_LIGHT_MOST, &byte) && byte == 255 &&
-            !sg_door_light_srgb(&call, SG_LIGHT_MOST + 1, &byte) &&
-            is_domain("light", 1));
+  CHECK_DOOR("the byte of light",
+             sg_door_light_srgb(&call, SG_LIGHT_MOST, &byte) && byte == 255 &&
+                 !sg_door_light_srgb(&call, SG_LIGHT_MOST + 1, &byte) &&
+                 is_domain("light", 1));
   sg_image_close(image);
   sg_shading_close(scene);
 }
@@ -226,23 +229,23 @@ again(void)
   const sg_output to_pgm = {write_bytes, &pgm};
   const sg_image_file file = {.format = SG_IMAGE_FORMAT_PGM};
 
-  CHECK("a picture",
-        sg_door_image_shade(&call, scene, &how, &looks, &leaves, &image));
-  CHECK("a scan",
-        sg_door_shading_scan(&call, scene, 2, &opacities, &leaves, &scan));
-  CHECK("of it", sg_door_image_scanned(&call, scan, scene, &how, &looks,
-                                       &leaves, &same) &&
-                     !memcmp(image->dot, same->dot, bytes));
+  CHECK_DOOR("a picture",
+             sg_door_image_shade(&call, scene, &how, &looks, &leaves, &image));
+  CHECK_DOOR("a scan",
+             sg_door_shading_scan(&call, scene, 2, &opacities, &leaves, &scan));
+  CHECK_DOOR("of it", sg_door_image_scanned(&call, scan, scene, &how, &looks,
+                                            &leaves, &same) &&
+                          !memcmp(image->dot, same->dot, bytes));
   sg_image_close(same);
   CHECK("of another scene", !sg_door_image_scanned(&call, scan, other, &how,
                                                    &looks, &leaves, &same) &&
                                 is_domain("shading_scan", 1));
   memset(image->dot + 16 * 120, 9, 16 * 120);
-  CHECK("two bands again",
-        sg_door_image_again(&call, image, &(sg_count_list){bands, 2, 0}, 0, 40,
-                            scene, &how, &looks, &leaves, &same) &&
-            memcmp(image->dot, same->dot, bytes) != 0 &&
-            !memcmp(image->dot, same->dot, 16 * 120));
+  CHECK_DOOR("two bands again",
+             sg_door_image_again(&call, image, &(sg_count_list){bands, 2, 0}, 0,
+                                 40, scene, &how, &looks, &leaves, &same) &&
+                 memcmp(image->dot, same->dot, bytes) != 0 &&
+                 !memcmp(image->dot, same->dot, 16 * 120));
   sg_image_close(same);
   CHECK("no such band",
         !sg_door_image_again(&call, image, &(sg_count_list){far, 1, 0}, 0, 40,
@@ -253,22 +256,23 @@ again(void)
                              scene, &how, &looks, &leaves, &same) &&
             is_domain("image_column", 4));
   memset(image->dot, 9, 3 * 40 * 50);
-  CHECK("columns alone are made again",
-        sg_door_image_again(&call, image, &(sg_count_list){bands, 2, 0}, 10, 20,
-                            scene, &how, &looks, &leaves, &same));
+  CHECK_DOOR("columns alone are made again",
+             sg_door_image_again(&call, image, &(sg_count_list){bands, 2, 0},
+                                 10, 20, scene, &how, &looks, &leaves, &same));
   for (size_t x = 0; x < 40; x++) {
     CHECK("a dot", (same->dot[16 * 120 + 3 * x] == 9) == (x < 10 || x >= 20));
   }
   sg_image_close(same);
-  CHECK("a PGM", sg_door_image_written(&call, scene, &how, &looks, &leaves,
-                                       &file, &to_pgm) &&
-                     pgm.n == strlen("P5\n40 50\n255\n") + 2000);
+  CHECK_DOOR("a PGM", sg_door_image_written(&call, scene, &how, &looks, &leaves,
+                                            &file, &to_pgm) &&
+                          pgm.n == strlen("P5\n40 50\n255\n") + 2000);
   size_t before = pgm.n;
-  CHECK("packed, it is smaller", sg_door_image_lzw(&call, image, &to_pgm) &&
-                                     pgm.n > before && pgm.n - before < 3000);
+  CHECK_DOOR("packed, it is smaller",
+             sg_door_image_lzw(&call, image, &to_pgm) && pgm.n > before &&
+                 pgm.n - before < 3000);
   how.shadows = (sg_shading_list){&light, 1, 0};
-  CHECK("a ball has no shadow on itself where it is lit",
-        sg_door_image_shade(&call, scene, &how, &looks, &leaves, &same));
+  CHECK_DOOR("a ball has no shadow on itself where it is lit",
+             sg_door_image_shade(&call, scene, &how, &looks, &leaves, &same));
   sg_image_close(same);
   free(pgm.byte);
   sg_scan_close(scan);
@@ -355,12 +359,12 @@ refused(void)
   CHECK("a short ramp",
         !sg_door_image_shade(&call, scene, &how, &looks, &leaves, &image) &&
             is_domain("shading_ramp", 3));
-  CHECK("where it is", sg_door_image_extent(&call, scene, &box) &&
-                           box.x1 > 5.9 && box.x2 < 14.1);
+  CHECK_DOOR("where it is", sg_door_image_extent(&call, scene, &box) &&
+                                box.x1 > 5.9 && box.x2 < 14.1);
   CHECK("nowhere", !sg_door_image_extent(&call, empty, &box));
-  CHECK("normals", sg_door_image_normals(&call, &normals) &&
-                       normals.n == SG_TONE_SIDE * SG_TONE_SIDE);
-  CHECK("light", sg_door_srgb_light(&call, 255, &light) && light == 65535);
+  CHECK_DOOR("normals", sg_door_image_normals(&call, &normals) &&
+                            normals.n == SG_TONE_SIDE * SG_TONE_SIDE);
+  CHECK_DOOR("light", sg_door_srgb_light(&call, 255, &light) && light == 65535);
   CHECK("no byte",
         !sg_door_srgb_light(&call, 256, &light) && is_domain("byte", 1));
   image = shaded(scene, 1, false);

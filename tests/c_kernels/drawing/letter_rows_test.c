@@ -4,6 +4,7 @@
 
 #include "tests/c_kernels/door_call.h"
 #include "tests/check.h"
+#include "tests/memory/refuse.h"
 
 static bool
 is_at(const sg_sheet_point_list *line, size_t i, int64_t x, int64_t y)
@@ -27,8 +28,9 @@ letters(void)
   const sg_pen_glyph_list glyphs = {&glyph, 1, 0};
   sg_list_sheet_point_list lines = {0};
 
-  CHECK("a curve", sg_door_letter_lines(&call, &glyphs, 100, 50, 16, &lines) &&
-                       lines.n == 1 && lines.at[0].n == 5);
+  CHECK_DOOR("a curve",
+             sg_door_letter_lines(&call, &glyphs, 100, 50, 16, &lines) &&
+                 lines.n == 1 && lines.at[0].n == 5);
   CHECK("begins", is_at(&lines.at[0], 0, 132, 50));
   CHECK("its middle", is_at(&lines.at[0], 2, 132 + 48, 50 - 16));
   CHECK("ends", is_at(&lines.at[0], 4, 132 + 64, 50 - 64));
@@ -49,10 +51,10 @@ laid(void)
   const sg_sheet_move move = {0, 1, 3, 4, 10, 20};
   sg_list_sheet_point_list out = {0};
 
-  CHECK("laid",
-        sg_door_laid_letters(&call, &glyphs, 0, 1000, &(sg_paper_point){1, 2},
-                             &(sg_paper_point){0, 1}, &move, 100, &out) &&
-            out.n == 1 && out.at[0].n == 2);
+  CHECK_DOOR("laid", sg_door_laid_letters(
+                         &call, &glyphs, 0, 1000, &(sg_paper_point){1, 2},
+                         &(sg_paper_point){0, 1}, &move, 100, &out) &&
+                         out.n == 1 && out.at[0].n == 2);
   CHECK("its place", is_at(&out.at[0], 0, 11000, 75000));
   CHECK("along, and beside it", is_at(&out.at[0], 1, 10000, 75500));
   strokes.n = 1;

@@ -7,6 +7,7 @@
 #include "tests/c_kernels/cube_world.h"
 #include "tests/c_kernels/door_call.h"
 #include "tests/check.h"
+#include "tests/memory/refuse.h"
 
 enum { FIRST = 1, BESIDE, ACROSS, MANY, GLUE = 9 };
 
@@ -32,13 +33,13 @@ glue_of_one(void)
   size_t wrong;
 
   CHECK("taken", solid);
-  CHECK("written", sg_door_solid_write_cells(&call, solid, GLUE, &none));
+  CHECK_DOOR("written", sg_door_solid_write_cells(&call, solid, GLUE, &none));
   sg_call_rest(&call);
-  CHECK("opened", sg_door_regions_open(&call, GLUE, &none, &regions));
-  CHECK("regions", sg_door_regions_written(&call, regions));
+  CHECK_DOOR("opened", sg_door_regions_open(&call, GLUE, &none, &regions));
+  CHECK_DOOR("regions", sg_door_regions_written(&call, regions));
   sg_call_rest(&call);
-  CHECK("contents",
-        sg_door_contents_written(&call, GLUE, &one, &nothing, &wrong));
+  CHECK_DOOR("contents",
+             sg_door_contents_written(&call, GLUE, &one, &nothing, &wrong));
   CHECK("on one side", wrong == 0);
   CHECK("but the outside", nothing.n == 1 && nothing.at[0] == 2);
   sg_call_rest(&call);
@@ -117,8 +118,8 @@ leaving(void)
   sg_int_list five = {last, 5, 5}, two = {others, 2, 2};
   size_t p = rows_of(SG_P), v = rows_of(SG_V);
 
-  CHECK("numbers stay",
-        sg_door_regions_joined(&call, GLUE, GLUE, &(sg_int_list){0}));
+  CHECK_DOOR("numbers stay",
+             sg_door_regions_joined(&call, GLUE, GLUE, &(sg_int_list){0}));
   sg_call_rest(&call);
   CHECK("rows too", rows_of(SG_REGION) == 3 && rows_of(SG_SIDES) == 11);
   CHECK("inside of FIRST", !sg_door_regions_joined(&call, GLUE, BESIDE, &two));
@@ -128,7 +129,7 @@ leaving(void)
         rows_of(SG_SIDES) == 11 && rows_of(SG_FROM_R) == 2);
   CHECK("all is there",
         completed(BESIDE, &(sg_id_pair_list){0}) == 0 && rows_of(SG_P) == p);
-  CHECK("gone", sg_door_regions_joined(&call, GLUE, BESIDE, &five));
+  CHECK_DOOR("gone", sg_door_regions_joined(&call, GLUE, BESIDE, &five));
   sg_call_rest(&call);
   CHECK("one less", rows_of(SG_REGION) == 2 && rows_of(SG_SIDES) == 6 &&
                         rows_of(SG_FROM_R) == 1);
@@ -144,9 +145,9 @@ asking(void)
   sg_int_list ss = {all, 3, 3}, newer = {0}, changed = {0};
 
   sg_version_drop(version);
-  CHECK("newer", sg_door_newer_segments(&call, &ss, stamp, &newer));
+  CHECK_DOOR("newer", sg_door_newer_segments(&call, &ss, stamp, &newer));
   CHECK("the glue", newer.n == 1 && newer.at[0] == GLUE);
-  CHECK("changed", sg_door_changed_leaves(&call, &ss, stamp, &changed));
+  CHECK_DOOR("changed", sg_door_changed_leaves(&call, &ss, stamp, &changed));
   CHECK("none was made of a primitive", changed.n == 3);
   sg_call_rest(&call);
 }

@@ -6,6 +6,7 @@
 #include "tests/c_kernels/cube_world.h"
 #include "tests/c_kernels/door_call.h"
 #include "tests/check.h"
+#include "tests/memory/refuse.h"
 
 enum { FIRST = 1, ABOVE, ASIDE, WIRE, NONE = 99 };
 
@@ -39,7 +40,7 @@ segments(void)
   sg_id_pair_list pairs = {pair, 4, 4};
   sg_segment_gap_list gaps = {0};
 
-  CHECK("asked", sg_door_segment_gaps(&call, &pairs, 1, &gaps));
+  CHECK_DOOR("asked", sg_door_segment_gaps(&call, &pairs, 1, &gaps));
   sg_call_rest(&call);
   CHECK("two are near", gaps.n == 2 && gaps.at[0].distance == 0.5 &&
                             gaps.at[1].distance == 0.125);
@@ -50,7 +51,7 @@ segments(void)
   CHECK("where",
         gaps.at[1].ends.from.z == 1.5 && gaps.at[1].ends.to.z == 1.375);
   gaps.n = 0;
-  CHECK("less far", sg_door_segment_gaps(&call, &pairs, 0.25, &gaps));
+  CHECK_DOOR("less far", sg_door_segment_gaps(&call, &pairs, 0.25, &gaps));
   CHECK("one", gaps.n == 1);
   sg_call_rest(&call);
   CHECK("no reach", !sg_door_segment_gaps(&call, &pairs, -1, &gaps));
@@ -64,7 +65,7 @@ polygons(void)
   sg_gap_ends ends;
   double gap;
 
-  CHECK("asked", sg_door_polygon_gap(&call, &top, &above, &gap, &ends));
+  CHECK_DOOR("asked", sg_door_polygon_gap(&call, &top, &above, &gap, &ends));
   CHECK("a cube and a half",
         gap == 1.5 && ends.from.z == 1 && ends.to.z == 2.5);
   CHECK("no polygon", !sg_door_polygon_gap(&call, &top, &none, &gap, &ends));

@@ -8,6 +8,7 @@
 #include "tests/c_kernels/cube_world.h"
 #include "tests/c_kernels/door_call.h"
 #include "tests/check.h"
+#include "tests/memory/refuse.h"
 
 #include <math.h>
 
@@ -39,12 +40,12 @@ welding(void)
 {
   size_t doubles = 9;
 
-  CHECK("welded", sg_door_segment_welded(&call, CUBES, &doubles));
+  CHECK_DOOR("welded", sg_door_segment_welded(&call, CUBES, &doubles));
   CHECK("the face between them", doubles == 1);
   sg_call_rest(&call);
   CHECK("rows", rows_of(SG_V) == 12 + 3 && rows_of(SG_P) == 11 &&
                     rows_of(SG_E) == 44 + 1 && rows_of(SG_T) == 22);
-  CHECK("again", sg_door_segment_welded(&call, CUBES, &doubles));
+  CHECK_DOOR("again", sg_door_segment_welded(&call, CUBES, &doubles));
   CHECK("nothing is left to do", doubles == 0 && rows_of(SG_V) == 15);
   sg_call_rest(&call);
 }
@@ -57,12 +58,12 @@ asking(sg_regions_handle *regions)
   sg_region_neighbours_fact_list between = {0};
   sg_region_item_list wires = {0}, lone = {0};
 
-  CHECK("counted", sg_door_regions_counted(&call, regions, &counts));
+  CHECK_DOOR("counted", sg_door_regions_counted(&call, regions, &counts));
   CHECK("counts", counts.vertices == 15 && counts.edges == 21 &&
                       counts.faces == 11 && counts.loops == 11 &&
                       counts.parts == 3 && counts.regions == 3 &&
                       counts.shells == 5 && counts.genus == 0);
-  CHECK("listed", sg_door_regions_listed(&call, regions, &list));
+  CHECK_DOOR("listed", sg_door_regions_listed(&call, regions, &list));
   CHECK("a cell", list.n == 3 && list.at[0].role == SG_REGION_CELL &&
                       list.at[0].faces == 6 &&
                       fabs(list.at[0].volume - 1) < 1e-12 &&
@@ -70,12 +71,13 @@ asking(sg_regions_handle *regions)
   CHECK("with the wire", list.at[1].wires == 1 && list.at[1].shells == 2);
   CHECK("outside", list.at[2].role == SG_REGION_OUTSIDE &&
                        list.at[2].lone == 1 && list.at[2].faces == 10);
-  CHECK("neighbours", sg_door_regions_neighbours(&call, regions, &between));
+  CHECK_DOOR("neighbours",
+             sg_door_regions_neighbours(&call, regions, &between));
   CHECK("three pairs", between.n == 3 && between.at[0].r1 == 1 &&
                            between.at[0].r2 == 2 && between.at[0].faces == 1 &&
                            fabs(between.at[0].area - 1) < 1e-12 &&
                            between.at[2].faces == 5);
-  CHECK("items", sg_door_regions_items(&call, regions, &wires, &lone));
+  CHECK_DOOR("items", sg_door_regions_items(&call, regions, &wires, &lone));
   CHECK("the wire",
         wires.n == 1 && wires.at[0].id == WIRE && wires.at[0].region == 2);
   CHECK("the vertex",
@@ -95,9 +97,9 @@ opening(void)
   CHECK("not inside", !sg_door_regions_open(&call, CUBES, &one, &regions));
   CHECK("refused", was_refused(SG_REFUSED_GEOMETRY));
   sg_call_rest(&call);
-  CHECK("opened", sg_door_regions_open(&call, CUBES, &none, &regions));
+  CHECK_DOOR("opened", sg_door_regions_open(&call, CUBES, &none, &regions));
   asking(regions);
-  CHECK("written", sg_door_regions_written(&call, regions));
+  CHECK_DOOR("written", sg_door_regions_written(&call, regions));
   sg_call_rest(&call);
   CHECK("rows", rows_of(SG_REGION) == 3 && rows_of(SG_SIDES) == 11);
   sg_regions_handle_free(regions);
@@ -132,7 +134,7 @@ telling(void)
         add_cube(call.world, CORNERS) &&
             add_cube_at(call.world, CORNERS, 1, (double[3]){1, 1, 1}) &&
             add_segment(CORNERS));
-  CHECK("welded", sg_door_segment_welded(&call, CORNERS, &doubles));
+  CHECK_DOOR("welded", sg_door_segment_welded(&call, CORNERS, &doubles));
   sg_call_rest(&call);
   CHECK("outside they meet", told_shells(&one, &twisted) == 3 && !twisted);
   CHECK("told nothing", told_shells(&none, &twisted) == 4 && !twisted);

@@ -6,6 +6,7 @@
 #include "doors/world.h"
 #include "tests/c_kernels/cube_world.h"
 #include "tests/check.h"
+#include "tests/memory/refuse.h"
 
 #include "engine/symbol.h"
 #include "engine/term.h"
@@ -49,19 +50,19 @@ near(void)
   sg_near_others_list of = {0};
   sg_id_pair_list pairs = {0};
 
-  CHECK("near", sg_door_near_segments(&call, 0, NULL, NULL, &rows));
+  CHECK_DOOR("near", sg_door_near_segments(&call, 0, NULL, NULL, &rows));
   CHECK("three pairs", rows.n == 3);
   CHECK("ascending", rows.at[0].s1 == 1 && rows.at[0].s2 == 2 &&
                          rows.at[2].s1 == 2 && rows.at[2].s2 == 3);
   rows.n = 0;
   CHECK("no reach", !sg_door_near_segments(&call, -1, NULL, NULL, &rows));
   CHECK("is refused", refused(SG_REFUSED_DOMAIN, "not_less_than_zero"));
-  CHECK("of some", sg_door_near_segments_of(&call, 0, &some, &of));
+  CHECK_DOOR("of some", sg_door_near_segments_of(&call, 0, &some, &of));
   CHECK("one each", of.n == 3 && of.at[0].others.n == 1 &&
                         of.at[0].others.at[0] == 3 &&
                         of.at[1].others.at[0] == 1);
   CHECK("9 is no segment", of.at[2].s == 9 && of.at[2].others.n == 0);
-  CHECK("pairs of some", sg_door_near_pairs(&call, 0, &some, &pairs));
+  CHECK_DOOR("pairs of some", sg_door_near_pairs(&call, 0, &some, &pairs));
   CHECK("one", pairs.n == 1 && pairs.at[0].a == 1 && pairs.at[0].b == 3);
 }
 
@@ -83,14 +84,14 @@ windings(void)
   const sg_exact_point_list points = {at, 6, 6}, none = {0};
   sg_winding_list w = {0};
 
-  CHECK("windings", sg_door_windings(&call, 1, &points, &w) && w.n == 6);
+  CHECK_DOOR("windings", sg_door_windings(&call, 1, &points, &w) && w.n == 6);
   CHECK("inside", w.at[0].is == SG_WINDING_TURNS && w.at[0].turns == 1);
   CHECK("outside", w.at[1].is == SG_WINDING_TURNS && w.at[1].turns == 0);
   CHECK("outside", w.at[2].is == SG_WINDING_TURNS && w.at[2].turns == 0);
   CHECK("on it", w.at[3].is == SG_WINDING_ON && w.at[4].is == SG_WINDING_ON);
   CHECK("exactly", w.at[5].is == SG_WINDING_TURNS && w.at[5].turns == 1);
-  CHECK("of none", sg_door_windings(&call, 1, &none, &w) && w.n == 0);
-  CHECK("of no segment", sg_door_windings(&call, 77, &points, &w));
+  CHECK_DOOR("of none", sg_door_windings(&call, 1, &none, &w) && w.n == 0);
+  CHECK_DOOR("of no segment", sg_door_windings(&call, 77, &points, &w));
   CHECK("are 0", w.n == 6 && w.at[0].turns == 0);
 }
 
@@ -99,9 +100,9 @@ itself(void)
 {
   sg_self_segment_list segments = {0}, one = {0};
 
-  CHECK("itself", sg_door_self_meetings(&call, 5, &segments));
-  CHECK("one alone", sg_door_segment_meetings(&call, 1, 5, &one) &&
-                         one.n == 1 && one.at[0].s == 1);
+  CHECK_DOOR("itself", sg_door_self_meetings(&call, 5, &segments));
+  CHECK_DOOR("one alone", sg_door_segment_meetings(&call, 1, 5, &one) &&
+                              one.n == 1 && one.at[0].s == 1);
   CHECK("all segments", segments.n == 3 && segments.at[1].s == 2);
   CHECK("cubes do not", segments.at[0].counts.n == 0);
 }
@@ -121,20 +122,21 @@ itself_one_by_one(void)
                    add_cube_at(call.world, s, 1, at[1]) &&
                    sg_world_commit(call.world) == SG_OK);
   sg_call_rest(&call);
-  CHECK("meet", sg_door_self_meeting(&call, NULL, NULL, NULL, &all) &&
-                    all.n > 3 && all.at[0].s == s);
+  CHECK_DOOR("meet", sg_door_self_meeting(&call, NULL, NULL, NULL, &all) &&
+                         all.n > 3 && all.at[0].s == s);
   for (int32_t p = 1; p <= 12; p++) {
     sg_self_meeting_rows some = {0};
 
-    CHECK("one", sg_door_self_meeting(&call, &through, &s, &p, &some));
+    CHECK_DOOR("one", sg_door_self_meeting(&call, &through, &s, &p, &some));
     for (size_t i = 0; i < some.n; i++) {
       CHECK("its own", some.at[i].p1 == p && some.at[i].kind == through);
     }
     n += some.n;
   }
   CHECK("are all", n == all.n);
-  CHECK("none lies on another",
-        sg_door_self_meeting(&call, &over, NULL, NULL, &none) && none.n == 0);
+  CHECK_DOOR("none lies on another",
+             sg_door_self_meeting(&call, &over, NULL, NULL, &none) &&
+                 none.n == 0);
   CHECK("as before", sg_world_undo(call.world) == SG_OK);
   sg_call_rest(&call);
 }
@@ -148,7 +150,7 @@ outline(void)
   sg_paper_point_list loop[] = {{square, 4, 4}, {hole, 3, 3}};
   sg_list_paper_point_list loops = {loop, 2, 2};
 
-  CHECK("sound", sg_door_loops_are_sound(&call, &loops));
+  CHECK_DOOR("sound", sg_door_loops_are_sound(&call, &loops));
   loop[1].at = over;
   CHECK("not sound", !sg_door_loops_are_sound(&call, &loops));
   CHECK("nothing refused", call.refusal.how == SG_REFUSED_NOTHING);

@@ -6,6 +6,7 @@
 #include "tests/c_kernels/cube_world.h"
 #include "tests/check.h"
 #include "tests/memory/refusals.h"
+#include "tests/memory/refuse.h"
 
 #include "engine/symbol.h"
 #include "engine/term.h"
@@ -126,7 +127,7 @@ gone(sg_world *world)
 static void
 dropped(sg_world *world)
 {
-  CHECK("dropped", sg_door_trees_dropped(&call));
+  CHECK_DOOR("dropped", sg_door_trees_dropped(&call));
   check_counts("none is kept", 0, 4, 7);
   held(world, 1);
   check_counts("it is grown again", 1, 5, 7);
@@ -142,15 +143,15 @@ operands(void)
   const sg_int_list segments = {both, 2, 2};
   sg_int_list which = {0};
 
-  CHECK("operand", sg_door_segment_operand(&call, 1, &operand));
+  CHECK_DOOR("operand", sg_door_segment_operand(&call, 1, &operand));
   CHECK("of a cube", operand.triangles == 12 && operand.half_edges == 24 &&
                          operand.balanced && operand.star);
   CHECK("of volume 1", operand.volume > 0.999 && operand.volume < 1.001);
-  CHECK("edges", sg_door_segment_edges(&call, 1, 5, &counts, &edges));
+  CHECK_DOOR("edges", sg_door_segment_edges(&call, 1, 5, &counts, &edges));
   CHECK("all are pairs", counts.open + counts.unbalanced + counts.crowded == 0);
   CHECK("none listed", edges.n == 0);
-  CHECK("nobody",
-        sg_door_segments_meeting_themselves(&call, &segments, &which));
+  CHECK_DOOR("nobody",
+             sg_door_segments_meeting_themselves(&call, &segments, &which));
   CHECK("goes through itself", which.n == 0);
   CHECK("nor this one", !sg_door_segment_meets_itself(&call, 3));
   CHECK("refuses nothing", call.refusal.how == SG_REFUSED_NOTHING);
@@ -169,8 +170,8 @@ meets_itself(sg_world *world)
   CHECK("through", sg_world_retract(world, SG_V, old) &&
                        sg_world_add(world, SG_V, row, NULL, NULL) == SG_OK);
   sg_call_rest(&call);
-  CHECK("the other side", sg_door_segment_meets_itself(&call, 1));
-  CHECK("known", sg_door_segment_meets_itself(&call, 1));
+  CHECK_DOOR("the other side", sg_door_segment_meets_itself(&call, 1));
+  CHECK_DOOR("known", sg_door_segment_meets_itself(&call, 1));
 }
 
 /* Of a world without trees, while memory runs out at request n: all or none.

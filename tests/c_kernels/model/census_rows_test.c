@@ -7,6 +7,7 @@
 
 #include "tests/c_kernels/cube_world.h"
 #include "tests/check.h"
+#include "tests/memory/refuse.h"
 
 #include <math.h>
 #include <string.h>
@@ -19,7 +20,7 @@ counts(void)
   sg_census_part_list parts = {0};
   const sg_census_part *p;
 
-  CHECK("census", sg_door_census(&call, &parts) && parts.n == 2);
+  CHECK_DOOR("census", sg_door_census(&call, &parts) && parts.n == 2);
   p = &parts.at[0];
   CHECK("a cube", p->segment == 1 && p->counts.vertices == 8 &&
                       p->counts.edges == 12 && p->counts.polygons == 6 &&
@@ -127,17 +128,18 @@ parts_and_shells(void)
   sg_census_part_rows part = {0}, parts = {0}, none = {0};
   sg_census_shell_rows shells = {0}, one = {0};
 
-  CHECK("all parts", sg_door_census_part(&call, NULL, &parts) && parts.n == 2 &&
-                         parts.at[1].s == 2);
-  CHECK("one part", sg_door_census_part(&call, &s[1], &part) && part.n == 1 &&
-                        part.at[0].part.volume == 2);
-  CHECK("no part", sg_door_census_part(&call, &s[2], &none) && none.n == 0);
-  CHECK("all shells", sg_door_census_shell(&call, NULL, NULL, &shells) &&
-                          shells.n == 3 && shells.at[0].shells == 1 &&
-                          shells.at[2].shells == 2);
-  CHECK("one shell", sg_door_census_shell(&call, &s[1], &seven, &one) &&
-                         one.n == 1 && one.at[0].p == 7 &&
-                         one.at[0].shell.volume == 1);
+  CHECK_DOOR("all parts", sg_door_census_part(&call, NULL, &parts) &&
+                              parts.n == 2 && parts.at[1].s == 2);
+  CHECK_DOOR("one part", sg_door_census_part(&call, &s[1], &part) &&
+                             part.n == 1 && part.at[0].part.volume == 2);
+  CHECK_DOOR("no part",
+             sg_door_census_part(&call, &s[2], &none) && none.n == 0);
+  CHECK_DOOR("all shells", sg_door_census_shell(&call, NULL, NULL, &shells) &&
+                               shells.n == 3 && shells.at[0].shells == 1 &&
+                               shells.at[2].shells == 2);
+  CHECK_DOOR("one shell", sg_door_census_shell(&call, &s[1], &seven, &one) &&
+                              one.n == 1 && one.at[0].p == 7 &&
+                              one.at[0].shell.volume == 1);
 }
 
 /* What is kept is not told of other rows, and told again after undo. */
@@ -204,11 +206,11 @@ borders(void)
             sg_world_add_many(call.world, SG_P, 1,
                               (const void *[]){s, id, &list}, NULL) == SG_OK);
   sg_call_rest(&call);
-  CHECK("its borders", sg_door_segment_borders(&call, 3, &of[0]) &&
-                           of[0].n == 3 &&
-                           memcmp(of[0].at, id, sizeof id) == 0);
-  CHECK("of a cube none",
-        sg_door_segment_borders(&call, 1, &of[1]) && of[1].n == 0);
+  CHECK_DOOR("its borders", sg_door_segment_borders(&call, 3, &of[0]) &&
+                                of[0].n == 3 &&
+                                memcmp(of[0].at, id, sizeof id) == 0);
+  CHECK_DOOR("of a cube none",
+             sg_door_segment_borders(&call, 1, &of[1]) && of[1].n == 0);
   CHECK("it goes", sg_world_rollback(call.world) == SG_OK);
   sg_call_rest(&call);
 }

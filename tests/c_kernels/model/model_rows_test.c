@@ -7,6 +7,7 @@
 #include "doors/world.h"
 #include "tests/c_kernels/cube_world.h"
 #include "tests/check.h"
+#include "tests/memory/refuse.h"
 
 #include "engine/symbol.h"
 
@@ -93,8 +94,8 @@ adds_a_mesh(sg_world *world)
   sg_mesh_added result;
 
   set_source(TETRAHEDRON);
-  CHECK("add", sg_door_mesh_add(&call, &in, SG_MESH_UNKNOWN, SG_WELD_AUTO, true,
-                                2, &result));
+  CHECK_DOOR("add", sg_door_mesh_add(&call, &in, SG_MESH_UNKNOWN, SG_WELD_AUTO,
+                                     true, 2, &result));
   CHECK("is loaded", result.is == SG_MESH_ADDED_LOADED &&
                          result.loaded.parts.n == 1 &&
                          result.loaded.parts.at[0].s == 2);
@@ -106,8 +107,8 @@ adds_a_mesh(sg_world *world)
                                           true, 2, &result));
   CHECK("there are rows", refused(SG_REFUSED_PERMISSION));
   set_source("OFF\n3 1 0\n0 0 0\nx 0 0\n0 1 0\n3 0 1 2\n");
-  CHECK("bad", sg_door_mesh_add(&call, &in, SG_MESH_OFF, SG_WELD_AUTO, true, 3,
-                                &result));
+  CHECK_DOOR("bad", sg_door_mesh_add(&call, &in, SG_MESH_OFF, SG_WELD_AUTO,
+                                     true, 3, &result));
   CHECK("is told", result.is == SG_MESH_ADDED_FAULT && result.fault.line == 4 &&
                        result.fault.code == SG_MESH_BAD_NUMBER);
   source.chunk = SIZE_MAX;
@@ -161,8 +162,8 @@ names(void)
 
   set_source("v 0 0 0\nv 1 0 0\nv 0 1 0\no \xc3\xa4\nf 1 2 3\no \xe4\n"
              "f 1 3 2\n");
-  CHECK("names", sg_door_mesh_add(&call, &in, SG_MESH_OBJ, SG_WELD_AUTO, false,
-                                  10, &result));
+  CHECK_DOOR("names", sg_door_mesh_add(&call, &in, SG_MESH_OBJ, SG_WELD_AUTO,
+                                       false, 10, &result));
   CHECK("two parts", result.is == SG_MESH_ADDED_LOADED &&
                          result.loaded.parts.n == 2 &&
                          result.loaded.parts.at[1].s == 11);
@@ -182,8 +183,8 @@ writes_a_mesh(void)
   sg_mesh_written result;
 
   sink = (memory){.chunk = ROOM};
-  CHECK("write",
-        sg_door_mesh_write(&call, &out, SG_MESH_OBJ, &both, &named, &result));
+  CHECK_DOOR("write", sg_door_mesh_write(&call, &out, SG_MESH_OBJ, &both,
+                                         &named, &result));
   CHECK("ok", result.is == SG_MESH_WRITTEN_OK && strstr(sink.at, "o a\n"));
   CHECK("a name for each",
         !sg_door_mesh_write(&call, &out, SG_MESH_OBJ, &both, &few, &result));
@@ -193,8 +194,8 @@ writes_a_mesh(void)
         !sg_door_mesh_write(&call, &out, SG_MESH_OBJ, &both, &named, &result));
   CHECK("the host knows", refused(SG_REFUSED_NOTHING));
   sink = (memory){.chunk = ROOM};
-  CHECK("no segments",
-        sg_door_mesh_write(&call, &out, SG_MESH_OFF, &none, &nobody, &result));
+  CHECK_DOOR("no segments", sg_door_mesh_write(&call, &out, SG_MESH_OFF, &none,
+                                               &nobody, &result));
   CHECK("are none", strstr(sink.at, "\n0 0 0\n") != NULL);
 }
 
@@ -212,18 +213,19 @@ boundaries(sg_world *world)
   sg_mesh_written result;
   size_t before = rows_of(world, SG_V);
 
-  CHECK("open", sg_door_boundary_open(&call, &cube, &made, true, 0,
-                                      SG_BOUNDARY_FORM_TRIANGLES, false, &b));
-  CHECK("counts", sg_door_boundary_counts(&call, b, &n));
+  CHECK_DOOR("open",
+             sg_door_boundary_open(&call, &cube, &made, true, 0,
+                                   SG_BOUNDARY_FORM_TRIANGLES, false, &b));
+  CHECK_DOOR("counts", sg_door_boundary_counts(&call, b, &n));
   CHECK("of a cube", n.vertices == 8 && n.faces == 12 && n.open == 0);
-  CHECK("meetings", sg_door_boundary_meetings(&call, b, true, &meetings));
+  CHECK_DOOR("meetings", sg_door_boundary_meetings(&call, b, true, &meetings));
   CHECK("there are none", meetings.n == 0);
-  CHECK("coarsen", sg_door_boundary_coarsen(&call, b, 0.5, &coarser));
-  CHECK("add", sg_door_boundary_add(&call, b, 20));
+  CHECK_DOOR("coarsen", sg_door_boundary_coarsen(&call, b, 0.5, &coarser));
+  CHECK_DOOR("add", sg_door_boundary_add(&call, b, 20));
   CHECK("its rows", rows_of(world, SG_V) == before + 8);
   sink = (memory){.chunk = ROOM};
-  CHECK("write",
-        sg_door_boundary_write(&call, b, &out, SG_MESH_STL, &name, &result));
+  CHECK_DOOR("write", sg_door_boundary_write(&call, b, &out, SG_MESH_STL, &name,
+                                             &result));
   CHECK("ok", result.is == SG_MESH_WRITTEN_OK &&
                   strncmp(sink.at, "solid cube", 10) == 0);
   sg_boundaries_free(b);
@@ -244,24 +246,24 @@ copies(void)
   begun = (memory){.at = "v(1,\n22222222222222", .n = 19, .chunk = 5};
   sink = (memory){.chunk = ROOM};
   set_source("2222222). v(1, 1, 1).");
-  CHECK("goes on", sg_door_text_copied(&call, SG_TEXT_FACTS, &before, &in, &out,
-                                       &most, 1000, &n, &fault));
+  CHECK_DOOR("goes on", sg_door_text_copied(&call, SG_TEXT_FACTS, &before, &in,
+                                            &out, &most, 1000, &n, &fault));
   CHECK("fault", fault.what == SG_TEXT_DIGITS && fault.line == 2);
   CHECK("copied no further", n == 7 && sink.n == 7);
   begun = (memory){.chunk = 5};
   sink = (memory){.chunk = ROOM};
   set_source("v(1, 1, 1). v(1, 1, 1).");
-  CHECK("most", sg_door_text_copied(&call, SG_TEXT_FACTS, &before, &in, &out,
-                                    &most, 10, &n, &fault));
+  CHECK_DOOR("most", sg_door_text_copied(&call, SG_TEXT_FACTS, &before, &in,
+                                         &out, &most, 10, &n, &fault));
   CHECK("no more", fault.what == SG_TEXT_GOOD && n == 10 &&
                        !memcmp(sink.at, "v(1, 1, 1)", 10));
-  CHECK("the rest", sg_door_text_copied(&call, SG_TEXT_FACTS, &before, &in,
-                                        &out, &most, 1000, &n, &fault));
+  CHECK_DOOR("the rest", sg_door_text_copied(&call, SG_TEXT_FACTS, &before, &in,
+                                             &out, &most, 1000, &n, &fault));
   CHECK("to the end",
         n == 13 && !memcmp(sink.at, source.at, 23) && sink.n == 23);
   set_source("[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[");
-  CHECK("octets", sg_door_text_copied(&call, SG_TEXT_OCTETS, &before, &in, &out,
-                                      &most, 1000, &n, &fault));
+  CHECK_DOOR("octets", sg_door_text_copied(&call, SG_TEXT_OCTETS, &before, &in,
+                                           &out, &most, 1000, &n, &fault));
   CHECK("are any", fault.what == SG_TEXT_GOOD && n == 30);
   sink = (memory){.chunk = 3};
   set_source("v(1, 1, 1).");
@@ -278,23 +280,24 @@ texts(void)
   const uint32_t *term;
 
   set_source("v(1,\n22222222222222222222222).");
-  CHECK("digits", sg_door_text_fault(&call, SG_TEXT_FACTS, &in, &most, &fault));
+  CHECK_DOOR("digits",
+             sg_door_text_fault(&call, SG_TEXT_FACTS, &in, &most, &fault));
   CHECK("where", fault.what == SG_TEXT_DIGITS && fault.line == 2);
   set_source("v(1).");
   CHECK("no fault",
         !sg_door_text_fault(&call, SG_TEXT_FACTS, &in, &most, &fault));
   set_source("cube([1,2.5,inf]); // end");
-  CHECK("csg", sg_door_csg_nodes(&call, &in, "a.csg", &most, &term));
+  CHECK_DOOR("csg", sg_door_csg_nodes(&call, &in, "a.csg", &most, &term));
   CHECK("nodes", term[1] == (1 << 4 | SG_TERM_COMPOUND) &&
                      !strcmp(sg_symbol_text((int32_t)term[2], NULL), "nodes"));
   set_source("cube([1,2.5");
-  CHECK("no end", sg_door_csg_nodes(&call, &in, "a.csg", &most, &term));
+  CHECK_DOOR("no end", sg_door_csg_nodes(&call, &in, "a.csg", &most, &term));
   CHECK("is told",
         term[1] == (3 << 4 | SG_TERM_COMPOUND) &&
             !strcmp(sg_symbol_text((int32_t)term[2], NULL), "fault"));
   most.file = 5;
   set_source("cube([1,2.5,inf]);");
-  CHECK("long", sg_door_csg_nodes(&call, &in, "a.csg", &most, &term));
+  CHECK_DOOR("long", sg_door_csg_nodes(&call, &in, "a.csg", &most, &term));
   CHECK("is told", !strcmp(sg_symbol_text((int32_t)term[2], NULL), "fault"));
 }
 

@@ -8,6 +8,7 @@
 #include "doors/file.h"
 #include "tests/c_kernels/door_call.h"
 #include "tests/check.h"
+#include "tests/memory/refuse.h"
 
 #include <stdlib.h>
 
@@ -76,12 +77,12 @@ test_square(void)
   CHECK("what is not plain", !strncmp(SQUARE + end.octet, "foo(1)", 6) &&
                                  end.line == 5 && end.column == 27 &&
                                  end.character == end.octet - 2);
-  CHECK("nothing more",
-        sg_door_plain_facts_take(&call, facts, 6, &end, &again) &&
-            again.octet == end.octet);
-  CHECK("one segment, shifted",
-        sg_door_plain_facts_segments(&call, facts, &ss) && ss.n == 1 &&
-            ss.at[0] == 7);
+  CHECK_DOOR("nothing more",
+             sg_door_plain_facts_take(&call, facts, 6, &end, &again) &&
+                 again.octet == end.octet);
+  CHECK_DOOR("one segment, shifted",
+             sg_door_plain_facts_segments(&call, facts, &ss) && ss.n == 1 &&
+                 ss.at[0] == 7);
   again.octet = (int64_t)sizeof SQUARE;
   CHECK("no place", !sg_door_plain_facts_take(&call, facts, 0, &again, &end) &&
                         is_domain("place", 3));
@@ -283,7 +284,7 @@ add_all(sg_plain_facts *facts)
   for (int r = 0; r < SG_RELATIONS; r++) {
     adds(facts, sg_relation_table[r].name);
   }
-  CHECK("segments", sg_door_plain_facts_segments(&call, facts, &ss));
+  CHECK_DOOR("segments", sg_door_plain_facts_segments(&call, facts, &ss));
   for (size_t i = 1; i < ss.n; i++) {
     ordered = ordered && ss.at[i - 1] < ss.at[i];
   }

@@ -6,6 +6,7 @@
 
 #include "tests/c_kernels/door_call.h"
 #include "tests/check.h"
+#include "tests/memory/refuse.h"
 
 #include <math.h>
 #include <string.h>
@@ -31,12 +32,12 @@ shapes(void)
   point.n = 1;
   CHECK("no size",
         !sg_door_shapes_open(&call, 0, &all) && is_domain("size", 1));
-  CHECK("open", sg_door_shapes_open(&call, 10, &all));
-  CHECK("free", sg_door_shapes_free(&call, all, &one, 0));
-  CHECK("add", sg_door_shapes_add(&call, all, &one));
+  CHECK_DOOR("open", sg_door_shapes_open(&call, 10, &all));
+  CHECK_DOOR("free", sg_door_shapes_free(&call, all, &one, 0));
+  CHECK_DOOR("add", sg_door_shapes_add(&call, all, &one));
   CHECK("overlaps by 1", !sg_door_shapes_free(&call, all, &other, 0.5) &&
                              call.refusal.how == SG_REFUSED_NOTHING);
-  CHECK("no deeper than 2", sg_door_shapes_free(&call, all, &other, 2));
+  CHECK_DOOR("no deeper than 2", sg_door_shapes_free(&call, all, &other, 2));
   CHECK("below 0", !sg_door_shapes_free(&call, all, &other, -1) &&
                        is_domain("not_less_than_zero", 3));
   CHECK("a point", !sg_door_shapes_add(&call, all, &point) &&
@@ -57,9 +58,9 @@ corners(void)
     double angle = 2 * 3.14159265358979 * i / (MOST + 1);
     at[i] = (sg_paper_point){5 + 4 * cos(angle), 5 + 4 * sin(angle)};
   }
-  CHECK("open", sg_door_shapes_open(&call, 10, &all));
-  CHECK("most corners", sg_door_shapes_free(&call, all, &round, 0) &&
-                            sg_door_shapes_add(&call, all, &round));
+  CHECK_DOOR("open", sg_door_shapes_open(&call, 10, &all));
+  CHECK_DOOR("most corners", sg_door_shapes_free(&call, all, &round, 0) &&
+                                 sg_door_shapes_add(&call, all, &round));
   round.n = MOST + 1;
   CHECK("one more", !sg_door_shapes_add(&call, all, &round) &&
                         is_domain("convex_shape", 2));
@@ -107,15 +108,18 @@ maps(void)
   sg_mapped_shapes *map = NULL;
   int32_t i = 0;
 
-  CHECK("map",
-        sg_door_shape_map_open(&call, &(sg_list_paper_point_list){shape, 2, 0},
-                               1e-6, &map));
-  CHECK("first",
-        sg_door_shape_at(&call, map, &(sg_paper_point){1, 1}, &i) && i == 1);
-  CHECK("both",
-        sg_door_shape_at(&call, map, &(sg_paper_point){9.5, 1}, &i) && i == 1);
-  CHECK("second",
-        sg_door_shape_at(&call, map, &(sg_paper_point){15, 1}, &i) && i == 2);
+  CHECK_DOOR("map",
+             sg_door_shape_map_open(
+                 &call, &(sg_list_paper_point_list){shape, 2, 0}, 1e-6, &map));
+  CHECK_DOOR("first",
+             sg_door_shape_at(&call, map, &(sg_paper_point){1, 1}, &i) &&
+                 i == 1);
+  CHECK_DOOR("both",
+             sg_door_shape_at(&call, map, &(sg_paper_point){9.5, 1}, &i) &&
+                 i == 1);
+  CHECK_DOOR("second",
+             sg_door_shape_at(&call, map, &(sg_paper_point){15, 1}, &i) &&
+                 i == 2);
   CHECK("none", !sg_door_shape_at(&call, map, &(sg_paper_point){20, 1}, &i) &&
                     call.refusal.how == SG_REFUSED_NOTHING);
   sg_mapped_shapes_close(map);
@@ -153,8 +157,8 @@ boxes(void)
   const sg_number_list turns = {degrees, 2, 0};
   sg_paper_point_list sizes = {0};
 
-  CHECK("boxes",
-        sg_door_turned_boxes(&call, &points, &turns, &sizes) && sizes.n == 2);
+  CHECK_DOOR("boxes", sg_door_turned_boxes(&call, &points, &turns, &sizes) &&
+                          sizes.n == 2);
   CHECK("upright", sizes.at[0].x == 10 && sizes.at[0].y == 10);
   CHECK("on a corner", fabs(sizes.at[1].x - 10 * sqrt(2)) < 1e-9 &&
                            fabs(sizes.at[1].y - 10 * sqrt(2)) < 1e-9);

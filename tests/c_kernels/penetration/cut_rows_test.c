@@ -10,6 +10,7 @@
 
 #include "tests/c_kernels/cube_world.h"
 #include "tests/check.h"
+#include "tests/memory/refuse.h"
 #include "tests/stop_later.h"
 
 #include <string.h>
@@ -27,9 +28,10 @@ pairs(sg_cut_handle *set)
   int32_t side, count, s, p, t;
   size_t touching = 0, end;
 
-  CHECK("candidates", sg_door_cut_candidate(&call, set, &all));
+  CHECK_DOOR("candidates", sg_door_cut_candidate(&call, set, &all));
   end = set->set.model.triangles;
-  CHECK("the last triangle", sg_door_cut_side(&call, set, 0, end - 1, &side));
+  CHECK_DOOR("the last triangle",
+             sg_door_cut_side(&call, set, 0, end - 1, &side));
   CHECK("no triangle behind it", !sg_door_cut_side(&call, set, 0, end, &side));
   CHECK("is missing",
         call.refusal.how == SG_REFUSED_EXISTENCE && call.refusal.argument == 3);
@@ -38,15 +40,16 @@ pairs(sg_cut_handle *set)
   CHECK("is missing there",
         call.refusal.how == SG_REFUSED_EXISTENCE && call.refusal.argument == 2);
   call.refusal = (sg_refusal){0};
-  CHECK("solids have no curves",
-        sg_door_curve_candidate(&call, set, &curves) && curves.n == 0);
+  CHECK_DOOR("solids have no curves",
+             sg_door_curve_candidate(&call, set, &curves) && curves.n == 0);
   for (size_t i = 0; i < all.n; i++) {
-    CHECK("cuts",
-          sg_door_cut_ends(&call, set, all.at[i].t1, all.at[i].t2, &cuts));
+    CHECK_DOOR("cuts",
+               sg_door_cut_ends(&call, set, all.at[i].t1, all.at[i].t2, &cuts));
     touching += cuts.n > 0;
   }
   CHECK("some are near, fewer touch", touching > 0 && touching <= all.n);
-  CHECK("triangle", sg_door_cut_triangle(&call, set, all.at[0].t1, &s, &p, &t));
+  CHECK_DOOR("triangle",
+             sg_door_cut_triangle(&call, set, all.at[0].t1, &s, &p, &t));
   CHECK("of the first", s == FIRST);
 }
 
@@ -60,22 +63,23 @@ lines(sg_cut_handle *set)
   int32_t segment = 7;
   const sg_int_list none = {&segment, 1, 1};
 
-  CHECK("find", sg_door_cut_find(&call, set));
-  CHECK("seal", sg_door_cut_seal(&call, set));
-  CHECK("chains", sg_door_cut_chains(&call, set, &chains));
+  CHECK_DOOR("find", sg_door_cut_find(&call, set));
+  CHECK_DOOR("seal", sg_door_cut_seal(&call, set));
+  CHECK_DOOR("chains", sg_door_cut_chains(&call, set, &chains));
   CHECK("one, closed",
         chains.n == 1 && chains.at[0].kind == SG_CHAIN_KIND_CLOSED);
   CHECK("comes back to its start",
         chains.at[0].points.n == chains.at[0].polygons.n + 1 &&
             chains.at[0].points.at[0].x ==
                 chains.at[0].points.at[chains.at[0].polygons.n].x);
-  CHECK("polygons", sg_door_cut_polygons(&call, set, &all));
+  CHECK_DOOR("polygons", sg_door_cut_polygons(&call, set, &all));
   CHECK("three of each", all.n == 6);
-  CHECK("of another", sg_door_cut_polygons_of(&call, set, &none, &of_none));
+  CHECK_DOOR("of another",
+             sg_door_cut_polygons_of(&call, set, &none, &of_none));
   CHECK("none", of_none.n == 0);
-  CHECK("vertices", sg_door_cut_vertices(&call, set, &vertices));
+  CHECK_DOOR("vertices", sg_door_cut_vertices(&call, set, &vertices));
   CHECK("are new", vertices.n >= 12 && vertices.at[0].v > 8);
-  CHECK("lines", sg_door_cut_lines(&call, set, &facts));
+  CHECK_DOOR("lines", sg_door_cut_lines(&call, set, &facts));
   CHECK("from 1", facts.n == chains.at[0].polygons.n && facts.at[0].l == 1);
 }
 
@@ -100,27 +104,28 @@ writes(sg_world *world, sg_cut_handle *set)
   size_t written = 0;
   int32_t x;
 
-  CHECK("polygons", sg_door_cut_polygons(&call, set, &polygons));
-  CHECK("queue", sg_door_cut_queue(&call, set, &polygons));
-  CHECK("enter", sg_door_cut_enter_queued(&call, set, &works));
+  CHECK_DOOR("polygons", sg_door_cut_polygons(&call, set, &polygons));
+  CHECK_DOOR("queue", sg_door_cut_queue(&call, set, &polygons));
+  CHECK_DOOR("enter", sg_door_cut_enter_queued(&call, set, &works));
   CHECK("all are free", works.n == polygons.n && polygons.n > 0);
-  CHECK("no more", sg_door_cut_enter_queued(&call, set, &more) && more.n == 0);
+  CHECK_DOOR("no more",
+             sg_door_cut_enter_queued(&call, set, &more) && more.n == 0);
   CHECK("nothing was divided", !sg_door_cut_was_divided(&call, set));
-  CHECK("entering", sg_door_cut_entering(&call, set, polygons.at[0].s,
-                                         polygons.at[0].p, &pieces));
+  CHECK_DOOR("entering", sg_door_cut_entering(&call, set, polygons.at[0].s,
+                                              polygons.at[0].p, &pieces));
   CHECK("pieces", pieces.n > 0);
   CHECK("nothing between",
         !sg_door_cut_between(&call, set, works.at[0], polygons.at[0].s,
                              pieces.at[0].v1, pieces.at[0].v2, &x));
   CHECK("is no error", call.refusal.how == SG_REFUSED_NOTHING);
-  CHECK("lines and vertices", sg_door_cut_write_lines(&call, set));
+  CHECK_DOOR("lines and vertices", sg_door_cut_write_lines(&call, set));
   for (size_t i = 0; i < works.n; i++) {
     CHECK("entered",
           sg_entered_polygon_list_add(
               &call, &entered,
               (sg_entered){polygons.at[i].s, polygons.at[i].p, works.at[i]}));
   }
-  CHECK("write", sg_door_cut_write(&call, set, &entered, &written));
+  CHECK_DOOR("write", sg_door_cut_write(&call, set, &entered, &written));
   CHECK("all", written == works.n);
   for (size_t i = 0; i < works.n; i++) {
     sg_work_close(works.at[i]);
@@ -149,16 +154,16 @@ touches(sg_world *world)
   sg_resolved_fact_list polygons = {0};
 
   CHECK("a third", add_cube_moved(world, THIRD, 0, -1 - 1e-9));
-  CHECK("open", sg_door_cut_set_open(&call, &list, &set));
+  CHECK_DOOR("open", sg_door_cut_set_open(&call, &list, &set));
   CHECK("no reach", !sg_door_cut_touch(&call, set, 0, &what, &moves));
   CHECK("is refused",
         call.refusal.how == SG_REFUSED_DOMAIN && call.refusal.argument == 2);
   call.refusal = (sg_refusal){0};
-  CHECK("resolve",
-        sg_door_cut_resolve(&call, set, 1e-6, &what, &vertices, &polygons));
+  CHECK_DOOR("resolve", sg_door_cut_resolve(&call, set, 1e-6, &what, &vertices,
+                                            &polygons));
   CHECK("one vertex each", what.is == SG_RESOLUTION_CHANGED && vertices.n > 0 &&
                                vertices.at[0].origin);
-  CHECK("touch", sg_door_cut_touch(&call, set, 1e-6, &what, &moves));
+  CHECK_DOOR("touch", sg_door_cut_touch(&call, set, 1e-6, &what, &moves));
   CHECK("changed", what.is == SG_RESOLUTION_CHANGED);
   CHECK("tight: a gap that no source explains is closed",
         moves.is == SG_TOUCH_MOVES_MOVE &&
@@ -231,7 +236,7 @@ leaves(sg_world *world)
   sg_segment_polygon gone[] = {{FIRST, 9}};
   const sg_segment_polygon_list two = {kept, 3, 3}, none = {gone, 1, 1};
 
-  CHECK("keep", sg_door_leaves_keep(&call, &two));
+  CHECK_DOOR("keep", sg_door_leaves_keep(&call, &two));
   const sg_version *version = sg_world_version(world);
 
   CHECK("each once", sg_version_count(version, SG_LEAF_P) == 2);
@@ -254,11 +259,12 @@ main(void)
   call.world = world;
   CHECK("two cubes", world && add_cube(world, FIRST) &&
                          add_cube_moved(world, SECOND, 0, 0.5));
-  CHECK("planes", sg_door_fill_triangles(
-                      &call, &(sg_segments_asked){.is = SG_SEGMENTS_ASKED_ALL},
-                      SIZE_MAX, &(sg_fault_fact_list){0}));
+  CHECK_DOOR("planes",
+             sg_door_fill_triangles(
+                 &call, &(sg_segments_asked){.is = SG_SEGMENTS_ASKED_ALL},
+                 SIZE_MAX, &(sg_fault_fact_list){0}));
   stops(world, &list);
-  CHECK("open", sg_door_cut_set_open(&call, &list, &set));
+  CHECK_DOOR("open", sg_door_cut_set_open(&call, &list, &set));
   sg_cut_set_keep(set);
   sg_cut_set_let_go(set); /* as when its handle is closed */
   pairs(set);

@@ -9,6 +9,7 @@
 
 #include "tests/c_kernels/cube_world.h"
 #include "tests/check.h"
+#include "tests/memory/refuse.h"
 
 #include "engine/symbol.h"
 
@@ -74,17 +75,18 @@ lines(sg_scene_index *scene)
   sg_scene_edge_rows every = {0}, first = {0}, other = {0};
   double near = 0;
 
-  CHECK("edges", sg_door_scene_edge(&call, scene, NULL, NULL, &every));
+  CHECK_DOOR("edges", sg_door_scene_edge(&call, scene, NULL, NULL, &every));
   CHECK("of a cube", every.n == 12);
-  CHECK("the first", sg_door_scene_edge(&call, scene, &one, &one, &first));
+  CHECK_DOOR("the first", sg_door_scene_edge(&call, scene, &one, &one, &first));
   CHECK("is a right angle",
         first.n == 1 && first.at[0].e == 1 && first.at[0].look.bend > 89.9 &&
             first.at[0].look.bend < 90.1 && first.at[0].look.faces == 2);
-  CHECK("of no segment", sg_door_scene_edge(&call, scene, &none, NULL, &other));
+  CHECK_DOOR("of no segment",
+             sg_door_scene_edge(&call, scene, &none, NULL, &other));
   CHECK("none", other.n == 0);
   CHECK("not there", !sg_door_scene_edge(&call, scene, &one, &none, &other) &&
                          is_refused(SG_REFUSED_NOTHING, 0, 0));
-  CHECK("near", sg_door_scene_near(&call, scene, &near) && near > 0);
+  CHECK_DOOR("near", sg_door_scene_near(&call, scene, &near) && near > 0);
 }
 
 /* Word k of a mesh: a float. */
@@ -111,8 +113,8 @@ mesh(sg_scene_index *scene)
   sg_bytes octets, other;
   bool near = true;
 
-  CHECK("a mesh",
-        sg_door_scene_mesh(&call, scene, 30, &middle, &counts, &octets));
+  CHECK_DOOR("a mesh",
+             sg_door_scene_mesh(&call, scene, 30, &middle, &counts, &octets));
   CHECK("of a cube", counts.vertices == 8 && counts.triangles == 12 &&
                          counts.lines == 12 && counts.sharp == 12 &&
                          octets.n == 4 * (3 * 8 + 3 * 12 + 2 * 12));
@@ -124,10 +126,10 @@ mesh(sg_scene_index *scene)
     near = near && octets.at[4 * k] < 8 && octets.at[4 * k + 1] == 0;
   }
   CHECK("of its vertices", near);
-  CHECK("all blunt",
-        sg_door_scene_mesh(&call, scene, 100, &middle, &blunt, &other) &&
-            blunt.sharp == 0 && blunt.lines == 12 && other.n == octets.n &&
-            memcmp(other.at, octets.at, octets.n) == 0);
+  CHECK_DOOR("all blunt",
+             sg_door_scene_mesh(&call, scene, 100, &middle, &blunt, &other) &&
+                 blunt.sharp == 0 && blunt.lines == 12 && other.n == octets.n &&
+                 memcmp(other.at, octets.at, octets.n) == 0);
 }
 
 /* The three edges at the corner behind are hidden, each of them whole. */
@@ -144,7 +146,7 @@ joins(sg_scene_index *scene)
     sg_occluder_rows by = {0}, by_other = {0};
     sg_overlap_rows on = {0};
     sg_line_cover_list covers = {0};
-    CHECK(
+    CHECK_DOOR(
         "asked",
         sg_door_occluder(&call, scene, CUBE, e, NULL, NULL, &by) &&
             sg_door_occluder(&call, scene, CUBE, e, &other, NULL, &by_other) &&
@@ -190,11 +192,13 @@ drawn(sg_scene_index *scene)
   sg_hide_through pair[] = {{OTHER, CUBE}, {CUBE, OTHER}, {CUBE, CUBE}};
   const sg_hide_through_list none = {0}, glass = {pair, 3, 3};
 
-  CHECK("draw", sg_door_fill_drawn(&call, scene, SG_LINES_ALL, 30, &none));
+  CHECK_DOOR("draw", sg_door_fill_drawn(&call, scene, SG_LINES_ALL, 30, &none));
   CHECK("each line", rows_in(SG_DRAWN) == 12 && hidden_parts() == 3);
-  CHECK("glass", sg_door_fill_drawn(&call, scene, SG_LINES_ALL, 30, &glass));
+  CHECK_DOOR("glass",
+             sg_door_fill_drawn(&call, scene, SG_LINES_ALL, 30, &glass));
   CHECK("hides nothing", rows_in(SG_DRAWN) == 12 && hidden_parts() == 0);
-  CHECK("no cuts", sg_door_fill_drawn(&call, scene, SG_LINES_CUT, 30, &none));
+  CHECK_DOOR("no cuts",
+             sg_door_fill_drawn(&call, scene, SG_LINES_CUT, 30, &none));
   CHECK("are drawn", rows_in(SG_DRAWN) == 0);
 }
 
@@ -220,8 +224,8 @@ outlines(void)
   CHECK("of a ball", outlined(120));
   CHECK("there is one", rows_in(SG_CONTOUR) > 3);
   call_again(NULL);
-  CHECK("seen", sg_door_scene_open(&call, &all, 1, 1e-9, &smooth, &all_lines,
-                                   &kept, &scene));
+  CHECK_DOOR("seen", sg_door_scene_open(&call, &all, 1, 1e-9, &smooth,
+                                        &all_lines, &kept, &scene));
   sg_scene_edge_rows every = {0};
 
   sg_door_scene_edge(&call, scene, NULL, NULL, &every);
@@ -276,24 +280,25 @@ extents(void)
   const sg_int_list these = {s, 1, 0};
   sg_round_extent_list out = {0};
 
-  CHECK("extents",
-        sg_door_round_extents(&call, &known, &these, &out) && out.n == 1);
+  CHECK_DOOR("extents",
+             sg_door_round_extents(&call, &known, &these, &out) && out.n == 1);
   CHECK("along the axis", out.at[0].low == 0 && out.at[0].high == 0.5);
   CHECK("about it: a quarter from U to V",
         out.at[0].begin == 0 && out.at[0].turn == 90);
   frame[0] = frame[1] = 0.5;
   out = (sg_round_extent_list){0};
-  CHECK("in its middle", sg_door_round_extents(&call, &known, &these, &out) &&
-                             out.n == 1 && out.at[0].turn == 270);
+  CHECK_DOOR("in its middle",
+             sg_door_round_extents(&call, &known, &these, &out) && out.n == 1 &&
+                 out.at[0].turn == 270);
   round.kind = SG_KNOWN_SPHERE;
   out = (sg_round_extent_list){0};
-  CHECK("a ball's facets may be wider",
-        sg_door_round_extents(&call, &known, &these, &out) &&
-            out.at[0].turn == 360);
+  CHECK_DOOR("a ball's facets may be wider",
+             sg_door_round_extents(&call, &known, &these, &out) &&
+                 out.at[0].turn == 360);
   round.kind = SG_KNOWN_FREE;
   out = (sg_round_extent_list){0};
-  CHECK("what has no axis",
-        sg_door_round_extents(&call, &known, &these, &out) && out.n == 0);
+  CHECK_DOOR("what has no axis",
+             sg_door_round_extents(&call, &known, &these, &out) && out.n == 0);
 }
 
 static bool
@@ -312,7 +317,8 @@ main(void)
   sg_call_open(&call, NULL, NULL);
   call.world = sg_world_open();
   CHECK("a cube", call.world && add_cube(call.world, CUBE));
-  CHECK("seen", sg_door_fill_screen(&call, 30, 60, 9, SG_PROJECTION_PARALLEL));
+  CHECK_DOOR("seen",
+             sg_door_fill_screen(&call, 30, 60, 9, SG_PROJECTION_PARALLEL));
   CHECK("nothing is kept",
         !opened(&kept) && is_refused(SG_REFUSED_NOTHING, 0, 0));
   call_again(&now);
@@ -331,7 +337,7 @@ main(void)
   extents();
   CHECK("another", add_cube(call.world, OTHER));
   CHECK("is not kept", !opened(&kept));
-  CHECK("a scene stays", sg_door_scene_near(&call, scene, &(double){0}));
+  CHECK_DOOR("a scene stays", sg_door_scene_near(&call, scene, &(double){0}));
   sg_scene_index_close(scene);
   sg_world *world = call.world;
 

@@ -7,6 +7,7 @@
 
 #include "tests/c_kernels/cube_world.h"
 #include "tests/check.h"
+#include "tests/memory/refuse.h"
 
 #include <math.h>
 #include <string.h>
@@ -53,22 +54,22 @@ seen(void)
 {
   double near, far, reach, depth, sine, cosine;
 
-  CHECK("from above",
-        sg_door_fill_screen(&call, -90, 0, 9, SG_PROJECTION_PARALLEL));
+  CHECK_DOOR("from above",
+             sg_door_fill_screen(&call, -90, 0, 9, SG_PROJECTION_PARALLEL));
   CHECK("x right, y up, z away", is_at(SG_SCREEN, 6, 1, 0, -1));
-  CHECK("depth",
-        sg_door_view_depth(&call, -90, 0, 9, SG_PROJECTION_PARALLEL, &depth) &&
-            depth == 1);
-  CHECK("range", sg_door_view_range(&call, -90, 0, &near, &far, &reach));
+  CHECK_DOOR("depth", sg_door_view_depth(&call, -90, 0, 9,
+                                         SG_PROJECTION_PARALLEL, &depth) &&
+                          depth == 1);
+  CHECK_DOOR("range", sg_door_view_range(&call, -90, 0, &near, &far, &reach));
   CHECK("of a unit cube", near == -1 && far == 0 && reach == sqrt(3));
-  CHECK("central",
-        sg_door_fill_screen(&call, -90, 0, 9, SG_PROJECTION_CENTRAL));
+  CHECK_DOOR("central",
+             sg_door_fill_screen(&call, -90, 0, 9, SG_PROJECTION_CENTRAL));
   CHECK("what is near is larger", !is_at(SG_SCREEN, 6, 1, 0, -1));
   CHECK("in the model",
         !sg_door_fill_screen(&call, -90, 0, 0.5, SG_PROJECTION_CENTRAL) &&
             is_domain("rho", 3, 0));
-  CHECK("ninety", sg_door_sine_cosine(&call, 90, &sine, &cosine) && sine == 1 &&
-                      cosine == 0);
+  CHECK_DOOR("ninety", sg_door_sine_cosine(&call, 90, &sine, &cosine) &&
+                           sine == 1 && cosine == 0);
 }
 
 static bool
@@ -88,7 +89,7 @@ turns(void)
   CHECK("axis 4", !turned(1, 4, 2, 3) && is_domain("axis", 0, 4));
   CHECK("two numbers", !turned(1, 2, 3, 2) && is_domain("origin", 2, 0));
   CHECK("nothing is turned", is_at(SG_V, 2, 1, 0, 0));
-  CHECK("a quarter", turned(2, -1, 3, 3));
+  CHECK_DOOR("a quarter", turned(2, -1, 3, 3));
   CHECK("is turned", is_at(SG_V, 2, 0, -1, 0) && is_at(SG_V, 8, 1, -1, 1));
 }
 

@@ -9,6 +9,7 @@
 #include "tests/c_kernels/cube_world.h"
 #include "tests/c_kernels/door_call.h"
 #include "tests/check.h"
+#include "tests/memory/refuse.h"
 
 enum { CUBE = 1, OPEN = 2 };
 
@@ -44,15 +45,17 @@ fills(void)
   sg_segments_asked asked = {.is = SG_SEGMENTS_ASKED_THESE};
   sg_fault_fact_list faults = {0};
 
-  CHECK("nothing", sg_door_fill_triangles(&call, &asked, SIZE_MAX, &faults) &&
-                       faults.n == 0 && rows_of(SG_PLANE) == 0);
+  CHECK_DOOR("nothing",
+             sg_door_fill_triangles(&call, &asked, SIZE_MAX, &faults) &&
+                 faults.n == 0 && rows_of(SG_PLANE) == 0);
   asked.these = (sg_int_list){(int32_t[]){CUBE}, 1, 1};
-  CHECK("the cube", sg_door_fill_triangles(&call, &asked, SIZE_MAX, &faults) &&
-                        faults.n == 0 && rows_of(SG_PLANE) == 6 &&
-                        rows_of(SG_T) == 12);
+  CHECK_DOOR("the cube",
+             sg_door_fill_triangles(&call, &asked, SIZE_MAX, &faults) &&
+                 faults.n == 0 && rows_of(SG_PLANE) == 6 &&
+                 rows_of(SG_T) == 12);
   sg_call_rest(&call);
   asked.is = SG_SEGMENTS_ASKED_ALL;
-  CHECK("all", sg_door_fill_triangles(&call, &asked, SIZE_MAX, &faults));
+  CHECK_DOOR("all", sg_door_fill_triangles(&call, &asked, SIZE_MAX, &faults));
   CHECK("one is not closed",
         faults.n == 1 && faults.at[0].s == OPEN && faults.at[0].p == 1 &&
             faults.at[0].what.is == SG_FAULT_WHAT_NOT_CLOSED);
@@ -65,14 +68,14 @@ untriangulated(void)
 {
   sg_int_list none = {0}, one = {0};
 
-  CHECK("no segments",
-        sg_door_untriangulated_segments(&call, &none) && none.n == 0);
+  CHECK_DOOR("no segments",
+             sg_door_untriangulated_segments(&call, &none) && none.n == 0);
   for (int32_t s = CUBE; s <= OPEN + 1; s++) {
     CHECK("segment", add_segment(s));
   }
   sg_call_rest(&call);
-  CHECK("one of three", sg_door_untriangulated_segments(&call, &one) &&
-                            one.n == 1 && one.at[0] == OPEN);
+  CHECK_DOOR("one of three", sg_door_untriangulated_segments(&call, &one) &&
+                                 one.n == 1 && one.at[0] == OPEN);
 }
 
 static void
@@ -82,15 +85,17 @@ tolerances(void)
   int32_t s[] = {CUBE};
   sg_int_list cube = {s, 1, 1}, none = {0};
 
-  CHECK("of the model", sg_door_model_tolerance(&call, &all));
-  CHECK("it is kept",
-        sg_door_model_tolerance(&call, &again) && all == again && all > 0);
-  CHECK("of the cube",
-        sg_door_segments_tolerance(&call, &cube, &one, &smallest) && one > 0 &&
-            one <= all && smallest == 1);
-  CHECK("of none", sg_door_segments_tolerance(&call, &none, &one, &smallest) &&
-                       smallest == 0);
-  CHECK("doubles", sg_door_segment_grain(&call, CUBE, &grain) && grain == 0);
+  CHECK_DOOR("of the model", sg_door_model_tolerance(&call, &all));
+  CHECK_DOOR("it is kept",
+             sg_door_model_tolerance(&call, &again) && all == again && all > 0);
+  CHECK_DOOR("of the cube",
+             sg_door_segments_tolerance(&call, &cube, &one, &smallest) &&
+                 one > 0 && one <= all && smallest == 1);
+  CHECK_DOOR("of none",
+             sg_door_segments_tolerance(&call, &none, &one, &smallest) &&
+                 smallest == 0);
+  CHECK_DOOR("doubles",
+             sg_door_segment_grain(&call, CUBE, &grain) && grain == 0);
 }
 
 int

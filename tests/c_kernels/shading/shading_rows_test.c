@@ -11,6 +11,7 @@
 #include "tests/c_kernels/cube_world.h"
 #include "tests/c_kernels/door_call.h"
 #include "tests/check.h"
+#include "tests/memory/refuse.h"
 
 #include <math.h>
 #include <string.h>
@@ -72,12 +73,13 @@ located(sg_shading *scene)
   size_t width = 0, height = 0;
   sg_xyz place = {{0, 0, 0}};
 
-  CHECK("a place of the model",
-        sg_door_shading_place(&call, scene, 55, 45, -10, &place) &&
-            fabs(place.at[0] - 0.5) < 1e-12 &&
-            fabs(place.at[1] - 0.5) < 1e-12 && fabs(place.at[2] - 1) < 1e-12);
-  CHECK("a size", sg_door_shading_size(&call, scene, &width, &height) &&
-                      width == 100 && height == 100);
+  CHECK_DOOR("a place of the model",
+             sg_door_shading_place(&call, scene, 55, 45, -10, &place) &&
+                 fabs(place.at[0] - 0.5) < 1e-12 &&
+                 fabs(place.at[1] - 0.5) < 1e-12 &&
+                 fabs(place.at[2] - 1) < 1e-12);
+  CHECK_DOOR("a size", sg_door_shading_size(&call, scene, &width, &height) &&
+                           width == 100 && height == 100);
 }
 
 static void
@@ -93,7 +95,7 @@ seen(void)
   double depth;
 
   CHECK("a scene", scene);
-  CHECK("spans", sg_door_shading_spans(&call, scene, 45, &spans));
+  CHECK_DOOR("spans", sg_door_shading_spans(&call, scene, 45, &spans));
   CHECK("of the cube, and twice of the ring",
         spans.n == 3 && spans.at[0].x1 == 50 * 256 &&
             spans.at[0].x2 == 60 * 256 && spans.at[0].root == 7 &&
@@ -101,19 +103,20 @@ seen(void)
   CHECK("as far as circles go",
         spans.n == 3 && spans.at[1].x1 == 17547 && spans.at[1].x2 == 19049 &&
             spans.at[2].x1 == 21911 && spans.at[2].x2 == 23413);
-  CHECK("slices",
-        sg_door_shading_slices(&call, scene, 45, &slices) && slices.n >= 6);
-  CHECK("a point",
-        sg_door_shading_point(&call, scene, 55, 45, &span, &depth, &normal) &&
-            span.leaf == 1 && depth == -10 && normal.at[2] == 1);
+  CHECK_DOOR("slices", sg_door_shading_slices(&call, scene, 45, &slices) &&
+                           slices.n >= 6);
+  CHECK_DOOR("a point", sg_door_shading_point(&call, scene, 55, 45, &span,
+                                              &depth, &normal) &&
+                            span.leaf == 1 && depth == -10 &&
+                            normal.at[2] == 1);
   CHECK("none",
         !sg_door_shading_point(&call, scene, 5, 45, &span, &depth, &normal) &&
             call.refusal.how == SG_REFUSED_NOTHING);
-  CHECK("a box",
-        sg_door_shading_box(&call, &frame,
-                            &(sg_shading_leaf_fact_list){leaf, 1, 0}, &box) &&
-            box.x1 == 50 && box.y1 == 40 && box.x2 == 60 && box.y2 == 50 &&
-            box.z1 == -10 && box.z2 == 0);
+  CHECK_DOOR("a box", sg_door_shading_box(
+                          &call, &frame,
+                          &(sg_shading_leaf_fact_list){leaf, 1, 0}, &box) &&
+                          box.x1 == 50 && box.y1 == 40 && box.x2 == 60 &&
+                          box.y2 == 50 && box.z1 == -10 && box.z2 == 0);
   located(scene);
   sg_shading_close(scene);
 }
@@ -133,24 +136,25 @@ seen_through(void)
   sg_shading *scene = NULL;
 
   leaf[1].rows.map.at = below;
-  CHECK("two roots",
-        sg_door_shading_open(&call, &frame,
-                             &(sg_shading_leaf_fact_list){leaf, 2, 0},
-                             &(sg_shading_root_fact_list){root, 2, 0}, &scene));
-  CHECK("the upper one is seen",
-        sg_door_shading_spans(&call, scene, 45, &before) && before.n == 1 &&
-            before.at[0].root == 7);
-  CHECK("also if the lower one may not hide it",
-        sg_door_shading_let_through(&call, scene,
-                                    &(sg_shading_pair_list){&pair[0], 1, 0}) &&
-            sg_door_shading_spans(&call, scene, 45, &same) && same.n == 1 &&
-            same.at[0].root == 7);
-  CHECK("the lower one is",
-        sg_door_shading_let_through(&call, scene,
-                                    &(sg_shading_pair_list){&pair[1], 1, 0}) &&
-            sg_door_shading_spans(&call, scene, 45, &after) && after.n == 1 &&
-            after.at[0].root == 8 && after.at[0].x1 == before.at[0].x1 &&
-            after.at[0].x2 == before.at[0].x2);
+  CHECK_DOOR("two roots",
+             sg_door_shading_open(
+                 &call, &frame, &(sg_shading_leaf_fact_list){leaf, 2, 0},
+                 &(sg_shading_root_fact_list){root, 2, 0}, &scene));
+  CHECK_DOOR("the upper one is seen",
+             sg_door_shading_spans(&call, scene, 45, &before) &&
+                 before.n == 1 && before.at[0].root == 7);
+  CHECK_DOOR("also if the lower one may not hide it",
+             sg_door_shading_let_through(
+                 &call, scene, &(sg_shading_pair_list){&pair[0], 1, 0}) &&
+                 sg_door_shading_spans(&call, scene, 45, &same) &&
+                 same.n == 1 && same.at[0].root == 7);
+  CHECK_DOOR("the lower one is",
+             sg_door_shading_let_through(
+                 &call, scene, &(sg_shading_pair_list){&pair[1], 1, 0}) &&
+                 sg_door_shading_spans(&call, scene, 45, &after) &&
+                 after.n == 1 && after.at[0].root == 8 &&
+                 after.at[0].x1 == before.at[0].x1 &&
+                 after.at[0].x2 == before.at[0].x2);
   sg_shading_close(scene);
 }
 
@@ -297,30 +301,30 @@ owners(void)
   size_t second[] = {1, 2};
 
   CHECK("the first", leaf_in_front(scene) == 1);
-  CHECK("nothing is noted",
-        sg_door_shading_groups(&call, scene, &groups) && groups.n == 0);
+  CHECK_DOOR("nothing is noted",
+             sg_door_shading_groups(&call, scene, &groups) && groups.n == 0);
   CHECK("nothing is asked",
         !sg_door_shading_owners(&call, scene, &(sg_count_list){second, 1, 0}) &&
             is_domain("shading_owners", 2));
-  CHECK("to be noted", sg_door_shading_ask_owners(&call, scene));
+  CHECK_DOOR("to be noted", sg_door_shading_ask_owners(&call, scene));
   CHECK("the first, as long as there is no answer", leaf_in_front(scene) == 1);
-  CHECK("a group", sg_door_shading_groups(&call, scene, &groups) &&
-                       groups.n == 1 && groups.at[0].root == 7 &&
-                       groups.at[0].begins && groups.at[0].faces.n == 2 &&
-                       groups.at[0].faces.at[0].leaf == 1 &&
-                       groups.at[0].faces.at[1].leaf == 2 &&
-                       groups.at[0].faces.at[1].face == 2);
+  CHECK_DOOR("a group", sg_door_shading_groups(&call, scene, &groups) &&
+                            groups.n == 1 && groups.at[0].root == 7 &&
+                            groups.at[0].begins && groups.at[0].faces.n == 2 &&
+                            groups.at[0].faces.at[0].leaf == 1 &&
+                            groups.at[0].faces.at[1].leaf == 2 &&
+                            groups.at[0].faces.at[1].face == 2);
   CHECK("two answers",
         !sg_door_shading_owners(&call, scene, &(sg_count_list){second, 2, 0}) &&
             is_domain("shading_owners", 2));
   CHECK("a third face", !sg_door_shading_owners(
                             &call, scene, &(sg_count_list){second + 1, 1, 0}) &&
                             is_domain("shading_owners", 2));
-  CHECK("an answer",
-        sg_door_shading_owners(&call, scene, &(sg_count_list){second, 1, 0}));
+  CHECK_DOOR("an answer", sg_door_shading_owners(
+                              &call, scene, &(sg_count_list){second, 1, 0}));
   CHECK("the second", leaf_in_front(scene) == 2);
-  CHECK("it is not asked again",
-        sg_door_shading_groups(&call, scene, &none) && none.n == 0);
+  CHECK_DOOR("it is not asked again",
+             sg_door_shading_groups(&call, scene, &none) && none.n == 0);
   sg_shading_close(scene);
 }
 

@@ -10,6 +10,7 @@
 
 #include "tests/c_kernels/cube_world.h"
 #include "tests/check.h"
+#include "tests/memory/refuse.h"
 
 #include <string.h>
 
@@ -52,8 +53,9 @@ opened(sg_cut_handle *set)
                             &call, set, &segments, &(sg_int_list){&third, 1, 1},
                             &(sg_arrangement_weight_list){0}, &h) &&
                             was_refused(SG_REFUSED_DOMAIN, 0, 0));
-  CHECK("open", sg_door_arrangement_open(&call, set, &segments, &segments,
-                                         &(sg_arrangement_weight_list){0}, &h));
+  CHECK_DOOR("open",
+             sg_door_arrangement_open(&call, set, &segments, &segments,
+                                      &(sg_arrangement_weight_list){0}, &h));
   return h;
 }
 
@@ -64,12 +66,13 @@ fills(sg_cut_handle *set, sg_arrangement_handle *h,
   sg_segment_polygon_list polygons = {0};
   sg_component_fact_list none = {0};
 
-  CHECK("polygons", sg_door_cut_polygons_of(&call, set, &segments, &polygons) &&
-                        polygons.n == 6);
+  CHECK_DOOR("polygons",
+             sg_door_cut_polygons_of(&call, set, &segments, &polygons) &&
+                 polygons.n == 6);
   CHECK("not sealed", !sg_door_arrangement_components(&call, pieces, &none) &&
                           was_refused(SG_REFUSED_PERMISSION, 1, 2));
-  CHECK("fill", sg_door_arrangement_free_polygons(&call, h, &polygons, 0));
-  CHECK("seal", sg_door_arrangement_seal(&call, h));
+  CHECK_DOOR("fill", sg_door_arrangement_free_polygons(&call, h, &polygons, 0));
+  CHECK_DOOR("seal", sg_door_arrangement_seal(&call, h));
   CHECK("once", !sg_door_arrangement_seal(&call, h) &&
                     was_refused(SG_REFUSED_PERMISSION, 0, 0));
 }
@@ -85,24 +88,25 @@ fills_by_works(sg_cut_handle *set)
   sg_component_fact_list all = {0};
   sg_work_list works = {0};
 
-  CHECK("polygons", sg_door_cut_polygons(&call, set, &polygons) &&
-                        sg_door_cut_queue(&call, set, &polygons) &&
-                        sg_door_cut_enter_queued(&call, set, &works));
+  CHECK_DOOR("polygons", sg_door_cut_polygons(&call, set, &polygons) &&
+                             sg_door_cut_queue(&call, set, &polygons) &&
+                             sg_door_cut_enter_queued(&call, set, &works));
   CHECK("all are free", works.n == 6 && polygons.n == 6);
   for (size_t i = 0; i < works.n; i++) {
     entered[i] = (sg_entered){polygons.at[i].s, polygons.at[i].p, works.at[i]};
   }
-  CHECK("fill", sg_door_arrangement_polygons(
-                    &call, h, &(sg_entered_polygon_list){entered, 6, 0}, 0));
-  CHECK("seal", sg_door_arrangement_seal(&call, h));
-  CHECK("components",
-        sg_door_arrangement_components(
-            &call, &(sg_arrangement_piece_list){piece, 2, 0}, &all) &&
-            all.n == 4);
+  CHECK_DOOR("fill",
+             sg_door_arrangement_polygons(
+                 &call, h, &(sg_entered_polygon_list){entered, 6, 0}, 0));
+  CHECK_DOOR("seal", sg_door_arrangement_seal(&call, h));
+  CHECK_DOOR("components",
+             sg_door_arrangement_components(
+                 &call, &(sg_arrangement_piece_list){piece, 2, 0}, &all) &&
+                 all.n == 4);
   for (size_t i = 0; i < works.n; i++) {
     sg_work_close(works.at[i]);
   }
-  CHECK("drop", sg_door_arrangement_drop(&call, h));
+  CHECK_DOOR("drop", sg_door_arrangement_drop(&call, h));
   sg_arrangement_handle_free(h);
 }
 
@@ -113,7 +117,7 @@ is_stuck(sg_cut_handle *set)
   sg_arrangement_handle *h = opened(set);
   sg_work *work = NULL;
 
-  CHECK("work", sg_door_cut_work(&call, set, FIRST, 2, &work));
+  CHECK_DOOR("work", sg_door_cut_work(&call, set, FIRST, 2, &work));
   sg_work_delete(work, sg_work_next(work, 0));
   sg_entered polygon = {FIRST, 2, work};
 
@@ -136,16 +140,16 @@ components(const sg_arrangement_piece_list *pieces)
   sg_integer_list numbers = {0};
   sg_arrangement_piece other = {3, pieces->at[0].arrangement};
 
-  CHECK("components", sg_door_arrangement_components(&call, pieces, &all));
+  CHECK_DOOR("components", sg_door_arrangement_components(&call, pieces, &all));
   CHECK("inside and outside of each", all.n == 4);
   for (size_t i = 0; i < all.n; i++) {
     CHECK("each lies on nothing",
           all.at[i].number == i && all.at[i].s == (i < 2 ? FIRST : SECOND) &&
               all.at[i].which == SG_COMPONENT_WHICH_ONLY);
   }
-  CHECK("one arrangement",
-        sg_door_arrangement_numbers(&call, pieces, &numbers) &&
-            numbers.n == 2 && numbers.at[0] == numbers.at[1]);
+  CHECK_DOOR("one arrangement",
+             sg_door_arrangement_numbers(&call, pieces, &numbers) &&
+                 numbers.n == 2 && numbers.at[0] == numbers.at[1]);
   CHECK("no piece of it",
         !sg_door_arrangement_numbers(
             &call, &(sg_arrangement_piece_list){&other, 1, 1}, &numbers) &&
@@ -167,9 +171,10 @@ senses(const sg_arrangement_piece_list *pieces)
               &(sg_int_list){0}, &chosen) &&
               was_refused(SG_REFUSED_DOMAIN, 0, 0));
   }
-  CHECK("union", sg_door_arrangement_senses(
-                     &call, pieces, &(sg_expression_node_fact_list){node, 3, 3},
-                     &(sg_int_list){0}, &chosen));
+  CHECK_DOOR("union",
+             sg_door_arrangement_senses(
+                 &call, pieces, &(sg_expression_node_fact_list){node, 3, 3},
+                 &(sg_int_list){0}, &chosen));
   CHECK("what is outside",
         chosen.n == 2 && !chosen.at[0].reversed && !chosen.at[1].reversed);
   CHECK("wrong",
@@ -177,10 +182,11 @@ senses(const sg_arrangement_piece_list *pieces)
                                     (sg_component_sense){4, false}) &&
             !sg_door_arrangement_select(&call, pieces, &wrong, &solid) &&
             was_refused(SG_REFUSED_EXISTENCE, 1, 1));
-  CHECK("select", sg_door_arrangement_select(&call, pieces, &chosen, &solid));
-  CHECK("six corners were made, seven of each stay",
-        sg_door_solid_is_closed(&call, solid) && solid->vertices == 20 &&
-            solid->plain == 14);
+  CHECK_DOOR("select",
+             sg_door_arrangement_select(&call, pieces, &chosen, &solid));
+  CHECK_DOOR("six corners were made, seven of each stay",
+             sg_door_solid_is_closed(&call, solid) && solid->vertices == 20 &&
+                 solid->plain == 14);
   for (size_t i = 0; i < solid->vertices - solid->plain; i++) {
     CHECK("by cuts", solid->origin[i] != NULL);
   }
@@ -190,10 +196,10 @@ senses(const sg_arrangement_piece_list *pieces)
 static void
 ends(sg_arrangement_handle *h)
 {
-  CHECK("hold", sg_door_arrangement_hold(&call, h));
-  CHECK("drop", sg_door_arrangement_drop(&call, h));
+  CHECK_DOOR("hold", sg_door_arrangement_hold(&call, h));
+  CHECK_DOOR("drop", sg_door_arrangement_drop(&call, h));
   CHECK("still open", h->arrangement != NULL);
-  CHECK("drop", sg_door_arrangement_drop(&call, h));
+  CHECK_DOOR("drop", sg_door_arrangement_drop(&call, h));
   CHECK("closed", !sg_door_arrangement_hold(&call, h) &&
                       was_refused(SG_REFUSED_EXISTENCE, 0, 0));
   sg_arrangement_handle_free(h);
@@ -215,10 +221,10 @@ main(void)
                 &call, &(sg_segments_asked){.is = SG_SEGMENTS_ASKED_ALL},
                 SIZE_MAX, &(sg_fault_fact_list){0}));
   sg_call_rest(&call);
-  CHECK("cuts",
-        sg_door_cut_set_open(&call, &(sg_id_pair_list){&pair, 1, 1}, &set) &&
-            sg_door_cut_find(&call, set) && sg_door_cut_seal(&call, set) &&
-            joined(set));
+  CHECK_DOOR("cuts", sg_door_cut_set_open(
+                         &call, &(sg_id_pair_list){&pair, 1, 1}, &set) &&
+                         sg_door_cut_find(&call, set) &&
+                         sg_door_cut_seal(&call, set) && joined(set));
   fills_by_works(set);
   sg_arrangement_handle *h = opened(set);
   sg_arrangement_piece piece[] = {{FIRST, h}, {SECOND, h}};

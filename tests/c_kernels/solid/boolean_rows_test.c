@@ -8,6 +8,7 @@
 #include "tests/c_kernels/cube_world.h"
 #include "tests/c_kernels/door_call.h"
 #include "tests/check.h"
+#include "tests/memory/refuse.h"
 
 enum { CUBE = 1, TWICE = 2 };
 
@@ -42,13 +43,13 @@ no_primitives(void)
   sg_int_list kinds = {0}, others = {0};
 
   CHECK("segments", add_segment(CUBE) && add_segment(TWICE));
-  CHECK("kinds",
-        sg_door_kept_leaves(&call, &(sg_integer_list){asked, 4, 4}, &kinds));
+  CHECK_DOOR("kinds", sg_door_kept_leaves(
+                          &call, &(sg_integer_list){asked, 4, 4}, &kinds));
   CHECK("one each", kinds.n == 4);
   for (size_t i = 0; i < kinds.n; i++) {
     CHECK("other", kinds.at[i] == sg_symbol_find("other", 5));
   }
-  CHECK("others", sg_door_other_segments(&call, &others));
+  CHECK_DOOR("others", sg_door_other_segments(&call, &others));
   CHECK("both", others.n == 2 && others.at[0] == CUBE && others.at[1] == TWICE);
 }
 
@@ -60,7 +61,7 @@ origins_of_nodes(void)
   CHECK("origins",
         add_origin(CUBE, SG_SYMBOL_V) && add_origin(CUBE, SG_SYMBOL_NODE));
   sg_call_rest(&call);
-  CHECK("of nodes", sg_door_node_origins(&call, CUBE, &found));
+  CHECK_DOOR("of nodes", sg_door_node_origins(&call, CUBE, &found));
   CHECK("one", found.n == 1 && sg_term_vertex(found.at[0].item) == 0 &&
                    sg_term_length(found.at[0].origin) == 2);
 }
@@ -83,8 +84,8 @@ borders(void)
                                NULL, NULL) == SG_OK);
   }
   sg_call_rest(&call);
-  CHECK("borders",
-        sg_door_operand_borders(&call, &(sg_int_list){s, 1, 1}, &found));
+  CHECK_DOOR("borders",
+             sg_door_operand_borders(&call, &(sg_int_list){s, 1, 1}, &found));
   CHECK("three of the bottom, three of the top, two of the front",
         found.n == 8);
   for (size_t i = 0; i < found.n; i++) {
@@ -114,7 +115,7 @@ copies(void)
   CHECK("so it stays", !sg_door_segment_copies_dropped(&call, TWICE, 1));
   CHECK("twice", add_cube_again(world, CUBE, 1));
   sg_call_rest(&call);
-  CHECK("dropped", sg_door_segment_copies_dropped(&call, CUBE, 1));
+  CHECK_DOOR("dropped", sg_door_segment_copies_dropped(&call, CUBE, 1));
   sg_call_rest(&call);
   CHECK("one is left", rows_of(SG_P) == 18 && rows_of(SG_T) == 36 &&
                            rows_of(SG_E) == 72 && rows_of(SG_V) == 24);
@@ -138,15 +139,18 @@ equal_leaves(void)
   CHECK("cubes", world && add_cube(world, 1) && add_cube(world, TWICE) &&
                      add_cube_again(world, TWICE, 1) && add_cube(world, 3) &&
                      add_cube(world, 5) && add_cube(world, 6));
-  CHECK("one", sg_door_leaf_copies(&call, &one, 1, &found) && found.n == 0);
-  CHECK("equal", sg_door_leaf_copies(&call, &all, 1, &found) && found.n == 3);
+  CHECK_DOOR("one",
+             sg_door_leaf_copies(&call, &one, 1, &found) && found.n == 0);
+  CHECK_DOOR("equal",
+             sg_door_leaf_copies(&call, &all, 1, &found) && found.n == 3);
   CHECK("the first", found.n == 3 && found.at[0].a == 3 && found.at[0].b == 1 &&
                          found.at[2].a == 6 && found.at[2].b == 1);
   found = (sg_id_pair_list){0};
-  CHECK("but two", sg_door_leaf_copies(&call, &all, 2, &found) &&
-                       found.n == 2 && found.at[0].a == 5);
+  CHECK_DOOR("but two", sg_door_leaf_copies(&call, &all, 2, &found) &&
+                            found.n == 2 && found.at[0].a == 5);
   found = (sg_id_pair_list){0};
-  CHECK("but all", sg_door_leaf_copies(&call, &all, 4, &found) && found.n == 0);
+  CHECK_DOOR("but all",
+             sg_door_leaf_copies(&call, &all, 4, &found) && found.n == 0);
   sg_call_close(&call);
   sg_world_let_go(world);
 }
@@ -160,7 +164,7 @@ sewing(void)
 
   CHECK("alone", !sg_door_segment_sewn(&call, CUBE, &weights));
   CHECK("is no error", call.refusal.how == SG_REFUSED_NOTHING);
-  CHECK("twice", sg_door_segment_sewn(&call, TWICE, &weights));
+  CHECK_DOOR("twice", sg_door_segment_sewn(&call, TWICE, &weights));
   CHECK("all count twice", weights.n == 6 && weights.at[5].p == 6);
   for (size_t i = 0; i < weights.n; i++) {
     CHECK("all count twice", weights.at[i].weight == 2);

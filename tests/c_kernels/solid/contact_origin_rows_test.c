@@ -12,6 +12,7 @@
 #include "tests/c_kernels/cube_world.h"
 #include "tests/c_kernels/door_call.h"
 #include "tests/check.h"
+#include "tests/memory/refuse.h"
 
 enum { LEAF = 1, RESULT = 3, MOVED = 1, MADE = 8, ALIKE = 21, CUT = 22 };
 
@@ -133,9 +134,9 @@ places(sg_contact_places **contacts)
   CHECK("origins that go round end",
         add_part(LEAF, 7, 8) && add_part(LEAF, 8, 7));
   call_again();
-  CHECK("both touch", sg_door_contact_places(&call, LEAF, contacts));
-  CHECK("facts",
-        sg_door_contact_facts(&call, *contacts, &facts) && facts.n == 2);
+  CHECK_DOOR("both touch", sg_door_contact_places(&call, LEAF, contacts));
+  CHECK_DOOR("facts",
+             sg_door_contact_facts(&call, *contacts, &facts) && facts.n == 2);
   CHECK("a vertex of the leaf",
         facts.at[0].v == MOVED &&
             facts.at[0].place.feature.is == SG_CONTACT_FEATURE_V &&
@@ -162,11 +163,12 @@ origins(sg_contact_places *contacts)
                     {.i = RESULT}, {.i = ALIKE}, {.i = LEAF}, {.i = MADE}}) &&
             add_meeting(RESULT, CUT, true, 1, 2));
   CHECK("and an edge", add_part(RESULT, 3, 4));
-  CHECK("no leaf, no change",
-        sg_door_contact_origins(&call, RESULT, &(sg_leaf_contacts_list){0}) &&
-            rows_of(SG_FROM_V) == 1);
-  CHECK("names", sg_door_contact_origins(&call, RESULT,
-                                         &(sg_leaf_contacts_list){&of, 1, 1}));
+  CHECK_DOOR(
+      "no leaf, no change",
+      sg_door_contact_origins(&call, RESULT, &(sg_leaf_contacts_list){0}) &&
+          rows_of(SG_FROM_V) == 1);
+  CHECK_DOOR("names", sg_door_contact_origins(
+                          &call, RESULT, &(sg_leaf_contacts_list){&of, 1, 1}));
   CHECK("where edges meet", is_named(ALIKE, 7, 8));
   CHECK("from no vertex that the leaf has", rows_of(SG_FROM_V) == 0);
   CHECK("another stays", is_named(CUT, 1, 2));

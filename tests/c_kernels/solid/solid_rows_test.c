@@ -10,6 +10,7 @@
 #include "tests/c_kernels/cube_world.h"
 #include "tests/c_kernels/door_call.h"
 #include "tests/check.h"
+#include "tests/memory/refuse.h"
 
 #include <string.h>
 
@@ -56,17 +57,18 @@ takes(void)
   CHECK("taken", solid);
   CHECK("a cube",
         solid->vertices == 8 && solid->faces == 6 && solid->triangles == 12);
-  CHECK("closed", sg_door_solid_is_closed(&call, solid));
+  CHECK_DOOR("closed", sg_door_solid_is_closed(&call, solid));
   CHECK("moved", moved(solid, 2, true, &again) && again == 0);
-  CHECK("vertices", sg_door_solid_vertices(&call, solid, &points));
+  CHECK_DOOR("vertices", sg_door_solid_vertices(&call, solid, &points));
   CHECK("the second went to 1, 0, 0",
         points.n == 8 && points.at[1].x == 1 && points.at[1].number == 2 &&
             points.at[1].from.is == SG_SOLID_VERTEX_FROM_OF &&
             points.at[1].from.of.s == CUBE && points.at[1].from.of.v == 2);
-  CHECK("faces", sg_door_solid_faces(&call, solid, &sides));
+  CHECK_DOOR("faces", sg_door_solid_faces(&call, solid, &sides));
   CHECK("of two triangles each",
         sides.n == 6 && !sides.at[5].reversed && sides.at[5].triangles.n == 2);
-  CHECK("no parts", sg_door_solid_parts(&call, solid, &parts) && parts.n == 0);
+  CHECK_DOOR("no parts",
+             sg_door_solid_parts(&call, solid, &parts) && parts.n == 0);
   sg_solid_free(solid);
 }
 
@@ -76,13 +78,14 @@ writes(void)
   sg_solid *solid = taken(CUBE);
   size_t again;
 
-  CHECK("written", sg_door_solid_write(&call, solid, WRITTEN));
+  CHECK_DOOR("written", sg_door_solid_write(&call, solid, WRITTEN));
   CHECK("rows", rows_of(SG_V) == 16 && rows_of(SG_P) == 12 &&
                     rows_of(SG_T) == 24 && rows_of(SG_FROM_V) == 8 &&
                     rows_of(SG_FROM_P) == 6);
   CHECK("not twice", !sg_door_solid_write(&call, solid, WRITTEN) &&
                          was_refused(SG_REFUSED_PERMISSION));
-  CHECK("the same over it", sg_door_solid_write_over(&call, solid, WRITTEN));
+  CHECK_DOOR("the same over it",
+             sg_door_solid_write_over(&call, solid, WRITTEN));
   CHECK("changes nothing", rows_of(SG_V) == 16 && rows_of(SG_P) == 12);
   CHECK("not over what no solid became",
         !sg_door_solid_write_over(&call, solid, CUBE) &&
@@ -101,14 +104,16 @@ regions(void)
   sg_int_list leaves = {0};
   sg_solid *solid = taken(CUBE);
 
-  CHECK("region", sg_door_solid_region(&call, WRITTEN,
-                                       &(sg_int_list){&leaf, 1, 1}, &region));
-  CHECK("its leaves", sg_door_region_leaves(&call, region, &leaves) &&
-                          leaves.n == 1 && leaves.at[0] == CUBE);
+  CHECK_DOOR("region",
+             sg_door_solid_region(&call, WRITTEN, &(sg_int_list){&leaf, 1, 1},
+                                  &region));
+  CHECK_DOOR("its leaves", sg_door_region_leaves(&call, region, &leaves) &&
+                               leaves.n == 1 && leaves.at[0] == CUBE);
   CHECK("of another segment",
         !sg_door_solid_write_region(&call, solid, CUBE, region) &&
             was_refused(SG_REFUSED_NOTHING));
-  CHECK("the same", sg_door_solid_write_region(&call, solid, WRITTEN, region));
+  CHECK_DOOR("the same",
+             sg_door_solid_write_region(&call, solid, WRITTEN, region));
   CHECK("changes nothing", rows_of(SG_V) == 16 && rows_of(SG_P) == 12);
   sg_region_free(region);
   sg_solid_free(solid);
@@ -124,23 +129,26 @@ glues(void)
   sg_point_loop_fact_list loops = {0};
 
   sg_call_rest(&call);
-  CHECK("both", sg_door_solid_take(&call, &(sg_int_list){s, 2, 2}, &solid) &&
-                    solid->faces == 12 && solid->vertices == 16);
-  CHECK("one of each",
-        sg_door_solid_coincident_faces(&call, solid, 0, &doubles));
+  CHECK_DOOR("both",
+             sg_door_solid_take(&call, &(sg_int_list){s, 2, 2}, &solid) &&
+                 solid->faces == 12 && solid->vertices == 16);
+  CHECK_DOOR("one of each",
+             sg_door_solid_coincident_faces(&call, solid, 0, &doubles));
   CHECK("the others are parts",
         doubles == 6 && solid->faces == 6 && solid->parts == 6 &&
             solid->part[5].s == WRITTEN && !solid->part[5].reversed);
-  CHECK("solids in one place are whole",
-        sg_door_solid_is_whole(&call, solid, &(sg_int_list){s, 2, 2}, 1e-9));
+  CHECK_DOOR(
+      "solids in one place are whole",
+      sg_door_solid_is_whole(&call, solid, &(sg_int_list){s, 2, 2}, 1e-9));
   CHECK("no solid without faces",
         !sg_door_solid_is_whole(
             &call, solid, &(sg_int_list){(int32_t[]){CUBE, WRITTEN, 99}, 3, 3},
             1e-9));
   CHECK("too coarse",
         !sg_door_solid_is_whole(&call, solid, &(sg_int_list){s, 2, 2}, 1));
-  CHECK("as cells",
-        sg_door_solid_write_cells(&call, solid, GLUED, &loops) && loops.n == 0);
+  CHECK_DOOR("as cells",
+             sg_door_solid_write_cells(&call, solid, GLUED, &loops) &&
+                 loops.n == 0);
   CHECK("rows",
         rows_of(SG_V) == 24 && rows_of(SG_P) == 18 && rows_of(SG_FROM_P) == 18);
   CHECK("not twice", !sg_door_solid_write_cells(&call, solid, GLUED, &loops) &&
@@ -164,11 +172,11 @@ merges(void)
         !sg_door_solid_merge(&call, solid, &tolerance, &options, &move) &&
             was_refused(SG_REFUSED_DOMAIN));
   tolerance.given = 1e-9;
-  CHECK("no neighbours",
-        sg_door_solid_neighbours(&call, solid, &tolerance, &pairs) &&
-            pairs.n == 0);
-  CHECK("merged",
-        sg_door_solid_merge(&call, solid, &tolerance, &options, &move));
+  CHECK_DOOR("no neighbours",
+             sg_door_solid_neighbours(&call, solid, &tolerance, &pairs) &&
+                 pairs.n == 0);
+  CHECK_DOOR("merged",
+             sg_door_solid_merge(&call, solid, &tolerance, &options, &move));
   CHECK("a cube is as it was",
         solid->faces == 6 && move.is == SG_MERGE_MOVE_NONE);
   sg_solid_free(solid);

@@ -5,6 +5,7 @@
 
 #include "tests/c_kernels/door_call.h"
 #include "tests/check.h"
+#include "tests/memory/refuse.h"
 
 #include <math.h>
 #include <string.h>
@@ -57,22 +58,24 @@ surfaces(void)
   sg_xyz point = {{0}};
   double t, h, value;
 
-  CHECK("place", sg_door_surface_place(&call, &around, &at, &t, &h) &&
-                     fabs(t - 90) < 1e-12 && fabs(h - 1) < 1e-12);
+  CHECK_DOOR("place", sg_door_surface_place(&call, &around, &at, &t, &h) &&
+                          fabs(t - 90) < 1e-12 && fabs(h - 1) < 1e-12);
   CHECK("of a plane", !sg_door_surface_place(&call, &floor, &at, &t, &h) &&
                           is_domain("ruled_surface", 1));
-  CHECK("value", sg_door_surface_value(&call, &wider, &at, &value, &point) &&
-                     fabs(value - 2) < 1e-12 && fabs(point.at[1] - 1) < 1e-12);
+  CHECK_DOOR("value",
+             sg_door_surface_value(&call, &wider, &at, &value, &point) &&
+                 fabs(value - 2) < 1e-12 && fabs(point.at[1] - 1) < 1e-12);
   CHECK("no surface",
         !sg_door_surface_value(&call, &none, &at, &value, &point) &&
             is_domain("surface", 1));
   CHECK("parallel to a plane",
         !sg_door_surface_value(&call, &off, &at, &value, &point) &&
             is_domain("developable_surface", 1));
-  CHECK("they meet",
-        sg_door_surfaces_meet(&call, &(sg_offset_surface_list){both, 2, 2}, 9,
-                              &at, &point) &&
-            fabs(point.at[1] - 3) < 1e-12 && fabs(point.at[2] - 3) < 1e-12);
+  CHECK_DOOR("they meet",
+             sg_door_surfaces_meet(&call, &(sg_offset_surface_list){both, 2, 2},
+                                   9, &at, &point) &&
+                 fabs(point.at[1] - 3) < 1e-12 &&
+                 fabs(point.at[2] - 3) < 1e-12);
   CHECK("of nothing",
         !sg_door_surfaces_meet(&call, &(sg_offset_surface_list){0}, 9, &at,
                                &point) &&
@@ -89,15 +92,15 @@ rolls(void)
   sg_paper_point_list points = {0};
   sg_list_roll_place_fact_list lists = {0};
 
-  CHECK("points",
-        sg_door_roll_points(&call, &roll, &(sg_paper_point_list){&place, 1, 1},
-                            &points));
+  CHECK_DOOR("points", sg_door_roll_points(&call, &roll,
+                                           &(sg_paper_point_list){&place, 1, 1},
+                                           &points));
   CHECK("half way round", points.n == 1 &&
                               fabs(fabs(points.at[0].x) - 2 * PI) < 1e-9 &&
                               fabs(points.at[0].y - 3) < 1e-9);
-  CHECK("curves",
-        sg_door_roll_curves(&call, &roll, 9, 1e-3,
-                            &(sg_roll_curve_fact_list){&rim, 1, 1}, &lists));
+  CHECK_DOOR("curves", sg_door_roll_curves(
+                           &call, &roll, 9, 1e-3,
+                           &(sg_roll_curve_fact_list){&rim, 1, 1}, &lists));
   CHECK("a rim is straight", lists.n == 1);
   for (size_t i = 0; i < lists.at[0].n; i++) {
     CHECK("on it", fabs(lists.at[0].at[i].y - 3) < 1e-9);
