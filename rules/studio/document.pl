@@ -290,7 +290,8 @@ next_revision(Revision) :-
 shape(World, Objects, _{segments:Segments, messages:Objects}) :-
     in_state(World, loaded,
              ( findall(S, unfoldable(S), Unfoldable),
-               findall(Shape, segment_shape(Unfoldable, Shape), Segments) )).
+               findall(Shape, segment_shape(Unfoldable, Shape), Shapes) )),
+    sort(segment, @<, Shapes, Segments).
 
 segment_shape(Unfoldable,
               _{segment:S, kind:Kind, name:Text, unfolds:Unfolds}) :-

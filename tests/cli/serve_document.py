@@ -72,7 +72,8 @@ for file in ("facts/figures/fig13.pl", "facts/pipe_tee.pl",
              "facts/two_cubes.pl", "facts/smooth.pl"):
     head, _ = s.ask("open", file=file)
     check("open " + file, head.get("do") == "open" and
-          len(head["segments"]) > 0, head)
+          [one["segment"] for one in head["segments"]] ==
+          sorted({one["segment"] for one in head["segments"]}) != [], head)
     for form in ("svg", "json"):
         for keys, options in (({}, []),
                               ({"view": "isometric"}, ["--view", "isometric"]),
