@@ -149,6 +149,8 @@ for case in range(requests):
             pupils[secret].ask("join", name="Kim")
     page = pupils[secret]
     sent = head_of(1000000 + case)
+    if case % 50 == 0:
+        teacher.say({"do": "alive"})    # as a page says each 25 s
     signal.alarm(60)
     try:
         if draw.random() < 0.1:

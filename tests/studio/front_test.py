@@ -285,6 +285,30 @@ check("no UTF-8", code(page.hear()).startswith("frame_error"))
 page.frame(9, b"hello")
 opcode, octets = page.message()
 check("ping", (opcode, octets) == (10, b"hello"), (opcode, octets))
+# In pieces a message is one; library(http) cannot read a ping between them, which no
+# browser sends: then the socket ends, and no other one.
+text = json.dumps({"id": 1, "do": "tree"}).encode()
+page.frame(1, text[:9], final=False)
+page.frame(0, text[9:])
+check("in pieces", page.hear()[0].get("segments"))
+page.frame(1, text[:9], final=False)
+page.frame(9, b"hello")
+page.frame(0, text[9:])
+try:
+    check("a ping between pieces", page.hear()[0].get("segments"))
+except (OSError, EOFError):
+    check("a ping between pieces ends one socket", True)
+page.close()
+page = front.page()
+page.frame(1, b" ", final=False)
+try:
+    for _ in range(20):
+        page.frame(0, b" " * 60_000, final=False)
+    ended = page.hear()[0] == 1009
+except (OSError, EOFError):
+    ended = True
+check("too long, in pieces without end", ended)
+page.close()
 for claimed in (2 ** 63 + 5, 2 ** 62, 2 ** 40):
     page = front.page()
     try:
