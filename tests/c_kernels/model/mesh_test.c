@@ -494,6 +494,64 @@ test_stop(void)
                      error.code == SG_MESH_STOPPED);
 }
 
+/* A mesh with so many vertices, triangles and curves; of each, one. */
+static void
+many_of(int vertices, int faces, int curves)
+{
+  sg_mesh_clear(&mesh);
+  for (int i = 0; i < vertices; i++) {
+    sg_mesh_add_vertex(&mesh, (double[3]){i % 2, i % 3, i});
+  }
+  for (int i = 0; i < faces + curves; i++) {
+    sg_mesh_lists *to = i < faces ? &mesh.face : &mesh.curve;
+    for (int32_t v = 0; v < (i < faces ? 3 : 2); v++) {
+      sg_mesh_add_corner(to, v);
+    }
+    sg_mesh_end_list(to, 0);
+  }
+  CHECK("there is room", sg_mesh_add_segment(&mesh, NULL, 0) == 0 &&
+                             mesh.vertices == (size_t)vertices &&
+                             mesh.face.count == (size_t)faces &&
+                             mesh.curve.count == (size_t)curves);
+}
+
+static bool
+stops_writing(sg_mesh_format format)
+{
+  buffer b = {NULL, 0};
+  sg_mesh_sink sink = {append, &b};
+  sg_cancel cancel = {stop, NULL};
+  bool stops = !sg_mesh_write(format, &mesh, &sink, &cancel, &error) &&
+               error.code == SG_MESH_STOPPED;
+
+  free(b.bytes);
+  return stops;
+}
+
+/* Whatever there is many of, a writer asks meanwhile. */
+static void
+test_stop_writing(void)
+{
+  enum { MANY = 5000 };
+  static const sg_mesh_format format[] = {SG_MESH_OFF, SG_MESH_OBJ, SG_MESH_PLY,
+                                          SG_MESH_PLY_BINARY};
+
+  for (int i = 0; i < 4; i++) {
+    many_of(MANY, 1, 1);
+    CHECK("at vertices", stops_writing(format[i]));
+    many_of(3, MANY, 1);
+    CHECK("at faces", stops_writing(format[i]));
+    many_of(3, 1, MANY);
+    CHECK("at curves", stops_writing(format[i]));
+    many_of(3, 1, 1);
+    CHECK("few are written at once", !stops_writing(format[i]));
+  }
+  many_of(3, MANY, 0);
+  CHECK("at facets", stops_writing(SG_MESH_STL));
+  CHECK("in binary", stops_writing(SG_MESH_STL_BINARY));
+  sg_mesh_clear(&mesh);
+}
+
 /* What is valid: each fault alone makes a mesh invalid. */
 static void
 test_valid(void)
@@ -541,6 +599,7 @@ main(void)
   test_round();
   test_big_endian();
   test_stop();
+  test_stop_writing();
   sg_mesh_clear(&mesh);
   return check_report();
 }

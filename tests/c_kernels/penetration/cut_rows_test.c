@@ -13,9 +13,10 @@
 #include "tests/memory/refuse.h"
 #include "tests/stop_later.h"
 
+#include <math.h>
 #include <string.h>
 
-enum { FIRST = 1, SECOND = 2, THIRD = 3 };
+enum { FIRST = 1, SECOND = 2, THIRD = 3, FOURTH = 4, FIFTH = 5 };
 
 static sg_call call;
 
@@ -172,6 +173,31 @@ touches(sg_world *world)
   sg_cut_set_let_go(set);
 }
 
+/* Where three meet, the first two of them are named. */
+static void
+touches_three(sg_world *world)
+{
+  sg_id_pair all[] = {{FIRST, FOURTH}, {FIRST, FIFTH}, {FOURTH, FIFTH}};
+  const sg_id_pair_list list = {all, 3, 3};
+  const double off = 1 + 1e-9;
+  sg_cut_handle *set = NULL;
+  sg_resolution what;
+  sg_touch_moves moves;
+
+  CHECK("corner to corner",
+        add_cube_at(world, FOURTH, 0, (double[3]){-off, off, off}) &&
+            add_cube_at(world, FIFTH, 0, (double[3]){-off, off, -off + 1}));
+  CHECK("open", sg_door_cut_set_open(&call, &list, &set));
+  CHECK("touch", sg_door_cut_touch(&call, set, 1e-6, &what, &moves) &&
+                     what.is == SG_RESOLUTION_CHANGED &&
+                     moves.is == SG_TOUCH_MOVES_MOVE);
+  CHECK("at a corner of all", fabs(moves.move.at.x) < 1e-8 &&
+                                  fabs(moves.move.at.y - 1) < 1e-8 &&
+                                  fabs(moves.move.at.z - 1) < 1e-8);
+  CHECK("the first two", moves.move.s.s1 == FIRST && moves.move.s.s2 == FOURTH);
+  sg_cut_set_let_go(set);
+}
+
 /* A door that is stopped says no without a refusal; after a rollback the world
  * is as it was. All doors from the cuts to the lines, stopped at question k;
  * *rows: of v, line and origin. True: it was not asked so often. */
@@ -273,6 +299,8 @@ main(void)
   writes(world, set);
   sg_cut_set_let_go(set);
   touches(world);
+  sg_call_rest(&call);
+  touches_three(world);
   sg_call_close(&call);
   sg_world_let_go(world);
   return check_report();

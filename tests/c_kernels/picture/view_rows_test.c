@@ -93,6 +93,46 @@ turns(void)
   CHECK("is turned", is_at(SG_V, 2, 0, -1, 0) && is_at(SG_V, 8, 1, -1, 1));
 }
 
+/* Rows of all relations that have places, and a plane that passes the origin
+ * as far as what is moved. */
+static void
+turns_planes(void)
+{
+  const int32_t axis[3] = {3, 1, -2};
+  const double origin[3] = {1, 2, 4};
+  sg_value plane[6] = {{.i = 1},    {.i = 5}, {.f = 0.5},
+                       {.f = 0.25}, {.f = 2}, {.f = -8}};
+  sg_value leaf[5] = {{.i = 1}, {.i = 7}, {.f = 3}, {.f = 5}, {.f = 9}};
+  const double as[4] = {2, 0.5, -0.25, 0.5 + 0.5 + 8 - 8};
+  sg_row row;
+
+  CHECK("begin", sg_world_begin(call.world) == SG_OK);
+  CHECK("a plane",
+        sg_world_add(call.world, SG_PLANE, plane, NULL, NULL) == SG_OK);
+  CHECK("a vertex of a leaf",
+        sg_world_add(call.world, SG_LEAF_V, leaf, NULL, NULL) == SG_OK);
+  CHECK_DOOR("turned and moved",
+             sg_door_turn_points(&call, &(sg_int_list){(int32_t *)axis, 3, 3},
+                                 &(sg_number_list){(double *)origin, 3, 3}));
+  CHECK("the leaf", is_at(SG_LEAF_V, 7, 5, 2, -3));
+  const sg_version *version = sg_world_version(call.world);
+
+  CHECK("the plane",
+        (row = sg_version_find(version, SG_PLANE, plane)) != SG_NO_ROW);
+  for (unsigned k = 0; k < 4; k++) {
+    CHECK("turns", sg_version_value(version, SG_PLANE, row, k + 2).f == as[k]);
+  }
+  sg_version_drop(version);
+  sg_call_rest(&call);
+  CHECK("as before", sg_world_rollback(call.world) == SG_OK);
+  CHECK("too far",
+        !sg_door_turn_points(
+            &call, &(sg_int_list){(int32_t *)axis, 3, 3},
+            &(sg_number_list){(double[3]){-2e90, 0, 0}, 3, 3}) &&
+            call.refusal.how == SG_REFUSED_REPRESENTATION);
+  call.refusal = (sg_refusal){.how = SG_REFUSED_NOTHING};
+}
+
 int
 main(void)
 {
@@ -105,6 +145,7 @@ main(void)
                            call.refusal.how == SG_REFUSED_NOTHING);
   CHECK("a cube", add_cube(world, 1));
   seen();
+  turns_planes();
   turns();
   sg_call_close(&call);
   sg_world_let_go(world);

@@ -182,6 +182,51 @@ merges(void)
   sg_solid_free(solid);
 }
 
+/* An edge row of the cube from one vertex to another, auxiliary. */
+static bool
+add_auxiliary(int32_t e, int32_t from, int32_t to)
+{
+  return sg_world_add(
+             call.world, SG_E,
+             (sg_value[]){
+                 {.i = CUBE}, {.i = e}, {.i = from}, {.i = to}, {.i = 0}},
+             NULL, NULL) == SG_OK;
+}
+
+/* Edge 1 - 3, which is real, has an auxiliary one on it: it stays real. One
+ * alone that the other way round is no edge of a face hides none. */
+static void
+auxiliary(void)
+{
+  size_t hidden = 0;
+
+  CHECK("begin", sg_world_begin(call.world) == SG_OK);
+  CHECK("on a real one", add_auxiliary(90, 1, 3));
+  sg_solid *solid = taken(CUBE);
+
+  for (size_t t = 0; t < solid->triangles; t++) {
+    hidden += solid->auxiliary[t] != 0;
+  }
+  CHECK("it is real", solid->triangles == 12 && hidden == 0);
+  sg_solid_free(solid);
+  CHECK("a diagonal", add_auxiliary(91, 1, 4));
+  solid = taken(CUBE);
+  hidden = 0;
+  for (size_t t = 0; t < solid->triangles; t++) {
+    const uint32_t *v = solid->triangle[t];
+    for (int k = 0; k < 3; k++) {
+      bool is =
+          solid->vertex[v[k]].v == 1 && solid->vertex[v[(k + 1) % 3]].v == 4;
+      CHECK("the bit of its side", (solid->auxiliary[t] >> k & 1) == is);
+      hidden += is;
+    }
+  }
+  CHECK("is the one that is hidden", hidden == 1);
+  sg_solid_free(solid);
+  sg_call_rest(&call);
+  CHECK("as before", sg_world_rollback(call.world) == SG_OK);
+}
+
 int
 main(void)
 {
@@ -189,6 +234,7 @@ main(void)
   call.world = sg_world_open();
   CHECK("a cube", call.world && add_cube(call.world, CUBE));
   takes();
+  auxiliary();
   writes();
   regions();
   glues();
