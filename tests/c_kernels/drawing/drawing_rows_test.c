@@ -220,11 +220,12 @@ written(void)
   const sg_sheet_point few[] = {{0, -1}, {-12340, 1005}, {100, 99000}};
   const sg_sheet_point far[] = {{INT64_MIN, INT64_MAX}, {INT64_MIN, INT64_MIN}};
 
-  CHECK("no points", is_text(few, 0, ""));
-  CHECK("thousandths", is_text(few, 3, "0,-0.001 -12.34,1.005 0.1,99"));
-  CHECK("the longest", is_text(far, 2,
-                               "-9223372036854775.808,9223372036854775.807 "
-                               "-9223372036854775.808,-9223372036854775.808"));
+  CHECK_DOOR("no points", is_text(few, 0, ""));
+  CHECK_DOOR("thousandths", is_text(few, 3, "0,-0.001 -12.34,1.005 0.1,99"));
+  CHECK_DOOR("the longest",
+             is_text(far, 2,
+                     "-9223372036854775.808,9223372036854775.807 "
+                     "-9223372036854775.808,-9223372036854775.808"));
 }
 
 typedef struct page {
@@ -265,8 +266,9 @@ streamed(void)
   int64_t number[] = {0, -1, 12340};
   sg_bytes text = {0};
 
-  CHECK("nothing between", is_written(few, 0, "<\"\"/>"));
-  CHECK("points between", is_written(few, 2, "<\"0,-0.001 -12.34,1.005\"/>"));
+  CHECK_DOOR("nothing between", is_written(few, 0, "<\"\"/>"));
+  CHECK_DOOR("points between",
+             is_written(few, 2, "<\"0,-0.001 -12.34,1.005\"/>"));
   CHECK("the stream refuses", !is_written(far, 2, ""));
   CHECK_DOOR("numbers",
              sg_door_thousandths_text(&call, &(sg_integer_list){number, 3, 3},

@@ -293,7 +293,7 @@ files(int32_t width, int32_t height, bool clear)
 
   CHECK("shaded", image && image->width == width && image->height == height &&
                       image->bytes == (clear ? 4 : 3));
-  CHECK("a PNG", image && sg_door_image_png(&call, image, 3937, &to_png));
+  CHECK_DOOR("a PNG", image && sg_door_image_png(&call, image, 3937, &to_png));
   CHECK("has its dots", image && same_dots(&png, image));
   CHECK("its colours", png.n > 26 && png.byte[25] == (clear ? 6 : 2));
   CHECK("its last dot", image && last_dot(image));
@@ -302,9 +302,9 @@ files(int32_t width, int32_t height, bool clear)
                         is_domain("image_without_alpha", 1) && ppm.n == 0);
   } else {
     size_t n = (size_t)width * (size_t)height * 3;
-    CHECK("a PPM", image && sg_door_image_ppm(&call, image, &to_ppm) &&
-                       ppm.n > n && ppm.byte[0] == 'P' &&
-                       !memcmp(ppm.byte + ppm.n - n, image->dot, n));
+    CHECK_DOOR("a PPM", image && sg_door_image_ppm(&call, image, &to_ppm) &&
+                            ppm.n > n && ppm.byte[0] == 'P' &&
+                            !memcmp(ppm.byte + ppm.n - n, image->dot, n));
   }
   free(png.byte);
   free(ppm.byte);

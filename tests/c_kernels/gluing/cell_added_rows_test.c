@@ -65,7 +65,7 @@ adding(void)
 {
   size_t v = rows_of(SG_V), p = rows_of(SG_P);
 
-  CHECK("one face is shared", added(BESIDE));
+  CHECK_DOOR("one face is shared", added(BESIDE));
   CHECK("rows", rows_of(SG_V) == v + 4 && rows_of(SG_P) == p + 5);
   CHECK("sources", rows_of(SG_FROM_P) == 12 && rows_of(SG_FROM_V) == 12);
   CHECK("regions", rows_of(SG_REGION) == 3 && rows_of(SG_SIDES) == 11 &&

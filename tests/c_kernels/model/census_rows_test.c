@@ -48,7 +48,7 @@ defects(void)
   sg_census_defect_rows rows;
   size_t twins = 0;
 
-  CHECK("defects", ask_all(&rows));
+  CHECK_DOOR("defects", ask_all(&rows));
   for (size_t i = 0; i < rows.n; i++) {
     CHECK("of the second segment", rows.at[i].s == 2);
     twins += rows.at[i].kind == SG_DEFECT_TWIN;
@@ -106,7 +106,7 @@ one_by_one(void)
   CHECK("vertices", add_unused());
   CHECK("they are there", sg_world_commit(call.world) == SG_OK);
   sg_call_rest(&call);
-  CHECK("all", ask_all(&all) && all.n == 11);
+  CHECK_DOOR("all", ask_all(&all) && all.n == 11);
   for (size_t i = 0; i < all.n; i++) {
     for (int given = 0; given < 8; given++) {
       sg_census_defect_row none = all.at[i];
@@ -148,16 +148,16 @@ changed(void)
 {
   sg_census_defect_rows before, moved, after;
 
-  CHECK("before", ask_all(&before));
+  CHECK_DOOR("before", ask_all(&before));
   sg_world_begin(call.world);
   CHECK("another", add_cube_again(call.world, 1, 1));
   CHECK("it ends", sg_world_commit(call.world) == SG_OK);
   sg_call_rest(&call);
-  CHECK("there are more",
-        ask_all(&moved) && moved.n > before.n && moved.at[0].s == 1);
+  CHECK_DOOR("there are more",
+             ask_all(&moved) && moved.n > before.n && moved.at[0].s == 1);
   CHECK("undone", sg_world_undo(call.world) == SG_OK);
   sg_call_rest(&call);
-  CHECK("as before", ask_all(&after) && after.n == before.n);
+  CHECK_DOOR("as before", ask_all(&after) && after.n == before.n);
 }
 
 /* Behind the last edge of the last polygon there is nothing to read. */
@@ -173,8 +173,9 @@ without_edges(void)
         sg_world_add_many(call.world, SG_P, 1, (const void *[]){&s, &p, &list},
                           NULL) == SG_OK);
   sg_call_rest(&call);
-  CHECK("is flat", ask_all(&all) && all.n > 0 && all.at[all.n - 1].s == s &&
-                       all.at[all.n - 1].kind == SG_DEFECT_FLAT);
+  CHECK_DOOR("is flat", ask_all(&all) && all.n > 0 &&
+                            all.at[all.n - 1].s == s &&
+                            all.at[all.n - 1].kind == SG_DEFECT_FLAT);
   CHECK("it goes", sg_world_rollback(call.world) == SG_OK);
   sg_call_rest(&call);
 }

@@ -139,13 +139,13 @@ shapes(sg_world *world)
   size_t v = rows_of(world, SG_V), e = rows_of(world, SG_E),
          p = rows_of(world, SG_P);
 
-  CHECK("a shape", write_square(30, list, 10));
+  CHECK_DOOR("a shape", write_square(30, list, 10));
   CHECK("its rows", rows_of(world, SG_V) == v + 8 &&
                         rows_of(world, SG_E) == e + 8 &&
                         rows_of(world, SG_P) == p + 1);
   CHECK("again", !write_square(30, list, 10) && refused(SG_REFUSED_PERMISSION));
   CHECK("open", !write_square(31, list, 9) && !write_square(31, list, 7));
-  CHECK("closes itself", write_square(31, list, 4));
+  CHECK_DOOR("closes itself", write_square(31, list, 4));
   list[0] = 9;
   CHECK("no vertex", !write_square(32, list, 4));
   list[0] = list[1];

@@ -134,12 +134,12 @@ nests(void)
 {
   sg_nest_place_list p = {0};
 
-  CHECK("beside", nest(30, 1, false, 1, &p) && p.n == 2);
+  CHECK_DOOR("beside", nest(30, 1, false, 1, &p) && p.n == 2);
   CHECK("on one sheet", p.at[0].sheet == 1 && p.at[1].sheet == 1 &&
                             p.at[1].by[0] >= p.at[0].by[0] + 10);
-  CHECK("narrow", nest(12, 1, false, 1, &p) && p.n == 2);
+  CHECK_DOOR("narrow", nest(12, 1, false, 1, &p) && p.n == 2);
   CHECK("on two", p.at[0].sheet == 1 && p.at[1].sheet == 2);
-  CHECK("one sheet", nest(12, 1, true, 1, &p));
+  CHECK_DOOR("one sheet", nest(12, 1, true, 1, &p));
   CHECK("does not take both", p.at[0].sheet == 1 && p.at[1].sheet == 0);
   CHECK("no outline", !nest(30, 1, false, 0, &p) && is_domain("outline", 1));
   CHECK("no such piece",

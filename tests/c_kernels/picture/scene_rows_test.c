@@ -219,9 +219,9 @@ outlines(void)
   const sg_drawn_outlines smooth = {.is = SG_DRAWN_OUTLINES_SMOOTH,
                                     .smooth = {.crease = 120}};
 
-  CHECK("of a cube", outlined(30));
+  CHECK_DOOR("of a cube", outlined(30));
   CHECK("there is none", rows_in(SG_CONTOUR) == 0);
-  CHECK("of a ball", outlined(120));
+  CHECK_DOOR("of a ball", outlined(120));
   CHECK("there is one", rows_in(SG_CONTOUR) > 3);
   call_again(NULL);
   CHECK_DOOR("seen", sg_door_scene_open(&call, &all, 1, 1e-9, &smooth,
@@ -252,7 +252,7 @@ facets(void)
 {
   sg_known_segment_list out = {0};
 
-  CHECK("facets", asked(1, 12, &out) && out.n == 1);
+  CHECK_DOOR("facets", asked(1, 12, &out) && out.n == 1);
   CHECK("of one surface", out.at[0].known.surfaces.n == 1 &&
                               out.at[0].known.surfaces.at[0].frame.n == 12 &&
                               out.at[0].known.surfaces.at[0].frame.at[3] == 1);
@@ -326,7 +326,7 @@ main(void)
                                        &nothing, &scene) &&
                        is_refused(SG_REFUSED_NOTHING, 0, 0));
   sg_scene_index_close(opened(&nothing));
-  scene = opened(&kept);
+  CHECK_DOOR("opens", (scene = opened(&kept)) != NULL);
   CHECK("kept", scene != NULL);
   lines(scene);
   mesh(scene);

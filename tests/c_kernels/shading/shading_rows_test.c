@@ -86,7 +86,7 @@ static void
 seen(void)
 {
   sg_shading_leaf_fact leaf[2] = {rows_leaf(1, 12), ring_leaf(2, 0.25)};
-  sg_shading *scene = open_scene(leaf, 2, 2);
+  sg_shading *scene = NULL;
   sg_shading_span_list spans = {0};
   sg_shading_slice_list slices = {0};
   sg_shading_box_fact box = {0};
@@ -94,7 +94,7 @@ seen(void)
   sg_xyz normal;
   double depth;
 
-  CHECK("a scene", scene);
+  CHECK_DOOR("a scene opens", (scene = open_scene(leaf, 2, 2)) != NULL);
   CHECK_DOOR("spans", sg_door_shading_spans(&call, scene, 45, &spans));
   CHECK("of the cube, and twice of the ring",
         spans.n == 3 && spans.at[0].x1 == 50 * 256 &&
@@ -163,7 +163,7 @@ static void
 layers(void)
 {
   sg_shading_leaf_fact leaf = rows_leaf(1, 12);
-  sg_shading *scene = open_scene(&leaf, 1, 1);
+  sg_shading *scene = NULL;
   double half[] = {0.5};
   size_t place = 0;
   sg_count_list own = {&place, 1, 0};
@@ -171,6 +171,7 @@ layers(void)
   const sg_list_count_list leaves = {&own, 1, 0};
   sg_shading_layer_list out = {0};
 
+  CHECK_DOOR("a scene opens", (scene = open_scene(&leaf, 1, 1)) != NULL);
   CHECK("two layers",
         scene &&
             sg_door_shading_layers(&call, scene, 45, &looks, &leaves, &out) &&
@@ -202,12 +203,13 @@ static void
 buffers(void)
 {
   sg_shading_leaf_fact leaf = rows_leaf(1, 12);
-  sg_shading *scene = open_scene(&leaf, 1, 1);
+  sg_shading *scene = NULL;
   double up[] = {0, 0, 1, 0};
   size_t depths = 0, normals = 0;
   const sg_output to_depths = {count_bytes, &depths};
   const sg_output to_normals = {count_bytes, &normals};
 
+  CHECK_DOOR("a scene opens", (scene = open_scene(&leaf, 1, 1)) != NULL);
   CHECK("depths",
         scene &&
             sg_door_shading_depth_pfm(&call, scene, &(sg_number_list){up, 4, 0},
@@ -250,7 +252,7 @@ static void
 scans(void)
 {
   sg_shading_leaf_fact leaf = rows_leaf(1, 12);
-  sg_shading *scene = open_scene(&leaf, 1, 1);
+  sg_shading *scene = NULL;
   double opaque[] = {1};
   size_t zero[] = {0};
   sg_count_list places = {zero, 1, 0};
@@ -260,8 +262,9 @@ scans(void)
   sg_scan *scan = NULL;
   size_t n = 0;
 
-  CHECK("scanned",
-        scene && sg_door_shading_scan(&call, scene, 2, &looks, &leaves, &scan));
+  CHECK_DOOR("a scene opens", (scene = open_scene(&leaf, 1, 1)) != NULL);
+  CHECK_DOOR("scanned", scene && sg_door_shading_scan(&call, scene, 2, &looks,
+                                                      &leaves, &scan));
   for (size_t i = 0; i < scan->n; i++) {
     n += scan->line[i].n;
   }
@@ -296,10 +299,11 @@ static void
 owners(void)
 {
   sg_shading_leaf_fact leaf[] = {rows_leaf(1, 12), rows_leaf(2, 12)};
-  sg_shading *scene = open_scene(leaf, 2, 2);
+  sg_shading *scene = NULL;
   sg_shading_group_list groups = {0}, none = {0};
   size_t second[] = {1, 2};
 
+  CHECK_DOOR("a scene opens", (scene = open_scene(leaf, 2, 2)) != NULL);
   CHECK("the first", leaf_in_front(scene) == 1);
   CHECK_DOOR("nothing is noted",
              sg_door_shading_groups(&call, scene, &groups) && groups.n == 0);
@@ -333,9 +337,10 @@ refused(void)
 {
   sg_shading_leaf_fact rows = rows_leaf(1, 12), bad = rows_leaf(1, 9);
   sg_shading_leaf_fact fat = ring_leaf(1, 1.0);
-  sg_shading *scene = open_scene(&rows, 1, 1);
+  sg_shading *scene = NULL;
   sg_shading_span_list spans = {0};
 
+  CHECK_DOOR("a scene opens", (scene = open_scene(&rows, 1, 1)) != NULL);
   CHECK("a map of nine numbers",
         !open_scene(&bad, 1, 1) && is_domain("shading_map", 2));
   CHECK("a ring without a hole",
