@@ -87,9 +87,6 @@ int get_bool(sg_call *call, term_t t, bool *out);
 int get_symbol(sg_call *call, term_t t, int32_t *out);
 int put_symbol(term_t t, int32_t symbol);
 
-/* A ground term, coded (engine/term.h). */
-int get_term(sg_call *call, term_t t, const uint32_t **out);
-
 /* 1, or -1: reversed. */
 int get_sense(sg_call *call, term_t t, bool *reversed);
 

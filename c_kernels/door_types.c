@@ -139,18 +139,6 @@ get_symbol(sg_call *call, term_t t, int32_t *out)
 }
 
 int
-get_term(sg_call *call, term_t t, const uint32_t **out)
-{
-  uint32_t *term;
-
-  if (!sg_get_term_ex(t, &term) || !sg_call_adopt(call, term)) {
-    return FALSE;
-  }
-  *out = term;
-  return TRUE;
-}
-
-int
 put_symbol(term_t t, int32_t symbol)
 {
   return PL_put_atom(t, sg_symbol_atom(symbol));

@@ -283,12 +283,3 @@ sg_image_png_part(sg_png_parts *parts, const sg_image *part, uint32_t per_metre,
   *n = out.n;
   return status;
 }
-
-sg_png_status
-sg_image_png(const sg_image *image, uint32_t per_metre, sg_pool *pool,
-             const sg_cancel *cancel, uint8_t **bytes, size_t *n)
-{
-  sg_png_parts parts = {.height = image->height};
-
-  return sg_image_png_part(&parts, image, per_metre, pool, cancel, bytes, n);
-}

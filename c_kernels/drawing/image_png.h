@@ -31,9 +31,4 @@ sg_png_status sg_image_png_part(sg_png_parts *parts, const sg_image *part,
                                 const sg_cancel *cancel, uint8_t **bytes,
                                 size_t *n);
 
-/* All of it at once; as sg_image_png_part(). */
-sg_png_status sg_image_png(const sg_image *image, uint32_t per_metre,
-                           sg_pool *pool, const sg_cancel *cancel,
-                           uint8_t **bytes, size_t *n);
-
 #endif

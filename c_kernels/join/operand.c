@@ -386,10 +386,3 @@ sg_operand_edges_find(const sg_leaf_views *views, int32_t s, size_t most,
   free(h.vertex);
   return done;
 }
-
-void
-sg_operand_edges_clear(sg_operand_edges *edges)
-{
-  free(edges->first);
-  *edges = (sg_operand_edges){0};
-}

@@ -45,9 +45,8 @@ typedef struct sg_operand_edges {
 
 /* The edges of segment s that are no pairs; the first `most` that are not
  * balanced are listed. False: no memory, or the cancellation said stop. Owner:
- * sg_operand_edges_clear() in any case. */
+ * free(out->first) in any case. */
 bool sg_operand_edges_find(const sg_leaf_views *views, int32_t s, size_t most,
                            const sg_cancel *cancel, sg_operand_edges *out);
-void sg_operand_edges_clear(sg_operand_edges *edges);
 
 #endif

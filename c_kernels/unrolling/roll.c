@@ -295,19 +295,3 @@ sg_roll_at(const sg_roll *r, double t, double h, double out[2])
   out[0] = rounded(r, x);
   out[1] = rounded(r, y);
 }
-
-double
-sg_roll_generator(const sg_roll *r, double t)
-{
-  double g[3];
-
-  if (r->surface.kind == SG_SURFACE_CYLINDER) {
-    return sg_length(r->surface.w);
-  }
-  if (r->surface.kind == SG_SURFACE_FAN) {
-    combine((r->surface.k - 1) * t, r->surface.u, 1, r->surface.v, g);
-    return sg_length(g);
-  }
-  generator(r, t, g);
-  return fabs(1 - r->surface.k) * sg_length(g);
-}

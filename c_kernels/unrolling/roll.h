@@ -59,7 +59,4 @@ void sg_roll_clear(sg_roll *roll);
 /* Where (t, h) is laid. t is at most about a turn from the start. */
 void sg_roll_at(const sg_roll *roll, double t, double h, double out[2]);
 
-/* The true length of the generator at t, from h = 0 to h = 1. */
-double sg_roll_generator(const sg_roll *roll, double t);
-
 #endif

@@ -8,6 +8,8 @@
 #include "doors/world.h"
 #include "penetration/cut_rows.h"
 
+#include "engine/symbol.h"
+#include "engine/term.h"
 #include "tests/c_kernels/cube_world.h"
 #include "tests/check.h"
 #include "tests/memory/refuse.h"
@@ -16,7 +18,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { FIRST = 1, SECOND = 2, THIRD = 3, FOURTH = 4, FIFTH = 5 };
+enum { FIRST = 1, SECOND = 2, THIRD = 3, FOURTH = 4, FIFTH = 5, SIXTH = 6 };
 
 static sg_call call;
 
@@ -173,6 +175,54 @@ touches(sg_world *world)
   sg_cut_set_let_go(set);
 }
 
+/* origin(s, s(s), source(grain)) */
+static bool
+add_grain(sg_world *world, int32_t s, double grain)
+{
+  sg_term_builder of, source;
+
+  sg_term_open(&of);
+  sg_term_unary(&of, SG_SYMBOL_S, s);
+  sg_term_open(&source);
+  sg_term_compound(&source, SG_SYMBOL_SOURCE, 1);
+  sg_term_float(&source, grain);
+  sg_status status =
+      sg_world_add(world, SG_ORIGIN,
+                   (sg_value[]){{.i = s},
+                                {.term = sg_term_words(&of)},
+                                {.term = sg_term_words(&source)}},
+                   NULL, NULL);
+
+  sg_term_close(&of);
+  sg_term_close(&source);
+  return status == SG_OK;
+}
+
+/* Two cubes of one segment, paired with itself: what is closed between them is
+ * no gap of the segment. */
+static void
+touches_itself(sg_world *world)
+{
+  sg_id_pair itself[] = {{SIXTH, SIXTH}};
+  const sg_id_pair_list list = {itself, 1, 1};
+  sg_cut_handle *set = NULL;
+  sg_resolution what;
+  sg_touch_moves moves;
+
+  CHECK("two in one",
+        add_cube_at(world, SIXTH, 0, (double[3]){8, 8, 8}) &&
+            add_cube_at(world, SIXTH, 1, (double[3]){9 + 1e-9, 8, 8}));
+  CHECK("its source is coarser", add_grain(world, SIXTH, 1e-8));
+  CHECK_DOOR("open", sg_door_cut_set_open(&call, &list, &set));
+  CHECK_DOOR("touch", sg_door_cut_touch(&call, set, 1e-6, &what, &moves) &&
+                          what.is == SG_RESOLUTION_CHANGED);
+  CHECK("moved, by what the source leaves open",
+        moves.is == SG_TOUCH_MOVES_MOVE &&
+            moves.move.how == SG_MOVE_HOW_MOVED && moves.move.s.s1 == SIXTH &&
+            moves.move.s.s2 == 0 && fabs(moves.move.move - 1e-9) < 1e-14);
+  sg_cut_set_let_go(set);
+}
+
 /* Where three meet, the first two of them are named. */
 static void
 touches_three(sg_world *world)
@@ -301,6 +351,8 @@ main(void)
   touches(world);
   sg_call_rest(&call);
   touches_three(world);
+  sg_call_rest(&call);
+  touches_itself(world);
   sg_call_close(&call);
   sg_world_let_go(world);
   return check_report();
