@@ -125,11 +125,10 @@ turns_planes(void)
   sg_version_drop(version);
   sg_call_rest(&call);
   CHECK("as before", sg_world_rollback(call.world) == SG_OK);
-  CHECK("too far",
-        !sg_door_turn_points(
-            &call, &(sg_int_list){(int32_t *)axis, 3, 3},
-            &(sg_number_list){(double[3]){-2e90, 0, 0}, 3, 3}) &&
-            call.refusal.how == SG_REFUSED_REPRESENTATION);
+  CHECK("too far", !sg_door_turn_points(
+                       &call, &(sg_int_list){(int32_t *)axis, 3, 3},
+                       &(sg_number_list){(double[3]){-2e90, 0, 0}, 3, 3}) &&
+                       call.refusal.how == SG_REFUSED_REPRESENTATION);
   call.refusal = (sg_refusal){.how = SG_REFUSED_NOTHING};
 }
 
