@@ -257,7 +257,7 @@ make_places(sg_resolve *r)
   for (size_t i = 0; i < r->place.n && !is_stopped(r); i++) {
     const sg_resolve_place *place = &r->place.item[i];
     uint32_t key[2] = {place->point, (uint32_t)place->s};
-    *sg_key_table_put(&r->place_number, key) = (uint32_t)i; /* it is there */
+    *sg_key_table_find(&r->place_number, key) = (uint32_t)i;
   }
   return !r->stopped;
 }

@@ -92,8 +92,8 @@ take_edges(take *k, size_t i)
   for (size_t r = k->e.begin[i]; k->auxiliary.n && r < k->e.begin[i + 1]; r++) {
     if (sg_view_int(k->in->e, 4, k->e.row[r]) != 0) {
       edge_key(k, k->e.row[r], key);
-      if (sg_key_table_get(&k->auxiliary, key) != SG_NO_KEY) {
-        *sg_key_table_put(&k->auxiliary, key) = 0;
+      if ((is = sg_key_table_find(&k->auxiliary, key))) {
+        *is = 0;
       }
     }
   }
