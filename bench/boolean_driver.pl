@@ -5,6 +5,7 @@
 :- use_module('../rules/store').
 :- use_module('../rules/polygon/triangulation').
 :- use_module(rows_off).
+:- use_module(tolerance).
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
 :- use_module(library(http/json)).
@@ -27,8 +28,9 @@ driven(Expression, A, B, Out, Reps) :-
     read_mesh(B, _),
     complete_segments,
     garbage_collect,
+    tolerance_options(Options),
     length(Runs, Reps),
-    maplist(run(Expression), Runs),
+    maplist(run(Expression, Options), Runs),
     maplist(run_seconds, Runs, Seconds),
     Runs = [run(_, Stages, S)|_],
     aggregate_all(count, t(S, _, _, _, _, _), Triangles),
@@ -42,11 +44,11 @@ driven(Expression, A, B, Out, Reps) :-
                     [width(0)]),
     nl.
 
-run(Expression, run(Seconds, Stages, S)) :-
+run(Expression, Options, run(Seconds, Stages, S)) :-
     fresh_id(segment, 0, S),
     stages_reset,
     statistics(process_cputime, T0),
-    boolean(Expression, S),
+    boolean(Expression, S, Options),
     statistics(process_cputime, T),
     Seconds is T-T0,
     findall(Name-Part, stage_seconds(Name, Part), Pairs),

@@ -4,6 +4,7 @@
 :- use_module('../rules/stage').
 :- use_module('../rules/store').
 :- use_module('../rules/polygon/triangulation').
+:- use_module(tolerance).
 :- use_module(library(aggregate)).
 :- use_module(library(apply)).
 :- use_module(library(http/json)).
@@ -22,7 +23,7 @@ curves(A, B, Reps) :-
     read_mesh(B, _),
     complete_segments,
     garbage_collect,
-    options(Options),
+    tolerance_options(Options),
     length(Runs, Reps),
     maplist(run(Options), Runs),
     maplist(run_seconds, Runs, Seconds),
@@ -33,13 +34,6 @@ curves(A, B, Reps) :-
                       note:"", stages:Stages},
                     [width(0)]),
     nl.
-
-options(Options) :-
-    (   getenv('TOLERANCE', Text)
-    ->  atom_number(Text, Tolerance),
-        Options = [tolerance(Tolerance)]
-    ;   Options = []
-    ).
 
 run(Options, run(Seconds, Stages, Pieces, Lines)) :-
     stages_reset,
