@@ -233,9 +233,9 @@ make_mesh(sg_merge *m, sg_solid *solid, sg_contracted *before)
       (m->briefs || solid->vertices - solid->plain > 1)) {
     end = sg_merge_contract(m, solid, before);
     if (end == SG_MERGE_DONE && before->triangle) {
-      sg_merge_note_contracted(m, before);
+      end = sg_merge_note_contracted(m, before);
       sg_merge_mesh_clear(m);
-      end = sg_merge_mesh(m);
+      end = end == SG_MERGE_DONE ? sg_merge_mesh(m) : end;
     }
   }
   return end;
@@ -271,8 +271,8 @@ sg_face_merge(sg_solid *solid, const sg_merge_options *options,
 
   solid->closed = false;
   if (end == SG_MERGE_DONE && is_changed(&m)) {
-    sg_merge_note_dropped(&m);
-    end = sg_merge_write(&m, solid);
+    end = sg_merge_note_dropped(&m);
+    end = end == SG_MERGE_DONE ? sg_merge_write(&m, solid) : end;
   } else if (end == SG_MERGE_DONE) {
     solid->closed = m.regular;
   }

@@ -80,6 +80,9 @@ typedef struct sg_merge_options {
   /* How far vertices of segment s may be off: doubles that are moved are
      rounded so, or the sources were; null: not at all. */
   sg_merge_source (*source)(void *data, int32_t s);
+  /* The way that polygon p of segment s looks; false, or null: not known. Any
+     thread may ask. */
+  bool (*normal)(void *data, int32_t s, int32_t p, double out[3]);
   void *data;
   sg_pool *pool; /* null: the caller alone */
   const sg_cancel *cancel;
@@ -94,12 +97,14 @@ typedef enum sg_merge_end {
   SG_MERGE_NO_MEMORY
 } sg_merge_end;
 
-/* Vertices of operands that vanish more than a hundredth of an edge there away
- * from what stays, and the one that is worst beside its edge. */
+/* Vertices that vanish more than a hundredth of something away from what stays:
+ * of an edge of their operand there, or of the thickness of a wall of an
+ * operand, or of a slot; and the one that is worst beside it. */
 typedef struct sg_merge_tight {
   size_t n;
   sg_solid_vertex vertex;
   double move, feature;
+  bool wall; /* or slot: that is the feature */
 } sg_merge_tight;
 
 /* What was done. */

@@ -6,7 +6,7 @@
  * which vertices vanish (face_merge_vertex.c, face_merge_run.c), new triangles
  * (face_merge_fill.c, face_merge_hold.c), what they meet (face_merge_meet.c,
  * face_merge_sheet.c, face_merge_fold.c), how far that moves things
- * (face_merge_tight.c), the solid anew (face_merge_write.c).
+ * (face_merge_tight.c, face_merge_across.c), the solid anew (face_merge_write.c).
  */
 #ifndef SG_FACE_MERGE_PRIVATE_H
 #define SG_FACE_MERGE_PRIVATE_H
@@ -231,10 +231,38 @@ typedef struct sg_merge_sides {
  * by is none: v and w are on the edge of a blade. The normal is that at v. */
 bool sg_merge_wall(const sg_merge *m, const sg_merge_faces *of, uint32_t v,
                    uint32_t w, sg_merge_sides *out);
+/* The normal of a triangle, of any length. False: it is no wider than the
+ * tolerance, so it looks any way. */
+bool sg_merge_normal(const sg_merge *m, const sg_merge_faces *of,
+                     uint32_t triangle, double out[3]);
+/* Whether they look opposite ways, to within 30 degrees: faces at a blunter
+ * edge are no sides of a wall. */
+bool sg_merge_look_apart(const double n[3], const double k[3]);
+/* Whether a face ends at a vertex. */
+bool sg_merge_has_face(const sg_merge *m, uint32_t v, uint32_t face);
 /* After brief edges were contracted, while they are known. */
-void sg_merge_note_contracted(sg_merge *m, const sg_contracted *was);
+sg_merge_end sg_merge_note_contracted(sg_merge *m, const sg_contracted *was);
 /* Before the solid is written anew. */
-void sg_merge_note_dropped(sg_merge *m);
+sg_merge_end sg_merge_note_dropped(sg_merge *m);
+
+/* ---- face_merge_across.c ---- */
+
+enum { SG_TIGHT = 100 }; /* a move of more than 1 / SG_TIGHT of something */
+
+/* A vertex that moves, and what it moves beside: `move` towards or away from
+ * something of size `feature` of segment s, a wall or an edge. */
+typedef struct sg_moved {
+  uint32_t v;
+  int32_t s;
+  bool wall;
+  double way[3], least; /* no more than this is no move */
+  double move, feature;
+} sg_moved;
+
+/* Of each of n vertices: the wall or slot beside which it moves most, if that
+ * is more than `move` beside `feature`. */
+sg_merge_end sg_merge_across(const sg_merge *m, const sg_merge_faces *of,
+                             size_t triangles, sg_moved *moved, size_t n);
 
 /* ---- face_merge_write.c ---- */
 

@@ -59,6 +59,20 @@ source_of(void *data, int32_t s)
           fmax(x->rounding, fmax(by_rule, sg_flatness_explained(&own)))};
 }
 
+/* Of sg_merge_options. */
+static bool
+normal_of(void *data, int32_t s, int32_t p, double out[3])
+{
+  const sources *x = data;
+  sg_value key[SG_MAX_COLUMNS] = {[0].i = s, [1].i = p};
+  sg_row row = sg_version_find(x->version, SG_PLANE, key);
+
+  for (unsigned k = 0; k < 3 && row != SG_NO_ROW; k++) {
+    out[k] = sg_version_value(x->version, SG_PLANE, row, k + 2).f;
+  }
+  return row != SG_NO_ROW;
+}
+
 /* ---- options ---- */
 
 /* *own: the tolerance if it is own(Number). */
@@ -141,7 +155,13 @@ give_move(const sg_merge_counts *counts, sg_merge_move *out)
   out->move.s = worst->vertex.s;
   out->move.at = (sg_space_point){at[0], at[1], at[2]};
   out->move.move = worst->move;
-  out->move.edge = worst->feature;
+  if (worst->wall) {
+    out->move.beside.is = SG_MERGE_BESIDE_WALL;
+    out->move.beside.wall.thickness = worst->feature;
+  } else {
+    out->move.beside.is = SG_MERGE_BESIDE_EDGE;
+    out->move.beside.edge.length = worst->feature;
+  }
   out->move.n = worst->n;
 }
 
@@ -157,6 +177,7 @@ sg_door_solid_merge(sg_call *call, sg_solid *solid,
   sg_merge_region region;
   sg_merge_options all = {.cancel = &call->cancel,
                           .source = source_of,
+                          .normal = normal_of,
                           .data = &of,
                           .pool = sg_call_pool(call)};
 

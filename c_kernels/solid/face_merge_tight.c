@@ -7,9 +7,10 @@
  */
 #include "face_merge_private.h"
 
+#include "engine/list.h"
 #include "number/vector.h"
 
-enum { TIGHT = 100 }; /* a move that is more than 1 / TIGHT of an edge is */
+#include <stdlib.h>
 
 static sg_merge_source
 source_of(const sg_merge *m, int32_t s)
@@ -20,24 +21,24 @@ source_of(const sg_merge *m, int32_t s)
                          : (sg_merge_source){0};
 }
 
-/* What is there is of segment s. */
 static void
-note(sg_merge *m, uint32_t v, int32_t s, double move, double feature)
+note(sg_merge *m, const sg_moved *one)
 {
-  if (!(move * TIGHT > feature)) {
+  if (!(one->move * SG_TIGHT > one->feature)) {
     return;
   }
-  sg_merge_source source = source_of(m, s);
-  if (move <= source.rounding) {
+  sg_merge_source source = source_of(m, one->s);
+  if (one->move <= source.rounding) {
     return;
   }
-  sg_merge_tight *out = move <= source.explained ? &m->rounded : &m->tight;
+  sg_merge_tight *out = one->move <= source.explained ? &m->rounded : &m->tight;
   out->n++;
-  if (out->n == 1 || move * out->feature > out->move * feature) {
-    out->vertex = m->solid->vertex[v];
-    out->vertex.s = s;
-    out->move = move;
-    out->feature = feature;
+  if (out->n == 1 || one->move * out->feature > out->move * one->feature) {
+    out->vertex = m->solid->vertex[one->v];
+    out->vertex.s = one->s;
+    out->move = one->move;
+    out->feature = one->feature;
+    out->wall = one->wall;
   }
 }
 
@@ -69,8 +70,8 @@ face_at(const sg_merge *m, uint32_t place)
   return m->face_of[m->leaving[place].half / 3];
 }
 
-static bool
-has_face(const sg_merge *m, uint32_t v, uint32_t face)
+bool
+sg_merge_has_face(const sg_merge *m, uint32_t v, uint32_t face)
 {
   for (uint32_t i = m->first[v]; i < m->first[v + 1]; i++) {
     if (face_at(m, i) == face) {
@@ -80,12 +81,11 @@ has_face(const sg_merge *m, uint32_t v, uint32_t face)
   return false;
 }
 
-/* False: the triangle is no wider than the tolerance, so it looks any way. */
-static bool
-normal_at(const sg_merge *m, const sg_merge_faces *of, uint32_t place,
-          double out[3])
+bool
+sg_merge_normal(const sg_merge *m, const sg_merge_faces *of, uint32_t triangle,
+                double out[3])
 {
-  const uint32_t *corner = of->triangle[m->leaving[place].half / 3];
+  const uint32_t *corner = of->triangle[triangle];
   double u[3], w[3], x[3];
 
   sg_minus(sg_merge_at(m, corner[1]), sg_merge_at(m, corner[0]), u);
@@ -97,12 +97,17 @@ normal_at(const sg_merge *m, const sg_merge_faces *of, uint32_t place,
   return sg_length(out) > m->tolerance * longest;
 }
 
+static bool
+normal_at(const sg_merge *m, const sg_merge_faces *of, uint32_t place,
+          double out[3])
+{
+  return sg_merge_normal(m, of, m->leaving[place].half / 3, out);
+}
+
 #define COSINE_APART 0.866 /* of 30 degrees */
 
-/* Whether they look opposite ways, to within that angle: faces at a blunter
- * edge are no sides of a wall. */
-static bool
-look_apart(const double n[3], const double k[3])
+bool
+sg_merge_look_apart(const double n[3], const double k[3])
 {
   return sg_dot(n, k) < -COSINE_APART * sg_length(n) * sg_length(k);
 }
@@ -116,14 +121,14 @@ sg_merge_wall(const sg_merge *m, const sg_merge_faces *of, uint32_t v,
   sg_minus(sg_merge_at(m, w), sg_merge_at(m, v), way);
   for (uint32_t i = m->first[v]; i < m->first[v + 1]; i++) {
     const sg_solid_face *one = &of->face[face_at(m, i)];
-    if (has_face(m, w, face_at(m, i)) || !normal_at(m, of, i, n)) {
+    if (sg_merge_has_face(m, w, face_at(m, i)) || !normal_at(m, of, i, n)) {
       continue;
     }
     for (uint32_t j = m->first[w]; j < m->first[w + 1]; j++) {
       const sg_solid_face *other = &of->face[face_at(m, j)];
       if (other->s == one->s && other->reversed == one->reversed &&
-          !has_face(m, v, face_at(m, j)) && normal_at(m, of, j, k) &&
-          look_apart(n, k)) {
+          !sg_merge_has_face(m, v, face_at(m, j)) && normal_at(m, of, j, k) &&
+          sg_merge_look_apart(n, k)) {
         double thick = fmin(fabs(sg_dot(n, way)) / sg_length(n),
                             fabs(sg_dot(k, way)) / sg_length(k));
         if (thick > source_of(m, one->s).rounding) {
@@ -136,98 +141,9 @@ sg_merge_wall(const sg_merge *m, const sg_merge_faces *of, uint32_t v,
   return false;
 }
 
-/* A vertex that a cut made is `move` from where it was, or goes to another one,
- * if that is not SG_NOTHING: beside the walls there, which that moves in parts
- * only. Not of cells, whose faces look both ways. */
-static void
-note_made(sg_merge *m, const sg_merge_faces *of, uint32_t v, double move,
-          uint32_t to)
-{
-  sg_merge_sides wall, worst = {0, INFINITY, {0}};
-  double way[3], most = 0;
+/* ---- what moves ---- */
 
-  if (m->options->cells || !(move > source_of(m, 0).rounding)) {
-    return;
-  }
-  for (uint32_t i = m->first[v]; i < m->first[v + 1]; i++) {
-    if (!sg_merge_wall(m, of, v, m->leaving[i].to, &wall)) {
-      continue;
-    }
-    double part = move;
-    if (to != SG_NOTHING) {
-      sg_minus(sg_merge_at(m, to), sg_merge_at(m, v), way);
-      part = fabs(sg_dot(wall.normal, way)) / sg_length(wall.normal);
-    }
-    if (part * worst.thick > most * wall.thick) {
-      most = part;
-      worst = wall;
-    }
-  }
-  note(m, v, worst.s, most, worst.thick);
-}
-
-/* ---- what is contracted ---- */
-
-/* An edge between vertices of operands, from one to a cut, or between cuts that
- * have a wall between them. */
-static void
-note_brief(sg_merge *m, const sg_merge_faces *of, const uint32_t *up,
-           uint32_t v, uint32_t w)
-{
-  const sg_solid *solid = m->solid;
-  sg_merge_sides wall;
-
-  if (up[v] == v && up[w] == w) {
-    return;
-  }
-  if (v < solid->plain && (w >= solid->plain || are_given(m, v, w))) {
-    double length = between(m, v, w);
-    uint32_t gone = up[v] == v && w < solid->plain ? w : v;
-    note(m, gone, solid->vertex[gone].s, length, length);
-  } else if (v >= solid->plain && w >= solid->plain &&
-             sg_merge_wall(m, of, v, w, &wall)) {
-    note(m, v, wall.s, wall.thick, wall.thick);
-  }
-}
-
-void
-sg_merge_note_contracted(sg_merge *m, const sg_contracted *was)
-{
-  const sg_merge_faces of = {was->triangle, was->face};
-
-  for (size_t i = 0; i < m->briefs; i++) {
-    note_brief(m, &of, was->up, m->brief[i][0], m->brief[i][1]);
-  }
-  for (size_t v = m->solid->plain; v < m->solid->vertices; v++) {
-    uint32_t made = (uint32_t)v, root = was->up[v];
-    if (root != made) {
-      note_made(m, &of, made, between(m, made, root), root);
-    }
-  }
-}
-
-/* ---- what is left out ---- */
-
-/* How far a vertex is from where its faces will be. One face alone has no other
- * plane than before. A vertex that stays is off it only where a face no wider
- * than the tolerance becomes a part: it may be a wall's end. */
-static double
-move_of(const sg_merge *m, uint32_t v)
-{
-  bool stays = m->fate[v] != SG_INNER && m->fate[v] != SG_DROPPED;
-  double move = 0;
-
-  for (uint32_t i = m->first[v]; i < m->first[v + 1]; i++) {
-    uint32_t group = m->group_of[m->face_of[m->leaving[i].half / 3]];
-    if (group != SG_NOTHING && m->group[group].n > 1 &&
-        m->group[group].state != SG_AS_IT_WAS &&
-        (!stays || m->group[group].thin)) {
-      move = fmax(move, fabs(sg_plane_distance(&m->group[group].plane,
-                                               sg_merge_at(m, v))));
-    }
-  }
-  return move;
-}
+typedef SG_LIST_OF(sg_moved) moves;
 
 /* The shortest edge to another vertex of its operand. */
 static double
@@ -244,17 +160,123 @@ edge_of(const sg_merge *m, uint32_t v)
   return edge;
 }
 
-void
+/* A vertex moves so: beside an edge there, if it is one of an operand. False:
+ * no memory. */
+static bool
+add_move(moves *all, const sg_merge *m, uint32_t v, const double way[3])
+{
+  const sg_solid *solid = m->solid;
+  bool given = v < solid->plain;
+  sg_moved one = {.v = v,
+                  .s = given ? solid->vertex[v].s : 0,
+                  .way = {way[0], way[1], way[2]},
+                  .move = sg_length(way)};
+
+  if (!(one.move > 0)) {
+    return true;
+  }
+  one.least = source_of(m, one.s).rounding;
+  one.feature = given ? edge_of(m, v) : INFINITY;
+  return !(one.move > one.least) || SG_PUSH(*all, one);
+}
+
+/* Beside walls and slots, too; not of cells, whose faces look both ways. */
+static sg_merge_end
+note_moves(sg_merge *m, const sg_merge_faces *of, size_t triangles, moves *all)
+{
+  sg_merge_end end = m->options->cells
+                         ? SG_MERGE_DONE
+                         : sg_merge_across(m, of, triangles, all->item, all->n);
+
+  for (size_t i = 0; end == SG_MERGE_DONE && i < all->n; i++) {
+    note(m, &all->item[i]);
+  }
+  free(all->item);
+  return end;
+}
+
+/* ---- what is contracted ---- */
+
+/* An edge between vertices of operands, or from one to a cut. */
+static void
+note_brief(sg_merge *m, const uint32_t *up, uint32_t v, uint32_t w)
+{
+  const sg_solid *solid = m->solid;
+
+  if ((up[v] != v || up[w] != w) && v < solid->plain &&
+      (w >= solid->plain || are_given(m, v, w))) {
+    double length = between(m, v, w);
+    uint32_t gone = up[v] == v && w < solid->plain ? w : v;
+    note(m, &(sg_moved){.v = gone,
+                        .s = solid->vertex[gone].s,
+                        .move = length,
+                        .feature = length});
+  }
+}
+
+sg_merge_end
+sg_merge_note_contracted(sg_merge *m, const sg_contracted *was)
+{
+  const sg_merge_faces of = {was->triangle, was->face};
+  moves all = {0};
+  double way[3];
+  bool good = true;
+
+  for (size_t i = 0; i < m->briefs; i++) {
+    note_brief(m, was->up, m->brief[i][0], m->brief[i][1]);
+  }
+  for (size_t i = m->solid->plain; good && i < m->solid->vertices; i++) {
+    uint32_t v = (uint32_t)i;
+    sg_minus(sg_merge_at(m, was->up[v]), sg_merge_at(m, v), way);
+    good = add_move(&all, m, v, way);
+  }
+  sg_merge_end end = note_moves(m, &of, was->triangles, &all);
+
+  return good ? end : SG_MERGE_NO_MEMORY;
+}
+
+/* ---- what is left out ---- */
+
+/* The way of a vertex to where its faces will be. One face alone has no other
+ * plane than before. A vertex that stays is off it only where a face no wider
+ * than the tolerance becomes a part: it may be a wall's end. */
+static void
+find_way(const sg_merge *m, uint32_t v, double way[3])
+{
+  bool stays = m->fate[v] != SG_INNER && m->fate[v] != SG_DROPPED;
+  double most = 0;
+
+  way[0] = way[1] = way[2] = 0;
+  for (uint32_t i = m->first[v]; i < m->first[v + 1]; i++) {
+    uint32_t label = m->group_of[m->face_of[m->leaving[i].half / 3]];
+    const sg_group *group = label == SG_NOTHING ? NULL : &m->group[label];
+    if (group && group->n > 1 && group->state != SG_AS_IT_WAS &&
+        (!stays || group->thin)) {
+      double off = sg_plane_distance(&group->plane, sg_merge_at(m, v));
+      if (fabs(off) > most) {
+        most = fabs(off);
+        for (int k = 0; k < 3; k++) {
+          way[k] = -off * group->plane.n[k];
+        }
+      }
+    }
+  }
+}
+
+sg_merge_end
 sg_merge_note_dropped(sg_merge *m)
 {
   const sg_solid *solid = m->solid;
   const sg_merge_faces of = {solid->triangle, solid->face};
+  moves all = {0};
+  double way[3];
+  bool good = true;
 
-  for (uint32_t v = 0; m->fate && v < solid->vertices; v++) {
-    if (v < solid->plain) {
-      note(m, v, solid->vertex[v].s, move_of(m, v), edge_of(m, v));
-    } else {
-      note_made(m, &of, v, move_of(m, v), SG_NOTHING);
-    }
+  for (uint32_t v = 0; good && m->fate && v < solid->vertices; v++) {
+    find_way(m, v, way);
+    good = add_move(&all, m, v, way);
   }
+  sg_merge_end end = note_moves(m, &of, solid->triangles, &all);
+
+  return good ? end : SG_MERGE_NO_MEMORY;
 }

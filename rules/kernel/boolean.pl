@@ -244,9 +244,10 @@ Foreign predicates; see kernel.pl.
 %   one, of which only the faces of Region (solid_region/3) are wanted and left;
 %   then it fails if one of these and another might become one.
 %
-%   Moved is `none`, or move(How, S0, p(X, Y, Z), Move, Edge, N) if N vertices
-%   of operands vanish farther from what stays than a hundredth of an edge
-%   there, and than doubles are rounded; the worst is one of segment S0. How is
+%   Moved is `none`, or move(How, S0, p(X, Y, Z), Move, Beside, N) if N vertices
+%   vanish farther from what stays than a hundredth of something there, and than
+%   doubles are rounded; the worst is Move away beside edge(Length), an edge of
+%   operand S0, or wall(Thickness), a wall of S0 or a slot that it cuts. How is
 %   `moved` if their own sources explain that, else `tight`.
 
 %!  solid_neighbours(+Solid:solid, +Tolerance:merge_tolerance,

@@ -463,8 +463,8 @@ fault_en(unasked(Moved, Reach)) -->
     [ nl,
       '  That may be the rounding of the sources, or meant: --tolerance ~3g \c
        allows it, --tolerance 0 moves nothing.'-[Enough] ].
-fault_en(flattened(S, At, Move, Edge, N)) -->
-    flattened_en(tight, S, At, Move, Edge, N).
+fault_en(flattened(S, At, Move, Beside, N)) -->
+    flattened_en(tight, S, At, Move, Beside, N).
 fault_en(result_open) -->
     [ 'the result would not be closed', nl,
       '  Give a larger or smaller --tolerance, or --repair the operands.' ].
@@ -552,10 +552,10 @@ notice_en(moved(S1, S2, At, Move, N)) -->
     place_en(At, S1, S2).
 notice_en(tight(S1, S2, At, Move, Feature, N)) -->
     tight_en(S1, S2, At, Move, Feature, N).
-notice_en(flattened(S, At, Move, Edge, N)) -->
-    flattened_en(tight, S, At, Move, Edge, N).
-notice_en(as_rounded(flattened(S, At, Move, Edge, N))) -->
-    flattened_en(moved, S, At, Move, Edge, N).
+notice_en(flattened(S, At, Move, Beside, N)) -->
+    flattened_en(tight, S, At, Move, Beside, N).
+notice_en(as_rounded(flattened(S, At, Move, Beside, N))) -->
+    flattened_en(moved, S, At, Move, Beside, N).
 notice_en(not_flat(S, Count, P, Off)) -->
     [ 'polygons that are not flat in segment ~d: ~D (the worst is ~d, by ~4g)'-
       [S, Count, P, Off], nl,
@@ -571,11 +571,17 @@ tight_en(S1, S2, At, Move, Feature, N) -->
     place_en(At, S1, S2),
     other_places_en(tight, N).
 
-flattened_en(How, S, At, Move, Edge, N) -->
-    [ 'made one face: ~4g off it, where an edge is only ~4g long, near '-
-      [Move, Edge] ],
+flattened_en(How, S, At, Move, Beside, N) -->
+    [ 'made one face: ~4g off it, where '-[Move] ],
+    beside_en(Beside),
+    [ ', near ' ],
     place_en(At, S, 0),
     other_places_en(How, N).
+
+beside_en(edge(Length)) -->
+    [ 'an edge is only ~4g long'-[Length] ].
+beside_en(wall(Thickness)) -->
+    [ 'a wall or a slot is only ~4g wide'-[Thickness] ].
 
 other_places_en(How, N) -->
     (   { N > 1 }

@@ -472,8 +472,8 @@ fault_ko(unasked(Moved, Reach)) -->
     [ nl,
       '  원본의 반올림일 수도, 뜻한 것일 수도 있습니다. --tolerance ~3g을(를) 주면 \c
        허용하고, --tolerance 0을 주면 아무것도 옮기지 않습니다.'-[Enough] ].
-fault_ko(flattened(S, At, Move, Edge, N)) -->
-    flattened_ko(tight, S, At, Move, Edge, N).
+fault_ko(flattened(S, At, Move, Beside, N)) -->
+    flattened_ko(tight, S, At, Move, Beside, N).
 fault_ko(result_open) -->
     [ '결과가 닫히지 않습니다', nl,
       '  --tolerance를 바꾸거나 --repair로 피연산자를 고치십시오.' ].
@@ -547,10 +547,10 @@ notice_ko(moved(S1, S2, At, Move, N)) -->
     place_ko(At, S1, S2).
 notice_ko(tight(S1, S2, At, Move, Feature, N)) -->
     tight_ko(S1, S2, At, Move, Feature, N).
-notice_ko(flattened(S, At, Move, Edge, N)) -->
-    flattened_ko(tight, S, At, Move, Edge, N).
-notice_ko(as_rounded(flattened(S, At, Move, Edge, N))) -->
-    flattened_ko(moved, S, At, Move, Edge, N).
+notice_ko(flattened(S, At, Move, Beside, N)) -->
+    flattened_ko(tight, S, At, Move, Beside, N).
+notice_ko(as_rounded(flattened(S, At, Move, Beside, N))) -->
+    flattened_ko(moved, S, At, Move, Beside, N).
 notice_ko(not_flat(S, Count, P, Off)) -->
     [ '세그먼트 ~d의 다각형 ~D개는 평평하지 않습니다 (가장 심한 ~d: ~4g)'-
       [S, Count, P, Off], nl,
@@ -566,11 +566,17 @@ tight_ko(S1, S2, At, Move, Feature, N) -->
     place_ko(At, S1, S2),
     other_places_ko(tight, N).
 
-flattened_ko(How, S, At, Move, Edge, N) -->
-    [ '한 면으로 합치느라 ~4g만큼 벗어난 곳의 모서리 길이가 ~4g뿐입니다: '-
-      [Move, Edge] ],
+flattened_ko(How, S, At, Move, Beside, N) -->
+    [ '한 면으로 합치느라 ~4g만큼 벗어난 곳의 '-[Move] ],
+    beside_ko(Beside),
+    [ ': ' ],
     place_ko(At, S, 0),
     other_places_ko(How, N).
+
+beside_ko(edge(Length)) -->
+    [ '모서리 길이가 ~4g뿐입니다'-[Length] ].
+beside_ko(wall(Thickness)) -->
+    [ '벽이나 홈의 두께가 ~4g뿐입니다'-[Thickness] ].
 
 other_places_ko(How, N) -->
     (   { N > 1 }

@@ -126,7 +126,7 @@ told_moved(Moved, _) :-
 %   refusing_moves/1 an error.
 %
 %   @error geometry_error(Tight): tight(S1, S2, Place, Move, Feature, N) or
-%          flattened(S, Place, Move, Edge, N)
+%          flattened(S, Place, Move, Beside, N)
 
 tight_said(Tight) :-
     said(told_tight(Tight)).

@@ -56,8 +56,8 @@ faces_merged(Solid, Options) :-
 %   flattened(Moved, Tolerance): what solid_merge/4 says of moves.
 
 flattened(none, _).
-flattened(move(How, S, p(X,Y,Z), Move, Edge, N), Tolerance) :-
-    Flattened = flattened(S, [X,Y,Z], Move, Edge, N),
+flattened(move(How, S, p(X,Y,Z), Move, Beside, N), Tolerance) :-
+    Flattened = flattened(S, [X,Y,Z], Move, Beside, N),
     (   How == tight
     ->  tight_said(Flattened)
     ;   moved_said(as_rounded(Flattened), Tolerance)

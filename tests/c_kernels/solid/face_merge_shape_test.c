@@ -1,7 +1,8 @@
 /* face_merge_shape_test.c -- faces that become one: curved solids, open ones,
  * what touches a face inside, and what is hardly there.
  *
- * covers: face_merge_hold, face_merge_sheet, places
+ * covers: face_merge_hold, face_merge_sheet, face_merge_across,
+ * face_merge_tight, places
  */
 #include "merged.h"
 #include "tests/check.h"
@@ -387,9 +388,95 @@ test_made_twice(void)
   sg_solid_clear(&other);
 }
 
+/* ---- what is told ---- */
+
+enum { OUTLINE = 5, RIDGE = 3 };
+
+/* A plate of segment s, 4 x 4 and `thick`, whose upper side has a ridge `high`
+ * along its middle; void if it is reversed, a slot in something. */
+static void
+add_plate(sg_solid *solid, int32_t s, double thick, double high, bool reversed)
+{
+  const double at[OUTLINE][2] = {
+      {0, 0}, {4, 0}, {4, thick}, {2, thick + high}, {0, thick}};
+  uint32_t first = (uint32_t)solid->vertices;
+
+  for (int i = 0; i < 2 * OUTLINE; i++) {
+    add_vertex(solid, at[i % OUTLINE][0], i < OUTLINE ? 0 : 4,
+               at[i % OUTLINE][1]);
+    solid->vertex[solid->vertices - 1].s = s;
+  }
+  for (uint32_t f = 0; f < OUTLINE + 2; f++) {
+    uint32_t a = first + f, b = first + (f + 1) % OUTLINE, c = OUTLINE;
+    uint32_t cap = first + (f == OUTLINE ? 0 : OUTLINE);
+    uint32_t side[2][3] = {{a, b + c, b}, {a, a + c, b + c}};
+    size_t n = f < OUTLINE ? 2 : OUTLINE - 2;
+    add_face(solid, s, (int32_t)f + 1);
+    solid->face[solid->faces - 1].reversed = reversed;
+    for (uint32_t t = 0; t < n; t++) {
+      uint32_t tip[3] = {cap, cap + t + 1, cap + t + 2};
+      const uint32_t *of = f < OUTLINE ? side[t] : tip;
+      bool turned = reversed != (f == OUTLINE + 1);
+      add_triangle(solid, of[0], of[turned ? 2 : 1], of[turned ? 1 : 2]);
+    }
+  }
+}
+
+static bool
+not_known(void *data, int32_t s, int32_t p, double out[3])
+{
+  (void)data, (void)s, (void)p, (void)out;
+  return false;
+}
+
+/* What is told of a plate that loses its ridge. */
+static sg_merge_tight
+told_of_plate(double thick, double high, bool reversed, bool cells)
+{
+  sg_solid solid = {0};
+  sg_merge_options options = {
+      .tolerance = 0.02, .cells = cells, .normal = not_known};
+  sg_merge_counts counts;
+
+  if (reversed) {
+    add_plate(&solid, 1, 3, 0, false);
+    for (size_t v = 0; v < solid.vertices; v++) { /* round the other */
+      for (int k = 0; k < 3; k++) {
+        solid.vertex[v].at[k] = 2 * solid.vertex[v].at[k] - 2;
+      }
+    }
+  }
+  add_plate(&solid, 2, thick, high, reversed);
+  CHECK("a plate", is_closed(&solid));
+  CHECK("merged", sg_face_merge(&solid, &options, &counts) == SG_MERGE_DONE &&
+                      counts.faces_after == (reversed ? 12 : 6));
+  sg_solid_clear(&solid);
+  return counts.tight;
+}
+
+/* A ridge that goes is told beside a wall, or a slot, that is less than a
+ * hundred times as thick as it moves, and not beside a thicker one. */
+static void
+test_told(void)
+{
+  for (int reversed = 0; reversed <= 1; reversed++) {
+    sg_merge_tight thin = told_of_plate(0.2, 0.01, reversed, false);
+    sg_merge_tight thick = told_of_plate(0.6, 0.01, reversed, false);
+    sg_merge_tight cells = told_of_plate(0.2, 0.01, reversed, true);
+
+    CHECK("two ends of a ridge are told",
+          thin.n == 2 && thin.wall && thin.vertex.s == 2);
+    CHECK("how far it moves", is_near(thin.move, 0.005, 1e-4));
+    CHECK("how thick that is", is_near(thin.feature, 0.21, 1e-3));
+    CHECK("a thick one is not told", thick.n == 0);
+    CHECK("nor are cells", cells.n == 0);
+  }
+}
+
 int
 main(void)
 {
+  test_told();
   test_sphere();
   test_cylinder();
   test_touching();

@@ -18,14 +18,18 @@
 
 %   What is said about moves is kept.
 
-:- dynamic said/1.
+:- dynamic said/1, beside/1.
 
 :- multifile user:message_hook/3.
 
 user:message_hook(sanggwan(Said), _, _) :-
     functor(Said, Name, _),
     memberchk(Name, [tight,moved,flattened,as_rounded,opened,contacts]),
-    assertz(test_thin_wall:said(Name)).
+    assertz(test_thin_wall:said(Name)),
+    (   Said = flattened(_, _, _, Beside, _)
+    ->  assertz(test_thin_wall:beside(Beside))
+    ;   true
+    ).
 
 tolerance(0.006).
 
@@ -82,22 +86,36 @@ fault(Thin-Operation-Seed-Fault) :-
     tolerance(T),
     evaluated(Term, 0, Exact, _, _),
     evaluated(Term, T, Made, Defects, Words),
-    fault(Thin, Exact, Made, Defects, Words, Fault).
+    fault(Term, Thin, Exact, Made, Defects, Words, Fault).
 
-fault(_, _, Made, _, _, not_a_solid(Made)) :-
+fault(_, _, _, Made, _, _, not_a_solid(Made)) :-
     Made.good \== yes.
-fault(_, _, _, Defects, _, Defect) :-
+fault(_, _, _, _, Defects, _, Defect) :-
     member(Defect, Defects).
-fault(_, Exact, Made, _, _, far(Exact.volume, Made.volume)) :-
+fault(_, _, Exact, Made, _, _, far(Exact.volume, Made.volume)) :-
     tolerance(T),
     abs(Made.volume-Exact.volume) > 3*T*Exact.area.
-fault(Thin, Exact, Made, _, [], silent(Exact.volume, Made.volume)) :-
+fault(Term, Thin, Exact, Made, _, [], silent(Exact.volume, Made.volume)) :-
     % of the others what moves is a part of wide faces
-    memberchk(Thin, [plate,wedge,slotted]),
+    (   memberchk(Thin, [plate,wedge,slotted])
+    ->  true
+    ;   is_narrow(Term)
+    ),
     abs(Made.volume-Exact.volume) > 1.0e-9.
+
+%   is_narrow(+Term): a needle narrower than the tolerance, or its hole, is all
+%   that may be lost.
+
+is_narrow(intersection([at(_, box(size(Width,Width,_))),_])) :-
+    tolerance(T),
+    Width < T.
+is_narrow(difference([_,at(_, box(size(Width,Width,_)))])) :-
+    tolerance(T),
+    Width < T.
 
 evaluated(Term, Tolerance, Measures, Defects, Words) :-
     retractall(said(_)),
+    retractall(beside(_)),
     new_world(World),
     in_world(World,
              ( assert_fact(segment(1, solid, Term)),
@@ -118,5 +136,34 @@ measures(_{good:yes, volume:0, area:0}).
 
 test(random, Faults == []) :-
     findall(Fault, fault(Fault), Faults).
+
+%   Both sides of the edge of a blade that becomes flat are cut alone: nothing
+%   of the blade's own is left at the slot but these.
+
+test(slot, Words-Beside == [flattened]-wall) :-
+    evaluated(difference([ at([translate(0,0,-0.5)], box(size(2,1,1))),
+                           at([translate(0,0,-2)],
+                              prism(outline([[0,-2],[0.009,0],[0,2],[-0.1,0]]),
+                                    height(4)))
+                         ]), 0.006, _, _, Words),
+    forall(beside(wall(Thickness)), assertion(abs(Thickness-0.109) < 0.002)),
+    findall(Kind, ( beside(What), functor(What, Kind, _) ), Kinds),
+    sort(Kinds, [Beside]).
+
+%   A wide slot has room for it.
+
+test(wide_slot, Words == []) :-
+    evaluated(difference([ at([translate(0,0,-0.5)], box(size(2,1,1))),
+                           at([translate(0,0,-2)],
+                              prism(outline([[0,-2],[0.009,0],[0,2],[-0.8,0]]),
+                                    height(4)))
+                         ]), 0.006, _, _, Words).
+
+test(hole, Words == [flattened]) :-
+    evaluated(difference([box(size(1,1,1)),
+                          at([translate(0.2,0.2,-1)],
+                             box(size(0.004,0.004,3)))]),
+              0.006, Made, _, Words),
+    assertion(abs(Made.volume-1) < 1.0e-9).
 
 :- end_tests(thin_wall).
