@@ -6,7 +6,8 @@
  * which vertices vanish (face_merge_vertex.c, face_merge_run.c), new triangles
  * (face_merge_fill.c, face_merge_hold.c), what they meet (face_merge_meet.c,
  * face_merge_sheet.c, face_merge_fold.c), how far that moves things
- * (face_merge_tight.c, face_merge_across.c), the solid anew (face_merge_write.c).
+ * (face_merge_tight.c, face_merge_near.c), the solid anew
+ * (face_merge_write.c).
  */
 #ifndef SG_FACE_MERGE_PRIVATE_H
 #define SG_FACE_MERGE_PRIVATE_H
@@ -245,7 +246,7 @@ sg_merge_end sg_merge_note_contracted(sg_merge *m, const sg_contracted *was);
 /* Before the solid is written anew. */
 sg_merge_end sg_merge_note_dropped(sg_merge *m);
 
-/* ---- face_merge_across.c ---- */
+/* ---- face_merge_near.c ---- */
 
 enum { SG_TIGHT = 100 }; /* a move of more than 1 / SG_TIGHT of something */
 
@@ -261,8 +262,8 @@ typedef struct sg_moved {
 
 /* Of each of n vertices: the wall or slot beside which it moves most, if that
  * is more than `move` beside `feature`. */
-sg_merge_end sg_merge_across(const sg_merge *m, const sg_merge_faces *of,
-                             size_t triangles, sg_moved *moved, size_t n);
+sg_merge_end sg_merge_near_sides(const sg_merge *m, const sg_merge_faces *of,
+                                 size_t triangles, sg_moved *moved, size_t n);
 
 /* ---- face_merge_write.c ---- */
 

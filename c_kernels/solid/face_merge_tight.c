@@ -184,9 +184,9 @@ add_move(moves *all, const sg_merge *m, uint32_t v, const double way[3])
 static sg_merge_end
 note_moves(sg_merge *m, const sg_merge_faces *of, size_t triangles, moves *all)
 {
-  sg_merge_end end = m->options->cells
-                         ? SG_MERGE_DONE
-                         : sg_merge_across(m, of, triangles, all->item, all->n);
+  sg_merge_end end = m->options->cells ? SG_MERGE_DONE
+                                       : sg_merge_near_sides(m, of, triangles,
+                                                             all->item, all->n);
 
   for (size_t i = 0; end == SG_MERGE_DONE && i < all->n; i++) {
     note(m, &all->item[i]);

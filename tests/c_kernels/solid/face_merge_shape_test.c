@@ -1,7 +1,7 @@
 /* face_merge_shape_test.c -- faces that become one: curved solids, open ones,
  * what touches a face inside, and what is hardly there.
  *
- * covers: face_merge_hold, face_merge_sheet, face_merge_across,
+ * covers: face_merge_hold, face_merge_sheet, face_merge_near,
  * face_merge_tight, places
  */
 #include "merged.h"

@@ -1,4 +1,4 @@
-/* face_merge_across.c -- what lies across from a face beside which a vertex
+/* face_merge_near.c -- what lies across from a face beside which a vertex
  * moves: see face_merge_private.h.
  *
  * Layer: kernel. Inexact. From a point of each face at the vertex, near it, two
@@ -20,26 +20,27 @@ enum {
   BESIDE = 16      /* a ray begins so many moves from the vertex, or */
 };
 
-#define INSIDE 0.125 /* of the way to the middle of the opposite side */
+#define INSIDE 0.125  /* of the way to the middle of the opposite side */
+#define SAME   0.9999 /* the cosine of 0.8 degrees */
 
 typedef struct ray {
   uint32_t moved, face;
   double from[3], way[3]; /* to its end */
-  double normal[3];       /* of the face */
+  double normal[3];       /* of the face, 1 long */
   double length, move;    /* of the vertex along it */
 } ray;
 
-typedef struct across {
+typedef struct casting {
   const sg_merge *m;
   const sg_merge_faces *of;
   sg_moved *moved;
   SG_LIST_OF(ray) rays;
   SG_LIST_OF(uint32_t) near; /* triangles */
-} across;
+} casting;
 
 /* The boxes of rays and of triangles that are near. */
 typedef struct joining {
-  const across *x;
+  const casting *x;
   const sg_bvh *rays, *triangles;
 } joining;
 
@@ -47,7 +48,7 @@ typedef struct joining {
 
 /* The way that a face looks by the plane of its polygon, or by a triangle. */
 static bool
-normal_of(const across *x, uint32_t triangle, double out[3])
+normal_of(const casting *x, uint32_t triangle, double out[3])
 {
   const sg_merge_options *options = x->m->options;
   const sg_solid_face *face = &x->of->face[x->m->face_of[triangle]];
@@ -64,7 +65,7 @@ normal_of(const across *x, uint32_t triangle, double out[3])
 
 /* Near a corner of a triangle, inside it. */
 static void
-find_start(const across *x, uint32_t half, double move, double out[3])
+find_start(const casting *x, uint32_t half, double move, double out[3])
 {
   const uint32_t *corner = x->of->triangle[half / 3];
   const double *v = sg_merge_at(x->m, corner[half % 3]);
@@ -82,9 +83,22 @@ find_start(const across *x, uint32_t half, double move, double out[3])
   }
 }
 
-/* Both ways from the face of a half-edge. False: no memory. */
+/* Whether one of the last rays, from `first` on, runs almost the same way. */
 static bool
-add_rays(across *x, uint32_t moved, uint32_t half)
+is_there(const casting *x, size_t first, const ray *one)
+{
+  for (size_t i = first; i < x->rays.n; i++) {
+    if (sg_dot(x->rays.item[i].normal, one->normal) > SAME) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/* Both ways from the face of a half-edge, unless from `first` on one runs so.
+ * False: no memory. */
+static bool
+add_rays(casting *x, uint32_t moved, uint32_t half, size_t first)
 {
   ray one = {.moved = moved, .face = x->m->face_of[half / 3]};
   double size;
@@ -93,15 +107,18 @@ add_rays(across *x, uint32_t moved, uint32_t half)
       (size = sg_length(one.normal)) <= 0) {
     return true;
   }
-  one.move = fabs(sg_dot(one.normal, x->moved[moved].way)) / size;
+  for (int k = 0; k < 3; k++) {
+    one.normal[k] /= size;
+  }
+  one.move = fabs(sg_dot(one.normal, x->moved[moved].way));
   one.length = SG_TIGHT * one.move;
-  if (!(one.move > x->moved[moved].least)) {
+  if (!(one.move > x->moved[moved].least) || is_there(x, first, &one)) {
     return true;
   }
   find_start(x, half, one.move, one.from);
   for (int sign = -1; sign <= 1; sign += 2) {
     for (int k = 0; k < 3; k++) {
-      one.way[k] = sign * one.length / size * one.normal[k];
+      one.way[k] = sign * one.length * one.normal[k];
     }
     if (!SG_PUSH(x->rays, one)) {
       return false;
@@ -110,20 +127,16 @@ add_rays(across *x, uint32_t moved, uint32_t half)
   return true;
 }
 
-/* From each face at a vertex once. */
 static bool
-add_vertex(across *x, uint32_t moved)
+add_vertex(casting *x, uint32_t moved)
 {
   const sg_merge *m = x->m;
   uint32_t v = x->moved[moved].v;
+  size_t first = x->rays.n;
   bool good = true;
 
   for (uint32_t i = m->first[v]; good && i < m->first[v + 1]; i++) {
-    uint32_t face = m->face_of[m->leaving[i].half / 3], j = m->first[v];
-    while (m->face_of[m->leaving[j].half / 3] != face) {
-      j++;
-    }
-    good = j < i || add_rays(x, moved, m->leaving[i].half);
+    good = add_rays(x, moved, m->leaving[i].half, first);
   }
   return good;
 }
@@ -145,7 +158,7 @@ box_of_ray(const ray *r)
 }
 
 static sg_box
-box_of_triangle(const across *x, uint32_t triangle)
+box_of_triangle(const casting *x, uint32_t triangle)
 {
   sg_box box = sg_box_none();
 
@@ -157,7 +170,7 @@ box_of_triangle(const across *x, uint32_t triangle)
 
 /* The part of a ray at which it goes through a triangle; false: it does not. */
 static bool
-goes_through(const across *x, const ray *r, uint32_t triangle, double *part)
+goes_through(const casting *x, const ray *r, uint32_t triangle, double *part)
 {
   const uint32_t *corner = x->of->triangle[triangle];
   const double *a = sg_merge_at(x->m, corner[0]);
@@ -179,7 +192,7 @@ goes_through(const across *x, const ray *r, uint32_t triangle, double *part)
 /* The other side is of the same segment and no face at the vertex; it looks
  * away from the face where the ray begins. */
 static bool
-is_across(const across *x, const ray *r, uint32_t triangle)
+is_across(const casting *x, const ray *r, uint32_t triangle)
 {
   uint32_t face = x->m->face_of[triangle];
   const sg_solid_face *one = &x->of->face[r->face];
@@ -207,7 +220,7 @@ is_wanted(void *data, const sg_bvh_hit *hit)
 }
 
 static void
-see_hit(across *x, const ray *r, uint32_t triangle)
+see_hit(casting *x, const ray *r, uint32_t triangle)
 {
   sg_moved *moved = &x->moved[r->moved];
   double part;
@@ -222,7 +235,7 @@ see_hit(across *x, const ray *r, uint32_t triangle)
 }
 
 static bool
-join(across *x, const sg_bvh *rays, const sg_bvh *triangles)
+join(casting *x, const sg_bvh *rays, const sg_bvh *triangles)
 {
   sg_bvh_hits hits;
   joining j = {x, rays, triangles};
@@ -241,7 +254,7 @@ join(across *x, const sg_bvh *rays, const sg_bvh *triangles)
 
 /* The triangles whose boxes the rays' boxes meet. */
 static sg_merge_end
-find_near(across *x, const sg_bvh *rays, size_t triangles)
+find_near(casting *x, const sg_bvh *rays, size_t triangles)
 {
   for (size_t t = 0; t < triangles; t++) {
     sg_box box = box_of_triangle(x, (uint32_t)t);
@@ -257,7 +270,7 @@ find_near(across *x, const sg_bvh *rays, size_t triangles)
 }
 
 static sg_merge_end
-find_hits(across *x, const sg_bvh *rays, size_t triangles)
+find_hits(casting *x, const sg_bvh *rays, size_t triangles)
 {
   sg_merge_end end = find_near(x, rays, triangles);
   sg_box *box = malloc((x->near.n + 1) * sizeof *box);
@@ -277,7 +290,7 @@ find_hits(across *x, const sg_bvh *rays, size_t triangles)
 }
 
 static sg_merge_end
-cast(across *x, size_t triangles)
+cast(casting *x, size_t triangles)
 {
   sg_box *box = malloc((x->rays.n + 1) * sizeof *box);
 
@@ -293,10 +306,10 @@ cast(across *x, size_t triangles)
 }
 
 sg_merge_end
-sg_merge_across(const sg_merge *m, const sg_merge_faces *of, size_t triangles,
-                sg_moved *moved, size_t n)
+sg_merge_near_sides(const sg_merge *m, const sg_merge_faces *of,
+                    size_t triangles, sg_moved *moved, size_t n)
 {
-  across x = {.m = m, .of = of, .moved = moved};
+  casting x = {.m = m, .of = of, .moved = moved};
   bool good = true;
 
   for (size_t i = 0; good && i < n; i++) {
