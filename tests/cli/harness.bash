@@ -2,6 +2,7 @@
 #
 #   run ARGUMENT...             sets $status, $out, $err (files $work/out, err)
 #   check NAME CONDITION...     counts one test: a command that must be true
+#   asked SCRIPT ARGUMENT...    counts the tests of a script in Python
 #   has TEXT FILE / hasnt ...   conditions on text
 #
 # Source it, test, and end with `finish`.
@@ -46,6 +47,19 @@ holds() {
   shift
   [ "$(ls -A "$folder" | sort | tr '\n' ' ')" = "$(printf '%s\n' "$@" |
     sed '/^$/d' | sort | tr '\n' ' ')" ]
+}
+
+# asked SCRIPT ARGUMENT...: a script in Python is given the program, a folder of
+# its own and the arguments; its tests are counted here.
+asked() {
+  local folder more less
+  folder=$work/$(basename "$1")
+  mkdir "$folder"
+  PYTHONDONTWRITEBYTECODE=1 timeout 900 python3 "$1" "$sanggwan" "$folder" \
+    "${@:2}" >"$work/asked" 2>&1
+  grep -v ' passed, ' "$work/asked"
+  read -r more _ less _ < <(tail -1 "$work/asked" | grep ' passed, ')
+  passed=$((passed + ${more:-0})) failed=$((failed + ${less:-1}))
 }
 
 skip() { printf 'skipped: %s\n' "$1"; }

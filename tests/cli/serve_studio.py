@@ -5,34 +5,10 @@ selections, patterns, wishes, questions, rules that are tried, words, progress."
 from collections import Counter
 import json
 import math
-import os
 import struct
-import subprocess
-import sys
 import time
 
-from session import Checks, Session
-
-program, work = sys.argv[1:3]
-checks = Checks()
-check = checks.check
-environment = {k: v for k, v in os.environ.items()
-               if k not in ("LC_ALL", "LC_MESSAGES")}
-environment.update(LANG="C", XDG_STATE_HOME=work + "/state")
-
-
-def alone(*argv, body=b""):
-    p = subprocess.run([program, *argv], input=body, capture_output=True,
-                       env=environment)
-    return p.returncode, p.stdout, p.stderr
-
-
-def session():
-    return Session(program, env=environment)
-
-
-def code(head):
-    return (head.get("error") or {}).get("code", "")
+from serving import alone, check, checks, code, session, work
 
 
 def refused(name, wanted, said, do, body=b"", /, **keys):

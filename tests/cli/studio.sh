@@ -7,12 +7,11 @@
 # covers: answer_name, studio_words, visitor_answer, ask_problem
 . "$(dirname "$0")/harness.bash"
 cd "$here" || exit 2
-. tests/studio/asked.bash
 
-asked front_test.py
-asked class_test.py
-asked class_fuzz.py
-asked limit_test.py
-asked kill_test.py
-asked socket_test.py
+asked tests/studio/front_test.py
+asked tests/studio/class_test.py
+asked tests/studio/class_fuzz.py
+asked tests/studio/limit_test.py
+asked tests/studio/kill_test.py
+asked tests/studio/socket_test.py
 finish

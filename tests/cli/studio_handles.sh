@@ -3,7 +3,7 @@
 # real browser.
 . "$(dirname "$0")/harness.bash"
 cd "$here" || exit 2
-. tests/studio/asked.bash
+. tests/studio/in_browser.bash
 
 in_browser handles_test.py link_test.py
 finish

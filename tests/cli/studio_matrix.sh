@@ -3,7 +3,7 @@
 # on screens of several sizes.
 . "$(dirname "$0")/harness.bash"
 cd "$here" || exit 2
-. tests/studio/asked.bash
+. tests/studio/in_browser.bash
 
 in_browser matrix_test.py
 finish
