@@ -155,17 +155,20 @@ value(coordinate(I, Axis), _, _, Points, Value) :-
 %   Working says how the value of Measure comes about, in units of the model;
 %   arguments as of measured/5. It is one of
 %
-%     - legs(p(DX,DY,DZ))      from one end to the other
+%     - legs(p(DX,DY,DZ))      how far it is from one end to the other
 %     - arms(P, Q)             from the vertex along both sides
 %     - lengths(Pieces)        of each piece I-Length of its generators
 %     - cone(Radius, Length)   of a right circular cone, of its generators
 %     - pieces(Areas)          of the pieces of a pattern
 %     - from(Lowest, At)       where the model begins, where the point is
 
-measure_working(edge(S, V, W), _, _, legs(PQ)) :-
+measure_working(edge(S, V, W), _, _, legs(p(DX,DY,DZ))) :-
     corner(S, V, P),
     corner(S, W, Q),
-    difference(P, Q, PQ).
+    difference(P, Q, p(X,Y,Z)),
+    DX is abs(X),
+    DY is abs(Y),
+    DZ is abs(Z).
 measure_working(angle(S, U, V, W), _, _, arms(BA, BC)) :-
     corner(S, U, A),
     corner(S, V, B),
