@@ -218,6 +218,27 @@ polygon(P, Vs) :-
             Es),
     assert_fact(p(1, P, Es)).
 
+%   Two squares that are Gap apart, along x: one piece if that is within the
+%   tolerance.
+squares(Gap) :-
+    assert_fact(segment(1, surface, squares)),
+    forall(( nth0(N, [[0-0,1-0,1-1,0-1], [1-0,2-0,2-1,1-1]], Corners),
+             nth1(I, Corners, X0-Y0) ),
+           ( V is 4*N + I,
+             X is X0 + N*Gap + 0.0,
+             Y is float(Y0),
+             assert_fact(v(1, V, X, Y, 0.0)) )),
+    polygon(1, [1,2,3,4]),
+    polygon(2, [5,6,7,8]),
+    complete_segments.
+
+test(gap, [ forall(member(Tolerance-Pieces, [0-2,0.0-2,0.125-2,0.25-1,0.5-1])),
+            true(Most == Pieces) ]) :-
+    new_world(World),
+    in_world(World,
+             ( squares(0.25),
+               quiet(unfold(1, [tolerance(Tolerance)], D)),
+               aggregate_all(max(K), piece(D, _, K), Most) )).
 test(part_edges, Ks == [1]) :-
     new_world(World),
     in_world(World,
