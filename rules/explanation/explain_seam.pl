@@ -510,5 +510,5 @@ refusal(D, S, J, E, [Why]) :-
     ->  Why = because(would_overlap(S, P1, P2), [])
     ;   memberchk(Reason, [cycle(_),chosen(_),exchange(_,_,_,_)])
     ->  Why = because(no_length, [])
-    ;   reason_because(Reason, D, S, E, 0, false, [Why])
+    ;   reason_because(Reason, D, S, J, E, false, [Why])
     ).

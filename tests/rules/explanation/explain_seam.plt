@@ -173,6 +173,19 @@ test(refused_by_a_rule) :-
     with_model(Box,
                with_rules("may_join(_, E) :- E > 4.",
                           says(seam(1), may_not_join(1, 1, _)) )), !.
+test(pieces_refused_by_a_rule, [true(Is-Count == Es-3)]) :-
+    long_box(Box),
+    with_model(Box,
+               with_rules("may_join(_, _) :- fail.",
+                          ( explanation(pattern(1, 2), [because(_, [Why])]),
+                            Why = because(seams_out(4), Refused),
+                            findall(E-I,
+                                    ( member(because(Seam, [No]), Refused),
+                                      Seam = seam_edge(1, E, _, _, _, _),
+                                      No = because(may_not_join(1, I, _), []) ),
+                                    Pairs) ))),
+    pairs_keys_values(Pairs, Es, Is),
+    length(Es, Count).
 test(order_of_a_rule) :-
     long_box(Box),
     with_model(Box,
