@@ -101,6 +101,32 @@ test(grows) :-                          % what fits fits on larger paper
     layout(Sights, Room, 1.0, _),
     layout(Sights, Large, 1.0, _).
 
+%   To the millimetre: two views need a gap of 12 between them, a free one 9
+%   round what is there, and what just fits does.
+
+test(gap, [ forall(member(Width-Lefts, [52-[0.0,32.0],58-[3.0,35.0],
+                                        160-[40.0,100.0],400-[156.0,224.0]])),
+            true(Is =@= Lefts) ]) :-
+    layout([ sight(a,at(0,0),box(0,0,20,10),pads(0,0,0,0)),
+             sight(b,at(1,0),box(5,0,25,10),pads(0,0,0,0)) ],
+           room(rect(0,0,Width,10),[]), 1.0, Places),
+    findall(Left, ( member(place(_,_,_,Left0,_), Places), Left is Left0+0.0 ),
+            Is).
+test(no_gap, [fail]) :-
+    layout([ sight(a,at(0,0),box(0,0,20,10),pads(0,0,0,0)),
+             sight(b,at(1,0),box(5,0,25,10),pads(0,0,0,0)) ],
+           room(rect(0,0,51.999,10),[]), 1.0, _).
+test(free, [ forall(member(Width-Height, [29-10,30-10,29-12])),
+             true([Left,Top] == [At,Middle]) ]) :-
+    Whole is 20+Width,
+    At is (Whole+9)/2.0,
+    Middle is (Height-10)/2.0,
+    layout([ sight(b,free,box(5,-3,25,7),pads(0,0,0,0)) ],
+           room(rect(0,0,Whole,Height),[rect(0,0,20,Height)]), 1.0,
+           [place(b,5,7,Left,Top)]).
+test(free_does_not_fit, [ forall(member(W-H, [48.999-10,49-9.999])), fail ]) :-
+    layout([ sight(b,free,box(5,-3,25,7),pads(0,0,0,0)) ],
+           room(rect(0,0,W,H),[rect(0,0,20,H)]), 1.0, _).
 test(cells, [forall(member(Name-First-Third,
                     [ front-at(0,0)-at(0,0), right-at(-1,0)-at(1,0),
                       left-at(1,0)-at(-1,0), top-at(0,1)-at(0,-1),
