@@ -1,5 +1,5 @@
-/* Reports that become one: which lines count, in what order, and what is no line
-   of a report. What a line says of a job, to the letter.
+/* Reports that become one: which lines count, in what order, and what is no
+   line of a report. What a line says of a job, to the letter.
    covers: batch_report */
 :- module(test_batch_merge, []).
 :- use_module(library(apply)).
@@ -113,7 +113,8 @@ test(last_counts,
             [3-timeout,1-failed,2-failed,1-done,2-cached], [C,A1,B1,A2,B2]),
     merged([[Batch,C,A1,B1], [Batch,'{"summary":1}',A2,B2]], json, Text),
     names(Text, Names).
-test(manifests_apart, [true(Names == ["j2"-"killed","j1"-"done","j1"-"failed"])]) :-
+test(manifests_apart,
+     [true(Names == ["j2"-"killed","j1"-"done","j1"-"failed"])]) :-
     maplist(batch, [b,a], [B,A]),
     line(1, done, Done),
     line(1, failed, Failed),
@@ -142,10 +143,12 @@ test(damaged, [ forall(damaged(Damaged)),
     merged([[Batch,Damaged]], json, _).
 test(missing, [throws(error(model_error(cannot_read(missing)), _))]) :-
     reports_merged(['no_such.jsonl'], ['x.json']).
-test(ending, [ throws(error(usage_error(ending('x.pdf', [json,xml,html])), _)) ]) :-
+test(ending,
+     [ throws(error(usage_error(ending('x.pdf', [json,xml,html])), _)) ]) :-
     reports_merged([], ['x.json','x.pdf']).
 test(line, [true(Text == '{"job":"a \\"b\\"","number":7,"verb":"draw",\c
-"status":3,"outcome":"failed","key":"k","seconds":1.235,"cpu":0.000,"rss_kb":12,\c
+"status":3,"outcome":"failed","key":"k","seconds":1.235,"cpu":0.000,\c
+"rss_kb":12,\c
 "files":["a.svg","b\\\\c"],"said":[],"error":null}')]) :-
     line_text(job(7,'a "b"',none,draw,none,none,none,none),
               result(failed,3,k,usage(1.2346,0,12),['a.svg','b\\c'],'[]',null),

@@ -53,11 +53,12 @@ task(tee, blank(right), [], "", none,
      "Draw the right-side view in its frame.",
      "빈칸에 우측면도를 그려라.").
 task(tee, ask(draw(penetration)), [], "", none,
-     "Draw the penetration line of the lying cylinder and the upright cylinder.",
+     "Draw the penetration line of the lying cylinder and the upright \c
+      cylinder.",
      "수평 원기둥과 수직 원기둥의 상관선을 그려라.").
 task(tee, ask(draw(penetration, [front,top])), [], "", none,
-     "Draw the penetration line of the lying cylinder and the upright cylinder in \c
-      the front view and the top view.",
+     "Draw the penetration line of the lying cylinder and the upright \c
+      cylinder in the front view and the top view.",
      "정면도와 평면도에 수평 원기둥과 수직 원기둥의 상관선을 그려라.").
 task(tee, ask(draw(penetration, [left,back,bottom])),
      [part(2, en, stub), part(2, ko, '관')], "", none,
@@ -83,7 +84,8 @@ task(tee, ask(count(loops)), [], "", none,
      "How many closed lines does the penetration line consist of?",
      "상관선은 몇 개의 닫힌 선으로 이루어지는가?").
 task(tee, ask(develop(2)), [], "", none,
-     "Draw the pattern of the upright cylinder, cut along the penetration line.",
+     "Draw the pattern of the upright cylinder, cut along the penetration \c
+      line.",
      "상관선을 따라 잘라 낸 수직 원기둥의 전개도를 그려라.").
 task(cone, ask(develop(1)), [], "", none,
      "Draw the pattern of the cone.", "원뿔의 전개도를 그려라.").
@@ -103,8 +105,8 @@ measure(generator(1,1), cone, [], "A", none,
         "How long is the generator that begins in A?",
         "A에서 시작하는 면소의 실장(실제 길이)은?").
 measure(shortest_generator(2), tee, [], "", none,
-        "Of the 12 generators in the pattern of the upright cylinder, how long \c
-         is the shortest?",
+        "Of the 12 generators in the pattern of the upright cylinder, how \c
+         long is the shortest?",
         "수직 원기둥의 전개도에서 면소 12개 중 가장 짧은 것의 실장(실제 길이)은?").
 measure(longest_generator(2), tee, [generators(8)], "", none,
         "Of the 8 generators in the pattern of the upright cylinder, how long \c
@@ -277,7 +279,8 @@ test(why, [ forall(why(World, Places, N, Ask, En, Ko)),
     findall(Text,
             ( member(Language, [en,ko]),
               modelled(World,
-                       answer_why(variant(none,none,none,asked(none,N,none,none),
+                       answer_why(variant(none,none,none,
+                                          asked(none,N,none,none),
                                           found(Points,none,none),none),
                                   Ask, "7", Language, Text)) ),
             Texts).

@@ -45,7 +45,11 @@ test(looks, [forall(eye(Eye, At, Theta, Phi, Distance)),
                  view(Theta0, Phi0, Rho0),
                  once(v(1, 1, X, _, _)) )),
     near(Phi0, Phi),
-    ( Theta == any -> true ; Turn is cos((Theta0-Theta)*pi/180), near(Turn, 1) ),
+    (   Theta == any
+    ->  true
+    ;   Turn is cos((Theta0-Theta)*pi/180),
+        near(Turn, 1)
+    ),
     number(Distance).
 test(central, [forall(eye(Eye, [A,B,C], _, Phi, Distance))]) :-
     with_boxes(( once(v(1, 1, X0, Y0, Z0)),

@@ -1,4 +1,5 @@
-/* The book of a class: what its lines say of each pupil, and what is no line. */
+/* The book of a class: what its lines say of each pupil, and what is no line.
+*/
 :- module(test_visitor_answer, []).
 :- use_module(library(apply)).
 :- use_module(library(filesex)).
@@ -18,7 +19,8 @@ with_book(Lines, Goal, Left) :-
     setup_call_cleanup(
         ( make_directory(State), setenv('XDG_STATE_HOME', State) ),
         ( class_begun('/problems.pl', none),
-          directory_member(State, Book, [extensions([answers]),recursive(true)]),
+          directory_member(State, Book,
+                           [extensions([answers]),recursive(true)]),
           setup_call_cleanup(open(Book, write, Out, [encoding(utf8)]),
                              maplist(write(Out), Lines),
                              close(Out)),
