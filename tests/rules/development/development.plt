@@ -365,6 +365,18 @@ test(removed, Ps == [2,3,4,5]) :-
              ( develop(1, [removed([1,6])], D), sound(1, D),
                findall(P, p(D, P, _), Ps0), sort(Ps0, Ps) )).
 
+%   A pattern that was read from a file is measured anew: as it was laid.
+
+test(measured_anew, [ forall(member(Term, [ cone(radius(3,2), height(4),
+                                                 shift(2,1), facets(9)),
+                                            box(size(1,2,3)) ])),
+                      true(Again =@= Same) ]) :-
+    in_model([Term],
+             ( develop(1, D), development_measures(D, First),
+               retractall_facts(origin(D, node(D), _)),
+               development_measures(D, Again) )),
+    put_dict(_{tests:0, refused:0}, First, Same).
+
 test(minimize, forall(member(Objective, [seam,pieces,longest,area]))) :-
     in_model([torus(radius(2), tube(0.7), facets(12))],
              ( develop(1, D), development_measures(D, M1), sound(1, D),

@@ -112,6 +112,20 @@ test(gap, [ forall(member(Width-Lefts, [52-[0.0,32.0],58-[3.0,35.0],
            room(rect(0,0,Width,10),[]), 1.0, Places),
     findall(Left, ( member(place(_,_,_,Left0,_), Places), Left is Left0+0.0 ),
             Is).
+%   Where that is taken, they stand elsewhere, or nearer to each other.
+
+test(taken, [ forall(member(Xs-Lefts, [ []-[40.0,100.0], [42]-[0.0,60.0],
+                                        [50]-[24.0,84.0],
+                                        [10,42]-[80.0,140.0],
+                                        [10,42,150]-[47.0,93.0],
+                                        [10,42,48,150]-[54.0,86.0] ])),
+              true(Is =@= Lefts) ]) :-
+    findall(rect(X,0,X1,10), ( member(X, Xs), X1 is X+1 ), Taken),
+    layout([ sight(a,at(0,0),box(0,0,20,10),pads(0,0,0,0)),
+             sight(b,at(1,0),box(5,0,25,10),pads(0,0,0,0)) ],
+           room(rect(0,0,160,10),Taken), 1.0, Places),
+    findall(Left, ( member(place(_,_,_,Left0,_), Places), Left is Left0+0.0 ),
+            Is).
 test(no_gap, [fail]) :-
     layout([ sight(a,at(0,0),box(0,0,20,10),pads(0,0,0,0)),
              sight(b,at(1,0),box(5,0,25,10),pads(0,0,0,0)) ],
