@@ -54,23 +54,25 @@ option_pair(Term, Name-Value) :-
 
 option_value(set, [Name, Value0], Value) :-
     !,
-    short(Name=Value0),
+    short(Name=Value0, 0),
     text_of(Name, Left),
     text_of(Value0, Right),
     atomic_list_concat([Left, =, Right], Value).
 option_value(_, [Argument|Arguments], Value) :-
-    short([Argument|Arguments]),
+    short([Argument|Arguments], 2),
     (   Arguments == []
     ->  text_of(Argument, Value)
     ;   maplist(text_of, [Argument|Arguments], Texts),
         atomic_list_concat(Texts, ',', Value)
     ).
 
-%   short(Value): its text has no more characters than a text in a file may.
+%   short(Value, Brackets): its text, without that many brackets, has no more
+%   characters than a text in a file may.
 
-short(Value) :-
+short(Value, Brackets) :-
     limit_value(name, Most),
-    (   write_length(Value, _, [max_length(Most)])
+    Longest is Most+Brackets,
+    (   write_length(Value, _, [max_length(Longest)])
     ->  true
     ;   throw(job_error(limit(name, Most)))
     ).
@@ -145,7 +147,7 @@ json_value(Name, Value, Pairs, [Name-Text|Pairs]) :-
 json_text(Name, Value, Text) :-
     (   ( string(Value) ; number(Value) ),
         !,
-        short(Value),
+        short(Value, 0),
         format(atom(Text), '~w', [Value])
     ;   Term =.. [Name, Value],
         throw(job_error(option(Term)))
