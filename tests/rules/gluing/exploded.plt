@@ -3,6 +3,7 @@
 :- use_module(library(apply)).
 :- use_module(library(lists)).
 :- use_module(library(plunit)).
+:- use_module(rules(csg/known_surface)).
 :- use_module(rules(gluing/exploded)).
 :- use_module(rules(gluing/regions)).
 :- use_module(rules(model/model)).
@@ -38,6 +39,17 @@ cell_volume(S, R, Volume) :-
 close_to(R-X, R-Y) :-
     abs(X-Y) < 1.0e-9.
 
+two_cylinders(Out) :-
+    format(Out, "segment(1, solid, cylinder(radius(2), height(3), \c
+                                           facets(16))).~n\c
+                 segment(2, solid, at([translate(1,0,3)], \c
+                          cylinder(radius(1), height(2), facets(16)))).~n\c
+                 segment(3, solid, glue([1,2])).~n", []).
+
+lowest(S, Z) :-
+    findall(Z0, v(S, _, _, _, Z0), Zs),
+    min_list(Zs, Z).
+
 :- begin_tests(exploded).
 
 test(volumes, [ forall(member(File-N, [ 'facts/figures/glue_face.pl'-2,
@@ -48,6 +60,27 @@ test(volumes, [ forall(member(File-N, [ 'facts/figures/glue_face.pl'-2,
                 true(( length(Apart, N), maplist(close_to, Volumes, Apart) ))
               ]) :-
     cells_of(File, 0.5, Volumes, _, Apart).
+
+%   The surfaces that facets stand for go where the facets do.
+
+test(smooth, [true(Frames == [ [X,0.0,Z,1.0,0.0,0.0,0.0,1.0,0.0,0.0,0.0,2.0],
+                               [0.0,0.0,Low,2.0,0.0,0.0,0.0,2.0,0.0,0.0,0.0,3.0]
+                             ])]) :-
+    in_new_world(( setup_call_cleanup(
+                       tmp_file_stream(File, Out, [extension(pl)]),
+                       ( two_cylinders(Out), close(Out), load_model(File) ),
+                       delete_file(File)),
+                   glue_report(3, _),
+                   cells_exploded(0.5),
+                   remembered_facets(Known),
+                   lowest(4, Z),
+                   lowest(5, Low),
+                   findall(X0, v(4, _, X0, _, _), Xs) )),
+    findall(Frame, ( member(known(_,[surface(tapered,Frame,_,_)],_), Known) ),
+            Frames),
+    min_list(Xs, Least),
+    X is Least+1.0,
+    Z-Low-X == 3.75-(-0.5)-1.5.
 
 %   What is outside stays: the parts of the sheet that are in no cell.
 
