@@ -581,7 +581,7 @@ flattened_en(How, S, At, Move, Beside, N) -->
 beside_en(edge(Length)) -->
     [ 'an edge is only ~4g long'-[Length] ].
 beside_en(wall(Thickness)) -->
-    [ 'a wall or a slot is only ~4g wide'-[Thickness] ].
+    [ 'a wall or a gap is only ~4g wide'-[Thickness] ].
 
 other_places_en(How, N) -->
     (   { N > 1 }

@@ -576,7 +576,7 @@ flattened_ko(How, S, At, Move, Beside, N) -->
 beside_ko(edge(Length)) -->
     [ '모서리 길이가 ~4g뿐입니다'-[Length] ].
 beside_ko(wall(Thickness)) -->
-    [ '벽이나 홈의 두께가 ~4g뿐입니다'-[Thickness] ].
+    [ '벽이나 틈의 두께가 ~4g뿐입니다'-[Thickness] ].
 
 other_places_ko(How, N) -->
     (   { N > 1 }
