@@ -93,6 +93,5 @@ sandbox:safe_primitive(sg_explain:explanation(_,_,_)).
 
 sandbox:safe_meta_predicate(sg_store:facts_snapshot/1).
 sandbox:safe_meta_predicate(sg_store:in_world/2).
-sandbox:safe_meta_predicate(sg_arrangement:with_arrangement/3).
 sandbox:safe_meta(sg_query:query(Goal,_), [Goal]).
 sandbox:safe_meta(sg_decision:default(_), []).
