@@ -51,6 +51,23 @@ sg_version_row(const sg_version *version, sg_relation relation, sg_row row,
               row % SG_PAGE_ROWS, out);
 }
 
+/* Without memory for the index of the key: each row is looked at. */
+static sg_row
+find_among_all(sg_table *table, const sg_map *map, const sg_value *row)
+{
+  const sg_relation_info *info = table->info;
+  sg_row slots = (sg_row)(table->pages * SG_PAGE_ROWS);
+
+  for (sg_row r = 0; map && r < slots; r++) {
+    if (sg_map_shows(map, r) &&
+        sg_page_match(sg_table_page(table, r), info, info->key,
+                      r % SG_PAGE_ROWS, row)) {
+      return r;
+    }
+  }
+  return SG_NO_ROW;
+}
+
 sg_row
 sg_version_find(const sg_version *version, sg_relation relation,
                 const sg_value *row)
@@ -65,8 +82,10 @@ sg_version_find(const sg_version *version, sg_relation relation,
   pthread_mutex_lock(&world->lock);
   table->lookups++;
   found = sg_table_find_run(table, version->map[relation], row);
-  if (found == SG_NO_ROW && sg_index_build(&table->index[0], table)) {
-    found = sg_table_find_indexed(table, version->map[relation], row);
+  if (found == SG_NO_ROW) {
+    found = sg_index_build(&table->index[0], table)
+                ? sg_table_find_indexed(table, version->map[relation], row)
+                : find_among_all(table, version->map[relation], row);
   }
   pthread_mutex_unlock(&world->lock);
   return found;

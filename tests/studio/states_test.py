@@ -345,9 +345,9 @@ def korean():
         "반지름 radius", "높이 height", "작은 면 수 facets"], labels)
     rows = browser.script("return " + said % ".tree .what")
     check("kinds in Korean", "원기둥 cylinder" in rows and "inside" in rows, rows)
-    heard = browser.script("""return [document.querySelector('.form input')
-      .getAttribute('aria-label'), document.querySelector('.knob')
-      .getAttribute('aria-label')]""")
+    heard = browser.wait("""(all => all.every(a => a.startsWith('반지름')) && all)(
+      ['.form input', '.knob'].map(s => document.querySelector(s)
+        ?.getAttribute('aria-label') || ''))""")
     check("and for who hears it", heard == ["반지름 (radius)"] * 2, heard)
     browser.script("document.querySelector('[data-word=language]').click()")
     check("in English by the word alone", browser.wait(
