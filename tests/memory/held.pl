@@ -30,7 +30,17 @@
 
 %   Before the program's own, which prints.
 
-:- initialization(asserta((user:message_hook(_, _, _) :- true))).
+:- initialization(asserta((user:message_hook(Term, Kind, _) :-
+                               sg_held:heard(Kind, Term)))).
+
+:- dynamic last_error/1.
+
+heard(Kind, Term) :-
+    (   Kind == error
+    ->  retractall(last_error(_)),
+        assertz(last_error(Term))
+    ;   true
+    ).
 
 main :-
     current_prolog_flag(argv, [File]),
@@ -175,6 +185,10 @@ see_given(Command, Fault, Status, Printed) :-
 fails_so(stop(_), stopped).
 fails_so(stop(_), 2).
 fails_so(refuse(_), 4).
+fails_so(refuse(_), 2) :-
+    last_error(Term),
+    format(atom(Said), '~q', [Term]),
+    sub_atom(Said, _, _, _, 'Cannot allocate memory').   % of the system's errno
 
 open_files(Count) :-
     aggregate_all(count, stream_property(_, file_name(_)), Count).
