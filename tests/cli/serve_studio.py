@@ -447,6 +447,16 @@ pairs = {e: min(f for f, back in ends.items() if back == (b, a))
          for e, (a, b) in ends.items()}
 check("halves", s.laid("unfold")[1] ==
       {2: {e: f for e, f in pairs.items() if f < e}} and len(ends) == 24, ends)
+wide = model.replace(".pl", "-wide.pl")
+with open(wide, "w") as f:
+    f.write("segment(1, solid, cylinder(radius(1), height(2), facets(80))).\n")
+s.ask("open", file=wide)
+head, _ = s.ask("ask", goal="aggregate_all(sum(E * 1000 + F), ( "
+                "e(1, E, A, B, _), e(1, F, B, A, _), F < E ), N)")
+halves = list(s.laid("unfold")[1].values())[0]
+check("halves beyond an octet", max(halves) > 256 and head["answers"] == [
+    [sum(e * 1000 + f for e, f in halves.items())]], head)
+s.ask("open", file=model, journal=True)
 head, _ = s.ask("cut", segment=1, edge=1)
 check("cut", head["wish"] == "unfolding(1, cut(1))", head)
 check("it stands in the text", s.ask("text")[1].decode() ==
