@@ -7,10 +7,22 @@
 
 :- begin_tests(near).
 
+%   Each tolerance is that of its relation: a tenth less is one, a tenth more
+%   is not.
+test(edges, [ forall(relation(Of, Least, Goal, Off)),
+              true(Truths == [true,false]) ]) :-
+    tolerance(Of, Tolerance),
+    assertion(Tolerance =:= Least),
+    findall(Truth,
+            ( member(Part, [0.9,1.1]),
+              Off is Part*Least,
+              truth(Goal, Truth) ),
+            Truths).
+
 test(angle, Same-Before == [true,false]-[false,true]) :-
-    findall(Truth, ( member(T, [30.0000005,30.000002]),
+    findall(Truth, ( member(T, [30.0000009,30.0000012]),
                      truth(same_angle(30.0, T), Truth) ), Same),
-    findall(Truth, ( member(T, [30.0000005,30.000002]),
+    findall(Truth, ( member(T, [30.0000009,30.0000012]),
                      truth(before_angle(30.0, T), Truth) ), Before).
 test(between, Truths == [true,false,false,false]) :-
     findall(Truth, ( member(T, [5,0,10,11]),
@@ -69,6 +81,14 @@ test(boxes, Truths == [true,false,true,false,false]) :-
 :- end_tests(near).
 
 :- meta_predicate truth(0, -).
+
+relation(angle,    1.0e-6,  same_angle(0.0, Off), Off).
+relation(rounding, 1.0e-9,  is_rounding(Off, 1.0), Off).
+relation(rounding, 1.0e-9,  same_part(Off, 0.0), Off).
+relation(exact,    2.0e-13, is_exactly(Off, 1.0), Off).
+relation(surface,  1.0e-6,  is_on_surface(Off, 1.0), Off).
+relation(paper,    1.0e-6,  is_straight(Off, 1.0), Off).
+relation(fold,     1.0e-2,  \+ is_bend(Off), Off).
 
 truth(Goal, Truth) :-
     (   call(Goal)

@@ -1,8 +1,10 @@
 :- module(test_verbs, []).
 :- use_module(library(plunit)).
 :- use_module(library(filesex)).
+:- use_module(library(readutil)).
 :- use_module(rules(model/model), [load_model/1]).
 :- use_module(rules(picture/contour), [line_ends/4]).
+:- use_module(rules(picture/view)).
 :- use_module(rules(primitive/primitive_rows), [add_primitive/2]).
 :- use_module(rules(store)).
 :- use_module(rules(polygon/triangulation), [complete_segments/1]).
@@ -66,6 +68,15 @@ drawn_up(Axis, Box, Drawn, Folder) :-
     findall(Length, drawn_line(Length), Lengths),
     msort(Lengths, Drawn).
 
+% The text of a cube's drawing; Goal sets the eye before.
+drawn_as(Goal, Options, Text, Folder) :-
+    cube(Cube),
+    load_model(Cube),
+    call(Goal),
+    directory_file_path(Folder, 'a.json', File),
+    draw(File, Options),
+    read_file_to_string(File, Text, []).
+
 vertices(Vertices) :-
     findall(V-p(X,Y,Z), v(1, V, X, Y, Z), Vertices0),
     sort(Vertices0, Vertices).
@@ -126,6 +137,26 @@ test(draw_up, Turned == Straight) :-
     in_folder(drawn_up(z, box(size(1,2,3)), Straight)),
     \+ in_folder(drawn_up(z, box(size(1,3,2)), Straight)).
 
+% What an option says is what set_view/1 and its like say before.
+test(draw_view, [ forall(member(Options-Goal,
+                                [ [view(front)]-set_view(front),
+                                  [view(20,70)]-set_view(20, 70, 0),
+                                  [view(20,70,15),projection(central)]
+                                  -( set_view(20, 70, 15),
+                                     set_projection(central) ),
+                                  [view(20,70,15)]-set_view(20, 70, 15) ])),
+                  true(Drawn == Set) ]) :-
+    in_folder(drawn_as(true, Options, Drawn)),
+    in_folder(drawn_as(Goal, [], Set)).
+test(views_differ, Count == 4) :-
+    findall(Text,
+            ( member(Options, [ [], [view(front)],
+                                [view(20,70,15),projection(central)],
+                                [view(20,70,9),projection(central)] ]),
+              in_folder(drawn_as(true, Options, Text)) ),
+            Texts0),
+    sort(Texts0, Texts),
+    length(Texts, Count).
 test(convert, forall(( member(Kind, [atom, string]),
                        member(List, [one, list]) ))) :-
     in_folder(there_and_back(Kind, List)).

@@ -1,18 +1,21 @@
 /* Shading under the lines: strokes where a ball is dark, in the frame of its
    lines; pictures as text. */
-% covers: image_text, verbs_shading, shading_words
+% covers: image_text, png, verbs_shading, shading_words
 :- module(test_drawing_shading, []).
 :- use_module(library(apply)).
 :- use_module(library(lists)).
 :- use_module(library(plunit)).
+:- use_module(library(readutil)).
 :- use_module(library(yall)).
 :- use_module(rules(csg/csg_matrix)).
 :- use_module(rules(decision)).
+:- use_module(rules(drawing/drawing)).
 :- use_module(rules(drawing/drawing_shading)).
 :- use_module(rules(drawing/image_text)).
 :- use_module(rules(kernel)).
 :- use_module(rules(picture/view)).
 :- use_module(rules(store)).
+:- use_module(tests('rules/drawing/png_reader')).
 :- use_module(tests('rules/polyhedron')).
 
 
@@ -39,6 +42,36 @@ ink(Strokes, Length) :-
               L is sqrt((X1-X2)**2 + (Y1-Y2)**2) ),
             Ls),
     sum_list(Ls, Length).
+
+%   png(Options, Png): of a sheet of 100 x 70 mm without lines.
+png(Options, Png) :-
+    setup_call_cleanup(
+        tmp_file_stream(File, Out, [encoding(binary), extension(png)]),
+        ( write_drawing_stream(png, Out,
+              [ drawing(drawing(sheet(100000,70000,1.0),[view('',[],[])]))
+              | Options ]),
+          close(Out),
+          read_file_to_codes(File, Codes, [type(binary)]) ),
+        delete_file(File)),
+    read_png(Codes, Png).
+
+%   dark_box(Rows, Box): round all dots of Rows, lists of RGB, that are not white;
+%   up to behind the last.
+dark_box(Rows, box(X1,Y1,X2,Y2)) :-
+    findall(X-Y,
+            ( nth0(Y, Rows, Row),
+              nth0(I, Row, Byte),
+              Byte < 255,
+              X is I//3 ),
+            Places),
+    findall(X, member(X-_, Places), Xs),
+    findall(Y, member(_-Y, Places), Ys),
+    min_list(Xs, X1),
+    min_list(Ys, Y1),
+    max_list(Xs, X3),
+    max_list(Ys, Y3),
+    X2 is X3+1,
+    Y2 is Y3+1.
 
 :- begin_tests(drawing_shading).
 
@@ -95,6 +128,32 @@ test(image_in_place, Place == [10000,10000,80000,80000]) :-
     Image = image(X,Y,W,H,Dots),
     maplist([A,B]>>(B is round(A)), [X,Y,W,H], Place),
     image_size(Dots, 160, 160).
+%   In a PNG it lies where its middle is, whatever the dots; and a picture with
+%   shading has as many dots to a metre as one without.
+test(png_in_place, [ forall(member(Dots, [4,5,8])),
+                     true(Box-PerMetre == box(X1,Y1,X2,Y2)-Wanted) ]) :-
+    in_new_world(
+        ( ball(Facts),
+          maplist(assert_fact, Facts),
+          set_view(270, 0, 0),
+          identity_matrix(Matrix),
+          shading_taken([1], Matrix, Shading),
+          shaded_view(Shading, lambert, place(3000,0,0,62000,21000), [0,0,0],
+                      Shaded),
+          png([shading([Shaded]),style([line(any,any,any,[colour(black)])]),
+               dots(Dots)], Png) )),
+    X1 is 50*Dots,
+    Y1 is 9*Dots,
+    X2 is 74*Dots,
+    Y2 is 33*Dots,
+    Png = png(W,H,8,2,Chunks,Rows),
+    assertion(( W =:= 100*Dots, H =:= 70*Dots )),
+    dark_box(Rows, Box),
+    memberchk("pHYs"-[A,B,C,D,A,B,C,D,1], Chunks),
+    PerMetre is ((A*256+B)*256+C)*256+D,
+    Wanted is 1000*Dots,
+    in_new_world(png([dots(Dots)], png(W,H,_,_,Chunks0,_))),
+    memberchk("pHYs"-[A,B,C,D,A,B,C,D,1], Chunks0).
 %   A rule is asked as if operands were not put aside; afterwards they are.
 test(owner_by_segment, Dot-Left == [0,0,170]-[3]) :-
     in_new_world(

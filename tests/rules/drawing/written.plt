@@ -377,6 +377,10 @@ png_of(Strokes, Rows, Dots, png(W,H,Depth,Colour,Chunks,Bits)) :-
         delete_file(File)),
     read_png(Codes, png(W,H,Depth,Colour,Chunks,Bits)).
 
+png_sized(Wide-High, Dots, W, H) :-
+    png_size([ drawing(drawing(sheet(Wide,High,1.0), [view('',[],[])])),
+               dots(Dots) ], W, H).
+
 png_size(Options, W, H) :-
     setup_call_cleanup(
         tmp_file_stream(File, Out, [encoding(binary), extension(png)]),
@@ -483,6 +487,19 @@ test(default_sheet, Box == 210-148) :-
     A is W//1000,
     B is H//1000,
     Box = A-B.
+
+% A picture has less than 2^31 dots a side, and no less than one.
+test(largest, [ forall(( member(Size, [20000-15000,15000-20000]),
+                         member(Times, [1,1.5,1.0e9]) )),
+                error(domain_error(raster_size, W-H), _) ]) :-
+    Size = Wide-High,
+    Dots is Times*(1<<31)*1000/20000.0,
+    W is round(Wide*Dots/1000),
+    H is round(High*Dots/1000),
+    png_sized(Size, Dots, _, _).
+test(smallest, Sizes == [1/1,2/1,3/2]) :-
+    findall(W/H, ( member(Dots, [0.001,0.1,0.15]),
+                   png_sized(20000-11000, Dots, W, H) ), Sizes).
 
 % A line of a width covers its length times its width, and two half discs.
 test(png_covers, [forall(member(P-Q, [ (3000-3000)-(17000-3000),

@@ -5,6 +5,7 @@
 :- use_module(library(apply)).
 :- use_module(library(lists)).
 :- use_module(library(pairs)).
+:- use_module(library(yall)).
 :- use_module(rules(decision)).
 :- use_module(rules(development/development)).
 :- use_module(rules(development/development_record)).
@@ -87,6 +88,38 @@ quietly(Goal) :-
         Goal,
         set_prolog_flag(verbose, Verbose)).
 
+%   wall(Heights): a closed wall, where its faces meet as high as they say.
+
+wall(Heights) :-
+    length(Heights, N),
+    assert_fact(segment(1, surface, wall)),
+    forall(nth0(I, Heights, Height),
+           ( X is 5*cos(2*pi*I/N),
+             Y is 5*sin(2*pi*I/N),
+             Low is 2*I+1,
+             High is 2*I+2,
+             Top is float(Height),
+             assert_fact(v(1, Low, X, Y, 0.0)),
+             assert_fact(v(1, High, X, Y, Top)) )),
+    forall(between(1, N, P),
+           ( A is 2*P-1,
+             B is 2*(P mod N)+1,
+             C is B+1,
+             D is A+1,
+             polygon(P, [A,B,C,D]) )),
+    complete_segments.
+
+%   wall_folds(Heights, Count-Least, Lengths): what is said of its one seam.
+
+wall_folds(Heights, Joined, Lengths) :-
+    new_world(World),
+    in_world(World,
+             ( wall(Heights),
+               quietly(once(explanation(seam(_), Because))) )),
+    once(( said(Because, joined_already(Count, _, Least)),
+           Joined = Count-Least )),
+    findall(Length, said(Because, fold_on_the_way(_, _, _, Length)), Lengths).
+
 long_box(box(size(1, 2, 3))).
 
 hollow(hollow_cylinder(radius(1), inner(0.6), height(1.6), facets(24))).
@@ -116,6 +149,28 @@ test(no_fold_on_the_way_is_shorter) :-
                                     [because(seam_edge(_,_,_,_,_,L), Why)]),
                         said(Why, fold_on_the_way(_, _, _, Fold)) ),
                       Fold >= L-1.0e-9)).
+%   Up to eight folds are told in the order of the way, of more the shortest.
+test(folds_told, [ forall(member(N, [4,8,9,10,13])),
+                   true(Told == Wanted) ]) :-
+    numlist(1, N, Ks),
+    maplist([K,H]>>( H is 2+(K*7) mod 17 ), Ks, Heights),
+    wall_folds(Heights, Count-Least, Told0),
+    min_list(Heights, Seam),
+    once(selectchk(Seam, Heights, Folds)),
+    length(Folds, Count0),
+    assertion(Count0 == Count),
+    maplist([H,L]>>( L is round(H) ), Told0, Told),
+    msort(Folds, Sorted),
+    Sorted = [Least0|_],
+    assertion(Least0 =:= Least),
+    (   Count =< 8
+    ->  once(append(Before, [Seam|After], Heights)),
+        append(After, Before, Way),
+        reverse(Way, Back),
+        ( Told == Way -> Wanted = Way ; Wanted = Back )
+    ;   length(Wanted, 8),
+        once(append(Wanted, _, Sorted))
+    ).
 test(cut_instead_costs, [true(Costs == [yes])]) :-
     long_box(Box),
     with_model(Box,
