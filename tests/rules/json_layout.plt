@@ -39,6 +39,18 @@ test(empty, [A,B] == ["{}","[]"]) :-
     laid([], 78, B),
     laid(_{}, 78, A),
     A0 == "{\n}".
+%   What is as long as Width, without what stands apart before brackets, is on
+%   one line; a name of a pair and what it needs count.
+test(widths, [ forall(member(Value-Width, [ [1,22,333]-12, [[],[7]]-9,
+                                             _{a:1}-8, _{ab:"c",d:true}-22,
+                                             [null,"x"]-11, _{a:_{b:2}}-15 ])),
+               true(Lines == [one,more]) ]) :-
+    Less is Width-1,
+    findall(How,
+            ( member(W, [Width,Less]),
+              laid(Value, W, Text),
+              ( sub_string(Text, _, _, _, "\n") -> How = more ; How = one ) ),
+            Lines).
 test(keys, [ forall(key(File)), true(Text == Was) ]) :-
     setup_call_cleanup(open(File, read, In, [encoding(utf8)]),
                        json_read_dict(In, Key),

@@ -8,6 +8,7 @@
 :- use_module(library(lists)).
 :- use_module(library(plunit)).
 :- use_module(library(readutil)).
+:- use_module(library(yall)).
 :- use_module(rules(batch/batch_merge)).
 :- use_module(rules(batch/batch_report)).
 
@@ -55,6 +56,11 @@ line(N, Outcome, Line) :-
            '{"job":"j~d","number":~d,"status":0,"outcome":"~w","seconds":0.5,\c
             "files":["f"],"said":[],"error":~w}', [N,N,Outcome,Error]).
 
+atom_to_json(Text0, Name) :-
+    atom_string(Text, Text0),
+    atom_json_dict(Text, Read, []),
+    atom_string(Name, Read).
+
 %   names(Text, Names): the jobs of Text, a report, with their outcomes.
 
 names(Text, Names) :-
@@ -89,6 +95,31 @@ damaged(Line) :-
     atomic_list_concat([Before,Other,After], Line).
 
 :- begin_tests(batch_merge).
+
+%   Each character of a name comes back, and the texts that are plain are written
+%   as they are.
+test(characters, true(Wrong == [])) :-
+    findall(Code,
+            ( between(1, 400, Code),
+              atom_codes(Name, [0'a,Code]),
+              json_text(Name, Text),
+              \+ ( atom_to_json(Text, Read),
+                   Read == Name,
+                   \+ sub_string(Text, _, _, _, "\n") ) ),
+            Wrong).
+test(values, Texts == ["null","[]","\"null\"","[\"a\", 1 ]","{\"b\":true}"]) :-
+    maplist([Value,Text]>>( json_text(Value, Text0),
+                            format(string(Text), "~w", [Text0]) ),
+            [null,[],"null",["a",1],_{b:true}], Texts).
+test(numbers_of_a_line, Text == Wanted) :-
+    line_text(job(7, 'a"b', _, draw, _, _, _, _),
+              result(done, 0, k1, usage(1.23456, 0, 512), [f,'g"'], '[]', null),
+              Text0),
+    format(string(Text), "~w", [Text0]),
+    Wanted = "{\"job\":\"a\\\"b\",\"number\":7,\"verb\":\"draw\",\c
+              \"status\":0,\"outcome\":\"done\",\"key\":\"k1\",\c
+              \"seconds\":1.235,\"cpu\":0.000,\"rss_kb\":512,\c
+              \"files\":[\"f\",\"g\\\"\"],\"said\":[],\"error\":null}".
 
 test(whole, [true(Lines-Counts == [First,Second,"]}",""]-[2,1,0,1,0,0])]) :-
     batch(Batch),
