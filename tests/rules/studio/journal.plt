@@ -183,9 +183,13 @@ no_step(Path) :-
 
 :- begin_tests(journal).
 
-test(kept, Found-Text-All =@= Steps-"f(0)."-Steps) :-
-    with_path(kept(Found-(Text-All))),
-    numbered([1,2,3,4,5], Steps).
+test(kept, Found-Text == [1,2,3,4,5]-"f(0).") :-
+    with_path(kept(Steps-(Text-All))),
+    assertion(Steps =@= All),
+    assertion(forall(( member(Step, Steps), get_dict(n, Step, N),
+                       step(N, Wanted) ),
+                     Wanted :< Step)),
+    maplist(short, Steps, Found).
 test(none) :-
     \+ journal_steps('/no/such/journal', "d0", _),
     \+ journal_whole('/no/such/journal', _, _).
