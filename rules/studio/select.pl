@@ -125,7 +125,7 @@ told(Names, Items, Operands, Dicts, Ends) :-
 name_item(Name, Item) :-
     string(Name),
     string_codes(Name, Codes),
-    phrase(name(Item), Codes).
+    once(phrase(name(Item), Codes)).
 
 name(line(L)) -->
     "l",
