@@ -38,7 +38,8 @@ cells(Intervals, Cells) :-
               ) ),
             Cells).
 
-%   disjoint(Cells, Intervals), and with runs of Value no longer than Most turned.
+%   disjoint(Cells, Intervals), and turned(Value, Most, Cells0, Cells): runs of
+%   Value that are no longer than Most are of the other value.
 
 disjoint(Cells, Intervals) :-
     runs(Cells, 0, Runs),

@@ -96,8 +96,7 @@ damaged(Line) :-
 
 :- begin_tests(batch_merge).
 
-%   Each character of a name comes back, and the texts that are plain are written
-%   as they are.
+%   Each character of a name comes back, on one line.
 test(characters, true(Wrong == [])) :-
     findall(Code,
             ( between(1, 400, Code),

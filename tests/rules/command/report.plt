@@ -148,7 +148,7 @@ test(every_defect_in_korean, [ forall(defect_weight(Defect, _)),
                    Code >= 0xac00 ), Words).
 test(meeting, Lines-Koreans ==
                   ["  self_penetration: polygons 3 and 7 at 1 2.5 -0.333333"]
-                - ["  자기 관통(self_penetration): 다각형 3, 7, 위치 1 2.5 -0.333333"]) :-
+               -["  자기 관통(self_penetration): 다각형 3, 7, 위치 1 2.5 -0.333333"]) :-
     Third is -1/3.0,
     Changes = _{meetings:[_{kind:self_penetration, polygons:[3,7],
                             at:[1.0,2.5,Third]}]},

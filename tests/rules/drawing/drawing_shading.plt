@@ -55,8 +55,8 @@ png(Options, Png) :-
         delete_file(File)),
     read_png(Codes, Png).
 
-%   dark_box(Rows, Box): round all dots of Rows, lists of RGB, that are not white;
-%   up to behind the last.
+%   dark_box(Rows, Box): round all dots of Rows, lists of RGB, that are not
+%   white; up to behind the last.
 dark_box(Rows, box(X1,Y1,X2,Y2)) :-
     findall(X-Y,
             ( nth0(Y, Rows, Row),

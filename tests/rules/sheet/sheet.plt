@@ -11,8 +11,8 @@
 :- use_module(rules(sheet/sheet)).
 :- use_module(rules(store)).
 
-%   corners(Box, Options, Sheet, Corners): where sheet_place/5 lays the lower left
-%   and the upper right corner of a picture.
+%   corners(Box, Options, Sheet, Corners): where sheet_place/5 lays the lower
+%   left and the upper right corner of a picture.
 
 corners(box(X,Y,HalfW,HalfH), Options, Sheet, Corners) :-
     sheet_place(box(X,Y,HalfW,HalfH), 200-100, Options, Sheet, Place),

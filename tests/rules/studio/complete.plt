@@ -108,7 +108,8 @@ test(of_the_model, Words == [ "zz_fold"-"request"-"Fold.",
                               "zzlid"-"segment"-"s12, solid",
                               "zzwide"-"parameter"-"7" ]) :-
     own("zz", Words).
-test(segment, Words == ["s12"-"segment"-"solid named(zzlid,box(size(1,1,1)))"]) :-
+test(segment,
+     Words == ["s12"-"segment"-"solid named(zzlid,box(size(1,1,1)))"]) :-
     own("s12", Words).
 
 :- end_tests(complete).

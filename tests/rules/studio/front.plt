@@ -13,8 +13,8 @@
 truth(Goal, Truth) :-
     ( call(Goal) -> Truth = yes ; Truth = no ).
 
-%   with_front(Token, Code, Goal): Goal, while the front has that secret and that
-%   code of a class, or none.
+%   with_front(Token, Code, Goal): Goal, while the front has that secret and
+%   that code of a class, or none.
 
 with_front(Token, Code, Goal) :-
     setup_call_cleanup(

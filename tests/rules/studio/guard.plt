@@ -53,7 +53,7 @@ test(not_same, fail) :-
     same_secret(One, Other).
 
 
-% --- addresses -----------------------------------------------------------------
+% --- addresses ---------------------------------------------------------------
 
 front(front('127.0.0.1',8080,'/w',true)).
 everywhere(front('0.0.0.0',80,'/w',true)).
@@ -185,7 +185,7 @@ test(pupil, Found == [yes,yes,no,no,no,no,no]) :-
               truth(pupil_secret(Secret), Truth) ),
             Found).
 
-% --- requests ------------------------------------------------------------------
+% --- requests ----------------------------------------------------------------
 
 allowed(Head, Allowed) :-
     allowed(true, Head, Allowed).
@@ -264,7 +264,7 @@ test(rules, [ forall(member(Owner-Head-Allowed,
 test(pupils_save, Allowed == owner_alone(save)) :-
     allowed(pupil("x"), _{do:"save"}, Allowed).
 
-% --- files ---------------------------------------------------------------------
+% --- files -------------------------------------------------------------------
 
 test(upload, [ forall(member(Name-Truth,
        [ "a.pl"-yes, "a b+c_1-2.obj"-yes, "A.STL"-yes, ".pl"-no, "a"-no,

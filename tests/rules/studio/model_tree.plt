@@ -25,7 +25,8 @@ test(segments, Part == [ json{ segment:2, kind:"solid",
                                                      args:[1,2.5,"x y"]}] } },
                          json{ segment:1, kind:"curve", term:"wire" },
                          json{ segment:3, kind:"solid",
-                               term:json{ name:"union", args:[[1,2,[]]] } } ]) :-
+                               term:json{ name:"union",
+                                          args:[[1,2,[]]] } } ]) :-
     tree("segment(2, solid, box(size(1,2.5,'x y'))).\n\c
           segment(1, curve, wire).\nsegment(3, solid, union([1,2,[]])).\n\c
           v(1, 1, 0.0, 0.0, 0.0).\n", segments, Part).
@@ -42,7 +43,8 @@ test(params, Part == [ json{ param:"w", value:7,
          params, Part).
 test(forms, Names == [box,cone]) :-
     text_tree("segment(1, solid, at([translate(1,2,3)], box(size(1,1,1)))).\n\c
-               segment(2, solid, named(a, union([cone(radius(1),height(2))]))).",
+               segment(2, solid, \c
+               named(a, union([cone(radius(1),height(2))]))).",
               Tree),
     dict_keys(Tree.forms, Names),
     get_dict(box, Tree.forms, Box),

@@ -47,8 +47,9 @@ test(stays, Found == [yes,no,no]) :-
     findall(Truth, ( member(Path, [There,'/main.js',/]),
                      ( page_file_stays(Path) -> Truth = yes ; Truth = no ) ),
             Found).
-test(none, [ forall(member(Path, ['/main.jsx', '/../main.js', 'main.js', '/other/main.js',
-                                  '', '//main.js'])), fail ]) :-
+test(none, [ forall(member(Path, [ '/main.jsx', '/../main.js', 'main.js',
+                                   '/other/main.js', '', '//main.js' ])),
+             fail ]) :-
     page_file(Path, plain, _, _).
 test(page_is_nowhere_else, fail) :-
     folder(Folder),

@@ -5,7 +5,8 @@
 :- use_module(library(plunit)).
 :- use_module(rules(studio/visitor_upload)).
 
-%   with_visitor(Goal): call(Goal, Visitor), whose folder is empty and goes away.
+%   with_visitor(Goal): call(Goal, Visitor), whose folder is empty and goes
+%   away.
 
 :- meta_predicate with_visitor(1).
 
@@ -60,7 +61,8 @@ many(Names-More-Again, Visitor) :-
 
 apart(Own, Visitor) :-
     sent(Visitor, "a.pl"),
-    findall(Names, ( member(V, [Visitor,'pupil xyz',owner]), uploads(V, Names) ),
+    findall(Names,
+            ( member(V, [Visitor,'pupil xyz',owner]), uploads(V, Names) ),
             Own).
 
 :- begin_tests(visitor_upload).
