@@ -72,8 +72,6 @@ static bool
 join_made(joining *joins, bool *any)
 {
   const sg_merge *m = joins->m;
-  const sg_merge_faces of = {m->solid->triangle, m->solid->face};
-  sg_merge_sides wall;
   size_t made = m->solid->vertices - m->solid->plain;
   sg_measured *list = malloc((made + 1) * sizeof *list);
   size_t n = list ? list_made(m, list) : 0;
@@ -83,7 +81,7 @@ join_made(joining *joins, bool *any)
     for (size_t j = i + 1;
          j < n && list[j].value - list[i].value <= 2 * m->tolerance; j++) {
       if (are_near(m, list[i].of, list[j].of) &&
-          !sg_merge_wall(m, &of, list[i].of, list[j].of, &wall)) {
+          !sg_merge_wall(m, list[i].of, list[j].of)) {
         *any = join(joins, list[i].of, list[j].of) || *any;
       }
     }

@@ -219,19 +219,11 @@ typedef struct sg_merge_faces {
   const sg_solid_face *face;
 } sg_merge_faces;
 
-/* A wall of a segment, or a slot that it cuts, and the normal of one side. */
-typedef struct sg_merge_sides {
-  int32_t s;
-  double thick;
-  double normal[3]; /* of any length */
-} sg_merge_sides;
-
 /* Between v and w there is a wall: a segment has a face at each of them, not at
  * the other, and these look apart. Planes that cross at a small angle part v
  * and w by more than its thickness. What is no thicker than doubles are rounded
- * by is none: v and w are on the edge of a blade. The normal is that at v. */
-bool sg_merge_wall(const sg_merge *m, const sg_merge_faces *of, uint32_t v,
-                   uint32_t w, sg_merge_sides *out);
+ * by is none: v and w are on the edge of a blade. */
+bool sg_merge_wall(const sg_merge *m, uint32_t v, uint32_t w);
 /* The normal of a triangle, of any length. False: it is no wider than the
  * tolerance, so it looks any way. */
 bool sg_merge_normal(const sg_merge *m, const sg_merge_faces *of,

@@ -98,10 +98,11 @@ sg_merge_normal(const sg_merge *m, const sg_merge_faces *of, uint32_t triangle,
 }
 
 static bool
-normal_at(const sg_merge *m, const sg_merge_faces *of, uint32_t place,
-          double out[3])
+normal_at(const sg_merge *m, uint32_t place, double out[3])
 {
-  return sg_merge_normal(m, of, m->leaving[place].half / 3, out);
+  const sg_merge_faces of = {m->solid->triangle, m->solid->face};
+
+  return sg_merge_normal(m, &of, m->leaving[place].half / 3, out);
 }
 
 #define COSINE_APART 0.866 /* of 30 degrees */
@@ -113,28 +114,26 @@ sg_merge_look_apart(const double n[3], const double k[3])
 }
 
 bool
-sg_merge_wall(const sg_merge *m, const sg_merge_faces *of, uint32_t v,
-              uint32_t w, sg_merge_sides *out)
+sg_merge_wall(const sg_merge *m, uint32_t v, uint32_t w)
 {
+  const sg_solid_face *face = m->solid->face;
   double way[3], n[3], k[3];
 
   sg_minus(sg_merge_at(m, w), sg_merge_at(m, v), way);
   for (uint32_t i = m->first[v]; i < m->first[v + 1]; i++) {
-    const sg_solid_face *one = &of->face[face_at(m, i)];
-    if (sg_merge_has_face(m, w, face_at(m, i)) || !normal_at(m, of, i, n)) {
+    const sg_solid_face *one = &face[face_at(m, i)];
+    if (sg_merge_has_face(m, w, face_at(m, i)) || !normal_at(m, i, n)) {
       continue;
     }
+    double least = source_of(m, one->s).rounding;
     for (uint32_t j = m->first[w]; j < m->first[w + 1]; j++) {
-      const sg_solid_face *other = &of->face[face_at(m, j)];
+      const sg_solid_face *other = &face[face_at(m, j)];
       if (other->s == one->s && other->reversed == one->reversed &&
-          !sg_merge_has_face(m, v, face_at(m, j)) && normal_at(m, of, j, k) &&
-          sg_merge_look_apart(n, k)) {
-        double thick = fmin(fabs(sg_dot(n, way)) / sg_length(n),
-                            fabs(sg_dot(k, way)) / sg_length(k));
-        if (thick > source_of(m, one->s).rounding) {
-          *out = (sg_merge_sides){one->s, thick, {n[0], n[1], n[2]}};
-          return true;
-        }
+          !sg_merge_has_face(m, v, face_at(m, j)) && normal_at(m, j, k) &&
+          sg_merge_look_apart(n, k) &&
+          fabs(sg_dot(n, way)) > least * sg_length(n) &&
+          fabs(sg_dot(k, way)) > least * sg_length(k)) {
+        return true;
       }
     }
   }
