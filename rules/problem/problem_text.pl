@@ -14,7 +14,6 @@
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(lists), [append/2, append/3, last/2, member/2, nth1/3]).
 :- use_module(library(option), [option/3]).
-:- use_module(library(yall), [(>>)/3]).
 /** <module> What is asked, in words.
 
 Each task of a problem is a sentence in English or Korean, with room for the
@@ -145,7 +144,7 @@ room(_, _, _, "").
 
 said(blank(Name), en, _, _, _, Sentence) =>
     view_word(Name, en, View),
-    format(string(Sentence), 'Draw the ~s in its frame.', [View]).
+    format(string(Sentence), 'Draw ~s in its frame.', [View]).
 said(blank(Name), ko, _, _, _, Sentence) =>
     view_word(Name, ko, View),
     format(string(Sentence), '빈칸에 ~s를 그려라.', [View]).
@@ -214,13 +213,13 @@ view_words(Language, Names, Text) :-
 
 trimmed_said(en, Word, Sentence) :-
     format(string(Sentence),
-           'Draw the pattern of the ~s, cut along the penetration line.',
+           'Draw the pattern of ~s, cut along the penetration line.',
            [Word]).
 trimmed_said(ko, Word, Sentence) :-
     format(string(Sentence), '상관선을 따라 잘라 낸 ~s의 전개도를 그려라.', [Word]).
 
 pattern_said(en, Word, Sentence) :-
-    format(string(Sentence), 'Draw the pattern of the ~s.', [Word]).
+    format(string(Sentence), 'Draw the pattern of ~s.', [Word]).
 pattern_said(ko, Word, Sentence) :-
     format(string(Sentence), '~s의 전개도를 그려라.', [Word]).
 
@@ -231,12 +230,11 @@ is_trimmed(S) :-
     !.
 
 listed_en(Words, Text) :-
-    maplist([Word,The]>>string_concat("the ", Word, The), Words, Thes),
-    (   append(First, [Last], Thes),
+    (   append(First, [Last], Words),
         First \== []
     ->  atomic_list_concat(First, ', ', Before),
         format(string(Text), '~w and ~s', [Before,Last])
-    ;   Thes = [Text]
+    ;   Words = [Text]
     ).
 
 %   listed_ko(Words, Text): `와` after a vowel, `과` after a consonant.
@@ -305,8 +303,7 @@ one_said(ko, _, Format, Letters, Sentence) :-
 
 most_said(en, N, Word, Most, _, Sentence) :-
     format(string(Sentence),
-           'Of the ~d generators in the pattern of the ~s, how long is the \c
-            ~w?',
+           'Of the ~d generators in the pattern of ~s, how long is the ~w?',
            [N,Word,Most]).
 most_said(ko, N, Word, _, Most, Sentence) :-
     format(string(Sentence),
@@ -314,24 +311,24 @@ most_said(ko, N, Word, _, Most, Sentence) :-
            [Word,N,Most]).
 
 whole_said(area, en, _, Word, Sentence) =>
-    format(string(Sentence), 'What is the area of the pattern of the ~s?',
-           [Word]).
+    format(string(Sentence), 'What is the area of the pattern of ~s?', [Word]).
 whole_said(area, ko, _, Word, Sentence) =>
     format(string(Sentence), '~s 전개도의 넓이는?', [Word]).
 whole_said(perimeter, en, _, Word, Sentence) =>
     format(string(Sentence),
-           'How long is the outline of the pattern of the ~s?', [Word]).
+           'How long is the outline of the pattern of ~s?', [Word]).
 whole_said(perimeter, ko, _, Word, Sentence) =>
     format(string(Sentence), '~s 전개도의 둘레는?', [Word]).
 whole_said(sector, en, _, Word, Sentence) =>
     format(string(Sentence),
-           'What is the angle of the sector that the ~s unrolls to?', [Word]).
+           'What is the angle of the sector that ~s unrolls to?', [Word]).
 whole_said(sector, ko, _, Word, Sentence) =>
     format(string(Sentence), '~s 전개도의 부채꼴 중심각은?', [Word]).
 whole_said(volume, en, S, Word, Sentence) =>
     (   is_trimmed(S)
-    ->  format(string(Sentence), 'What is the volume of the whole ~s?', [Word])
-    ;   format(string(Sentence), 'What is the volume of the ~s?', [Word])
+    ->  format(string(Sentence), 'What is the volume of ~s before it is cut?',
+               [Word])
+    ;   format(string(Sentence), 'What is the volume of ~s?', [Word])
     ).
 whole_said(volume, ko, S, Word, Sentence) =>
     (   is_trimmed(S)
@@ -394,55 +391,62 @@ sheet_called(answer, ko, " 정답").
 
 %   view_word(Name, Language, Word): what one of the six sides is called.
 
-view_word(front,  en, "front view").
+view_word(front,  en, "the front view").
 view_word(front,  ko, "정면도").
-view_word(top,    en, "top view").
+view_word(top,    en, "the top view").
 view_word(top,    ko, "평면도").
-view_word(right,  en, "right-side view").
+view_word(right,  en, "the right-side view").
 view_word(right,  ko, "우측면도").
-view_word(left,   en, "left-side view").
+view_word(left,   en, "the left-side view").
 view_word(left,   ko, "좌측면도").
-view_word(back,   en, "rear view").
+view_word(back,   en, "the rear view").
 view_word(back,   ko, "배면도").
-view_word(bottom, en, "bottom view").
+view_word(bottom, en, "the bottom view").
 view_word(bottom, ko, "저면도").
 
 %   part_word(Items, Language, S, Word): what segment S is called: as Items say,
 %   or what kind of primitive it is; if another one is called the same, how its
-%   axis stands, or its number.
+%   axis stands, or its number. In English with its article, if it has one.
 
 part_word(Items, Language, S, Word) :-
-    (   memberchk(part(S, Language, Text), Items)
-    ->  atom_string(Text, Word)
-    ;   plain_word(Language, S, Word0),
-        (   \+ also_called(Language, S, Word0)
-        ->  Word = Word0
-        ;   standing_word(Language, S, Word1),
-            \+ ( segment(Other, _, _),
-                 Other \== S,
-                 plain_word(Language, Other, Word0),
-                 standing_word(Language, Other, Word1) )
-        ->  format(string(Word), '~s ~s', [Word1,Word0])
-        ;   format(string(Word), '~s ~d', [Word0,S])
+    (   ( memberchk(part(S, Language, Text), Items)
+        ; own_word(Language, S, Text)
         )
+    ->  with_article(Language, Text, Word)
+    ;   ( primitive_word(Language, S, Text)
+        ; segment(S, Kind, _),
+          kind_word(Kind, Language, Text)
+        )
+    ->  format(string(Word), '~s ~d', [Text,S])
     ).
 
-also_called(Language, S, Word) :-
-    segment(Other, _, _),
-    Other \== S,
-    plain_word(Language, Other, Word),
-    !.
+with_article(en, Text, Word) :-
+    string_concat("the ", Text, Word).
+with_article(ko, Text, Word) :-
+    atom_string(Text, Word).
 
-plain_word(Language, S, Word) :-
-    segment(S, Kind, Term),
-    !,
-    (   is_primitive(Term),
-        primitive_name(Term, Name),
-        kind_word(Name, Language, Word0)
-    ->  Word = Word0
-    ;   once(kind_word(Kind, Language, Word0))
-    ->  format(string(Word), '~s ~d', [Word0,S])
+%   own_word(Language, S, Word): no other segment is called so.
+
+own_word(Language, S, Word) :-
+    primitive_word(Language, S, Kind),
+    findall(Other,
+            ( segment(Other, _, _),
+              Other \== S,
+              primitive_word(Language, Other, Kind) ),
+            Others),
+    (   Others == []
+    ->  Word = Kind
+    ;   standing_word(Language, S, Standing),
+        \+ ( member(Other, Others),
+             standing_word(Language, Other, Standing) ),
+        format(string(Word), '~s ~s', [Standing,Kind])
     ).
+
+primitive_word(Language, S, Word) :-
+    segment(S, _, Term),
+    is_primitive(Term),
+    primitive_name(Term, Name),
+    kind_word(Name, Language, Word).
 
 kind_word(line,            en, "straight line").
 kind_word(line,            ko, "직선").

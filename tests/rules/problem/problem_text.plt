@@ -70,8 +70,7 @@ task(three, ask(draw(penetration)), [], "", none,
       and the cone.",
      "수직 원기둥, 기울어진 원기둥과 원뿔의 상관선을 그려라.").
 task(alike, ask(draw(penetration)), [], "", none,
-     "Draw the penetration line of the sphere 1, the sphere 2, the cone 3 and \c
-      the cone 4.",
+     "Draw the penetration line of sphere 1, sphere 2, cone 3 and cone 4.",
      "구 1, 구 2, 원뿔 3 및 원뿔 4의 상관선을 그려라.").
 task(pierced, ask(draw(penetration, [right])), [], "", none,
      "Find the points where the straight line goes through the box in the \c
@@ -144,24 +143,24 @@ measure(sector(1), cone, [], "", none,
         "What is the angle of the sector that the cone unrolls to?",
         "원뿔 전개도의 부채꼴 중심각은?").
 measure(volume(2), tee, [], "", none,
-        "What is the volume of the whole upright cylinder?",
+        "What is the volume of the upright cylinder before it is cut?",
         "자르기 전 수직 원기둥의 부피는?").
 measure(volume(1), cone, [], "", none,
         "What is the volume of the cone?", "원뿔의 부피는?").
 
 %   called(Term, En, Ko): what a segment alone is called.
 
-called(line(from(0,0,0), to(1,0,0)), "straight line", "직선").
-called(circle(radius(2)), "disc", "원판").
-called(rectangle(size(2,3)), "rectangle", "직사각형").
-called(ellipse(radius(2,3)), "ellipse", "타원판").
-called(box(size(1,2,3)), "box", "직육면체").
-called(hollow_cylinder(radius(2), inner(1), height(3)), "hollow cylinder",
+called(line(from(0,0,0), to(1,0,0)), "the straight line", "직선").
+called(circle(radius(2)), "the disc", "원판").
+called(rectangle(size(2,3)), "the rectangle", "직사각형").
+called(ellipse(radius(2,3)), "the ellipse", "타원판").
+called(box(size(1,2,3)), "the box", "직육면체").
+called(hollow_cylinder(radius(2), inner(1), height(3)), "the hollow cylinder",
        "속이 빈 원기둥").
-called(hemisphere(radius(2)), "hemisphere", "반구").
-called(torus(radius(4), tube(1)), "torus", "원환체").
-called(prism(outline([[0,0],[1,0],[0,1]]), height(2)), "prism", "각기둥").
-called(pyramid(base(2,3), height(2)), "pyramid", "각뿔").
+called(hemisphere(radius(2)), "the hemisphere", "반구").
+called(torus(radius(4), tube(1)), "the torus", "원환체").
+called(prism(outline([[0,0],[1,0],[0,1]]), height(2)), "the prism", "각기둥").
+called(pyramid(base(2,3), height(2)), "the pyramid", "각뿔").
 called(difference(box(size(2,2,2)), sphere(radius(1))), "solid 1", "입체 1").
 
 %   lines(Tasks, Items, Language, Width, Lines)
@@ -252,7 +251,7 @@ test(asked, [forall(task(World, Ask, Items, Letters, Rank, En, Ko)),
                        Sentence) ),
             Is).
 test(called, [forall(called(Term, En, Ko)), true(Is == [English,Korean])]) :-
-    format(string(English), "Draw the pattern of the ~s.", [En]),
+    format(string(English), "Draw the pattern of ~s.", [En]),
     format(string(Korean), "~s의 전개도를 그려라.", [Ko]),
     findall(Sentence,
             ( member(Language, [en,ko]),
