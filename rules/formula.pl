@@ -247,7 +247,7 @@ formula_error(What, Formula) :-
 %   the flags of arithmetic let through is found by its class.
 
 stepped(Name, Floats, Term, Float) :-
-    catch(step(Name, Floats, Float0), error(Fault, _),
+    catch(once(step(Name, Floats, Float0)), error(Fault, _),
           step_fault(Fault, Term)),
     (   finite(Float0)
     ->  Float is Float0 + 0.0
