@@ -108,11 +108,11 @@ centring(MX, MY, rect(X1,Y1,X2,Y2), Inside, [line(frame,[MX-T1,MX-T2]),
     R1 is X2-5, R2 is X2+5.
 
 %   zones(Side, Middle, From, To, Fields): From-To of the fields of the grid,
-%   50 mm from the middle outwards; what is left at the ends belongs to the
-%   last ones.
+%   50 mm from the middle outwards, as many as ISO 5457 has; the last ones take
+%   the difference.
 
 zones(Side, Middle, From, To, Fields) :-
-    Each is max(1, floor((Side/2-10)/50)),
+    Each is max(1, round((Side/2-10)/50)),
     Low is -(Each-1),
     High is Each-1,
     findall(X, ( between(Low, High, I), X is Middle+50*I ), Cuts),
