@@ -234,7 +234,8 @@ test(papers, [ forall(member(Text-W-H,
                true(Found == W-H) ]) :-
     paper(Text, W0, H0),
     Found = W0-H0.
-test(no_paper, [ forall(member(Text, [a5,b4,'a4-up','a4-landscape-portrait',''])),
+test(no_paper, [ forall(member(Text, [a5,b4,'a4-up','a4-landscape-portrait',
+                                      ''])),
                  fail ]) :-
     paper(Text, _, _).
 test(paper_names, Names == ['A4','A4','A0','210x148','297.5x210']) :-
