@@ -4,6 +4,7 @@
  * covers: double_double, disjoint, flat_face, island_overlap, joint
  */
 #include "flat_model.h"
+#include "laid_valid.h"
 
 #include "development/seam_moats.h"
 
@@ -119,6 +120,69 @@ check_touching(void)
   free(m);
 }
 
+/* Boxes of any size, each a piece, and a square that is larger than most of
+ * their faces, but not than all of one. */
+static void
+check_pieces(uint32_t seed)
+{
+  model *m = new_model();
+  unfolded u;
+
+  for (int k = 0; k < 7; k++) {
+    double low[3] = {4.0 * k, 0, 0}, high[3] = {4.0 * k, 0, 0};
+    for (int c = 0; c < 3; c++) {
+      high[c] += (1 + check_below(&seed, 24)) / 8.0;
+    }
+    add_box(m, low, high);
+  }
+  add_vertex(m, -9, 0, 0);
+  add_vertex(m, -7, 0, 0);
+  add_vertex(m, -7, 2, 0);
+  add_vertex(m, -9, 2, 0);
+  int32_t last = (int32_t)m->dense.vertices;
+  add_polygon(m, 4, (int32_t[4]){last - 4, last - 3, last - 2, last - 1});
+  unfold(m, SG_ORDER_LONGEST, &u);
+  CHECK("each is a piece", u.layout.pieces == 8);
+  check_laid(&u);
+  forget(&u);
+  free(m);
+}
+
+/* The piece of a face that is asked for is the first, its longest side goes up
+ * from the origin; the others stand beside it. */
+static void
+check_root(uint32_t face)
+{
+  model *m = new_model();
+  unfolded u;
+  bool stopped;
+
+  add_box(m, origin, two);
+  add_box(m, (double[3]){5, 0, 0}, (double[3]){6, 1, 3});
+  unfold(m, SG_ORDER_LONGEST, &u);
+  sg_layout_clear(&u.layout);
+  const sg_lay_input in = {&u.flattening, 1e-9, face};
+  CHECK("laid out", sg_lay(&in, NULL, &u.layout, &stopped));
+  CHECK("its piece is the first", u.layout.pieces == 2 &&
+                                      u.layout.root[0] == face &&
+                                      u.layout.piece[face] == 0);
+  const sg_flat_side *side = &u.faces.side[u.faces.longest[face]];
+  const double *from = u.layout.at[u.layout.vertex[side->from]];
+  const double *to = u.layout.at[u.layout.vertex[side->to]];
+  CHECK("its longest side goes up from the origin",
+        from[0] == 0 && from[1] == 0 && near(to[0], 0) &&
+            near(to[1], face < 6   ? 2
+                        : face < 8 ? 1
+                                   : 3));
+  CHECK("the other one stands beside it, or above",
+        near(u.layout.box[1].low[1], u.layout.box[0].low[1])
+            ? u.layout.box[1].low[0] > u.layout.box[0].high[0]
+            : u.layout.box[1].low[1] > u.layout.box[0].high[1]);
+  CHECK("nothing overlaps", overlaps(&u) == 0);
+  forget(&u);
+  free(m);
+}
+
 static void
 check_torus(unsigned order)
 {
@@ -128,6 +192,7 @@ check_torus(unsigned order)
   add_torus(m, 18, 0.4);
   unfold(m, order, &u);
   CHECK("nothing of a torus overlaps", overlaps(&u) == 0);
+  check_laid(&u);
   CHECK("its sides are as long as edges", stretch(m, &u) < 1e-13);
   CHECK("joints were refused", u.flattening.refused > 0);
   sg_measures of = measured(&u);
@@ -479,6 +544,12 @@ main(void)
   check_cube();
   check_flat_vertices();
   check_touching();
+  for (uint32_t seed = 0; seed < 40; seed++) {
+    check_pieces(seed);
+  }
+  for (uint32_t face = 0; face < 12; face++) {
+    check_root(face);
+  }
   for (unsigned order = 0; order < 5; order++) {
     check_torus(order);
   }

@@ -73,6 +73,29 @@ same_hidden(const sg_hidden *a, const sg_hidden *b)
   return a->from == b->from && a->to == b->to && a->mask == b->mask;
 }
 
+enum { SEGMENTS = 32 };
+
+/* Some segments let some be seen. */
+static struct {
+  bool is[SEGMENTS][SEGMENTS]; /* the first is seen through the second */
+  sg_hide_through pair[SEGMENTS * SEGMENTS];
+  sg_hide_throughs all;
+} through;
+
+static void
+random_throughs(int32_t segments)
+{
+  through.all = (sg_hide_throughs){through.pair, 0};
+  for (int32_t s = 1; s <= segments; s++) {
+    for (int32_t s2 = 1; s2 <= segments; s2++) {
+      through.is[s][s2] = rand() % 8 == 0;
+      if (through.is[s][s2]) {
+        through.pair[through.all.n++] = (sg_hide_through){s, s2};
+      }
+    }
+  }
+}
+
 /* Whether the masks found for a line are all that hide it. */
 static bool
 all_masks(const sg_mask_grid *masks, size_t line, sg_seen *seen,
@@ -81,13 +104,14 @@ all_masks(const sg_mask_grid *masks, size_t line, sg_seen *seen,
   const sg_scene *scene = masks->scene;
   size_t wanted = 0;
 
-  if (!sg_mask_grid_ask(masks, line, NULL, false, seen, found)) {
+  if (!sg_mask_grid_ask(masks, line, &through.all, false, seen, found)) {
     return false;
   }
   for (size_t m = 0; m < scene->masks; m++) {
     sg_hidden part = {.mask = (uint32_t)m};
     bool there = false;
-    if (!sg_mask_hides(scene, &scene->mask[m], &scene->line[line], &part)) {
+    if (through.is[scene->line[line].s][scene->mask[m].s] ||
+        !sg_mask_hides(scene, &scene->mask[m], &scene->line[line], &part)) {
       continue;
     }
     wanted++;
@@ -123,7 +147,7 @@ enough_masks(const sg_mask_grid *masks, size_t line, sg_seen *seen,
              sg_hiddens *all, size_t *less)
 {
   sg_hiddens some = {0};
-  bool good = sg_mask_grid_ask(masks, line, NULL, true, seen, &some) &&
+  bool good = sg_mask_grid_ask(masks, line, &through.all, true, seen, &some) &&
               some.n <= all->n;
 
   *less += all->n - (good ? some.n : 0);
@@ -267,6 +291,7 @@ wrong_scenes(unsigned from, unsigned to, int triangles, int boxes, int fans,
     }
     scene = model_scene(m, NULL, &seen);
     let_stand_in(scene);
+    random_throughs(m->s);
     if (!finds_all(scene, answers)) {
       fprintf(stderr, "scene %u\n", seed);
       wrong++;
