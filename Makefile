@@ -172,11 +172,12 @@ $(B)/libcore.a: $(CORE)
 $(B)/tests/%_test: $(B)/tests/%_test.o $(B)/libcore.a
 	$(CC) $(EXTRA_CFLAGS) $(if $(findstring sanitize,$(EXTRA_CFLAGS)),,$(LEAKS)) \
 	  $(filter %.o,$^) $(B)/libcore.a -o $@ $(REFUSE) $(LIBS)
-# Doors are refused memory in theirs (refuse.h).
-DOOR_TESTS := $(filter %_rows_test,$(C_TESTS))
-$(DOOR_TESTS): $(B)/tests/memory/refuse.o
-$(DOOR_TESTS): REFUSE := -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc \
-                         -Wl,--wrap=aligned_alloc
+# Some are refused memory (refuse.h): all doors, and kernels.
+REFUSED := $(filter $(patsubst %.c,$(B)/%,$(shell grep -lF tests/memory/refuse.h \
+             -r tests --include='*_test.c')),$(C_TESTS))
+$(REFUSED): $(B)/tests/memory/refuse.o
+$(REFUSED): REFUSE := -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc \
+                      -Wl,--wrap=aligned_alloc
 -include $(C_TESTS:%=%.d)
 
 # The checker of results: shares nothing with the engine.

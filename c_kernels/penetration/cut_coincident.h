@@ -13,9 +13,10 @@
 #include "cut_model.h"
 #include "rows/sort.h"
 
-/* Sets quiet[k] for the quiet ones of n pairs of triangles. With a triangle all
- * that share a corner with it in place must be in the model, and the pairs be
- * all that touch. Cost: linear. */
+/* Sets quiet[k] for the quiet ones of n pairs of triangles; but not of some
+ * that share no edge and that no plain test shows to be apart. With a triangle
+ * all that share a corner with it in place must be in the model, and the pairs
+ * be all that touch. Cost: linear. */
 sg_sort_end sg_cut_find_quiet(const sg_cut_model *model,
                               const uint32_t (*pair)[2], size_t n,
                               uint8_t *quiet, const sg_cancel *cancel);

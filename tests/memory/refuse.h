@@ -1,5 +1,4 @@
-/* refuse.h -- memory that is refused to what is linked, where a test of the row
- * layer says so.
+/* refuse.h -- memory that is refused to what is linked, where a test says so.
  *
  *   CHECK_DOOR("a quarter", sg_door_turn_points(&call, &axes, &origin) &&
  *                             is_at(SG_V, 2, 0, -1, 0));
@@ -77,6 +76,19 @@ refused_next(long n)
 {
   return n + 1 + n / (getenv("RUN") ? 2 : 16);
 }
+
+/* A kernel has one request after the other refused in `expr`: true if it did
+ * without or said that there is no memory, and keeps nothing that it took. */
+#define CHECK_REFUSED(name, expr)                                              \
+  do {                                                                         \
+    bool said_ = true, refused_ = true;                                        \
+    for (long n_ = 0; said_ && refused_; n_ = refused_next(n_)) {              \
+      refuse_after(n_);                                                        \
+      said_ = (expr);                                                          \
+      refused_ = refuse_no_more();                                             \
+    }                                                                          \
+    CHECK(name ": without memory it says so", said_);                          \
+  } while (0)
 
 /* The door that is asked in `expr` has one request after the other refused,
  * each in a process of its own; then it is asked. */
