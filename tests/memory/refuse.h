@@ -13,6 +13,7 @@
 #include "call.h"
 #include "tests/check.h"
 
+#include <stdatomic.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <sys/wait.h>
@@ -65,9 +66,45 @@ refused_how(pid_t child, long n)
   int how = WIFEXITED(status) ? WEXITSTATUS(status) : REFUSE_WRONG;
 
   if (how > REFUSE_NO_MORE) {
-    fprintf(stderr, "request %ld is refused: status %#x\n", n, status);
+    fprintf(stderr, "request or question %ld: status %#x\n", n, status);
   }
   return how;
+}
+
+/* Questions that are answered with "go on" before the first "stop". */
+static atomic_long refuse_stop_left;
+
+static inline bool
+refuse_stop(void *data)
+{
+  sg_call *of = data;
+
+  of->stopped = of->stopped || atomic_fetch_sub(&refuse_stop_left, 1) <= 0;
+  return of->stopped;
+}
+
+/* Begins a process in which question n is answered with "stop". */
+static inline bool
+stopped_begin(sg_call *of, long n, pid_t *child)
+{
+  fflush(NULL);
+  *child = fork();
+  if (*child != 0) {
+    return false;
+  }
+  of->pool = NULL;
+  of->cancel = (sg_cancel){refuse_stop, of};
+  atomic_store(&refuse_stop_left, n);
+  return true;
+}
+
+/* Ends it: the door has given no answer, and says that nothing was wrong. */
+static inline void
+stopped_end(const sg_call *of, bool done)
+{
+  bool said = !done && of->refusal.how == SG_REFUSED_NOTHING;
+
+  _exit(!of->stopped ? REFUSE_NO_MORE : said ? REFUSE_SAID : REFUSE_WRONG);
 }
 
 /* The next request to be refused: of many some, fewer under valgrind. */
@@ -90,8 +127,9 @@ refused_next(long n)
     CHECK(name ": without memory it says so", said_);                          \
   } while (0)
 
-/* The door that is asked in `expr` has one request after the other refused,
- * each in a process of its own; then it is asked. */
+/* The door that is asked in `expr` has one request after the other refused, and
+ * one question after the other whether to stop answered with yes, each in a
+ * process of its own; then it is asked. */
 #define CHECK_DOOR(name, expr)                                                 \
   do {                                                                         \
     int how_ = REFUSE_SAID;                                                    \
@@ -103,6 +141,15 @@ refused_next(long n)
       how_ = refused_how(child_, n_);                                          \
     }                                                                          \
     CHECK(name ": without memory it says so", how_ == REFUSE_NO_MORE);         \
+    how_ = REFUSE_SAID;                                                        \
+    for (long n_ = 0; how_ == REFUSE_SAID; n_ = refused_next(n_)) {            \
+      pid_t child_;                                                            \
+      if (stopped_begin(&call, n_, &child_)) {                                 \
+        stopped_end(&call, (expr));                                            \
+      }                                                                        \
+      how_ = refused_how(child_, n_);                                          \
+    }                                                                          \
+    CHECK(name ": it stops when it is told to", how_ == REFUSE_NO_MORE);       \
     CHECK(name, expr);                                                         \
   } while (0)
 

@@ -284,7 +284,7 @@ add_all(sg_plain_facts *facts)
   for (int r = 0; r < SG_RELATIONS; r++) {
     adds(facts, sg_relation_table[r].name);
   }
-  CHECK_DOOR("segments", sg_door_plain_facts_segments(&call, facts, &ss));
+  CHECK("segments", sg_door_plain_facts_segments(&call, facts, &ss));
   for (size_t i = 1; i < ss.n; i++) {
     ordered = ordered && ss.at[i - 1] < ss.at[i];
   }
