@@ -3,6 +3,7 @@
  * all.
  */
 #include "penetration/cut_coincident.h"
+#include "tests/c_kernels/whole_triangle.h"
 #include "tests/check.h"
 #include "tests/memory/refuse.h"
 #include "tests/stop_later.h"
@@ -10,11 +11,6 @@
 #include <string.h>
 
 enum { SEGMENTS = 3, BASE = 14, MOST = 2 * SEGMENTS * BASE, GRID = 3 };
-
-typedef struct triangle {
-  int32_t s;
-  int at[3][3];
-} triangle;
 
 typedef struct shape {
   triangle t[MOST];
@@ -26,91 +22,6 @@ typedef struct shape {
 } shape;
 
 static uint32_t seed;
-
-/* ---- in whole numbers ---- */
-
-static int
-volume(const int *a, const int *b, const int *c, const int *d)
-{
-  int u[3], v[3], w[3];
-
-  for (int k = 0; k < 3; k++) {
-    u[k] = b[k] - a[k];
-    v[k] = c[k] - a[k];
-    w[k] = d[k] - a[k];
-  }
-  return u[0] * (v[1] * w[2] - v[2] * w[1]) -
-         u[1] * (v[0] * w[2] - v[2] * w[0]) +
-         u[2] * (v[0] * w[1] - v[1] * w[0]);
-}
-
-/* Along z, x, y by turns. */
-static int
-area(const int *a, const int *b, const int *c, int axis)
-{
-  int x = (axis + 1) % 3, y = (axis + 2) % 3;
-
-  return (b[x] - a[x]) * (c[y] - a[y]) - (b[y] - a[y]) * (c[x] - a[x]);
-}
-
-static bool
-has_area(const triangle *t)
-{
-  return area(t->at[0], t->at[1], t->at[2], 0) ||
-         area(t->at[0], t->at[1], t->at[2], 1) ||
-         area(t->at[0], t->at[1], t->at[2], 2);
-}
-
-static bool
-same_place(const int *a, const int *b)
-{
-  return memcmp(a, b, sizeof(int[3])) == 0;
-}
-
-static bool
-one_side(int a, int b, int c)
-{
-  return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
-}
-
-/* Two stretches in one plane that is not along the axis. */
-static bool
-stretches_meet(const int *p, const int *q, const int *a, const int *b, int axis)
-{
-  int a1 = area(p, q, a, axis), b1 = area(p, q, b, axis);
-  int p1 = area(a, b, p, axis), q1 = area(a, b, q, axis);
-
-  if (a1 || b1 || p1 || q1) {
-    return (a1 <= 0 || b1 <= 0) && (a1 >= 0 || b1 >= 0) &&
-           (p1 <= 0 || q1 <= 0) && (p1 >= 0 || q1 >= 0);
-  }
-  for (int k = 0; k < 3; k++) { /* on one line */
-    int low = p[k] < q[k] ? p[k] : q[k], high = p[k] < q[k] ? q[k] : p[k];
-    if ((a[k] < low && b[k] < low) || (a[k] > high && b[k] > high)) {
-      return false;
-    }
-  }
-  return true;
-}
-
-static bool
-meets(const int *p, const int *q, const triangle *t)
-{
-  const int *a = t->at[0], *b = t->at[1], *c = t->at[2];
-  int at_p = volume(a, b, c, p), at_q = volume(a, b, c, q), axis = 0;
-
-  if (at_p || at_q) {
-    return (at_p <= 0 || at_q <= 0) && (at_p >= 0 || at_q >= 0) &&
-           one_side(volume(p, q, a, b), volume(p, q, b, c), volume(p, q, c, a));
-  }
-  while (!area(a, b, c, axis)) {
-    axis++;
-  }
-  return one_side(area(a, b, p, axis), area(b, c, p, axis),
-                  area(c, a, p, axis)) ||
-         stretches_meet(p, q, a, b, axis) || stretches_meet(p, q, b, c, axis) ||
-         stretches_meet(p, q, c, a, axis);
-}
 
 /* The corners of b that are corners of a; own[k]: corner k of a is none. */
 static int
