@@ -172,12 +172,10 @@ $(B)/libcore.a: $(CORE)
 $(B)/tests/%_test: $(B)/tests/%_test.o $(B)/libcore.a
 	$(CC) $(EXTRA_CFLAGS) $(if $(findstring sanitize,$(EXTRA_CFLAGS)),,$(LEAKS)) \
 	  $(filter %.o,$^) $(B)/libcore.a -o $@ $(REFUSE) $(LIBS)
-# Some are refused memory (refuse.h): all doors, and kernels.
-REFUSED := $(filter $(patsubst %.c,$(B)/%,$(shell grep -lF tests/memory/refuse.h \
-             -r tests --include='*_test.c')),$(C_TESTS))
-$(REFUSED): $(B)/tests/memory/refuse.o
-$(REFUSED): REFUSE := -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc \
-                      -Wl,--wrap=aligned_alloc
+# Memory is that of refuse.h: it may be refused, and is no zero until it is set.
+$(C_TESTS): $(B)/tests/memory/refuse.o
+$(C_TESTS): REFUSE := $(patsubst %,-Wl$(COMMA)--wrap=%,malloc calloc realloc \
+                        aligned_alloc free)
 -include $(C_TESTS:%=%.d)
 
 # The checker of results: shares nothing with the engine.

@@ -28,6 +28,10 @@ static _Thread_local volatile long left = -1;
 static _Thread_local volatile long living; /* allocations not yet freed */
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+/* refuse.c leaves memory alone then. */
+extern const bool refusals_are_counted;
+const bool refusals_are_counted = true;
+
 void *__libc_malloc(size_t size);
 void *__libc_calloc(size_t n, size_t size);
 void *__libc_realloc(void *old, size_t size);

@@ -5,7 +5,10 @@
  *
  * The linker puts the functions of refuse.c in the place of malloc() and the
  * others (Makefile); GMP and the system have theirs, and a checker of leaks
- * stays behind them. The test has an sg_call `call`.
+ * stays behind them. A test of doors has an sg_call `call`.
+ *
+ * In each C test what was not set yet, is free, or is behind the end of an
+ * array is no zero and no index, so that who reads it is found out.
  */
 #ifndef SG_REFUSE_H
 #define SG_REFUSE_H
