@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
+#include <unistd.h>
 
 /* What was not set is no zero and, as an index, is nowhere; so are BEHIND
  * octets after it. */
@@ -67,13 +68,45 @@ is_checked(void)
 #endif
 }
 
+/* The last octets behind, by which memory is known here if its size is told
+ * exactly. */
+static uint64_t
+mark_of(const char *memory)
+{
+  return UINT64_C(0x5a17ed9b3c6f2481) ^ (uintptr_t)memory;
+}
+
+/* Ends the test if something was written behind memory of this size. */
+static void
+look_behind(const char *memory, size_t size)
+{
+  uint64_t mark;
+
+  if (size < BEHIND) {
+    return;
+  }
+  memcpy(&mark, memory + size - sizeof mark, sizeof mark);
+  for (size_t i = size - BEHIND;
+       mark == mark_of(memory) && i < size - sizeof mark; i++) {
+    if ((unsigned char)memory[i] != UNSET) {
+      static const char what[] = "something is written behind its memory\n";
+
+      (void)!write(2, what, sizeof what - 1);
+      abort();
+    }
+  }
+}
+
 /* From `set` on nothing was set; what is very large only behind it. */
 static void *
 unset(char *memory, size_t set, size_t size)
 {
   set = size - set > MOST_SET ? size : set;
   if (memory) {
+    uint64_t mark = mark_of(memory);
+
     memset(memory + set, UNSET, size - set + BEHIND);
+    memcpy(memory + size + BEHIND - sizeof mark, &mark, sizeof mark);
   }
   return memory;
 }
@@ -118,6 +151,7 @@ __wrap_realloc(void *old, size_t size)
   }
   size_t set = old ? malloc_usable_size(old) : 0;
 
+  look_behind(old, set);
   return unset(__real_realloc(old, size + BEHIND), set < size ? set : size,
                size);
 }
@@ -127,8 +161,8 @@ __wrap_aligned_alloc(size_t alignment, size_t size)
 {
   void *memory = is_refused() ? NULL : __real_aligned_alloc(alignment, size);
 
-  if (memory && size >= BEHIND && !is_checked()) {
-    unset(memory, 0, size - BEHIND);
+  if (memory && size <= MOST_SET && !is_checked()) {
+    memset(memory, UNSET, size);
   }
   return memory;
 }
@@ -139,6 +173,7 @@ __wrap_free(void *memory)
   size_t size = memory && !is_checked() ? malloc_usable_size(memory) : 0;
 
   if (size >= BEHIND) {
+    look_behind(memory, size);
     unset(memory, 0, size - BEHIND);
   }
   __real_free(memory);
