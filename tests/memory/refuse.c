@@ -172,9 +172,11 @@ __wrap_free(void *memory)
 {
   size_t size = memory && !is_checked() ? malloc_usable_size(memory) : 0;
 
-  if (size >= BEHIND) {
+  if (size > 0) { /* also its mark is gone */
+    size_t from = size > MOST_SET ? size - BEHIND : 0;
+
     look_behind(memory, size);
-    unset(memory, 0, size - BEHIND);
+    memset((char *)memory + from, UNSET, size - from);
   }
   __real_free(memory);
 }
