@@ -4,6 +4,7 @@
 #include "model.h"
 #include "picture/parts.h"
 #include "tests/check.h"
+#include "tests/memory/refuse.h"
 
 static double
 uniform(double low, double high)
@@ -321,6 +322,88 @@ random_scenes(void)
   CHECK("which are asked at their ends", tipped > 5 && answers > 10000);
 }
 
+/* What the first lines of a scene are told, as one number; 0: there is no
+ * memory. */
+static uint64_t
+told(const sg_scene *scene)
+{
+  enum { ASKED = 40 };
+  size_t n = scene->lines < ASKED ? scene->lines : ASKED;
+  uint32_t line[ASKED];
+  sg_seen seen_masks = {0}, seen_lines = {0};
+  sg_hiddens hiddens = {0};
+  sg_overlaps overlaps = {0};
+  sg_mask_grid masks = {0};
+  sg_line_grid lines = {0};
+  uint64_t sum = 1;
+  bool memory = true;
+
+  for (size_t k = 0; k < n; k++) {
+    line[k] = (uint32_t)(k * (scene->lines / n));
+  }
+  bool good = sg_seen_init(&seen_masks, scene->masks) &&
+              sg_seen_init(&seen_lines, n) &&
+              sg_mask_grid_init(&masks, scene, NULL, &memory) &&
+              sg_line_grid_init(&lines, scene, line, n, NULL, &memory);
+
+  good = good && memory;
+  for (size_t k = 0; k < n && good; k++) {
+    for (int enough = 0; enough < 2 && good; enough++) {
+      good = sg_mask_grid_ask(&masks, line[k], NULL, enough, &seen_masks,
+                              &hiddens);
+      sum = sum * 31 + (enough ? 0 : hiddens.n);
+      for (size_t i = 0; i < hiddens.n && !enough; i++) {
+        sum = sum * 31 + hiddens.part[i].mask;
+      }
+    }
+    good = good && sg_line_grid_ask(&lines, k, &seen_lines, &overlaps);
+    for (size_t i = 0; i < overlaps.n; i++) {
+      sum = sum * 31 + overlaps.part[i].line;
+    }
+  }
+  if (masks.scene) {
+    sg_mask_grid_clear(&masks);
+  }
+  if (lines.scene) {
+    sg_line_grid_clear(&lines);
+  }
+  sg_seen_clear(&seen_masks);
+  sg_seen_clear(&seen_lines);
+  sg_hiddens_clear(&hiddens);
+  free(overlaps.part);
+  return good ? sum | 1 : 0;
+}
+
+static bool
+is_told(const sg_scene *scene, uint64_t with)
+{
+  uint64_t sum = told(scene);
+
+  return sum == 0 || sum == with;
+}
+
+static void
+without_memory(void)
+{
+  for (int k = 0; k < 2; k++) {
+    model *m = model_new();
+    sg_scene_model *seen;
+
+    srand(7);
+    random_triangles(m, false, k ? 0 : 500);
+    random_fans(m, false, k ? 250 : 0);
+    model_project(m, 300, 65, 9, false);
+    sg_scene *scene = model_scene(m, NULL, &seen);
+    uint64_t with = told(scene);
+
+    CHECK("told", with != 0);
+    CHECK_REFUSED("told the same", is_told(scene, with));
+    sg_scene_close(scene);
+    sg_scene_model_close(seen);
+    free(m);
+  }
+}
+
 /* The parts of a scene, drawn by a thread pool. */
 static sg_drawn_part *
 parts_by(const sg_mask_grid *masks, unsigned threads, size_t *n)
@@ -455,6 +538,7 @@ main(void)
 {
   known_boxes();
   random_scenes();
+  without_memory();
   CHECK("some masks are enough", left_out > 100);
   threads();
   large_items();

@@ -3,8 +3,11 @@
  *
  * covers: work_grid
  */
+#include "polygon/work_private.h"
 #include "work_scene.h"
+
 #include "work_valid.h"
+#include <math.h>
 
 static void
 test_lists(void)
@@ -276,6 +279,89 @@ test_along(void)
   CHECK("points were in line", lines >= 200 * 24);
 }
 
+/* How far p is from the line a-b. */
+static double
+off_line(place a, place b, place p)
+{
+  return fabs((double)turn(a, b, p)) /
+         hypot((double)(b.x - a.x), (double)(b.y - a.y));
+}
+
+/* Whether two edges that cross do so farther than this from the lines of their
+ * ends, and from all vertices. */
+static bool
+cross_by_far(const place at[6], double far)
+{
+  double p = off_line(at[2], at[3], at[0]), q = off_line(at[2], at[3], at[1]);
+  double x = (double)at[0].x + p / (p + q) * (double)(at[1].x - at[0].x);
+  double y = (double)at[0].y + p / (p + q) * (double)(at[1].y - at[0].y);
+  bool is = p > far && q > far && off_line(at[0], at[1], at[2]) > far &&
+            off_line(at[0], at[1], at[3]) > far;
+
+  for (int v = 0; v < 6; v++) {
+    is = is && hypot((double)at[v].x - x, (double)at[v].y - y) > far;
+  }
+  return is;
+}
+
+/* So many that it is worth to look which cross. */
+static void
+add_far_edges(sg_work *work)
+{
+  for (int32_t i = 0; i <= SG_WORK_FEW; i++) {
+    int32_t v[2];
+
+    for (int k = 0; k < 2; k++) {
+      sg_point point;
+      sg_point_set(&point, (double[3]){900 + k, 7 * i, 0});
+      v[k] = sg_work_vertex(work, 100 + 2 * i + k, &point);
+    }
+    sg_work_add(work, v[0], v[1], 1, 0);
+  }
+}
+
+/* Two edges that cross, and a third one near them that meets neither. */
+static void
+test_crossed_by_far(void)
+{
+  static const double up[3] = {0, 0, 1};
+  int near = 0, far = 0, wrong = 0;
+
+  for (int round = 0; round < 20000; round++) {
+    sg_work *work = sg_work_open(up);
+    place at[6];
+    double reach = (1 + pick(64)) / 64.0 / 8; /* times 64: to 8 */
+
+    for (int v = 0; v < 6; v++) {
+      at[v] = (place){pick(40), pick(40)};
+      sg_point point;
+      sg_point_set(&point, (double[3]){(double)at[v].x, (double)at[v].y, 0});
+      sg_work_vertex(work, v + 1, &point);
+    }
+    for (int e = 0; e < 3; e++) {
+      sg_work_add(work, 2 * e, 2 * e + 1, 1, e + 1);
+    }
+    add_far_edges(work);
+    bool cross = turn(at[0], at[1], at[2]) * turn(at[0], at[1], at[3]) < 0 &&
+                 turn(at[2], at[3], at[0]) * turn(at[2], at[3], at[1]) < 0;
+    for (int e = 0; e < 4 && cross; e += 2) { /* the third one meets none */
+      cross = turn(at[e], at[e + 1], at[4]) * turn(at[e], at[e + 1], at[5]) > 0;
+    }
+    if (cross && sg_work_resolve(work, 0) && sg_work_crossed(work)) {
+      bool is = cross_by_far(at, 64 * reach);
+
+      if (is == cross_by_far(at, 64 * reach * (1 + 1e-9)) &&
+          is == cross_by_far(at, 64 * reach * (1 - 1e-9))) {
+        wrong += sg_work_crossed_by_far(work, reach) != is;
+        near += !is;
+        far += is;
+      }
+    }
+    sg_work_close(work);
+  }
+  CHECK("edges cross by far, or not", wrong == 0 && near > 300 && far > 300);
+}
+
 int
 main(void)
 {
@@ -291,5 +377,6 @@ main(void)
   test_any_edges();
   test_triangulate();
   test_along();
+  test_crossed_by_far();
   return check_report();
 }
