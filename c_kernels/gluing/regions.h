@@ -65,7 +65,7 @@ typedef struct sg_space_region {
   size_t behind; /* that it is behind */
   size_t shells, wires, lone;
   int64_t genus;       /* of all its shells */
-  double volume, area; /* rounded; area of all sides. 0 of the outside */
+  double volume, area; /* rounded; of the outside 0, and of all its sides */
 } sg_space_region;
 
 /* A connected border of a region. */

@@ -11,6 +11,8 @@
 #include "gluing/regions.h"
 
 #include "tests/check.h"
+#include "tests/memory/refuse.h"
+#include "tests/stop_later.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -273,6 +275,10 @@ static int32_t id[6 * CUBES], from[6 * CUBES], to[6 * CUBES], list[6 * CUBES];
 static int32_t corner[2 * CUBES][3], polygon_of[2 * CUBES];
 static unsigned char real[6 * CUBES];
 static uint32_t list_begin[CUBES + 1], ends[4][2];
+/* The cell of each, and whether a square looks down its axis. */
+static int cell_of_vertex[CUBES][3], cell_of_edge[6 * CUBES][3];
+static int cell_of_square[CUBES][3];
+static bool looks_down[CUBES];
 static int32_t segment = 1;
 static double grain;
 
@@ -301,6 +307,7 @@ put_vertex(size_t *count, const int c[3])
 
   if (*v < 0) {
     *v = (int32_t)(*count)++;
+    memcpy(cell_of_vertex[*v], c, sizeof cell_of_vertex[*v]);
     for (int k = 0; k < 3; k++) {
       place[*v][k] = turned[k][0] * c[0] / 2 + turned[k][1] * c[1] / 2 +
                      turned[k][2] * c[2] / 2;
@@ -325,6 +332,8 @@ put_square(sg_dense *d, const int c[3])
   bool back = chance() < 0.5;
   int32_t v[4];
 
+  memcpy(cell_of_square[d->polygons], c, sizeof cell_of_square[0]);
+  looks_down[d->polygons] = back;
   for (int k = 0; k < 4; k++) {
     int i = ((back ? 4 - k : k) + start) % 4, p[3] = {c[0], c[1], c[2]};
     p[u] += i == 1 || i == 2 ? 1 : -1;
@@ -355,6 +364,7 @@ put_cell(sg_dense *d, const int c[3])
   } else if (odd(c) == 1) { /* a wire, or an edge of squares once more */
     a[axis]--;
     b[axis]++;
+    memcpy(cell_of_edge[d->edges], c, sizeof cell_of_edge[0]);
     put_edge(d, put_vertex(&d->vertices, a), put_vertex(&d->vertices, b));
   } else {
     put_vertex(&d->vertices, c);
@@ -419,6 +429,187 @@ volume_of(const sg_regions *r)
   return sum;
 }
 
+/* ---- which region is where: classes of cells that are not filled ---- */
+
+static int class_of_region[CUBES];
+
+/* The class beside a cell, one step along each axis that it is no middle of;
+ * `sign` is that of the steps. */
+static int
+class_beside(const int c[3], int sign)
+{
+  int b[3];
+
+  for (int k = 0; k < 3; k++) {
+    b[k] = c[k] % 2 ? c[k] : c[k] + sign;
+  }
+  return root(at(b[0], b[1], b[2]));
+}
+
+/* One class for each region and one region for each class. */
+static bool
+is_class(const sg_regions *r, uint32_t region, int class)
+{
+  if (region >= r->regions) {
+    return false;
+  }
+  for (size_t i = 0; i < r->regions; i++) {
+    if ((class_of_region[i] == class) != (i == region) &&
+        class_of_region[i] >= 0 &&
+        (i == region || class_of_region[i] == class)) {
+      return false;
+    }
+  }
+  class_of_region[region] = class;
+  return true;
+}
+
+/* What the list of a region says of its size, against cubes and sides. */
+static bool
+is_sized(const sg_regions *r, size_t region, size_t faces, size_t sides)
+{
+  const sg_space_region *of = &r->region[region];
+  size_t cubes = 0;
+
+  for (int i = 0; i < side * side * side; i++) {
+    int c[3] = {i / side / side - 1, i / side % side - 1, i % side - 1};
+    cubes += c[0] % 2 && c[1] % 2 && c[2] % 2 && c[0] > 0 && c[1] > 0 &&
+             c[2] > 0 && c[0] < 2 * n && c[1] < 2 * n && c[2] < 2 * n &&
+             root(i) == class_of_region[region];
+  }
+  bool bounded = region + 1 < r->regions;
+
+  return of->faces == faces &&
+         (of->role == SG_REGION_OUTSIDE) == (region + 1 == r->regions) &&
+         fabs(of->volume - (bounded ? (double)cubes : 0)) < 1e-9 &&
+         fabs(of->area - (double)sides) < 1e-9;
+}
+
+static bool
+regions_are_sized(const sg_dense *d, const sg_regions *r)
+{
+  bool good = true;
+
+  for (size_t i = 0; i < r->regions; i++) {
+    size_t faces = 0, sides = 0, behind = 0;
+
+    for (size_t p = 0; p < d->polygons; p++) {
+      bool below = r->side[2 * p] == i, above = r->side[2 * p + 1] == i;
+      faces += below || above;
+      sides += (size_t)below + above;
+      behind += below;
+    }
+    good =
+        good && is_sized(r, i, faces, sides) && r->region[i].behind == behind;
+  }
+  return good;
+}
+
+/* Sides, wires and lone vertices are in the regions in which their cells are.
+ */
+static bool
+regions_are_where(const sg_dense *d, const sg_regions *r)
+{
+  bool good = true;
+
+  join_cubes();
+  memset(class_of_region, -1, sizeof class_of_region);
+  good = is_class(r, (uint32_t)r->regions - 1, root(at(-1, -1, -1)));
+  for (size_t p = 0; p < d->polygons; p++) {
+    for (int k = 0; k < 2; k++) { /* below, above */
+      int up = (k == 1) != looks_down[p] ? 1 : -1;
+      good = good && is_class(r, r->side[2 * p + (size_t)k],
+                              class_beside(cell_of_square[p], up));
+    }
+  }
+  for (size_t i = 0; i < r->wires; i++) {
+    good = good && is_class(r, r->wire[i].region,
+                            class_beside(cell_of_edge[r->wire[i].edge], 1));
+  }
+  for (size_t i = 0; i < r->lone; i++) {
+    const sg_lone_vertex *one = &r->lone_vertex[i];
+    good = good &&
+           is_class(r, one->region, class_beside(cell_of_vertex[one->v], 1));
+  }
+  return good && regions_are_sized(d, r);
+}
+
+/* Each shell is in its region, and they come region by region. */
+static bool
+shells_are_where(const sg_regions *r)
+{
+  bool good = true;
+
+  for (size_t i = 0; i < r->shells; i++) {
+    const sg_region_shell *s = &r->shell[i];
+    size_t p = (size_t)s->polygon;
+
+    good = good && s->region < r->regions &&
+           (i == 0 || r->shell[i - 1].region <= s->region) &&
+           (s->polygon < 0 || r->side[2 * p] == s->region ||
+            r->side[2 * p + 1] == s->region);
+  }
+  for (size_t i = 0; i < r->regions; i++) {
+    size_t shells = 0, wires = 0, lone = 0;
+
+    for (size_t k = 0; k < r->shells; k++) {
+      shells += r->shell[k].region == i;
+    }
+    for (size_t k = 0; k < r->wires; k++) {
+      wires += r->wire[k].region == i;
+    }
+    for (size_t k = 0; k < r->lone; k++) {
+      lone += r->lone_vertex[k].region == i;
+    }
+    good = good && r->region[i].shells == shells &&
+           r->region[i].wires == wires && r->region[i].lone == lone;
+  }
+  return good;
+}
+
+static bool
+same_regions(const sg_regions *a, const sg_regions *b, size_t polygons)
+{
+  return a->regions == b->regions && a->shells == b->shells &&
+         a->parts == b->parts && a->edges == b->edges && a->genus == b->genus &&
+         a->wires == b->wires && a->lone == b->lone &&
+         memcmp(a->side, b->side, 2 * polygons * sizeof *a->side) == 0;
+}
+
+/* Without memory, or stopped: the same regions, or none and why not. */
+static bool
+ends_well(const sg_dense *d, const sg_regions *with, const sg_cancel *cancel,
+          sg_regions_end why)
+{
+  sg_regions r;
+  size_t bad;
+  sg_regions_end end = sg_regions_make(d, NULL, 0, NULL, cancel, &r, &bad);
+  bool good = end == why ||
+              (end == SG_REGIONS_DONE && same_regions(&r, with, d->polygons));
+
+  sg_regions_clear(&r);
+  return good;
+}
+
+static void
+ends_otherwise(void)
+{
+  sg_dense d = make_segment(true);
+  sg_regions r;
+  size_t bad;
+
+  CHECK("with memory",
+        sg_regions_make(&d, NULL, 0, NULL, NULL, &r, &bad) == SG_REGIONS_DONE);
+  CHECK_REFUSED("regions", ends_well(&d, &r, NULL, SG_REGIONS_NO_MEMORY));
+  for (int k = 0, left = -1; left < 0; k++) {
+    left = k;
+    bool good =
+        ends_well(&d, &r, &(sg_cancel){stop_later, &left}, SG_REGIONS_STOPPED);
+    CHECK("stopped at a question", good);
+  }
+  sg_regions_clear(&r);
+}
+
 static void
 compare(bool any)
 {
@@ -442,6 +633,8 @@ compare(bool any)
   CHECK("second law", r.shells + 1 == r.parts + r.regions);
   CHECK("cells have the volume of cubes",
         fabs(volume_of(&r) - round(volume_of(&r))) < 1e-9);
+  CHECK("regions are where cells are", regions_are_where(&d, &r));
+  CHECK("shells are in them", shells_are_where(&r));
   sg_regions_clear(&r);
 }
 
@@ -458,6 +651,9 @@ main(void)
     choose();
     compare(false);
     compare(true);
+    if (i % 20 == 0) {
+      ends_otherwise();
+    }
   }
   sg_dense d = make_segment(false);
   CHECK("stopped", sg_regions_make(&d, NULL, 0, NULL, &now, &r, &bad) ==
