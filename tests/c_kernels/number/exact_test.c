@@ -483,6 +483,27 @@ test_counts(void)
   CHECK("all of them", sum == sg_exact_fallbacks());
 }
 
+/* Doubles of no great range need no rationals, also in one plane or nearly. */
+static void
+test_no_fall_back(void)
+{
+  uint64_t before = sg_exact_fallbacks();
+  uint32_t state = 5;
+  int zeros = 0;
+
+  for (int i = 0; i < 20000; i++) {
+    double p[4][3];
+
+    for (int k = 0; k < 12; k++) {
+      p[k / 3][k % 3] = 0.1 * check_below(&state, 5) * (1 + 1e-16 * (k == 7));
+    }
+    zeros += sg_orient3d(p[0], p[1], p[2], p[3]) == 0;
+    zeros += sg_orient2d(p[0], p[1], p[2]) == 0;
+  }
+  CHECK("many are in one plane", zeros > 4000);
+  CHECK("and nobody asked for rationals", sg_exact_fallbacks() == before);
+}
+
 /* The same counts through the functions of the doors. */
 static void
 test_counts_told(void)
@@ -584,6 +605,7 @@ main(void)
           family == 1 || sg_exact_fallbacks() > before);
   }
   test_counts();
+  test_no_fall_back();
   test_counts_told();
   return check_report();
 }
