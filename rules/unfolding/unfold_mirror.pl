@@ -37,9 +37,8 @@ mirrored_row(D, e(_, E, A, B, Et), M, e(M, E, A1, B1, Et)) :-
         B1 = A
     ).
 mirrored_row(_, p(_, P, Es), M, p(M, P, Es)).
-mirrored_row(_, plane(_, P, Nx0, Ny, Nz, C), M,
-             plane(M, P, Nx, Ny, Nz, C)) :-
-    Nx is 0.0-Nx0.
+mirrored_row(_, plane(_, P, Nx, Ny, Nz, C), M, % z = 0
+             plane(M, P, Nx, Ny, Nz, C)).
 mirrored_row(_, t(_, P, T, A, B, C), M, t(M, P, T, A, C, B)).
 mirrored_row(D, origin(_, Item, Origin), M, origin(M, Item, Origin)) :-
     Item \== node(D),

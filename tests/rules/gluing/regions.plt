@@ -9,6 +9,7 @@
 :- use_module(rules(model/integrity)).
 :- use_module(rules(polygon/triangulation), [complete_segments/0]).
 :- use_module(rules(primitive/primitive_rows)).
+:- use_module(rules(solid/csg_evaluate)).
 :- use_module(rules(store)).
 :- use_module(tests(rules/gluing/face_soup)).
 :- use_module(tests(rules/gluing/turned_soup)).
@@ -17,7 +18,7 @@
 :- dynamic hearing/0, dropped/1.
 :- multifile user:message_hook/3.
 
-user:message_hook(sanggwan(operand(repaired(duplicate, Count), 1)), warning,
+user:message_hook(sanggwan(operand(repaired(duplicate, Count), _)), warning,
                   _) :-
     test_regions:hearing,
     assertz(test_regions:dropped(Count)).
@@ -467,6 +468,18 @@ region_row(sides(A, B, C, D)) :-
     sides(A, B, C, D).
 region_row(lies_in(A, B, C)) :-
     lies_in(A, B, C).
+
+%   What was not to be glued lies in one place twice, and none of it goes.
+
+test(kept_apart, Counts-Faces == []-12) :-
+    Near = at([translate(1,0,0)], box(size(1,1,1))),
+    in_new_world(( assert_fact(segment(1, solid, box(size(1,1,1)))),
+                   assert_fact(segment(2, solid, Near)),
+                   assert_fact(segment(3, cells, glue([1,2]))),
+                   assert_fact(gluing(3, apart(1, 2))),
+                   evaluate(3),
+                   heard(regions_made(3, _), Counts),
+                   aggregate_all(count, p(3, _, _), Faces) )).
 
 %   A hollow of a solid is a void.
 

@@ -193,6 +193,21 @@ test(no_triangles, error(geometry_error(no_triangles(1, 1)), _)) :-
 test(nothing_left, fail) :-
     exists_file('/tmp/never.stl').
 
+%   Names that are a line each: of these characters the first and the last that
+%   are a blank, and those beside them.
+
+test(names_of_lines, [ forall(member(Format, [stl,obj])),
+                       true(Names-W == ["a b c d e f","\u2408a\u240eb",c]-
+                                       [other_names(2)]) ]) :-
+    quiet,
+    mesh_names('a.stl', Format, ["a\tb\nc\vd\fe\rf","\u0008a\u000eb",c],
+               Names),
+    findall(X, warned(X), W).
+test(names_with_escapes, Names-W == ["a\tb"]-[]) :-
+    quiet,
+    mesh_names('a.ply', ply, ["a\tb"], Names),
+    findall(X, warned(X), W).
+
 % Files from elsewhere, where they are.
 
 data(Folder, File) :-

@@ -37,6 +37,9 @@ places(D, M) :-
 upright(_, M) :-
     forall(t(M, _, _, A, B, C), ( doubled(M, A, B, C, Area), Area > 0 )).
 
+planes(D, M) :-
+    forall(( member(S, [D,M]), p(S, P, _) ), plane(S, P, 0.0, 0.0, 1.0, 0.0)).
+
 joints(D, M) :-
     findall(j(J,A,B,K,T), joint(D, J, A, B, K, T), Js),
     findall(j(J,A,B,K,T), joint(M, J, A, B, K, T), Js).
@@ -62,8 +65,8 @@ marked(D, M) :-
 
 :- begin_tests(unfold_mirror).
 
-test(mirrored, forall(member(What, [ places,upright,joints,areas,loops,titles,
-                                     marked ]))) :-
+test(mirrored, forall(member(What, [ places,upright,planes,joints,areas,loops,
+                                     titles,marked ]))) :-
     with_wedge(What).
 
 :- end_tests(unfold_mirror).
