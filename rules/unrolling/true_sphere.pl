@@ -199,7 +199,11 @@ meridian_left(T, Facets, Vertices, Degrees, High-Low, Lost) :-
                     Part is abs(S2-S1) ),
                   Left),
     Ss = [_|_],
-    Lost is High-Low-Left.
+    Lost0 is High-Low-Left,
+    (   same_angle(Lost0, 0.0)          % rounding is not to decide
+    ->  Lost = 0.0
+    ;   Lost = Lost0
+    ).
 
 on_meridian(Vertices, Degrees, V, S) :-
     memberchk(at(V,D,S), Vertices),

@@ -111,6 +111,24 @@ test(zone_beside_a_hole, [forall(member(Turn, [0,45,90,200]))]) :-
     assertion(abs(Length-Whole) < 0.01),
     assertion(Whole-Cut > 19.0).
 
+%   Many meridians of a zone are whole, but for rounding.
+
+test(zone_with_whole_meridians, [ forall(member(N, [3,6])),
+                                  true(abs(Length-Whole) < 0.01) ]) :-
+    near_the_pole(N, [], Length),
+    near_the_pole(N, [seam(180)], Whole),
+    near_the_pole(N, [seam(0)], Cut),
+    assertion(Whole-Cut > 9.0).
+
+near_the_pole(N, Options, Length) :-
+    patterns([ sphere(radius(50), facets(20), bands(18)),
+               at([translate(20,0,-60)], cylinder(radius(9), height(200))) ],
+             [zones(N),trim(outside)|Options], [D],
+             aggregate_all(sum(L),
+                           ( joint(D, _, E, _, seam, _),
+                             edge_length(D, E, L) ),
+                           Length)).
+
 %   The neutral layer: of 4 inside 50, it is 48 (drawn by the outside), and K
 %   moves it.
 
