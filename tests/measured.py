@@ -43,39 +43,45 @@ def sheet_measured(name):
 
 
 def rows_measured(name):
-    vertices, edges, joints, faces, patterns = {}, {}, {}, {}, []
+    patterns, vertices, edges, loops, joints = [], {}, {}, {}, {}
     with open(name, encoding="utf-8") as file:
-        for line in file:
-            row = ROW.match(line.strip())
-            if not row:
-                continue
-            kind, of, rest = row.groups()
-            cells = rest.split(", ") if ", " in rest else rest.split(",")
-            if kind == "segment" and cells[0] == "pattern":
-                patterns.append(of)
-            elif kind == "v":
-                vertices[of, cells[0]] = tuple(map(float, cells[1:3]))
-            elif kind == "e":
-                edges[of, cells[0]] = cells[1:3]
-            elif kind == "p":
-                faces[of] = faces.get(of, 0) + 1
-            elif kind == "joint":
-                joints[of, cells[0]] = cells[1:]
+        rows = [row.groups() for row in map(ROW.match, map(str.strip, file))
+                if row]
+    for kind, of, rest in rows:
+        cells = rest.split(", ")
+        if kind == "segment" and cells[0] == "pattern":
+            patterns.append(of)
+        elif kind == "v":
+            place = [float(x) for x in cells[1:3]]
+            vertices.setdefault(of, {})[cells[0]] = place
+        elif kind == "e":
+            edges.setdefault(of, {})[cells[0]] = cells[1:3]
+        elif kind == "p":
+            loops.setdefault(of, []).append(re.split(
+                ", -", rest[rest.index("[")+1:-1]))  # a hole begins with -V
+        elif kind == "joint":
+            joints.setdefault(of, []).append(cells[1:])
     for of in patterns:
-        own = [p for (d, _), p in vertices.items() if d == of]
-        length = {e: math.dist(vertices[of, a], vertices[of, b])
-                  for (d, e), (a, b) in edges.items() if d == of}
-        print("  pattern %s: %d faces; %d vertices, x %#.10g, y %#.10g, xy %#.10g; "
-              "%d edges, %#.10g long" %
-              (of, faces.get(of, 0), len(own), sum(abs(x) for x, _ in own),
-               sum(abs(y) for _, y in own), sum(abs(x*y) for x, y in own),
+        at, sides = vertices[of], edges.get(of)
+        if not sides:  # they are those of the polygons, in order
+            rings = [ring.split(", ") for loop in loops[of] for ring in loop]
+            sides = [side for ring in rings
+                     for side in zip(ring, ring[1:] + ring[:1])]
+            sides = {str(i): side for i, side in enumerate(sides, 1)}
+        length = {e: math.dist(at[a], at[b]) for e, (a, b) in sides.items()}
+        print("  pattern %s: %d faces; %d vertices, x %#.10g, y %#.10g, "
+              "xy %#.10g; %d edges, %#.10g long" %
+              (of, len(loops[of]), len(at),
+               sum(abs(x) for x, _ in at.values()),
+               sum(abs(y) for _, y in at.values()),
+               sum(abs(x*y) for x, y in at.values()),
                len(length), sum(length.values())))
         kinds = {}
-        for (d, _), (e, _, kind, angle) in joints.items():
-            if d == of:
-                added(kinds, kind, [1, length[e], abs(float(angle))])
+        for e, _, kind, angle in joints.get(of, []):
+            added(kinds, kind, [1, length[e], abs(float(angle))])
         for kind in sorted(kinds):
-            print("    %s: %d, %#.10g long, %#.10g degrees" % (kind, *kinds[kind]))
+            print("    %s: %d, %#.10g long, %#.10g degrees" %
+                  (kind, *kinds[kind]))
 
 
 def main():

@@ -32,6 +32,16 @@ test(weight, [forall(member(Unit-Times, [mm-1,cm-1000,inch-16387.064]))]) :-
              [thickness(2),material(steel),unit(Unit)], M),
     assertion(M.bends == []),
     assertion(abs(M.weight/Times - 0.0942) < 1.0e-9).
+% A kilogram or so for each decimetre cubed of what workshops have.
+test(materials, Weights == [ steel-7850,stainless-7900,aluminium-2700,
+                             copper-8960,brass-8500,zinc-7140,titanium-4510
+                           ]) :-
+    findall(Name-Weight,
+            ( material(Name, _),
+              measured([top,side(1),side(2),side(3),side(4)],
+                       [thickness(1),material(Name),unit(mm)], M),
+              Weight is round(M.weight/6.0e-6) ),
+            Weights).
 test(no_material) :-
     measured([top,side(1),side(2),side(3),side(4)], [thickness(2)], M),
     assertion(\+ get_dict(weight, M, _)).
