@@ -217,6 +217,7 @@ expected_en(one_of(Atoms)) -->
 relation_word(v, vertex).
 relation_word(e, edge).
 relation_word(p, polygon).
+relation_word(region, region).
 relation_word(leaf_e, leaf_e).
 
 key_en(Key) -->

@@ -211,6 +211,7 @@ expected_ko(one_of(Atoms)) -->
 relation_word(v, '꼭짓점').
 relation_word(e, '모서리').
 relation_word(p, '다각형').
+relation_word(region, '영역').
 relation_word(leaf_e, leaf_e).
 
 key_ko(Key) -->

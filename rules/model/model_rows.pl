@@ -139,7 +139,8 @@ row_refused(Formal, Row, Place) :-
 missing_reference(Row, Argument, Relation, S, Id) :-
     functor(Row, Name, _),
     member(Relation-Missing,
-           [v-has_vertex(S, Id), p-has_polygon(S, Id), e-has_edge(S, Id)]),
+           [ v-has_vertex(S, Id), p-has_polygon(S, Id), e-has_edge(S, Id),
+             region-has_region(S, Id) ]),
     relation_column(Name, Position, _, int, Relation),
     segment_position(Name, Position, Of),
     arg(Of, Row, S),
