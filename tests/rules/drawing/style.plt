@@ -140,6 +140,50 @@ test(faults, [forall(member(Text-Fault,
                true(Found-Place =@= What-Where)]) :-
     Fault = What/Where,
     fault(Text, Found, Place).
+%   On both sides of each limit.
+test(properties, [ forall(member(Property-Truth,
+        [ width(0.001)-yes, width(100)-yes, width(100.1)-no, width(a)-no,
+          width(-1)-no, pen(1)-yes, pen(255)-yes, pen(0)-no, pen(256)-no,
+          pen(1.0)-no, dashes(solid)-yes, dashes(chain)-yes, dashes(hidden)-yes,
+          dashes(wavy)-no, dashes([])-no, dashes([1,2])-yes,
+          dashes([1,2,3])-no, dashes([1000,0.1])-yes, dashes([1000.1,1])-no,
+          dashes([0,1])-no, dashes([1,a])-no, colour(red)-yes,
+          colour(rgb(255,0,0))-yes, colour(red,rgb(0,0,1))-yes,
+          colour(red,blue,red)-no, colour(f(x))-no, layer('A1_-$')-yes,
+          layer('')-no, layer('\u00e9')-no, layer(7)-no,
+          layer(abcdefghijklmnopqrstuvwxyz12345)-yes,
+          layer(abcdefghijklmnopqrstuvwxyz123456)-no, none-yes, shown-yes,
+          hidden-no ])),
+                   true(Found == Truth) ]) :-
+    format(string(Text), "line(any, any, 1, [~q]).", [Property]),
+    catch(( rows(Text, [line(any,any,1,[Property])]), Found = yes ),
+          error(model_error(style(_)), _), Found = no).
+test(layer_changes, Style == style(0.5,black,solid,1,'A')) :-
+    style("line(any, any, any, [layer('A')]).", visible, crease, 1, Style).
+test(two_colours, C-D == colour(red,blue)-[1,2]) :-
+    style("line(any, any, any, [colour(red,blue),dashes([1,2])]).", visible,
+          crease, 1, style(_,C,D,_,_)).
+test(still_none, Style == none) :-
+    style("line(any, any, any, [none,pen(3)]).", visible, crease, 1, Style).
+test(called, [ forall(member(Name-Pen, [lid-7,glass-7,cone-7,box-1,at-1])),
+               true(Found == Pen) ]) :-
+    format(string(Text), "line(any, any, ~w, [pen(7)]).", [Name]),
+    new_world(World),
+    in_world(World,
+             ( assert_fact(segment(1, solid,
+                                   named(lid, at([], named(glass,
+                                                           cone(1.0)))))),
+               style(Text, visible, crease, 1, style(_,_,_,Found,_)) )).
+test(penetration_in_vain, Vain == [2,cone]) :-
+    rows("line(any, penetration, 1, []). line(any, penetration, 2, []).
+          line(any, penetration, cone, []). line(any, penetration, any, []).
+          line(any, penetration, 9, []). line(any, crease, 2, []).
+          line(any, penetration, box, []).", Rows),
+    new_world(World),
+    in_world(World,
+             ( assert_fact(segment(1, solid, box(1.0))),
+               assert_fact(segment(2, solid, cone(1.0))),
+               findall(S, penetration_in_vain(Rows, [1], S), Vain) )).
 test(rules, true(Looks == [none, 9, 1])) :-
     new_world(World),
     with_file("line_style(_, _, 3, none).
