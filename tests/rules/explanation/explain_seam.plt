@@ -132,6 +132,26 @@ test(every_seam, [true(Es == Seams)]) :-
                ( findall(E, says(seam(_), seam_edge(_, E, _, _, _, _)), Es),
                  develop(1, [], D),
                  findall(E, joint(D, _, E, _, seam, _), Seams) )).
+%   Of a pattern that is there, whatever patterns of others are.
+test(pattern_that_is_there, [ forall(member(S, [1,2])),
+                              true(Es == Seams) ]) :-
+    long_box(Box),
+    with_model(Box,
+               ( add_primitive(at([translate(9,0,0)], Box), 2),
+                 complete_segments,
+                 facts_snapshot(( develop(S, [], Plain),
+                                  joint(Plain, _, Fold, _, Kind, _),
+                                  Kind \== seam )),
+                 Other is 3-S,
+                 ( S =:= 2 -> develop(Other, [], _) ; true ),
+                 develop(S, [cut([Fold])], D),
+                 ( S =:= 1 -> develop(Other, [], _) ; true ),
+                 findall(E, joint(D, _, E, _, seam, _), Seams),
+                 memberchk(Fold, Seams),
+                 findall(E, ( member(E, Seams),
+                              once(says(seam(S, E),
+                                        seam_edge(_, E, _, _, _, _))) ), Es),
+                 once(says(seam(S, Fold), cut_by_wish)) )).
 test(one_of_both, [true(Lengths == [L,L])]) :-
     long_box(Box),
     with_model(Box,
