@@ -50,6 +50,11 @@ fault(Text, What) :-
     catch(( jobs(Text, pl, _), What = none ),
           error(model_error(manifest(What)), location(_, _, _)), true).
 
+% fault_place(+Text, -What): with its line and column.
+fault_place(Text, What/(Line-Column)) :-
+    catch(( jobs(Text, pl, _), What = none ),
+          error(model_error(manifest(What)), location(_, Line, Column)), true).
+
 template(Head, Generators, Text) :-
     cube(Cube),
     format(string(Text), "job(~w, check, ['~w'], []) @ ~w.",
@@ -61,6 +66,10 @@ row_text("n;r\na;30,5\nb;-4,25\n\"c;d\";7\n", csv,
          [30.5-a, -4.25-b, 7-'c;d']).
 row_text("n;r\n1,2,3;1e3\n1,x;2\n", csv, [1.0e3-'1,2,3', 2-'1,x']).
 row_text("n\tr\na;b\t2,5\n", tsv, ['2,5'-'a;b']).
+
+place_of(Manifest, Kind, Place) :-
+    fault_place(Manifest, What/Place),
+    functor(What, Kind, _).
 
 :- begin_tests(manifest).
 
@@ -117,6 +126,22 @@ test(many, true(N == 20000)) :-
     template('a(R)', 'R in 1..20000', Text),
     jobs(Text, pl, Jobs),
     length(Jobs, N).
+%   What is wrong is said where it stands: in the argument, or in the fact.
+test(places, [ forall(member(Text-Kind-Place,
+       [ "job([], check, [\"~w\"], [])."-name-(1-5),
+         "\n job('!', check, [\"~w\"], [])."-name-(2-6),
+         "job(a, chek, [\"~w\"], [])."-verb-(1-8),
+         "job(a, check, \"~w\", [])."-files-(1-15),
+         "job(a, check, ['-x'], [])."-files-(1-15),
+         "job(a, check, [''], [])."-files-(1-15),
+         "job(a, check, [\"~w\"], [time_limit(0)])."-limit-(1-25),
+         "defaults([time_limit(0)])."-limit-(1-10),
+         "defaults([colour(red)])."-no_default-(1-10),
+         "job(a, check, [\"~w\"])."-fact-(1-1) ])),
+               true(Found == Place) ]) :-
+    ( sub_string(Text, _, _, _, "~w") -> Files = ['c.pl'] ; Files = [] ),
+    format(string(Manifest), Text, Files),
+    place_of(Manifest, Kind, Found).
 test(defaults,
      true(Jobs == [ a-[json-true], b-[output-'%.svg', view-front],
                     c-[output-'%.svg', view-left],
