@@ -40,7 +40,8 @@ test(components, [ forall(between(1, 30, Seed)), true(Wrong == []) ]) :-
               \+ ( memberchk(B, Reached) -> RootA == RootB
                  ; RootA \== RootB ) ),
             Wrong).
-%   The smaller one hangs on the larger: no way is long, however they are joined.
+%   The smaller one hangs on the larger: no way is long, however they are
+%   joined.
 test(ways, [ forall(member(Order, [up,down])), true(Most =< 10) ]) :-
     findall(A-B, ( between(1, 1023, I),
                    ( Order == up -> A = I, B is I+1

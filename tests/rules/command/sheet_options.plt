@@ -136,7 +136,8 @@ test(points, [ forall(member(Text-Most, [ all-all, '8'-8, 8-8, '1'-1, '0'-no,
 test(no_paper, What == ['A4','A3','A2','A1','A0']) :-
     refused(sheet_request([sheet(a7)], [], _), sheet(paper(a7, What))).
 
-test(cutaway, [ forall(member(Text-Truth, [x-yes,'z=1'-yes,'1,1,0,2'-yes,q-no])),
+test(cutaway, [ forall(member(Text-Truth,
+                              [x-yes,'z=1'-yes,'1,1,0,2'-yes,q-no])),
                 true(Found == Truth) ]) :-
     refused(cutaway_wanted([cutaway(Text),view(front)], Text), What),
     ( What == none -> Found = yes ; What = bad_value('--cutaway',Text,_),
