@@ -67,6 +67,32 @@ sized(N, Size) :-
     A is N>>24 /\ 255, B is N>>16 /\ 255, C is N>>8 /\ 255, D is N /\ 255,
     string_codes(Size, [A,B,C,D]).
 
+%   nested(Depth, Kind, Json): an object with brackets in one another, so deep.
+
+nested(Depth, Kind, Json) :-
+    Inner is Depth-1,
+    brackets(Inner, Kind, Value),
+    format(string(Json), "{\"a\":~w}", [Value]).
+
+brackets(0, _, 1) :-
+    !.
+brackets(N, Kind, Json) :-
+    N1 is N-1,
+    brackets(N1, Kind, Inner),
+    (   ( Kind == dicts ; Kind == both, N mod 2 =:= 0 )
+    ->  format(string(Json), "{\"b\":~w}", [Inner])
+    ;   format(string(Json), "[~w]", [Inner])
+    ).
+
+read_one(Json, Truth) :-
+    framed(Json, "", Octets),
+    all_read(Octets, request, [Result]),
+    (   Result = _-_
+    ->  Truth = yes
+    ;   assertion(Result == too_deep(32)),
+        Truth = no
+    ).
+
 :- begin_tests(protocol).
 
 test(round_trip, true(Results =@= [Head-Body, _{}-""])) :-
@@ -140,6 +166,23 @@ test(deep, true(Results =@= [too_deep(32)])) :-
     format(string(Json), "{\"a\":~s", [Open]),
     framed(Json, "", Octets),
     all_read(Octets, request, Results).
+%   As deep as may be, and one more, of either bracket; beside one another, or in
+%   texts, there may be any number.
+test(depth, [ forall(( member(Kind, [lists,dicts,both]),
+                       member(Depth-Truth, [31-yes,32-yes,33-no]) )),
+              true(Found == Truth) ]) :-
+    nested(Depth, Kind, Json),
+    read_one(Json, Found).
+test(siblings, Found == [yes,yes,no]) :-
+    findall(Truth,
+            ( member(Deep, [1,30,31]),
+              nested(Deep, both, One),
+              length(Ones, 40),
+              maplist(=(One), Ones),
+              atomic_list_concat(Ones, ',', Inner),
+              format(string(Json), "{\"a\":[~w]}", [Inner]),
+              read_one(Json, Truth) ),
+            Found).
 test(brackets_in_texts, true(Results =@= [_{a:Text}-""])) :-
     length(Open, 1000),
     maplist(=(0'[), Open),
