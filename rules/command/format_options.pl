@@ -17,7 +17,8 @@ What needs another option is looked at by each verb (unfold_options.pl).
 format_options_told(Verb, Files, Options) :-
     forall(( format_option(Name, Where, Format),
              option_given(Name, Options),
-             \+ of_format(Where, Verb-Files, Options, Format) ),
+             \+ ( has_option(Name, Format, Options, Other),
+                  of_format(Where, Verb-Files, Options, Other) ) ),
            ( atom_concat('--', Name, Option),
              print_message(warning,
                            sanggwan(format_option(Option, Format))) )).
@@ -26,6 +27,15 @@ format_option(dpi,   written, png).
 format_option(png,   written, png).
 format_option(lod,   read,    json).
 format_option(close, read,    json).
+
+%   has_option(Name, Format, Options, Other): files of the format Other have it:
+%   shading is in dots in all that can hold them.
+
+has_option(_, Format, _, Format).
+has_option(dpi, _, Options, Format) :-
+    option(shade(Shade), Options),
+    Shade \== hatch,
+    member(Format, [svg,pdf,ps,eps]).
 
 option_given(Name, Options) :-
     Option =.. [Name,Value],

@@ -166,8 +166,8 @@ test(deep, true(Results =@= [too_deep(32)])) :-
     format(string(Json), "{\"a\":~s", [Open]),
     framed(Json, "", Octets),
     all_read(Octets, request, Results).
-%   As deep as may be, and one more, of either bracket; beside one another, or in
-%   texts, there may be any number.
+%   As deep as may be, and one more, of either bracket; beside one another there
+%   may be any number.
 test(depth, [ forall(( member(Kind, [lists,dicts,both]),
                        member(Depth-Truth, [31-yes,32-yes,33-no]) )),
               true(Found == Truth) ]) :-
