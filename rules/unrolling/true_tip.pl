@@ -324,10 +324,7 @@ neighbour(Side, T, From-To, Ends, Table, Shape, Q, Turns) :-
     key_place(Nodes, To, _, H2),
     member(Q, Qs),
     get_assoc(Q, Table, facet(P, TQ1, TQ2, Halves)),
-    (   Side == end
-    ->  Turns is round((T-TQ1)/360.0)
-    ;   Turns is round((T-TQ2)/360.0)
-    ),
+    Turns is round((T-TQ1)/360.0),      % a facet is less than half a turn
     shifted_facet(Turns, facet(P, TQ1, TQ2, Halves), facet(_, _, _, Shifted)),
     member(half(A, B, _), Shifted),
     on_generator(Shape, T, A),

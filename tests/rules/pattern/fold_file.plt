@@ -52,11 +52,14 @@ raw_control(Text) :-
 %   fold_of(Term, Dict): the file of what Term unfolds to, as JSON.
 
 fold_of(Term, Dict) :-
+    fold_of(Term, [], Dict).
+
+fold_of(Term, Options, Dict) :-
     tmp_file(fold, Base),
     atom_concat(Base, '.fold', File),
     setup_call_cleanup(
         in_new_world(( add_primitive(Term, S), complete_segments,
-                       develop(S, D), write_fold(File, [D], []) )),
+                       develop(S, D), write_fold(File, [D], Options) )),
         setup_call_cleanup(open(File, read, In, [encoding(utf8)]),
                            json_read_dict(In, Dict),
                            close(In)),
@@ -66,6 +69,9 @@ face_sides(Vs, Sides) :-
     Vs = [First|Rest],
     append(Rest, [First], Nexts),
     maplist([A,B,[Low,High]]>>msort([A,B], [Low,High]), Vs, Nexts, Sides).
+
+turned("M", "V").
+turned("B", "B").
 
 :- begin_tests(fold_file).
 
@@ -87,6 +93,26 @@ test(edges, [ forall(member(Term-Js, [ box(size(1,2,3))-0,
               -> Dict.frame_attributes == ["2D"]
               ;  Dict.frame_attributes == ["2D","joins"] )).
 
+% Seen from inside: x the other way, faces round the other way, a mountain is a
+% valley. The 2D of a prism has folds of many angles, and seams.
+test(inside) :-
+    Term = prism(outline([[0,0],[4,0],[5,3],[2,5],[0,3]]), height(2)),
+    fold_of(Term, [], Out),
+    fold_of(Term, [inside(true)], In),
+    maplist([[X0,Y],[X,Y]]>>(X is 0.0-X0), Out.vertices_coords, Coords),
+    assertion(Coords == In.vertices_coords),
+    maplist(reverse, Out.faces_vertices, Faces),
+    assertion(Faces == In.faces_vertices),
+    assertion(Out.edges_vertices == In.edges_vertices),
+    maplist(turned, Out.edges_assignment, Assigned),
+    assertion(Assigned == In.edges_assignment),
+    maplist([A0,A]>>(A is -A0), Out.edges_foldAngle, Angles),
+    assertion(Angles == In.edges_foldAngle),
+    sort(Out.edges_assignment, Kinds),
+    assertion(Kinds == ["B","M"]),
+    forall(( nth1(I, Out.edges_assignment, Kind),
+             nth1(I, Out.edges_foldAngle, Angle) ),
+           assertion(( Kind == "M" -> Angle < 0 ; Angle =:= 0 ))).
 test(title, Read == Codes) :-
     findall(Code, spoken(Code), Codes),
     string_codes(Title, Codes),

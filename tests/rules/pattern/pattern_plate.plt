@@ -62,6 +62,29 @@ test(radius_is_the_thickness) :-
     measured([top,side(2),side(3),side(4)], [thickness(2.5)], M),
     M.bends = [Bend],
     assertion(Bend.radius == 2.5).
+% What hangs on the largest face is bent last: of faces in a row, 60, 30 and 10
+% wide, wherever the row begins.
+test(largest_face_stays, [ forall(member(Faces,
+                                         [ [[1,2,4,3],[3,4,6,5],[5,6,8,7]],
+                                           [[5,6,8,7],[3,4,6,5],[1,2,4,3]] ])),
+                           true(Sequence == [Narrow-1,Wide-2]) ]) :-
+    new_world(World),
+    in_world(World,
+             ( add_primitive(sheet(points([ [0,0,0],[0,100,0],[60,0,0],
+                                            [60,100,0],[60,0,30],[60,100,30],
+                                            [50,0,30],[50,100,30] ]),
+                                   faces(Faces)), S),
+               unfold(S, [thickness(1)], D),
+               pattern_area(D, Area),
+               plate_measures(D, Area, [thickness(1)], M) )),
+    once(nth1(Wide, Faces, [1|_])),
+    Narrow is 4-Wide,
+    findall(Ends-N,
+            ( member(B, M.bends),
+              N = B.sequence,
+              subtract(B.polygons, [2], [Ends]) ),
+            Sequence0),
+    sort(2, @<, Sequence0, Sequence).
 % From the outside in: of a closed box the lid goes before the wall it hangs on.
 test(sequence) :-
     measured([], [thickness(1),relief(none)], M),

@@ -16,6 +16,8 @@ test(open_after_jump, Es == [1-2,2-3,4-5,5-6]) :-
     vertex_list_edges([1,2,3,-4,5,6], Es).
 test(begins_with_jump, fail) :-
     vertex_list_edges([-1,2,3], _).
+test(no_vertex, fail) :-
+    vertex_list_edges([0,2,3], _).
 test(ends_with_jump, fail) :-
     vertex_list_edges([1,2,3,1,-4], _).
 test(jump_to_nothing, fail) :-
