@@ -248,7 +248,7 @@ verb_option(draw, option(png, '', one_of([smooth, dots]), 'HOW',
     'a .png with smooth lines, as is usual, or in dots, as on the screens of \c
      1988; --size is then in dots')).
 verb_option(draw, option(dpi, '', number(1,1000000), 'N',
-    'dots to the inch of a smooth .png')).
+    'dots to the inch of a smooth .png, and of --shade in other files')).
 
 verb_option(draw, option(points, '', value, 'N',
     'number N points of each penetration line, the same in all views; all: \c

@@ -94,7 +94,7 @@ option_ko('centre-lines',
 option_ko('min-line',
     '용지에서 MM보다 짧고 양 끝이 다른 선에 닿지 않는 선은 그리지 않는다(스캔한 \c
 메시의 티)').
-option_ko(dpi, '매끈한 .png의 인치당 점의 수').
+option_ko(dpi, '매끈한 .png, 또는 다른 파일의 --shade의 인치당 점의 수').
 option_ko(exact, '표의 좌표를 반올림하지 않은 분수로').
 option_ko(only,
     '꼭짓점, 모서리, 면 가운데 하나와 그것에 딸린 것만 붙인다. 나머지는 자르되 \c
