@@ -97,4 +97,21 @@ test(open, Found == [open-whole]) :-
           Lines),
     findall(Kind-Whole, member(how(Kind,Whole,_), Lines), Found).
 
+%   Chains in a row, each entered at its first or its last piece.
+test(followed, [ forall(member(Pairs-Joined,
+       [ []-[open-[1,2],open-[3,4],open-[5]],
+         [1/last-2/first]-[open-[1,2,3,4],open-[5]],
+         [1/last-2/first,2/last-3/last]-[open-[1,2,3,4,-5]],
+         [1/first-2/first]-[open-[-4,-3,1,2],open-[5]],
+         [1/first-2/last,2/first-3/first]-[open-[-5,3,4,1,2]],
+         [1/first-3/last,1/last-2/last]-[open-[5,1,2,-4,-3]],
+         [1/last-2/first,2/last-3/first,3/last-1/first]
+             -[closed-[1,2,3,4,5]],
+         [1/last-2/last,2/first-3/last,3/first-1/first]
+             -[closed-[1,2,-4,-3,-5]],
+         [1/last-1/first]-[closed-[1,2],open-[3,4],open-[5]] ])),
+                 true(Found == Joined) ]) :-
+    findall(Link, ( member(A-B, Pairs), ( Link = A-B ; Link = B-A ) ), Links),
+    once(sg_problem_loop:followed([[1,2],[3,4],[5]], Links, Found)).
+
 :- end_tests(problem_loop).
