@@ -92,6 +92,38 @@ comes_free(const double a[3][3], const double b[3][3], double way)
   return false;
 }
 
+/* How far a triangle is before and behind the plane of another one, which is
+ * along an axis, any way round: as its corners say. */
+static void
+depths(void)
+{
+  uint32_t seed = 11;
+  size_t wrong = 0;
+
+  for (int i = 0; i < 1000; i++) {
+    double a[3][3], b[3][3], flat[3][3], above = 0, below = 0;
+    int axis = i % 3, at = check_below(&seed, 9);
+
+    random_triangle(&seed, flat);
+    for (int k = 0; k < 3; k++) {
+      b[k][axis] = at / 8.0;
+      b[k][(axis + 1) % 3] = flat[k][0];
+      b[k][(axis + 2) % 3] = flat[k][1];
+      for (int c = 0; c < 3; c++) {
+        a[k][c] = check_below(&seed, 17) / 8.0 - 0.5;
+      }
+      above = fmax(above, a[k][axis] - b[0][axis]);
+      below = fmax(below, b[0][axis] - a[k][axis]);
+    }
+    sg_depth depth =
+        sg_shape_depth((const double(*)[3])a, (const double(*)[3])b);
+
+    wrong +=
+        fabs(depth.above - above) > 1e-12 || fabs(depth.below - below) > 1e-12;
+  }
+  CHECK("before and behind a plane", wrong == 0);
+}
+
 int
 main(void)
 {
@@ -118,5 +150,6 @@ main(void)
   CHECK("both were tried", apart > PAIRS / 10 && apart < PAIRS * 9 / 10);
   CHECK("less does not part them", less == 0);
   CHECK("so much does", more == 0);
+  depths();
   return check_report();
 }
