@@ -103,6 +103,14 @@ before(S, A, page(P, E, _), R) :-
 
 :- begin_tests(cycle).
 
+%   Round from the first page: on it, between, opposite, between.
+
+test(quarters, Quarters == [0,1,1,1,2,3,3,3]) :-
+    findall(Quarter,
+            ( member(X-Y, [1-0,1-1,0-1,(-1)-1,(-1)-0,(-1)-(-1),0-(-1),1-(-1)]),
+              sg_cycle:quarter(X, Y, Quarter) ),
+            Quarters).
+
 test(book, [forall(member(N, [3,4,5,17,200])), true(Ps == Wanted)]) :-
     set_random(seed(N)),
     ways(N, Ways),
