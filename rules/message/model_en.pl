@@ -208,6 +208,10 @@ expected_en(light(What)) -->
 expected_en(ground) -->
     [ 'an atom, a number or a compound of them', nl,
       '  Neither variables nor "text"; quote names like \'this one\'.' ].
+expected_en(loose) -->
+    [ 'v(V), a vertex, or e(E), an edge' ].
+expected_en(around) -->
+    [ 'r(R), a region, or p(P), a polygon' ].
 expected_en(atom) -->
     [ 'an atom' ].
 expected_en(one_of(Atoms)) -->

@@ -202,6 +202,10 @@ expected_ko(light(What)) -->
 expected_ko(ground) -->
     [ '아톰, 수, 또는 그것으로 된 복합항', nl,
       '  변수와 "문자열"은 안 됩니다. 이름은 \'이렇게\' 따옴표로 쓰십시오.' ].
+expected_ko(loose) -->
+    [ '꼭짓점 v(V) 또는 모서리 e(E)' ].
+expected_ko(around) -->
+    [ '영역 r(R) 또는 다각형 p(P)' ].
 expected_ko(atom) -->
     [ '아톰' ].
 expected_ko(one_of(Atoms)) -->

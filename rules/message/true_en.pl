@@ -23,6 +23,10 @@ true_en(no_part(S, Part)) -->
 true_en(moved(S, Part)) -->
     [ 'the part ~p of segment ~d is not where its primitive is'-[Part, S], nl,
       '  Place the primitive itself, not a copy of it.' ].
+true_en(nothing_left(S, Part)) -->
+    [ 'nothing is left of the part ~p of segment ~d: its facets stand out, \c
+       the true surface does not'-[Part, S], nl,
+      '  Unfold it without --true, or other segments only: --only.' ].
 true_en(not_symmetric(S, Part)) -->
     [ 'half a pattern is not enough: the halves of part ~p of segment ~d \c
        differ'-[Part, S], nl,

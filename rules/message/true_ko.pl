@@ -25,6 +25,10 @@ true_ko(no_part(S, Part)) -->
 true_ko(moved(S, Part)) -->
     [ '세그먼트 ~d의 부분이 기본 입체의 자리에 있지 않습니다: ~p'-[S, Part], nl,
       '  사본이 아니라 기본 입체 자체를 배치하십시오.' ].
+true_ko(nothing_left(S, Part)) -->
+    [ '세그먼트 ~d의 부분 ~p에서 남는 것이 없습니다: 작은 면만 나와 있고 실제 \c
+       곡면은 나와 있지 않습니다'-[S, Part], nl,
+      '  --true 없이 전개하거나 --only로 다른 세그먼트만 전개하십시오.' ].
 true_ko(not_symmetric(S, Part)) -->
     [ '반쪽 전개도로는 모자랍니다: 세그먼트 ~d의 부분 ~p: 두 쪽이 \c
        다릅니다'-[S, Part], nl,

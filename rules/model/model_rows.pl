@@ -14,7 +14,7 @@
               ]).
 :- use_module(model_text, [place_error/2, place_error/3]).
 :- use_module(library(apply), [maplist/2, maplist/3]).
-:- use_module(library(lists), [member/2]).
+:- use_module(library(lists), [member/2, nth1/3]).
 /** <module> A row of a model file goes into the world when what it refers to is
 there; or it is said why not.
 */
@@ -120,9 +120,21 @@ edge_ends(S, E, V1-V2) :-
 %
 %   @error model_error(What): missing, twice, refused (model_file.pl)
 
+row_added(lies_in(S, Item, In), Place) :-
+    nth1(I, [Item,In], One),
+    \+ has_item(S, One),
+    !,
+    item_of(One, Relation, Id),
+    Argument is I+1,
+    place_error(Place, Argument, missing(Relation, S, Id)).
 row_added(Row, Place) :-
     catch(assert_after(Row), error(Formal, _),
           row_refused(Formal, Row, Place)).
+
+item_of(v(V), v, V).
+item_of(e(E), e, E).
+item_of(p(P), p, P).
+item_of(r(R), region, R).
 
 row_refused(Formal, Row, Place) :-
     (   Formal = resource_error(_)

@@ -413,6 +413,8 @@ file_type(atom, question, _, words) :- !.
 file_type(atom, _, _, atom).
 file_type(term, title_block, _, text) :- !.
 file_type(term, param, _, number) :- !.
+file_type(term, lies_in, 1, loose) :- !.
+file_type(term, lies_in, 2, around) :- !.
 file_type(term, look, _, look) :- !.
 file_type(term, light, _, light) :- !.
 file_type(term, _, _, ground).
@@ -528,6 +530,10 @@ typed(text, Text, Text) :-
     atomic(Text),
     plain_value(Text, 0),
     Text \== [].
+typed(loose, Item, Item) :-
+    is_item(Item, [v,e]).
+typed(around, Item, Item) :-
+    is_item(Item, [r,p]).
 typed(look, Property, Property) :-
     is_look(Property).
 typed(light, Property, Property) :-
@@ -535,6 +541,12 @@ typed(light, Property, Property) :-
 typed(ground, Term, Term) :-
     limit_value(depth, Depth),
     plain_value(Term, Depth).
+
+is_item(Item, Names) :-
+    compound(Item),
+    compound_name_arguments(Item, Name, [Id]),
+    memberchk(Name, Names),
+    is_id(Id).
 
 is_id(Id) :-
     integer(Id),

@@ -224,12 +224,26 @@ unrolled(S, T, Cut, Options, Part, D) :-
     (   sphere_part_polygon(T, Part, _)
     ->  sphere_checked(S, Options),
         sphere_development(T, Part, Options, D)
-    ;   \+ option(seam(_), Options),
+    ;   seam_options(T, Part, Cut, Options, Options1),
+        catch(true_development(T, Part, Options1, D),
+              error(geometry_error(true(nothing_left(T, Part))), Context),
+              nothing_left(S, Part, Context))
+    ).
+
+seam_options(T, Part, Cut, Options, Options1) :-
+    (   \+ option(seam(_), Options),
         member(E, Cut),
         generator_at(T, Part, E, Degrees)
-    ->  true_development(T, Part, [seam(Degrees)|Options], D)
-    ;   true_development(T, Part, Options, D)
+    ->  Options1 = [seam(Degrees)|Options]
+    ;   Options1 = Options
     ).
+
+nothing_left(S, Part, Context) :-
+    (   Part = _/Name
+    ->  true
+    ;   Name = Part
+    ),
+    throw(error(geometry_error(true(nothing_left(S, Name))), Context)).
 
 %   sphere_checked(S, Options): what would say nothing is refused.
 

@@ -104,8 +104,9 @@ developable_part(S, Part, Surface) :-
 %
 %   @error existence_error(segment, S)
 %   @error geometry_error(true(What)): no_part(S, Part); moved(S, Part);
-%   not_symmetric(S, Part), of half(true); flat_part(S, Part, Option), an option
-%   that a transition cannot have; no_offset(Kind), true_plate.pl
+%   nothing_left(S, Part), of the true surface; not_symmetric(S, Part), of
+%   half(true); flat_part(S, Part, Option), an option that a transition cannot
+%   have; no_offset(Kind), true_plate.pl
 
 true_development(S, Part, Options, D) :-
     must_be(positive_integer, S),
@@ -162,6 +163,10 @@ unrolled(S, Part, Options,
         plate_layer(Options, Layer),
         apex_opened(Facets5, Layer, Facets6, Shape2, Shape4),
         facets_as_drawn(S, Facets6, Shape4, Facets2)
+    ),
+    (   Facets2 == []
+    ->  throw(error(geometry_error(true(nothing_left(S, Part))), _))
+    ;   true
     ),
     seam(Facets2, Shape4, Sense, Options, Seam, Around),
     opened(Facets2, S-Part, Seam, Sense, Facets1, Shape4, Shape1),

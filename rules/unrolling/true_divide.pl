@@ -16,7 +16,7 @@
 :- use_module(true_surface, [generator_plane/3]).
 :- use_module(library(apply), [maplist/3]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2, put_assoc/4]).
-:- use_module(library(lists), [append/2, append/3, member/2]).
+:- use_module(library(lists), [append/2, append/3, member/2, selectchk/3]).
 :- use_module(library(pairs), [group_pairs_by_key/2]).
 /** <module> Facets divided along a generator.
 
@@ -164,19 +164,29 @@ between_keys(Nodes, K1, K2, T, H, Point, Surfaces) :-
             ( member(Met, Surfaces1), memberchk(Met, Surfaces2) ),
             Surfaces).
 
-%   in_order(Crossings0, Sense, Crossings): upwards; of those in one place what
-%   goes out comes first.
+%   in_order(Crossings0, Sense, Crossings): upwards. Of those in one place that
+%   comes first which goes in, if the generator is outside there, or out.
 
 in_order(Crossings0, Sense, Crossings) :-
-    maplist(crossing_sort(Sense), Crossings0, Pairs),
-    keysort(Pairs, Sorted),
-    maplist(crossing_of, Sorted, Crossings).
+    sort(1, @=<, Crossings0, Sorted),
+    in_turns(Sorted, Sense, 0, Crossings).
 
-crossing_sort(Sense, Crossing, (H-Way)-Crossing) :-
-    Crossing = crossing(H, Way0, _),
-    Way is Sense*Way0.
-
-crossing_of(_-Crossing, Crossing).
+in_turns([], _, _, []).
+in_turns([Next|Crossings0], Sense, Depth0, [Crossing|Crossings]) :-
+    (   Depth0 < 1
+    ->  Way = Sense
+    ;   Way is -Sense
+    ),
+    Next = crossing(H, _, _),
+    (   Crossing = crossing(H, Way, _),
+        selectchk(Crossing, [Next|Crossings0], Crossings1)
+    ->  true
+    ;   Crossing = Next,
+        Crossings1 = Crossings0
+    ),
+    Crossing = crossing(_, Gone, _),
+    Depth is Depth0 + Sense*Gone,
+    in_turns(Crossings1, Sense, Depth, Crossings).
 
 %   spans(Crossings, Sense, Spans): Span is Key1-Key2, upwards, within the
 %   facet.

@@ -28,6 +28,7 @@ true_parallel.pl. Areas
 
 :- multifile user:message_hook/3.
 user:message_hook(sanggwan(unfold(alone(_))), informational, _).
+user:message_hook(sanggwan(no_area(_, _, _)), warning, _).
 
 :- begin_tests(true_cut).
 
@@ -402,6 +403,20 @@ test(seam_of_a_layer, [forall(member(Seam, [[],[seam(30)],[seam(101)]]))]) :-
     Aside = at([translate(500,0,0)], cylinder(radius(20), height(50))),
     patterns([Cone,Aside], 1,
              [thickness(2),size(outside),k_factor(0.0)|Seam], _).
+
+%   The facets of two cones on one circle cross near it, the cones nowhere: at a
+%   seam there several true points are in one place. What is left has no width.
+test(one_base_circle, [forall(member(Seam, [10,100,130])),
+                       true(Area < 1.0e-3)]) :-
+    in_scene([cone(radius(2), height(3)),
+              at([rotate(z,30)], cone(radius(2), height(5)))],
+             ( true_patterns(2, wanted(none,[],[],[]),
+                             [trim(inside),generators(7),seam(Seam)], [D|_]),
+               pattern_area(D, Area) )).
+test(same_cone, error(geometry_error(true(nothing_left(1, side))), _)) :-
+    in_scene([cone(radius(2), height(3)),
+              at([rotate(z,30)], cone(radius(2), height(3)))],
+             true_patterns(1, wanted(none,[],[],[]), [trim(inside)], _)).
 
 %   Where the sides of a cone hang over, what is moved outward would come beyond
 %   its apex; and the layer that is unrolled is not the one that touches.
