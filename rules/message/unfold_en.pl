@@ -211,6 +211,11 @@ unfold_en(crosses_itself(S, P)) -->
        pattern'-[S, P], nl,
       '  Correct it in the model, or leave it out on purpose: --remove ~d.'-[P]
     ].
+unfold_en(outline_unrolled(S, P)) -->
+    [ 'segment ~d: the true outline of polygon ~d crosses itself, so it would \c
+       be missing from the pattern'-[S, P], nl,
+      '  Give it, or what cuts it, another number of facets, or unfold it \c
+         without --true.' ].
 unfold_en(outline_crosses(S, N)) -->
     [ 'segment ~d: bent of this plate its faces lie on each other in the \c
        pattern: sides that are cut cross ~D time(s)'-[S, N], nl,

@@ -162,6 +162,9 @@ unfold_ko(crosses_itself(S, P)) -->
     [ '세그먼트 ~d: 다각형 ~d의 변이 서로 교차하여 전개도에서 빠지게 됩니다'-[S, P], nl,
       '  모델에서 고치거나, 일부러 빼려면 --remove ~d을(를) 쓰십시오.'-[P]
     ].
+unfold_ko(outline_unrolled(S, P)) -->
+    [ '세그먼트 ~d: 다각형 ~d의 실제 윤곽이 서로 교차하여 전개도에서 빠지게 됩니다'-[S, P], nl,
+      '  그것이나 그것을 자르는 것의 facets(N)을 바꾸거나, --true 없이 전개하십시오.' ].
 unfold_ko(outline_crosses(S, N)) -->
     [ '세그먼트 ~d: 이 판재로 굽히면 전개도에서 면들이 겹칩니다: 절단선이 ~D번 \c
        교차합니다'-[S, N], nl,

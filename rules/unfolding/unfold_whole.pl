@@ -17,21 +17,25 @@ cuts the pattern out would find a hole in the model: there is no such pattern.
 %   or its corners are on a straight line, so that there is nothing to cut out.
 %
 %   @error geometry_error(unfold(crosses_itself(S, P))): polygon P of segment S,
-%          as the model has them, has none
+%          as the model has them, has none; outline_unrolled(S, P): it has, but
+%          not where it is laid
 
 pattern_whole(D) :-
     pattern_of(D, T),
     (   p(D, P, _),
         laid_from(D, P, T, P1),
-        (   crosses_itself(D, P)
-        ;   crosses_itself(T, P1)
+        (   crosses_itself(T, P1)
+        ->  Name = crosses_itself
+        ;   crosses_itself(D, P),
+            Name = outline_unrolled
         )
     ->  named_segment(D, S),
         (   from_p(T, P1, _, P0, _)
         ->  true
         ;   P0 = P1
         ),
-        throw(error(geometry_error(unfold(crosses_itself(S, P0))), _))
+        What =.. [Name,S,P0],
+        throw(error(geometry_error(unfold(What)), _))
     ;   true
     ).
 

@@ -430,6 +430,8 @@ elsewhere(written(_,rounds(1)), test('tests/rules/model/solid_file.plt')).
 elsewhere(pattern(opened_by_itself(_,_)),
           test('tests/rules/pattern/pattern_shapes.plt')).
 elsewhere(unfold(crosses_itself(_,_)), test('tests/transcripts/patterns.txt')).
+elsewhere(unfold(outline_unrolled(_,_)),
+          test('tests/transcripts/messages.txt')).
 elsewhere(unfold(not_kept(_,_,_,_,_)), test('tests/cli/unfold.sh')).
 elsewhere(trim(open(_,_,_)), test('tests/rules/solid/trimmed.plt')).
 elsewhere(trim(kind(_,_)), test('tests/rules/solid/trimmed.plt')).
