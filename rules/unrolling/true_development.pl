@@ -8,6 +8,7 @@
 :- use_module('../store', [segment/3, facts_transaction/1]).
 :- use_module('../csg/placed_surface', [asked_once/1, placed_surface/3]).
 :- use_module('../primitive/primitive_face', [surface_point/4]).
+:- use_module(true_coincident, [lines_settled/4]).
 :- use_module(true_composed, [composed_unrolled/4]).
 :- use_module('../solid/trimmed', [part_named/4]).
 :- use_module(true_apex, [apex_opened/5]).
@@ -161,8 +162,9 @@ unrolled(S, Part, Options,
         rims_kept(Facets3, Facets4, Shape3, Shape2),
         spikes_cut(Facets4, Shape2, Facets5),
         plate_layer(Options, Layer),
-        apex_opened(Facets5, Layer, Facets6, Shape2, Shape4),
-        facets_as_drawn(S, Facets6, Shape4, Facets2)
+        apex_opened(Facets5, Layer, Facets6, Shape2, Shape5),
+        facets_as_drawn(S, Facets6, Shape5, Facets7),
+        lines_settled(Facets7, Facets2, Shape5, Shape4)
     ),
     (   Facets2 == []
     ->  throw(error(geometry_error(true(nothing_left(S, Part))), _))

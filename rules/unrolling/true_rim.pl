@@ -223,7 +223,9 @@ on_surface(Surface, Point) :-
                          *(1.0 + abs(X) + abs(Y) + abs(Z))).
 
 %   cutting_surface(S, P, E, Meets, Surface): both ends of E, an edge of P, were
-%   met by facets of Surface, which is not flat.
+%   met by facets of Surface, which is not flat. Where the rim of what cut it
+%   ends there, both of them lie in its flat end too: then E runs along it, if
+%   its middle does.
 
 cutting_surface(S, P, E, Meets, Surface) :-
     polygon_leaf(S, P, Leaf),
@@ -233,7 +235,32 @@ cutting_surface(S, P, E, Meets, Surface) :-
     get_assoc(B, Table, met(Surfaces2, _)),
     member(Surface, Surfaces1),
     Surface \= plane(_, _, _, _),
-    memberchk(Surface, Surfaces2).
+    memberchk(Surface, Surfaces2),
+    \+ ( member(Flat, Surfaces1),
+         Flat = plane(_, _, _, _),
+         memberchk(Flat, Surfaces2),
+         runs_in(S, P, A-B, Flat, Surface)
+       ).
+
+%   runs_in(S, P, A-B, Flat, Surface): polygon P does not lie in Flat, and the
+%   middle between the vertices is no farther from it than from Surface.
+
+runs_in(S, P, A-B, Flat, Surface) :-
+    polygon_plane(S, P, plane(NX,NY,NZ,_)),
+    Flat = plane(X,Y,Z,_),
+    cross_product(p(NX,NY,NZ), p(X,Y,Z), Along),
+    dot_product(Along, Along, Square),
+    \+ is_rounding(Square, 1.0),
+    maplist(vertex_point(S), [A,B], [PA,PB]),
+    along_fold(PA, PA, PB, 0.5, Middle),
+    off_surface(Flat, Middle, Near),
+    \+ ( off_surface(Surface, Middle, Off),
+         Off < Near
+       ).
+
+off_surface(Surface, Point, Off) :-
+    surface_value(Surface, Point, Value, _),
+    Off is abs(Value).
 
 %   curve_between(S, P, Surface, PA, PB, Frame, Options, Places): unrolled in
 %   the plane of P as a fan, from PA along PB.
@@ -321,7 +348,7 @@ ellipse_radius(vector(AX,AY,AZ), vector(BX,BY,BZ), Radius) :-
     Radius is sqrt((AX*AX + AY*AY + AZ*AZ + BX*BX + BY*BY + BZ*BZ)/2.0).
 
 %   frame(S, P, PA, PB, D, WA, WB, Frame): P of S, at PA-PB, is laid at WA-WB of
-%   D.
+%   D. Fails if corners that were moved are in one place.
 
 frame(S, P, point(XA,YA,ZA), point(XB,YB,ZB), D, WA, WB,
       frame(point(XA,YA,ZA), Along, Left, X1-Y1, CX-CY)) :-
@@ -329,6 +356,7 @@ frame(S, P, point(XA,YA,ZA), point(XB,YB,ZB), D, WA, WB,
     DY is YB-YA,
     DZ is ZB-ZA,
     Length is sqrt(DX*DX + DY*DY + DZ*DZ),
+    Length > 0.0,
     AX is DX/Length,
     AY is DY/Length,
     AZ is DZ/Length,
@@ -341,6 +369,7 @@ frame(S, P, point(XA,YA,ZA), point(XB,YB,ZB), D, WA, WB,
     v(D, WA, X1, Y1, _),
     v(D, WB, X2, Y2, _),
     Flat is sqrt((X2-X1)**2 + (Y2-Y1)**2),
+    Flat > 0.0,
     CX is (X2-X1)/Flat,
     CY is (Y2-Y1)/Flat.
 

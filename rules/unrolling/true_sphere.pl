@@ -5,18 +5,20 @@
           ]).
 :- use_module('../csg/placed_surface',
               [kept_answer/4, placed_face/3, placed_polygon/4]).
-:- use_module('../kernel', [surface_place/4, surfaces_meet/4]).
 :- use_module('../near',
               [is_rounding/2, same_angle/2, same_direction/2, whole_turns/2]).
 :- use_module('../store',
               [e/5, from_p/5, origin/3, p/3, v/5, facts_transaction/1]).
 :- use_module(sphere_facet, [round_sphere/3, sphere_cut/2]).
 :- use_module(true_join, [facets_joined/2]).
+:- use_module(true_patch,
+              [ borders_kept/5, gore_place/5, sphere_place/4, sphere_radius/2,
+                zone_place/5
+              ]).
 :- use_module(true_pattern, [pattern_written/3]).
 :- use_module(true_plate, [plate_layer/2]).
 :- use_module(true_seam, [farthest_from/3, shortest_generators/2]).
-:- use_module(true_surface,
-              [generator_plane/3, level_plane/3, meeting_surfaces/4]).
+:- use_module(true_surface, [meeting_surfaces/4]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply),
               [foldl/4, foldl/5, foldl/6, maplist/3, maplist/4]).
@@ -40,7 +42,7 @@ keeps some of its lengths:
 R is that of the neutral layer of the plate; zones meet in mitres, so of a layer
 L farther out it is R + L/cos(half the latitude of a zone).
 
-A place is place(T, S), degrees, of the sphere that was made for it
+A place is place(T, S, Border), degrees, of the sphere that was made for it
 (sphere_facet.pl): T from the seam. A *patch* is one gore or zone: gore(I) or
 zone(S1, S2, G).
 
@@ -238,7 +240,8 @@ patch_laid(T, sphere(Surface, Layer, Low), Meets, Patch-Facets0, Laid,
     findall(Key-Point,
             ( member(Key-Place, Places), rolled(Roll, Place, Point) ),
             Points0),
-    facets_joined(Facets, Laid),
+    facets_joined(Facets, Laid0),
+    borders_kept(Places, Points0, Meets, Laid0, Laid),
     seen_from_outside(Facets, Points0, Points).
 
 %   Roll is how a patch is laid: gore(Surface, R-Low, Middle-Half), x from the
@@ -269,9 +272,6 @@ patch_roll(zone(S1, S2, G), Surface, Layer-_,
     R1 is R*Part1,
     R2 is R*Part2,
     Length is 2.0*R*sin(Angle).
-
-sphere_radius(sphere(_, vector(A,B,C), _, _), R) :-
-    R is sqrt(A*A + B*B + C*C).
 
 level_radius(S, Part) :-
     (   same_angle(abs(S), 90.0)
@@ -320,11 +320,11 @@ half_keyed(T, Patch, Roll, Meets, Between, E, half(K1, K2, edge(E)),
     vertex_key(T, Patch, Roll, Meets, Between, A, K1, Place),
     vertex_key(T, Patch, Roll, Meets, Between, B, K2, _).
 
-vertex_key(T, gore(I, _), Roll, Meets, _, V, k(V, I), place(Degrees, S)) :-
-    gore_place(T, Roll, Meets, V, Degrees, S).
-vertex_key(T, zone(S1, S2, _), Roll, Meets, (T1-T2)-_, V, k(V, S1/Turn),
-           place(Degrees, H)) :-
-    zone_place(T, Roll, S1-S2, Meets, V, Degrees0, H),
+vertex_key(T, gore(I, _), Roll, Meets, _, V, k(V, I), Place) :-
+    gore_place(T, Roll, Meets, V, Place).
+vertex_key(T, zone(S1, _, _), Roll, Meets, (T1-T2)-_, V, k(V, S1/Turn),
+           place(Degrees, H, Border)) :-
+    zone_place(T, Roll, Meets, V, place(Degrees0, H, Border)),
     (   Degrees0 == any
     ->  Turn = apex,
         Degrees = 0.0
@@ -332,92 +332,6 @@ vertex_key(T, zone(S1, S2, _), Roll, Meets, (T1-T2)-_, V, k(V, S1/Turn),
         Canonical is Degrees0-By,
         Turn is round(((T1+T2)/2.0 - Canonical)/360.0),
         Degrees is Canonical + 360.0*Turn
-    ).
-
-%   gore_place(T, Roll, Meets, V, Degrees, S): in the gore, from its middle.
-
-gore_place(T, gore(Sphere, _, Middle-Half), Meets, V, Degrees, S) :-
-    v(T, V, X, Y, Z),
-    sphere_place(Sphere, point(X,Y,Z), Degrees0, S0),
-    (   get_assoc(V, Meets, met([First|More], _))
-    ->  from_middle(Middle, Degrees0, From0),
-        (   same_angle(abs(From0), Half)
-        ->  generator_plane(Sphere, Degrees0, Plane),
-            Rest = [Plane]
-        ;   More = [Second|_]
-        ->  Rest = [Second]
-        ;   Rest = []
-        ),
-        met_point([Sphere,First|Rest], Sphere, point(X,Y,Z), Point),
-        sphere_place(Sphere, Point, Degrees1, S)
-    ;   Degrees1 = Degrees0,
-        S = S0
-    ),
-    from_middle(Middle, Degrees1, From),
-    Degrees is max(-Half, min(Half, From)).
-
-from_middle(Middle, Degrees, From) :-
-    From is Degrees - Middle - 360.0*round((Degrees-Middle)/360.0).
-
-met_point(Surfaces, Sphere, Point0, Point) :-
-    sphere_radius(Sphere, R),
-    Reach is R/10.0,
-    (   surfaces_meet(Surfaces, Reach, Point0, Point1)
-    ->  Point = Point1
-    ;   Point = Point0
-    ).
-
-%   sphere_place(Sphere, Point, Degrees, S): in its direction from the centre.
-
-sphere_place(sphere(point(X0,Y0,Z0), U, V, W), point(X,Y,Z), Degrees, S) :-
-    From = vector(X-X0, Y-Y0, Z-Z0),
-    along(From, U, A),
-    along(From, V, B),
-    along(From, W, C),
-    Degrees is atan2(B, A)*180.0/pi,
-    S is atan2(C, sqrt(A*A + B*B))*180.0/pi.
-
-along(vector(A,B,C), vector(D,E,F), Along) :-
-    Along is A*D + B*E + C*F.
-
-%   zone_place(T, Roll, S1-S2, Meets, V, Degrees, H): on the cone, H from 0 at
-%   the lower parallel to 1; Degrees is `any` at a pole.
-
-zone_place(T, cone(Cone, Flip, _, _, _), S1-S2, Meets, V, Degrees, H) :-
-    v(T, V, X, Y, Z),
-    surface_place(Cone, point(X,Y,Z), Degrees0, H0),
-    (   Cone = cone(_, _, _, _, K),
-        K =:= 0.0,
-        is_rounding(H0-1.0, 1.0)
-    ->  Degrees = any,
-        H1 = 1.0
-    ;   get_assoc(V, Meets, met([First|More], _))
-    ->  (   member(Level, [0.0,1.0]),
-            is_rounding(H0-Level, 1000.0)
-        ->  level_plane(Cone, Level, Plane),
-            Rest = [Plane]
-        ;   More = [Second|_]
-        ->  Rest = [Second]
-        ;   Rest = []
-        ),
-        met_on_cone([Cone,First|Rest], S1-S2, point(X,Y,Z), Point),
-        surface_place(Cone, Point, Degrees, H1)
-    ;   Degrees = Degrees0,
-        H1 = H0
-    ),
-    (   Flip == true
-    ->  H2 is 1.0-H1
-    ;   H2 = H1
-    ),
-    H is max(0.0, min(1.0, H2)).
-
-met_on_cone(Surfaces, _, Point0, Point) :-
-    Surfaces = [Cone|_],
-    arg(2, Cone, vector(A,B,C)),
-    Reach is sqrt(A*A + B*B + C*C)/5.0,
-    (   surfaces_meet(Surfaces, Reach, Point0, Point1)
-    ->  Point = Point1
-    ;   Point = Point0
     ).
 
 
@@ -428,11 +342,11 @@ met_on_cone(Surfaces, _, Point0, Point) :-
 %   rolled(Roll, Place, Point): X east and Y north of a zone; a gore lies on its
 %   side, north to the right.
 
-rolled(gore(_, R-Low, _), place(Degrees, S), X-Y) :-
+rolled(gore(_, R-Low, _), place(Degrees, S, _), X-Y) :-
     X is R*(S-Low)*pi/180.0,
     level_radius(S, Part),
     Y is -R*Degrees*pi/180.0*Part.
-rolled(cone(_, _, R1-R2, Length, G), place(Degrees, H), X-Y) :-
+rolled(cone(_, _, R1-R2, Length, G), place(Degrees, H, _), X-Y) :-
     Off is R2-R1,
     Up is H*Length,
     (   is_rounding(Off, max(R1, R2))

@@ -1,5 +1,6 @@
 :- module(sg_true_spike,
-          [ spikes_cut/3                % +Facets0, +Shape, -Facets
+          [ spikes_cut/3,               % +Facets0, +Shape, -Facets
+            lies_on/5                   % +Shape, +Other, +A, +B, +C
           ]).
 :- use_module('../near', [is_on_surface/2]).
 :- use_module('../kernel', [surfaces_meet/4]).
@@ -59,8 +60,10 @@ turns_back(Shape, A, B, C) :-
     along(PB, PA, PC, Along),
     Along > 0.0.
 
-%   lies_on(Shape, Other, A, B, C): C is on the line of the surface and Other
-%   between A and B: where a plane through C goes across it.
+%!  lies_on(+Shape, +Other, +A, +B, +C) is semidet.
+%
+%   Key C is on the line of the surface and Other between A and B, or that line
+%   drawn on beyond B: where a plane through C goes across it.
 
 lies_on(Shape, Other, A, B, C) :-
     Shape = shape(Surface, Reach, _),

@@ -8,6 +8,7 @@
 :- use_module('../near', [before_angle/2, is_exactly/2, tolerance/2]).
 :- use_module('../decision', [decision_is_default/1]).
 :- use_module('../primitive/primitive_face', [surface_point/4]).
+:- use_module('../primitive/primitive_pipe', [is_mitred/1]).
 :- use_module('../store', [segment/3]).
 :- use_module(true_part_loop, [facet_parted/3]).
 :- use_module(true_parts, [polygon_drawn/4]).
@@ -41,7 +42,7 @@ rim(K), H = K, or J-Line, Line of true_pipe.pl of the Jth pipe.
 %   Facets, those that are drawn, are what is left of Part of segment S, and
 %   Shape has their vertices. Fails unless S is a cylinder or cone that was
 %   trimmed by solid cylinders, cones, spheres and hemispheres alone, and nearly
-%   touches one of them.
+%   touches one of them. Pieces between mitres do not end at rims: they fail.
 
 facets_swept(S, Part, Sense, shape(Surface, Reach, _), Facets, Shape) :-
     Part = Leaf/Name,
@@ -49,6 +50,8 @@ facets_swept(S, Part, Sense, shape(Surface, Reach, _), Facets, Shape) :-
     decision_is_default(stays_trimmed/4),
     memberchk(Surface, [cylinder(_, _, _, _),cone(_, _, _, _, _)]),
     solid_kind(Leaf, _),
+    placed_term(Leaf, Term),
+    \+ is_mitred(Term),
     maplist(other_pipe(Surface), Others, Pipes),
     once(( member(_-Pipe, Pipes), pipe_near_touching(Pipe) )),
     drawn_facets(S, Part, Name, Drawn),

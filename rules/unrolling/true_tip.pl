@@ -117,7 +117,7 @@ facet_tip(Facet0, Ends, Table, Tolerance, tip(T, Q, Turns, Chain, From, To),
     lines_parted(Lines, Facet0, Tolerance, Parted, Shape0, Shape),
     Parted \== [],
     list_to_assoc(Parted, Parts),
-    maplist(half_parts(Parts), Halves0, Lists),
+    maplist(half_parts(Parts, Facet0, Shape), Halves0, Lists),
     append(Lists, Zoned),
     member(Side-T, [start-T1,end-T2]),
     chain(Zoned, Side, T, Shape, Chain, From, To),
@@ -226,8 +226,8 @@ parts(S1, Ss, Line, Start, Zone0, Parts, Shape0, Shape) :-
         S2 = s(TS2, _, Key2),
         zone(T1, T2, TS2, Zone2),
         (   (   Zone1 == Zone2
-            ;   Zone1 == in, Key1 \== none, on_border(TS1, T1, T2)
-            ;   Zone2 == in, Key2 \== none, on_border(TS2, T1, T2)
+            ;   Zone1 == in, Key1 \== none, on_border(Zone2, TS1, T1, T2)
+            ;   Zone2 == in, Key2 \== none, on_border(Zone1, TS2, T1, T2)
             )
         ->  parts(S2, Ss2, Line, Start, Zone, Parts, Shape0, Shape)
         ;   border(Zone1, Zone2, T1, T2, T),
@@ -237,9 +237,12 @@ parts(S1, Ss, Line, Start, Zone0, Parts, Shape0, Shape) :-
         )
     ).
 
-on_border(T, T1, T2) :-
-    ( same_angle(T, T1) ; same_angle(T, T2) ),
-    !.
+%   on_border(Zone, T, T1, T2): T is where Zone begins.
+
+on_border(start, T, T1, _) :-
+    same_angle(T, T1).
+on_border(end, T, _, T2) :-
+    same_angle(T, T2).
 
 border(Zone1, Zone2, T1, T2, T) :-
     (   ( Zone1 == start ; Zone2 == start )
@@ -267,14 +270,29 @@ line_crossing(line(A, B, _, _), T, s(TS1, H1, _), s(TS2, H2, _), Key, Shape0,
         Shape = Shape1
     ).
 
-half_parts(Parts, Half, Zoned) :-
+%   half_parts(Parts, Facet, Shape, Half, Zoned): a half-edge that is no such
+%   line, as one along a generator, may be beyond the facet as a whole.
+
+half_parts(Parts, Facet, Shape, Half, Zoned) :-
     Half = half(K1, K2, Label),
     (   get_assoc(K1-K2, Parts, List)
     ->  findall(Zone-half(A, B, Label), member(part(Zone, A, B), List), Zoned)
     ;   get_assoc(K2-K1, Parts, List)
     ->  findall(Zone-half(B, A, Label), member(part(Zone, A, B), List), Zoned0),
         reverse(Zoned0, Zoned)
-    ;   Zoned = [in-Half]
+    ;   half_zone(Facet, Shape, Half, Zone),
+        Zoned = [Zone-Half]
+    ).
+
+half_zone(facet(_, T1, T2, _), shape(_, _, Nodes), half(A, B, _), Zone) :-
+    (   key_place(Nodes, A, TA, _),
+        TA \== any,
+        key_place(Nodes, B, TB, _),
+        TB \== any,
+        zone(T1, T2, TA, Zone0),
+        zone(T1, T2, TB, Zone0)
+    ->  Zone = Zone0
+    ;   Zone = in
     ).
 
 

@@ -404,15 +404,15 @@ test(seam_of_a_layer, [forall(member(Seam, [[],[seam(30)],[seam(101)]]))]) :-
     patterns([Cone,Aside], 1,
              [thickness(2),size(outside),k_factor(0.0)|Seam], _).
 
-%   The facets of two cones on one circle cross near it, the cones nowhere: at a
-%   seam there several true points are in one place. What is left has no width.
-test(one_base_circle, [forall(member(Seam, [10,100,130])),
-                       true(Area < 1.0e-3)]) :-
+%   The facets of two cones on one circle cross near it, the cones nowhere: of
+%   what facets leave all true points are on that circle.
+test(one_base_circle,
+     [ forall(member(Seam, [10,100,130])),
+       error(geometry_error(true(nothing_left(2, side))), _) ]) :-
     in_scene([cone(radius(2), height(3)),
               at([rotate(z,30)], cone(radius(2), height(5)))],
-             ( true_patterns(2, wanted(none,[],[],[]),
-                             [trim(inside),generators(7),seam(Seam)], [D|_]),
-               pattern_area(D, Area) )).
+             true_patterns(2, wanted(none,[],[],[]),
+                           [trim(inside),generators(7),seam(Seam)], _)).
 test(same_cone, error(geometry_error(true(nothing_left(1, side))), _)) :-
     in_scene([cone(radius(2), height(3)),
               at([rotate(z,30)], cone(radius(2), height(3)))],
