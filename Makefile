@@ -67,7 +67,7 @@ WARN    := -Wall -Wextra -Wpedantic -Wshadow -Wconversion \
 # Functions of a file may be inlined in it though others see them: nobody
 # replaces them (-Bsymbolic).
 # Headers are named from c_kernels/ (rows/sort.h), others of ours from here.
-CFLAGS  := -std=c11 -D_GNU_SOURCE -I. -Ic_kernels -I$(B) $(OPT) -g -fPIC \
+CFLAGS   = -std=c11 -D_GNU_SOURCE -I. -Ic_kernels -I$(B) $(OPT) -g -fPIC \
            -ffp-contract=off -fno-tree-slp-vectorize -fno-semantic-interposition
 LIBS    := -lgmp -lz -lm -lpthread
 
@@ -93,6 +93,11 @@ all: $(B)/sanggwan.so $(if $(wildcard rules/command/cli.pl),sanggwan)
 $(B)/c_kernels/number/exact.o: OPT := -O2
 # Filters of rows of bytes, many at a time.
 $(B)/c_kernels/drawing/image_png.o: OPT += -O3
+# Rows and joins: small functions that are called in long loops.
+FAST    := $(filter $(B)/engine/% \
+             $(foreach f,join number pattern penetration picture polygon rows,\
+               $(B)/c_kernels/$f/%),$(filter-out %4pl.o %/exact.o,$(OBJS)))
+$(FAST): OPT := $(patsubst -O2,-O3,$(OPT))
 $(B)/%4pl.o $(B)/c_kernels/door_types.o $(B)/c_kernels/door.o $(B)/doors.o \
   $(B)/engine/engine.o \
   $(B)/engine/question.o: \

@@ -13,6 +13,8 @@ typedef struct sg_call_block {
   max_align_t bytes[];
 } block;
 
+enum { TERM_WORDS = 16 * SG_TERM_FEW };
+
 static bool
 ask_host(void *data)
 {
@@ -273,6 +275,26 @@ sg_call_adopt(sg_call *call, void *memory)
   return sg_call_hold(call, memory, free);
 }
 
+/* A copy of a term of few words: many of these are in one block. */
+static uint32_t *
+keep_few(sg_call *call, const uint32_t *words)
+{
+  size_t n = sg_term_length(words);
+
+  if (call->words < n) {
+    call->word = sg_call_alloc(call, TERM_WORDS * sizeof *call->word);
+    call->words = call->word ? TERM_WORDS : 0;
+  }
+  if (!call->word) {
+    return NULL;
+  }
+  uint32_t *kept = memcpy(call->word, words, n * sizeof *words);
+
+  call->word += n;
+  call->words -= n;
+  return kept;
+}
+
 const uint32_t *
 sg_call_term(sg_call *call, sg_term_builder *builder)
 {
@@ -282,11 +304,7 @@ sg_call_term(sg_call *call, sg_term_builder *builder)
   if (!words) {
     sg_call_no_memory(call);
   } else if (words == builder->few) {
-    size_t bytes = sg_term_length(words) * sizeof *words;
-
-    if ((kept = sg_call_alloc(call, bytes))) {
-      memcpy(kept, words, bytes);
-    }
+    kept = keep_few(call, words);
   } else if (sg_call_adopt(call, builder->word)) {
     kept = builder->word;
     sg_term_open(builder);

@@ -60,6 +60,8 @@ typedef struct sg_call {
   sg_pool *pool;                 /* the same */
   sg_refusal refusal;
   struct sg_call_block *blocks; /* private */
+  uint32_t *word;               /* room for so many words of terms: private */
+  size_t words;
 } sg_call;
 
 /* A call of nothing yet; `find_world` may be null if call->world is set. */

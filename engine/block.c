@@ -23,19 +23,54 @@ struct slab {
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 static slab *open_slabs;
 
+/* Null: no memory. */
+static void *
+from_system(size_t bytes)
+{
+  void *at = mmap(NULL, bytes, PROT_READ | PROT_WRITE,
+                  MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+
+  return at == MAP_FAILED ? NULL : at;
+}
+
+/* Spans that were closed last, for the next world: the system would clear each
+ * of their pages again. */
+enum { SPARE = 32 };
+typedef struct spare_span {
+  void *span; /* null: none */
+  size_t bytes;
+} spare_span;
+static spare_span spare[SPARE];
+static unsigned oldest;
+
 void *
 sg_span_open(size_t bytes)
 {
-  void *span = mmap(NULL, bytes, PROT_READ | PROT_WRITE,
-                    MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  void *span = NULL;
 
-  return span == MAP_FAILED ? NULL : span;
+  pthread_mutex_lock(&lock);
+  for (unsigned i = 0; !span && i < SPARE; i++) {
+    if (spare[i].span && spare[i].bytes == bytes) {
+      span = spare[i].span;
+      spare[i].span = NULL;
+    }
+  }
+  pthread_mutex_unlock(&lock);
+  return span ? span : from_system(bytes);
 }
 
 void
 sg_span_close(void *span, size_t bytes)
 {
-  munmap(span, bytes);
+  pthread_mutex_lock(&lock);
+  spare_span old = spare[oldest];
+
+  spare[oldest] = (spare_span){span, bytes};
+  oldest = (oldest + 1) % SPARE;
+  pthread_mutex_unlock(&lock);
+  if (old.span) {
+    munmap(old.span, old.bytes);
+  }
 }
 
 static void
@@ -66,7 +101,7 @@ slab_unlink(slab *s)
 static slab *
 slab_open(void)
 {
-  char *span = sg_span_open(2 * SLAB_BYTES);
+  char *span = from_system(2 * SLAB_BYTES);
 
   if (!span) {
     return NULL;

@@ -4,8 +4,7 @@
  * while what is small and lives longer is made in between. In one heap each
  * such piece takes a bite from a hole that the next world would just fit into,
  * so a process that makes worlds for hours would grow. Nothing here is touched
- * before somebody writes it: it is zero, and takes no room until then. Any
- * thread may call.
+ * before somebody writes it. Any thread may call.
  */
 #ifndef SG_BLOCK_H
 #define SG_BLOCK_H
@@ -19,7 +18,8 @@ enum { SG_BLOCK_BYTES = 1 << 14 };
 void *sg_block_take(void);
 void sg_block_give(void *block);
 
-/* Zero; returns null: no memory. Close wants the same number of bytes. */
+/* Its content is anything; null: no memory. Close wants the same number of
+ * bytes. A few that were closed last are kept, to be opened again. */
 void *sg_span_open(size_t bytes);
 void sg_span_close(void *span, size_t bytes);
 

@@ -40,6 +40,17 @@ version_hold(sg_version *version)
 }
 
 static void
+version_empty(sg_version *version)
+{
+  for (int r = 0; r < SG_RELATIONS; r++) {
+    sg_map_drop(version->map[r]);
+    version->map[r] = NULL;
+  }
+  sg_marks_drop(version->marks);
+  version->marks = NULL;
+}
+
+static void
 version_free(sg_version *version)
 {
   if (version->previous) {
@@ -50,10 +61,7 @@ version_free(sg_version *version)
   if (version->next) {
     version->next->previous = version->previous;
   }
-  for (int r = 0; r < SG_RELATIONS; r++) {
-    sg_map_drop(version->map[r]);
-  }
-  sg_marks_drop(version->marks);
+  version_empty(version);
   free(version);
 }
 
@@ -268,6 +276,53 @@ sg_world_drop(sg_world *world)
   }
 }
 
+static void
+clear_tables(sg_world *world)
+{
+  for (int r = 0; r < SG_RELATIONS; r++) {
+    sg_table_clear(&world->table[r]);
+  }
+}
+
+static void
+drop_notes(sg_world *world)
+{
+  for (int k = 0; k < SG_NOTES; k++) {
+    drop_note(world, (sg_note)k);
+  }
+}
+
+/* Undo is gone, and there is one version, which nobody else sees. */
+static bool
+is_alone(sg_world *world)
+{
+  return atomic_load_explicit(&world->keepers, memory_order_acquire) == 1 &&
+         world->open.count == 0 && world->versions == world->current &&
+         !world->current->next;
+}
+
+void
+sg_world_spend(sg_world *world)
+{
+  if (atomic_load_explicit(&world->holders, memory_order_acquire) != 1) {
+    return;
+  }
+  drop_notes(world);
+  pthread_mutex_lock(&world->lock);
+  if (world->open.count == 0) {
+    sg_stack_clear(&world->undo);
+    sg_stack_clear(&world->redo);
+  }
+  if (is_alone(world)) {
+    version_empty(world->current);
+    clear_tables(world);
+    for (int r = 0; r < SG_RELATIONS; r++) {
+      sg_table_init(&world->table[r], (sg_relation)r);
+    }
+  }
+  pthread_mutex_unlock(&world->lock);
+}
+
 void
 sg_world_let_go(sg_world *world)
 {
@@ -278,16 +333,12 @@ sg_world_let_go(sg_world *world)
   while (world->versions) {
     version_free(world->versions);
   }
-  for (int r = 0; r < SG_RELATIONS; r++) {
-    sg_table_clear(&world->table[r]);
-  }
+  clear_tables(world);
   free(world->open.version);
   free(world->undo.version);
   free(world->redo.version);
   free(world->changes_at);
-  for (int k = 0; k < SG_NOTES; k++) {
-    drop_note(world, (sg_note)k);
-  }
+  drop_notes(world);
   pthread_cond_destroy(&world->turn);
   pthread_mutex_destroy(&world->lock);
   free(world);

@@ -117,6 +117,10 @@ sg_world *sg_world_hold(sg_world *world);
 void sg_world_drop(sg_world *world);
 sg_world *sg_world_keep(sg_world *world);
 void sg_world_let_go(sg_world *world);
+/* Nobody will ask for its rows any more: it is empty from now on, without undo,
+ * and their memory is free. Unless another one holds or keeps it, or in a
+ * transaction: then nothing happens. */
+void sg_world_spend(sg_world *world);
 /* 1, 2, 3 ... in the order of opening: names a world in messages. */
 uint64_t sg_world_number(const sg_world *world);
 void sg_world_undo_limit(sg_world *world, unsigned steps);

@@ -88,6 +88,7 @@ page_open(const sg_relation_info *info)
   }
   char *cells = (char *)(page + 1);
 
+  *page = (sg_page){0};
   atomic_init(&page->span.first, INT32_MAX);
   atomic_init(&page->span.last, INT32_MIN);
   for (unsigned c = 0; c < info->arity; c++) {

@@ -176,6 +176,19 @@ restore_world(term_t t)
   return TRUE;
 }
 
+/* '$spend'(+World) is det: its rows are not asked for any more. */
+static foreign_t
+spend(term_t t)
+{
+  sg_world *world;
+
+  if (!get_world_ex(t, &world)) {
+    return FALSE;
+  }
+  sg_world_spend(world);
+  return TRUE;
+}
+
 /* ---- waiting, and what went wrong -------------------------------------- */
 
 static bool
@@ -471,6 +484,7 @@ static const PL_extension predicates[] = {
     {"set_world", 1, set_world, 0},
     {"$world", 1, saved_world, 0},
     {"$set_world", 1, restore_world, 0},
+    {"$spend", 1, spend, 0},
     {"$begin", 2, begin, 0},
     {"$commit", 3, commit, 0},
     {"$end", 2, end, 0},

@@ -55,6 +55,7 @@
             facts_undo_limit/1,       % +Steps
             new_world/1,              % -World
             in_world/2,               % +World, :Goal
+            in_passing_world/1,       % :Goal
             current_world/1,          % -World
             set_world/1,              % +World
             fresh_id/3,               % +Relation, +S, -Id
@@ -103,7 +104,8 @@ refers to any more is freed with its handle by atom garbage collection.
     facts_transaction(0),
     facts_transaction(0, +),
     facts_snapshot(0),
-    in_world(+, 0).
+    in_world(+, 0),
+    in_passing_world(0).
 
 /* ---- relations ----------------------------------------------------------
 
@@ -511,6 +513,15 @@ in_world(World, Goal) :-
         set_world(World),
         once(Goal),
         '$set_world'(Old)).
+
+%!  in_passing_world(:Goal) is semidet.
+%
+%   Runs Goal once in a new, empty world. When that is over the world is empty
+%   again, and its memory free, unless Goal left it to another thread.
+
+in_passing_world(Goal) :-
+    new_world(World),
+    call_cleanup(in_world(World, Goal), '$spend'(World)).
 
 %!  fresh_id(+Relation, +S, -Id:integer) is det.
 %

@@ -69,9 +69,10 @@ cover(raster *m, double y, double x0, double x1)
   if (to >= m->w - gap) {
     to = m->w - gap - 1;
   }
-  for (unsigned x = from < to ? from : to; x <= to; x++) {
-    m->square[(size_t)row * m->w + x] = 1;
+  if (from > to) {
+    from = to;
   }
+  memset(m->square + (size_t)row * m->w + from, 1, to - from + 1u);
 }
 
 /* The squares that the side from p to q touches, and a little more. */
@@ -272,6 +273,25 @@ find_widest(sg_nest_runs *r)
   }
 }
 
+/* The first square of a row after x that is another than x, or w. */
+static unsigned
+end_of_same(const uint8_t *row, unsigned x, unsigned w)
+{
+  uint8_t first = row[x];
+  uint64_t all = first * UINT64_C(0x0101010101010101), eight;
+
+  for (; x + sizeof eight <= w; x += (unsigned)sizeof eight) {
+    memcpy(&eight, row + x, sizeof eight);
+    if (eight != all) {
+      break;
+    }
+  }
+  while (x < w && row[x] == first) {
+    x++;
+  }
+  return x;
+}
+
 /* The runs of squares up to `most`: 1: of what is covered. */
 static bool
 find_runs(const raster *m, uint8_t most, sg_nest_runs *out)
@@ -281,13 +301,14 @@ find_runs(const raster *m, uint8_t most, sg_nest_runs *out)
   for (unsigned y = 0; y < m->h; y++) {
     const uint8_t *row = m->square + (size_t)y * m->w;
 
-    for (unsigned x = 0; x < m->w; x++) {
+    for (unsigned x = 0; x < m->w;) {
       unsigned from = x;
 
       while (x < m->w && row[x] > 0 && row[x] <= most) {
-        x++;
+        x = end_of_same(row, x, m->w);
       }
       if (x == from) {
+        x = end_of_same(row, x, m->w);
         continue;
       }
       if (!sg_list_grow(&out->at, out->n, &room, sizeof *out->at)) {

@@ -188,12 +188,9 @@ is_fold(const sg_smooth_builder *b, uint32_t i, uint32_t j)
 }
 
 static uint8_t
-side_flags(const sg_smooth_builder *b, uint32_t i, uint32_t j, bool smooth,
-           bool cut)
+convex_flag(const sg_smooth_builder *b, uint32_t i, uint32_t j)
 {
-  return (uint8_t)((smooth ? SG_SIDE_SMOOTH : 0) | (cut ? SG_SIDE_CUT : 0) |
-                   (is_convex(b, i, j) ? SG_SIDE_CONVEX : 0) |
-                   (is_fold(b, i, j) ? SG_SIDE_FOLD : 0));
+  return is_convex(b, i, j) ? SG_SIDE_CONVEX : 0;
 }
 
 static void
@@ -209,8 +206,11 @@ join_sides(sg_smooth_builder *b, uint32_t i, uint32_t j, along runs)
   out->across[i] = j;
   out->across[j] = i;
   b->bend[i] = b->bend[j] = bend;
-  out->side[i] = side_flags(b, i, j, smooth, runs.cut);
-  out->side[j] = side_flags(b, j, i, smooth, runs.cut);
+  uint8_t both =
+      (uint8_t)((smooth ? SG_SIDE_SMOOTH : 0) | (runs.cut ? SG_SIDE_CUT : 0) |
+                (is_fold(b, i, j) ? SG_SIDE_FOLD : 0));
+  out->side[i] = both | convex_flag(b, i, j);
+  out->side[j] = both | convex_flag(b, j, i);
 }
 
 /* The sides between two vertices, sorted: creases and lines come last. */
@@ -309,7 +309,7 @@ number_fans(sg_smooth_builder *b)
 
 /* The way the surface looks at a corner, as long as the area of its face. */
 static void
-look_at_corner(const sg_smooth_builder *b, uint32_t i, double out[3])
+find_look(const sg_smooth_builder *b, uint32_t i, double out[3])
 {
   const sg_known_surfaces *known = &b->known;
   const double *area = area_of(b, i);
@@ -330,16 +330,16 @@ static void
 add_corner(const sg_smooth_builder *b, uint32_t i)
 {
   const double *p = sg_smooth_at(b, i);
-  double *normal = b->out->normal[b->out->fan[i]];
-  double area[3], u[3], w[3], weight;
+  double *normal = b->out->normal[b->out->fan[i]], *look = b->look[i];
+  double u[3], w[3], weight;
 
-  look_at_corner(b, i, area);
+  find_look(b, i, look);
   sg_smooth_difference(b, sg_smooth_at(b, sg_smooth_next(i)), p, u);
   sg_smooth_difference(b, sg_smooth_at(b, sg_smooth_next(sg_smooth_next(i))), p,
                        w);
   weight = sg_angle(u, w);
   for (int k = 0; k < 3; k++) {
-    normal[k] += weight * area[k];
+    normal[k] += weight * look[k];
   }
 }
 
@@ -363,14 +363,12 @@ find_normals(sg_smooth_builder *b)
     }
   }
   for (size_t i = 0; i < 3 * b->in->triangles; i++) {
-    double area[3], size;
+    const double *look = b->look[i];
     if (sg_smooth_stop(b, i)) {
       return false;
     }
-    look_at_corner(b, (uint32_t)i, area);
-    size = sg_length(area);
     out->apex[out->fan[i]] |=
-        sg_dot(area, out->normal[out->fan[i]]) < most * size;
+        sg_dot(look, out->normal[out->fan[i]]) < most * sg_length(look);
   }
   return !sg_cancelled(b->cancel);
 }
@@ -481,6 +479,7 @@ make_room(sg_smooth_builder *b)
 
   b->area = calloc(b->in->polygons + 1, sizeof *b->area);
   b->bend = calloc(sides + 1, sizeof *b->bend);
+  b->look = malloc((sides + 1) * sizeof *b->look);
   b->sheet = malloc((triangles + 1) * sizeof *b->sheet);
   b->root = malloc((sides + 1) * sizeof *b->root);
   out->across = malloc((sides + 1) * sizeof *out->across);
@@ -488,7 +487,7 @@ make_room(sg_smooth_builder *b)
   out->fan = malloc((sides + 1) * sizeof *out->fan);
   out->curved = calloc(triangles + 1, sizeof *out->curved);
   out->coarse = calloc(triangles + 1, sizeof *out->coarse);
-  return b->area && b->bend && b->sheet && b->root && out->across &&
+  return b->area && b->bend && b->look && b->sheet && b->root && out->across &&
          out->side && out->fan && out->curved && out->coarse;
 }
 
@@ -533,6 +532,7 @@ sg_smooth_init(sg_smooth *smooth, const sg_smooth_input *input,
   }
   free(b.area);
   free(b.bend);
+  free(b.look);
   free(b.sheet);
   free(b.root);
   if (!done) {

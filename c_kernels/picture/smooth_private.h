@@ -22,6 +22,8 @@ typedef struct sg_smooth_builder {
   double unit;       /* what differences are multiplied by: see unit_of() */
   double (*area)[3]; /* [polygons]: normals, as long as twice the area */
   double *bend;      /* [3 * triangles]: degrees at smooth sides */
+  double (*look)[3]; /* [3 * triangles]: the way the surface looks there, as
+                        long as the area of the face */
   uint32_t *sheet;   /* [triangles]: another one of it, in the end its root */
   uint32_t *root;    /* [3 * triangles]: the same of corners and fans */
 } sg_smooth_builder;

@@ -29,7 +29,7 @@
 :- use_module('../spelling', [near_words/3]).
 :- use_module('../stage', [stages_reset/0, stage_name/1, stage_seconds/2]).
 :- use_module('../status', [error_status/2]).
-:- use_module('../store', [new_world/1, in_world/2, facts_statistics/2]).
+:- use_module('../store', [in_passing_world/1, facts_statistics/2]).
 :- use_module(format_options, [format_options_told/3]).
 :- use_module(usage, [verb/4, verb_options/2]).
 :- use_module(usage_print, [print_usage/1, print_usage/2]).
@@ -366,13 +366,12 @@ verb_in_world(Verb, Files, Options, Status) :-
     stages_reset,
     csg_statistics_reset,
     get_time(Start),
-    new_world(World),
-    in_world(World,
-             call_cleanup(
-                 verb_watched(Verb, Files, Options, Status),
-                 ( measured(Options, Start),
-                   no_rules
-                 ))).
+    in_passing_world(
+        call_cleanup(
+            verb_watched(Verb, Files, Options, Status),
+            ( measured(Options, Start),
+              no_rules
+            ))).
 
 %   file_ended(Verb, Strict, File, Options, Status): as by a command of its own.
 

@@ -49,7 +49,7 @@
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
               [ drawn/7, segment/3, line/9, origin/3, facts_snapshot/1,
-                facts_transaction/1, new_world/1, in_world/2 ]).
+                facts_transaction/1, in_passing_world/1 ]).
 :- use_module('../drawing/style_file',
               [penetration_in_vain/3, segment_in_vain/2]).
 :- use_module('../sheet/stroke', [stroke_key/4]).
@@ -440,8 +440,7 @@ convert_simplified(Options) :-
 %   the formats. The current world is not touched.
 
 convert(Files, File) :-
-    new_world(World),
-    in_world(World, ( load_model(Files), save_model(File) )).
+    in_passing_world(( load_model(Files), save_model(File) )).
 
 %   points_alone: a notice if curves go through, which leaves points, no lines.
 

@@ -14,7 +14,7 @@
 :- use_module('../penetration/penetration', [may_cut/2]).
 :- use_module('../store', 
               [ v/5, e/5, p/3, t/6, leaf_e/5, leaf_p/3, leaf_t/6, segment/3,
-                origin/3, line/9, assert_fact/1, new_world/1, in_world/2 ]).
+                origin/3, line/9, assert_fact/1, in_passing_world/1 ]).
 :- use_module(library(aggregate), [aggregate_all/3]).
 :- use_module(library(apply), [maplist/2, maplist/3]).
 :- use_module(library(filesex), [relative_file_name/3]).
@@ -227,10 +227,8 @@ candidate_reason(S1-P1, S2-P2, reason(Group, T1, T2, Facts)) :-
 with_candidates(Place1, Place2, Candidates) :-
     findall(Fact, ( member(Place, [Place1,Place2]),
                     place_fact(Place, Fact) ), Facts),
-    new_world(World),
-    in_world(World,
-             ( maplist(assert_fact, Facts),
-               candidates(Place1, Place2, Candidates) )).
+    in_passing_world(( maplist(assert_fact, Facts),
+                       candidates(Place1, Place2, Candidates) )).
 
 %   place_fact(+S-P, -Fact) is nondet: what polygon P of S is made of, in an
 %   order in which it can be asserted.
