@@ -31,6 +31,7 @@ typedef struct writer {
   sg_world *world;
   sg_divided waiting;
   sg_key_table parts; /* (s, label, v1, v2): the edge that is this part */
+  bool edges_known;   /* edges had origins before */
 } writer;
 
 /* All that is read before anything is written. */
@@ -146,6 +147,30 @@ triangulate(sg_call *call, cut_polygon *c)
 
 /* ---- writing ---- */
 
+/* Whether edges have origins: before the first cut none has, and nobody needs
+ * to look for parts that are there. */
+static bool
+have_edges_origins(sg_world *world)
+{
+  const sg_value any[SG_MAX_COLUMNS] = {0};
+  const sg_version *version = sg_world_version(world);
+  bool have = true;
+  sg_walk walk;
+
+  if (sg_walk_open(&walk, version, SG_ORIGIN, 0, any)) {
+    sg_row row;
+
+    while ((row = sg_walk_next(&walk)) != SG_NO_ROW &&
+           !sg_node_is(sg_version_value(version, SG_ORIGIN, row, 1).term + 1,
+                       SG_SYMBOL_E, 1)) {
+    }
+    have = row != SG_NO_ROW;
+    sg_walk_close(&walk);
+  }
+  sg_version_drop(version);
+  return have;
+}
+
 /* The number of an edge in the world v1-v2 that is a part of edge `label`, as
  * its origin says. 0: none, or refused (*good false). */
 static int32_t
@@ -196,7 +221,7 @@ new_edge(sg_call *call, writer *w, const cut_polygon *c, const cut_edge *edge,
   if (!item || !sg_divided_edge(call, &w->waiting, row)) {
     return 0;
   }
-  *other = sg_origin_is_there(w->world, c->s, item);
+  *other = w->edges_known && sg_origin_is_there(w->world, c->s, item);
   return *other || sg_divided_origin(call, &w->waiting, c->s, item, origin) ? e
                                                                             : 0;
 }
@@ -218,7 +243,7 @@ part_number(sg_call *call, writer *w, const cut_polygon *c,
   if (*known != SG_NO_KEY) {
     return (int32_t)*known;
   }
-  int32_t e = old_part(call, c, edge, origin, &good);
+  int32_t e = w->edges_known ? old_part(call, c, edge, origin, &good) : 0;
 
   if (e == 0 && good) {
     e = new_edge(call, w, c, edge, origin, &other);
@@ -325,6 +350,7 @@ sg_door_cut_write(sg_call *call, sg_cut_handle *set,
   if (!w.world) {
     return false;
   }
+  w.edges_known = have_edges_origins(w.world);
   sg_key_table_init(&w.parts, 4);
   for (*written = 0; *written < works->n; ++*written) {
     if (!take_polygon(call, &w, &works->at[*written])) {
