@@ -165,8 +165,9 @@ C_TESTS := $(patsubst %.c,$(B)/%,$(sort $(wildcard $(foreach t,$(NAMED), \
              tests/c_kernels/$(t:%/=%)/*_test.c tests/engine/*$(t)*_test.c))))
 PLTS    := $(sort $(wildcard $(foreach t,$(NAMED), tests/rules/*$(t)*.plt \
              tests/rules/*/*$(t)*.plt tests/rules/$(t:%/=%)/*.plt)))
-CLIS    := $(sort $(wildcard $(foreach t,$(NAMED), tests/cli/*$(t)*.sh \
-             tests/transcripts/*$(t)*.txt $(if $(T),tests/$(t:%/=%)/*.txt))))
+CLIS    := $(filter-out %/models.txt,$(sort $(wildcard $(foreach t,$(NAMED), \
+             tests/cli/*$(t)*.sh tests/transcripts/*$(t)*.txt \
+             tests/snapshots/*$(t)*.txt $(if $(T),tests/$(t:%/=%)/*.txt)))))
 
 $(B)/libcore.a: $(CORE)
 	@rm -f $@
@@ -397,10 +398,12 @@ lint: $(B)/sanggwan.so $(CLANGED)
 # The gallery: each picture by the command that stands under it.
 demo: all
 	@swipl -p foreign=$(B) tools/gallery.pl
-# Writes the golden drawings and the transcripts anew. Look at what changed.
+# Writes the golden drawings, the transcripts and the snapshots anew. Look at what
+# changed.
 bless: all
 	@swipl -p foreign=$(B) tools/bless.pl
 	@tests/transcript.py --bless tests/transcripts/*.txt
+	@tests/snapshot.py --bless tests/snapshots/*.txt
 
 # What is written of the house from its own files.
 docs: $(B)/documentation.pl

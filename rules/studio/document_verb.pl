@@ -5,7 +5,7 @@
 :- use_module(document, [document_input/2, document_rules/2]).
 :- use_module(job, [verb_job/5]).
 :- use_module(protocol, [text_octets/2]).
-:- use_module(library(apply), [maplist/3]).
+:- use_module(library(apply), [exclude/3, maplist/3]).
 :- use_module(library(lists), [append/2]).
 /** <module> A verb of the command line, done to the document of a session. */
 
@@ -25,7 +25,8 @@ of_the_document(Run, Before, After, Head, Reply, Octets) :-
         ( append([Before,Options,[File|After]], Words0),
           maplist(word_text, Words0, Words),
           text_octets(Text, Body),
-          verb_job(Run, Head.put(argv, Words), Body, Reply, Octets)
+          verb_job(Run, Head.put(argv, Words), Body, Reply0, Octets),
+          without_file(RulesFile, Reply0, Reply)
         ),
         rules_file_gone(RulesFile)).
 
@@ -39,6 +40,19 @@ rules_file_gone(none) :-
     !.
 rules_file_gone(File) :-
     catch(delete_file(File), error(_, _), true).
+
+%   without_file(File, Reply0, Reply): Reply does not tell that File was read.
+
+without_file(File, Reply0, Reply) :-
+    (   del_dict(read, Reply0, Read0, Reply1),
+        exclude(==(File), Read0, Read),
+        Read0 \== Read
+    ->  (   Read == []
+        ->  Reply = Reply1
+        ;   Reply = Reply1.put(read, Read)
+        )
+    ;   Reply = Reply0
+    ).
 
 word_text(Word, Text) :-
     (   atom(Word)
