@@ -54,9 +54,10 @@ points_merged(Facets, Shape0, Moved, Shape) :-
     findall(Pair,
             ( member(Facet, Facets),
               facet_keys(Facet, Shape0, Keys),
-              append(_, [Key1|Rest], Keys),
-              member(Key2, Rest),
-              one_place(Shape0, Key1, Key2, Pair) ),
+              maplist(keyed_node(Shape0), Keys, Placed),
+              append(_, [Placed1|Rest], Placed),
+              member(Placed2, Rest),
+              one_place(Shape0, Placed1, Placed2, Pair) ),
             Pairs0),
     sort(Pairs0, Pairs),
     foldl(pair_merged, Pairs, []-Shape0, Moved0-Shape),
@@ -73,13 +74,17 @@ facet_keys(facet(_, _, _, Halves), Shape, Keys) :-
 is_met(shape(_, _, Nodes), k(Id, _)) :-
     get_assoc(Id, Nodes, node(_, _, _, [_|_])).
 
-%   one_place(Shape, Key1, Key2, Pair): Pair is Id2-to(Id1, Turns).
+%   keyed_node(Shape, Key, Key-Node): each is looked for once.
 
-one_place(Shape, k(Id1, Turn1), k(Id2, Turn2), Id2-to(Id1, Turns)) :-
+keyed_node(shape(_, _, Nodes), Key, Key-Node) :-
+    Key = k(Id, _),
+    get_assoc(Id, Nodes, Node).
+
+%   one_place(Shape, Key1-Node1, Key2-Node2, Pair): Pair is Id2-to(Id1, Turns).
+
+one_place(shape(_, Reach, _), k(Id1, Turn1)-node(T1, _, Point1, Met1),
+          k(Id2, Turn2)-node(T2, _, Point2, Met2), Id2-to(Id1, Turns)) :-
     Id1 \== Id2,
-    Shape = shape(_, Reach, Nodes),
-    get_assoc(Id1, Nodes, node(T1, _, Point1, Met1)),
-    get_assoc(Id2, Nodes, node(T2, _, Point2, Met2)),
     T1 \== any,
     T2 \== any,
     ( Met1 \== [] ; Met2 \== [] ),
@@ -135,13 +140,19 @@ edge_divided(Facets, Moved, Shape, Edge, Part-Key) :-
     member(Facet0, Facets),
     facet_moved(Table, Facet0, Facet),
     facet_keys(Facet, Shape, Keys),
+    maplist(keyed_node(Shape), Keys, Placed),
     Facet = facet(_, _, _, Halves),
     member(half(K1, K2, _), Halves),
     msort([K1,K2], [A,B]),
-    member(C, Keys),
+    memberchk(A-node(_, _, PA, _), Placed),
+    memberchk(B-node(_, _, PB, _), Placed),
+    distance(PA, PB, Whole),
+    member(C-node(_, _, PC, _), Placed),
+    may_divide(PA, PB, Whole, PC, Part),        % first what is cheap
     C \== A,
     C \== B,
-    between_ends(Shape, A, B, C, Part),
+    edge_curve(Shape, A, B, Curve),
+    on_curve(Curve, Shape, A, B, C),
     edge_known(A, B, Turn, Edge),
     back(C, Turn, Key).
 
@@ -164,22 +175,17 @@ back(k(Id, Turn0), By, k(Id, Turn)) :-
     ;   Turn is Turn0-By
     ).
 
-%   between_ends(Shape, A, B, C, Part): C is on the line between A and B; first
-%   what is cheap.
+%   may_divide(PA, PB, Whole, PC, Part): C is near the line between A and B,
+%   Whole apart, and not beyond B.
 
-between_ends(Shape, A, B, C, Part) :-
-    maplist(key_point(Shape), [A,B,C], [PA,PB,PC]),
+may_divide(PA, PB, Whole, PC, Part) :-
+    Most is 1.2*Whole,
     distance(PA, PC, Before),
+    Before < Most,
     distance(PC, PB, After),
-    distance(PA, PB, Whole),
-    Before + After < 1.2*Whole,
-    Before*Before < Whole*Whole + After*After,  % not beyond B
-    Part is Before/(Before+After),
-    edge_curve(Shape, A, B, Curve),
-    on_curve(Curve, Shape, A, B, C).
-
-key_point(shape(_, _, Nodes), k(Id, _), Point) :-
-    get_assoc(Id, Nodes, node(_, _, Point, _)).
+    Before + After < Most,
+    Before*Before < Whole*Whole + After*After,
+    Part is Before/(Before+After).
 
 on_curve(straight, Shape, A, B, C) :-
     maplist(place(Shape), [A,B,C], [TA-HA,TB-HB,TC-HC]),
