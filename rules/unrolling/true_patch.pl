@@ -208,8 +208,8 @@ facet_kept(Laid, facet(P, T1, T2, Halves0), Facet) :-
     ).
 
 %   needless(Halves, Laid, A, B): key B stands for its neighbour A too: that is
-%   past the border that B is on, or in the same place, or past B on the line
-%   that comes to A.
+%   past the border that B is on, or in the same place, or past B on a line or
+%   border that runs back to it.
 
 needless(Halves, laid(Table, Places, Size, Meets), A, B) :-
     member(half(K1, K2, _), Halves),
@@ -228,17 +228,28 @@ needless(Halves, laid(Table, Places, Size, Meets), A, B) :-
             ->  A-B = K2-K1
             ;   A-B = K1-K2
             )
-        ;   Border1 == none,
-            \+ \+ met_in(Meets, K1, _),
-            member(half(K0, K1, _), Halves),
+        ;   member(half(K0, K1, _), Halves),
             K0 \== K2,
             get_assoc(K0, Places, X0-Y0),
-            turns_back(X1-Y1, X0-Y0, X2-Y2),
-            met_in(Meets, K1, Surface),
-            met_in(Meets, K0, Surface),
-            met_in(Meets, K2, Surface)
-        ->  A-B = K1-K2
+            turns_back(X1-Y1, X0-Y0, X2-Y2, Nearer),
+            on_one_line(Table, Meets, K0, K1, K2)
+        ->  ( Nearer == first -> B = K0 ; B = K2 ),
+            A = K1
         )
+    ),
+    !.
+
+%   on_one_line(Table, Meets, K0, K1, K2): all of them are on one border, or K1
+%   on none and all on one other surface.
+
+on_one_line(Table, Meets, K0, K1, K2) :-
+    get_assoc(K1, Table, place(_, _, Border)),
+    (   Border = on(_)
+    ->  get_assoc(K0, Table, place(_, _, Border)),
+        get_assoc(K2, Table, place(_, _, Border))
+    ;   met_in(Meets, K1, Surface),
+        met_in(Meets, K0, Surface),
+        met_in(Meets, K2, Surface)
     ),
     !.
 
@@ -246,20 +257,21 @@ met_in(Meets, k(V, _), Surface) :-
     get_assoc(V, Meets, met(Surfaces, _)),
     member(Surface, Surfaces).
 
-%   turns_back(P1, P0, P2): from P0 to P1 and to P2 is there and a part of the
-%   way back.
+%   turns_back(P1, P0, P2, Nearer): from P0 to P1 and to P2 is there and back;
+%   Nearer says which of them is nearer to P1, `first` or `last`.
 
-turns_back(X1-Y1, X0-Y0, X2-Y2) :-
+turns_back(X1-Y1, X0-Y0, X2-Y2, Nearer) :-
     AX is X0-X1,
     AY is Y0-Y1,
     BX is X2-X1,
     BY is Y2-Y1,
     Along is AX*BX + AY*BY,
     Along > 0.0,
-    Square is AX*AX + AY*AY,
-    Along < Square,
-    Across is AX*BY - AY*BX,
-    abs(Across) < 0.1*Along.
+    abs(AX*BY - AY*BX) < 0.1*Along,
+    (   AX*AX + AY*AY < BX*BX + BY*BY
+    ->  Nearer = first
+    ;   Nearer = last
+    ).
 
 %   rank(Border, Rank): what is on a border stays, as in the next patch.
 

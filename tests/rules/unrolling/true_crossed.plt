@@ -327,7 +327,7 @@ seeds(Seeds) :-
     ->  numlist(1, N, Seeds)
     ;   all_wanted
     ->  numlist(1, 60, Seeds)
-    ;   Seeds = [1,2,3]
+    ;   Seeds = [1,2,4]         % of 4 a line ends past a corner of a gore
     ).
 
 :- end_tests(true_crossed).
