@@ -1,5 +1,5 @@
 /* spend_test.c -- a world that is spent is empty, and has no memory of its
- * rows, unless another one looks at them. covers: block
+ * rows, unless another one looks at them.
  */
 #include "tests/check.h"
 #include "vertices.h"
