@@ -250,6 +250,125 @@ def problem(draw, i):
              "sheet('A4', [a], [ angle(first) ]).\npupils(['Kim', 'Lee']).\n"]))
 
 
+def far(draw):
+    """Solids with thin walls and gaps, far away: what a file cannot hold."""
+    thin = draw.choice([0.01, 0.001, 0.0001, 0.00003, 2 ** -12, 2 ** -16])
+    where = draw.choice([0, 100, 1000.5, 10000.25, 100000.1])
+    turn = draw.choice(["rotate(z, 0)", "rotate(z, 30)", "rotate(axis(1, 2, 3), 40)"])
+    wall = draw.choice([
+        "difference([box(size(4, 4, 4)), box(size(%.9g, %.9g, 9))])" % (
+            4 - 2 * thin, 4 - 2 * thin),
+        "union([box(size(4, 4, 4)), at([translate(%.9g, 0, 0)], box(size(4, 3, 4)))])"
+        % (4 + thin),
+        "difference([cylinder(radius(3), height(2), facets(24)), "
+        "at([translate(%.9g, 0, -1)], cylinder(radius(%.9g), height(4), facets(24)))])"
+        % (thin, 3 - 2 * thin),
+        "union([sphere(radius(2), facets(12)), at([translate(0, 0, %.9g)], "
+        "sphere(radius(2), facets(12)))])" % thin,
+        "box(size(4, 4, %.9g))" % thin])
+    return "segment(1, solid, at([%s, translate(%s, %s, 0)], %s)).\n" % (
+        turn, where, -where, wall) + draw.choice(
+            ["", "segment(2, solid, at([translate(%s, %s, 1)], %s)).\n" % (
+                where, -where, primitive(draw))])
+
+
+def openscad(draw, depth=3):
+    """A .csg file, as OpenSCAD writes them."""
+    s, facets = draw.size, "$fn = %d, $fa = 12, $fs = 2" % draw.choice([0, 6, 12, 16])
+
+    def flat():
+        return draw.choice([
+            "square(size = [%s, %s], center = %s);" % (
+                s(1, 4), s(1, 4), draw.choice(["true", "false"])),
+            "circle(%s, r = %s);" % (facets, s(1, 3)),
+            "polygon(points = %s, paths = undef, convexity = 1);" % outline(
+                draw, draw.randint(3, 7), 3)])
+
+    def node(depth):
+        if depth == 0 or draw.random() < 0.3:
+            return draw.choice([
+                "cube(size = [%s, %s, %s], center = %s);" % (
+                    s(1, 5), s(1, 5), s(1, 5), draw.choice(["true", "false"])),
+                "sphere(%s, r = %s);" % (facets, s(1, 3)),
+                "cylinder(%s, h = %s, r1 = %s, r2 = %s, center = %s);" % (
+                    facets, s(1, 5), s(1, 3), draw.choice([0, 1, 2]),
+                    draw.choice(["true", "false"])),
+                "linear_extrude(height = %s, center = false, convexity = 1, "
+                "scale = [1, 1], %s) { %s }" % (s(1, 4), facets, flat()),
+                "rotate_extrude(angle = %d, convexity = 2, %s) { multmatrix([[1, 0, 0,"
+                " 4], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) { %s } }" % (
+                    draw.choice([360, 180, 90]), facets, flat())])
+        inner = " ".join(node(depth - 1) for _ in range(draw.randint(1, 3)))
+        return draw.choice([
+            "group() { %s }", "union() { %s }", "difference() { %s }",
+            "intersection() { %s }", "hull() { %s }", "render(convexity = 2) { %s }",
+            "color([1, 0.5, 0, 1]) { %s }",
+            "multmatrix([[1, 0, 0, PX], [0, 1, 0, PY], [0, 0, 1, PZ], [0, 0, 0, 1]]) "
+            "{ %s }", "multmatrix([[0, -1, 0, PX], [1, 0, 0, 0], [0, 0, 1, PZ], "
+            "[0, 0, 0, 1]]) { %s }"]).replace("%s", inner)
+
+    text = node(depth) + "\n"
+    return re.sub("P[XYZ]", lambda _: str(draw.place(3)), text)
+
+
+def written_mesh(draw, ending):
+    """A mesh with a fault, in another format."""
+    lines = mesh(draw).split("\n")
+    count, faces = (int(n) for n in lines[1].split()[:2])
+    points, rows = lines[2:2 + count], [
+        [int(n) for n in row.split()[1:]] for row in lines[2 + count:2 + count + faces]]
+    if ending == "obj":
+        return "\n".join(["# a mesh", "o part"] + ["v " + p for p in points] + [
+            "f " + " ".join(draw.choice(["%d", "%d//1"]) % (n + 1) for n in row)
+            for row in rows]) + "\n"
+    if ending == "ply":
+        return ("ply\nformat ascii 1.0\nelement vertex %d\nproperty float x\n"
+                "property float y\nproperty float z\nelement face %d\n"
+                "property list uchar int vertex_indices\nend_header\n" % (
+                    count, faces) + "\n".join(points + [
+                        " ".join(map(str, [len(row), *row])) for row in rows]) + "\n")
+    return "solid part\n" + "".join(
+        "facet normal 0 0 0\nouter loop\n%sendloop\nendfacet\n" % "".join(
+            "vertex %s\n" % points[n] for n in (row[0], row[i], row[i + 1]))
+        for row in rows for i in range(1, len(row) - 1)) + "endsolid part\n"
+
+
+def city(draw):
+    """CityJSON: houses side by side, one of them perhaps open below."""
+    points, objects = [], {}
+    for i in range(draw.randint(1, 3)):
+        x, wide, high, at = 4 * i, draw.choice([3, 4]), draw.size(2, 5), len(points)
+        points += [[x + a, b, c] for c in (0, high) for a, b in (
+            (0, 0), (wide, 0), (wide, 3), (0, 3))]
+        shell = [[[0, 3, 2, 1]], [[4, 5, 6, 7]], [[0, 1, 5, 4]], [[1, 2, 6, 5]],
+                 [[2, 3, 7, 6]], [[3, 0, 4, 7]]]
+        if draw.random() < 0.3:
+            shell = shell[1:]
+        shell = [[[n + at for n in ring] for ring in face] for face in shell]
+        kind, boundaries = draw.choice([("Solid", [shell]), ("MultiSurface", shell)])
+        objects["house-%d" % i] = {"type": "Building", "geometry": [
+            {"type": kind, "lod": draw.choice(["1", "2"]), "boundaries": boundaries}]}
+    return json.dumps({"type": "CityJSON", "version": "1.1", "transform": {
+        "scale": [1, 1, 1], "translate": [draw.choice([0, 1000.5]), 0, 0]},
+        "CityObjects": objects, "vertices": points}) + "\n"
+
+
+def parameters(draw):
+    """A model with parameters, and with rows."""
+    formula = draw.choice(["param(a)*2", "sqrt(param(a))", "max(param(a), 3)",
+                           "param(a)/2+param(b)", "abs(param(b)-5)",
+                           "param(a)*sin(param(c))+2", "hypot(param(a), param(b))"])
+    return ("param(a, %s).\nparam(b, %s).\nparam(c, %s).\nparam(d, %s).\n"
+            "param_about(a, [ min(1), max(9), text(en, 'length') ]).\n"
+            "segment(1, solid, box(size(param(a), param(b), param(d)))).\n"
+            "segment(2, solid, at([rotate(z, param(c)), translate(1, 1, param(a)/4)],"
+            " cylinder(radius(param(b)/3), height(param(d)), facets(12)))).\n"
+            "segment(3, surface, sheet).\n"
+            "v(3, 1, -2, 0, 1). v(3, 2, 6, 0, 1). v(3, 3, 6, 3, param(d)). "
+            "v(3, 4, -2, 3, param(d)).\np(3, 1, [1, 2, 3, 4]).\n" % (
+                draw.size(2, 5), draw.size(2, 5), draw.choice([0, 30, 45, 90]), formula))
+
+
 def models(seed):
     draw = Draw(seed)
     made = {}
@@ -270,6 +389,18 @@ def models(seed):
         "param(h)/2)], cylinder(radius(param(r)/2), height(5), facets(12)))).\n")
     made["look.pl"] = ("look(1, colour(rgb(200, 90, 40))).\nlook(2, opacity(0.4))."
                        "\nlight(1, direction(1, 2, 3)).\n")
+    more = Draw(seed + 1)              # what came later; the others stay the same
+    for i in range(24):
+        made["f%02d.pl" % i] = far(more)
+    for i in range(30):
+        made["c%02d.csg" % i] = openscad(more)
+    for i in range(12):
+        made["r%02d.%s" % (i, ["obj", "ply", "stl"][i % 3])] = written_mesh(
+            more, ["obj", "ply", "stl"][i % 3])
+    for i in range(6):
+        made["j%d.json" % i] = city(more)
+    for i in range(12):
+        made["p%02d.pl" % i] = parameters(more)
     made["block.pl"] = ('title_block(name, "Bracket").\n'
                         'title_block(drawn_by, "A. Fitter").\n')
     return made
@@ -290,6 +421,11 @@ FACTS = [os.path.join("facts", folder, name)
 SOLIDS = ["s%02d.pl" % i for i in range(60)]
 SHEETS = ["w%d.pl" % i for i in range(8)]
 GLUED = ["g%d.pl" % i for i in range(8)]
+FAR = ["f%02d.pl" % i for i in range(24)]
+SCAD = ["c%02d.csg" % i for i in range(30)]
+READ = ["r%02d.%s" % (i, ["obj", "ply", "stl"][i % 3]) for i in range(12)]
+CITIES = ["j%d.json" % i for i in range(6)]
+PARAMETERS = ["p%02d.pl" % i for i in range(12)]
 PROBLEMS = ["q%02d.pl" % i for i in range(30)]
 MESHES = ["m%02d.off" % i for i in range(16)]
 
@@ -500,6 +636,37 @@ def command(draw, kind):
         return query(draw)
     if kind == "explain":
         return explanation(draw)
+    if kind == "written":
+        verb = draw.choice(["convert", "eval", "union", "difference", "intersection",
+                            "check"])
+        words = [verb, a_model(draw, FAR)]
+        if verb in ("union", "difference", "intersection"):
+            words.append(a_model(draw, FAR, FAR, SOLIDS))
+        if verb == "check":
+            return words + options(draw, "check")
+        return words + [word for ending in draw.some(1, 2, ENDINGS["solids"] + ["stl"])
+                        for word in ("-o", "out/a%d.%s" % (draw.randint(1, 9), ending))
+                        ] + ([] if verb == "convert" else options(draw, "solids"))
+    if kind == "read":
+        model = a_model(draw, SCAD, SCAD, READ, CITIES, PARAMETERS)
+        words = draw.choice([
+            lambda: ["check", model, *options(draw, "check")],
+            lambda: ["eval", model, *options(draw, "solids"),
+                     *draw.choice([[], ["-o", "out/a.off"], ["-o", "out/a.pl"]])],
+            lambda: ["convert", model, "-o", "out/a." + draw.choice(
+                ENDINGS["solids"])],
+            lambda: ["draw", model, *options(draw, "draw", None, 2), "-o", "out/a.svg"],
+            lambda: ["unfold", model, *options(draw, "unfold", None, 2), "-o",
+                     "out/a.svg"],
+            lambda: ["penetrate", model, "-o", "out/a.csv"],
+            lambda: ["query", model, "segment(S, K, T)"],
+            lambda: ["explain", model, "param(_)"]])()
+        if model in PARAMETERS:
+            words += draw.choice([[], ["--set", "a=%s" % draw.size(1, 9)], [
+                "--set", "b=param(a)/2", "--set", "c=%d" % draw.choice([10, 60])]])
+        if model in CITIES:
+            words += draw.choice([[], ["--close"], ["--lod", draw.choice("12")]])
+        return words
     if kind == "session":
         return session(draw)
     if kind == "problems":
