@@ -161,9 +161,9 @@ main(void)
 {
   CHECK("blocks begin at multiples of their size", all_taken());
   CHECK("each is apart", all_apart());
-  CHECK("one of a full slab is had again",
-        one_is_had_again(3) && one_is_had_again(EACH + 5) &&
-          one_is_had_again(MANY - 1));
+  CHECK("one of a full slab is had again", one_is_had_again(3) &&
+                                               one_is_had_again(EACH + 5) &&
+                                               one_is_had_again(MANY - 1));
   CHECK("half of them, too", half_is_had_again());
   all_given();
   CHECK("they come again", all_taken() && all_apart());
