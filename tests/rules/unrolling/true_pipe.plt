@@ -149,6 +149,43 @@ test(crossing, forall(numbered(16, 40, Seed))) :-
     ;   true
     ).
 
+%   Where the lines that bound a generator are others than four degrees before, an
+%   event is between; and where there is a tip, an interval begins or ends.
+
+bounds(Pipe, T, Lines) :-
+    (   pipe_interval(Pipe, T, _-Line1, _-Line2)
+    ->  Lines = Line1-Line2
+    ;   Lines = nothing
+    ).
+
+is_between(T1, T2, T0) :-
+    T is T0 - 360.0*floor((T0-T1)/360.0),
+    T =< T2.
+
+test(events, forall(numbered(24, 160, Seed))) :-
+    case(Seed, Kind, Own, Other),
+    (   pipe_met(Kind, Own, Other, Pipe)
+    ->  pipe_events(Pipe, Events),
+        forall(( between(0, 89, I), T1 is 4*I+0.125, T2 is T1+4.0,
+                 bounds(Pipe, T1, Lines1), bounds(Pipe, T2, Lines2),
+                 Lines1 \== Lines2 ),
+               (   member(T-_, Events),
+                   is_between(T1, T2, T)
+               ->  true
+               ;   throw(no_event(Seed, T1, Lines1, Lines2))
+               )),
+        forall(member(T-tip, Events),
+               (   T1 is T-1.0e-4,
+                   T2 is T+1.0e-4,
+                   bounds(Pipe, T1, Lines1),
+                   bounds(Pipe, T2, Lines2),
+                   ( Lines1 == nothing ; Lines2 == nothing )
+               ->  true
+               ;   throw(no_tip(Seed, T))
+               ))
+    ;   true
+    ).
+
 %   A pipe along the axis of another one, or across it.
 
 pipe(Axis, R, cylinder(point(0,0,0), U, V, W)) :-
