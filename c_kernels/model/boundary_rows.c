@@ -295,15 +295,10 @@ sg_door_boundary_counts(sg_call *call, sg_boundaries *b,
   for (size_t i = 0; i < b->segments; i++) {
     const sg_boundary_mesh *m = &b->part[i];
 
-    out->vertices += m->mesh.vertices;
     out->faces += m->mesh.face.count;
-    out->triangles += m->triangles;
     out->open += m->open;
     out->crossing += m->crossing;
-    out->touching += m->touching;
-    out->copies += m->copies;
     out->stuck += m->stuck;
-    out->cancelled += m->cancelled;
   }
   return true;
 }

@@ -152,11 +152,9 @@ Foreign predicates; see kernel.pl.
 
 %!  boundary_counts(+Boundary:boundary, -Counts:boundary_counts) is det.
 %
-%   Counts = counts(Vertices, Faces, Triangles, Open, Crossing, Touching,
-%   Copies, Stuck, Cancelled): Open edges lack an opposite; at Crossing edges
-%   four or more faces go through each other, at Touching ones not; Copies
-%   vertices were added; for Stuck faces no triangles were found; Cancelled
-%   faces lay on each other, back to back.
+%   Counts = counts(Faces, Open, Crossing, Stuck): Open edges lack an opposite;
+%   at Crossing edges four or more faces go through each other; for Stuck faces
+%   no triangles were found.
 
 %!  boundary_meetings(+Boundary:boundary, +All:bool,
 %!                    -Meetings:list(boundary_meeting)) is det.

@@ -136,7 +136,7 @@ said_rounds(File, Rounds) :-
     ).
 
 said_empty(File, S, Counts) :-
-    (   \+ arg(2, Counts, 0)
+    (   Counts \= counts(0, _, _, _)
     ->  true
     ;   p(S, _, _)
     ->  said_of(File, warning, collapsed)
@@ -260,7 +260,7 @@ rounded(S, manner(Single, Form, Copies), Boundary) :-
 
 boundary_fault(Boundary, Which, Fault) :-
     boundary_counts(Boundary, Counts),
-    Counts = counts(_, _, _, Open, Crossing, _, _, Stuck, _),
+    Counts = counts(_, Open, Crossing, Stuck),
     (   Stuck > 0
     ->  Fault = undivided(Stuck)
     ;   Open > 0
@@ -369,7 +369,7 @@ triangle_copy(S, Single, Form, Copy) :-
 %   closed_copy(Boundary, Copy) is semidet: a segment, if it is closed.
 
 closed_copy(Boundary, Copy) :-
-    boundary_counts(Boundary, counts(_, _, _, 0, _, _, _, 0, _)),
+    boundary_counts(Boundary, counts(_, 0, _, 0)),
     fresh_id(segment, 0, Copy),
     boundary_add(Boundary, Copy),
     assert_fact(segment(Copy, solid, rounded)).

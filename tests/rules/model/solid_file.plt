@@ -342,7 +342,7 @@ test(flat, Faces == [polygons-6,flat-9,triangles-12]) :-
 
 faces_of_form(Form, N) :-
     boundary_open([1], [], false, 0.0, Form, true, Boundary),
-    boundary_counts(Boundary, counts(_, N, _, 0, 0, _, _, 0, _)),
+    boundary_counts(Boundary, counts(N, 0, 0, 0)),
     boundary_close(Boundary).
 
 %   Several solids in one file: each is checked, and united with itself, alone.

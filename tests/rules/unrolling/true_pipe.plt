@@ -149,8 +149,8 @@ test(crossing, forall(numbered(16, 40, Seed))) :-
     ;   true
     ).
 
-%   Where the lines that bound a generator are others than four degrees before, an
-%   event is between; and where there is a tip, an interval begins or ends.
+%   Where the lines that bound a generator are others than four degrees before,
+%   an event is between; and where there is a tip, an interval begins or ends.
 
 bounds(Pipe, T, Lines) :-
     (   pipe_interval(Pipe, T, _-Line1, _-Line2)
