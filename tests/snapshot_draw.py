@@ -135,9 +135,8 @@ def moved(draw, what):
     return "at([%s], %s)" % (", ".join(moves), what) if moves else what
 
 
-def solid(draw, named=False):
-    what = moved(draw, primitive(draw))
-    return what
+def solid(draw):
+    return moved(draw, primitive(draw))
 
 
 def scene(draw):

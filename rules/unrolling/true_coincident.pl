@@ -29,13 +29,13 @@ in it both ways: so it still does.
 
 lines_settled(Facets0, Facets, Shape0, Shape) :-
     points_merged(Facets0, Shape0, Moved, Shape),
-    findall(Edge-Key, edge_divided(Facets0, Moved, Shape, Edge, Key),
+    list_to_assoc(Moved, Table),
+    findall(Edge-Key, edge_divided(Facets0, Table, Shape, Edge, Key),
             Divided0),
     (   Moved == [],
         Divided0 == []
     ->  Facets = Facets0
-    ;   list_to_assoc(Moved, Table),
-        sort(Divided0, Divided1),
+    ;   sort(Divided0, Divided1),
         group_pairs_by_key(Divided1, Divided2),
         list_to_assoc(Divided2, Divided),
         convlist(facet_settled(Table, Divided), Facets0, Facets)
@@ -131,12 +131,11 @@ key_moved(Table, k(Id0, Turn0), Key) :-
                 *             LINES            *
                 *******************************/
 
-%   edge_divided(Facets, Moved, Shape, Edge, Part-Key) is nondet: of an Edge of
+%   edge_divided(Facets, Table, Shape, Edge, Part-Key) is nondet: of an Edge of
 %   a facet, A-B without the turns of both, the key lies between its ends, at
 %   Part of it.
 
-edge_divided(Facets, Moved, Shape, Edge, Part-Key) :-
-    list_to_assoc(Moved, Table),
+edge_divided(Facets, Table, Shape, Edge, Part-Key) :-
     member(Facet0, Facets),
     facet_moved(Table, Facet0, Facet),
     facet_keys(Facet, Shape, Keys),
