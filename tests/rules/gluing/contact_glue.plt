@@ -81,6 +81,19 @@ test(in_each_other, C == [9,16,10,10,1,3,3,0]) :-
     pyramid([0,0,0], [[-4,-4,6],[-4,4,6],[4,4,6],[4,-4,6]], D3),
     in_new_world(( two(false, D3, D2), twins([V-W]),
                    glue_vertices(1, V, W, _), counts(C) )).
+%   A wire at one of them stays there.
+
+test(wire, [forall(member(Turn, [V-W,W-V])),
+            true(C == [16,25,12,12,1,3,3,0])]) :-
+    cube_faces([0,0,0], One),
+    cube_faces([1,1,1], Two),
+    in_new_world(( made_soup(One, [[[1,1,1],[2,0,1]]]),
+                   regions_made(1, _),
+                   faces_added(Two),
+                   twins([V-W]),
+                   Turn = To-From,
+                   glue_vertices(1, To, From, _),
+                   counts(C) )).
 test(one_step_of_undo, Rows1 == Rows) :-
     cube_faces([0,0,0], One),
     cube_faces([1,1,1], Two),
