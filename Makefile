@@ -83,8 +83,8 @@ WEB     := $(wildcard web/*)
 
 all: $(B)/sanggwan.so $(if $(wildcard rules/command/cli.pl),sanggwan)
 
-.PHONY: all sanggwan packages so demo test test-all check check-c check-rules check-embed check-cli bless \
-        mutants check-san san san-text tsan coverage covered check-vg vg lint \
+.PHONY: all sanggwan packages so demo helpers test test-all check check-c \
+        check-rules check-embed check-cli bless mutants check-san san san-text tsan coverage covered check-vg vg lint \
         docs clean install uninstall bench
 
 # --- objects and libraries -------------------------------------------------
@@ -247,7 +247,10 @@ $(B)/rules.qlf: $(B)/sanggwan.so $(RULES)
 	swipl -q -f none -p foreign=$(B) --on-warning=status --on-error=status \
 	  -g "qcompile('$(B)/rules.pl',[include(user)])" -t halt
 
-test: all $(B)/rules.qlf $(C_TESTS) $(EMBEDS) $(B)/docs/example $(CHECKERS) $(FAILING) $(UNASKED)
+# What tests load, or have loaded before the program.
+helpers: $(CHECKERS) $(FAILING) $(UNASKED)
+
+test: all $(B)/rules.qlf $(C_TESTS) $(EMBEDS) $(B)/docs/example helpers
 	@$(or $(if $(strip $(C_TESTS) $(EMBEDS) $(PLTS) $(CLIS)),tests/run), \
 	  echo 'no test is called so: $(T)' >&2; exit 2;) \
 	  $(C_TESTS) $(EMBEDS) $(PLTS) $(CLIS)
@@ -261,7 +264,7 @@ check-rules: $(B)/rules.qlf $(B)/documentation.pl $(CHECKERS)
 	@tests/run $(PLTS)
 check-embed: $(EMBEDS)
 	@tests/run $^
-check-cli: all $(B)/rules.qlf $(B)/docs/example $(CHECKERS) $(FAILING) $(UNASKED)
+check-cli: all $(B)/rules.qlf $(B)/docs/example helpers
 	@tests/run $(CLIS)
 
 # Do the tests notice faults? N mutants of lines drawn by SEED; PART is a part
@@ -269,7 +272,7 @@ check-cli: all $(B)/rules.qlf $(B)/docs/example $(CHECKERS) $(FAILING) $(UNASKED
 N    ?= 20
 SEED ?= 1
 PART ?=
-mutants: all $(CHECKERS) $(FAILING) $(UNASKED) $(C_TESTS)
+mutants: $(C_TESTS)
 	@tools/mutants $(N) $(SEED) $(PART)
 
 # --- checkers --------------------------------------------------------------
