@@ -218,7 +218,11 @@ undecoded(Stream) :-
 
 cannot_read(File, error(Formal, _)) :-
     !,
-    (   exists_directory(File)
+    (   Formal = representation_error(max_symbolic_links)
+    ->  Why = links
+    ;   Formal = representation_error(max_path_length)
+    ->  Why = long_name
+    ;   exists_directory(File)
     ->  Why = directory
     ;   Formal = existence_error(_, _)
     ->  Why = missing
@@ -226,10 +230,6 @@ cannot_read(File, error(Formal, _)) :-
     ->  Why = permission
     ;   Formal = io_error(_, _)
     ->  Why = io
-    ;   Formal = representation_error(max_symbolic_links)
-    ->  Why = links
-    ;   Formal = representation_error(max_path_length)
-    ->  Why = long_name
     ;   Why = Formal
     ),
     throw(error(model_error(cannot_read(Why)), location(File, 0, 0))).
