@@ -153,6 +153,15 @@ test(pitch, Curves-N == [curve(121,ring)]-6) :-
     length(Lines, N),                   % two of six lie on the cross
     memberchk(line(-9.0-0.0,9.0-0.0), Lines),
     memberchk(line(2.5-4.330127,3.5-6.062178), Lines).
+% Elsewhere it is the same.
+test(pitch_elsewhere, Curves-N == [curve(121,ring)]-6) :-
+    holes([15,75,135,195,255,315], 6, Term),
+    seen_centres(at([translate(20,-7,3)], Term), top, Seen),
+    partition([curve(_,_)]>>true, Seen, Curves, Lines0),
+    exclude([Line]>>memberchk(Line, [ line(11.0-(-7.0),29.0-(-7.0)),
+                                      line(20.0-(-16.0),20.0-2.0) ]),
+            Lines0, Lines),
+    length(Lines, N).
 test(uneven, Curves-N == []-8) :-
     holes([10,60,130], 6, Term),
     seen_centres(Term, top, Seen),
