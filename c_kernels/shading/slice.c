@@ -5,6 +5,7 @@
 #include "number/bounds.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Faces this near to edge-on bound a body in the picture, not in depth. */
 #define ACROSS 1e-9
@@ -437,9 +438,11 @@ go_on(sg_shading_work *w, cut *cuts, int n, int32_t x1, int32_t x2)
       cuts[i].side[s.leave].sense = -1;
     }
   }
+  if (balance != 0) {
+    memset(there, 0, sizeof there);
+  }
   for (int i = 0; i < n; i++) {
-    static const bool none[SIDES] = {false};
-    if (!end_sides(w, &cuts[i], balance == 0 ? there[i] : none, x1)) {
+    if (!end_sides(w, &cuts[i], there[i], x1)) {
       return false;
     }
   }

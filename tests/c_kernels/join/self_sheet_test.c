@@ -130,13 +130,16 @@ on_an_edge(void)
 }
 
 /* Chords, as in polygons of two triangles, are asked with others only after
- * what is an edge. */
+ * what is an edge. There are so many that their vertices alone do not bring
+ * each two together. */
 static void
 chords(void)
 {
+  enum { POLYGONS = 40 };
+
   n = 0;
-  for (uint32_t i = 0; i < 20; i++) {
-    double a = 0.3 * i, x = cos(a), y = sin(a);
+  for (uint32_t i = 0; i < POLYGONS; i++) {
+    double a = 0.15 * i, x = cos(a), y = sin(a);
 
     add((int32_t)i + 1, 4 * i,
         (const double[3][3]){{0, 0, 0}, {0, 0, 1}, {x, y, 0.5}});
@@ -146,16 +149,16 @@ chords(void)
     triangle[n - 1].name[1] = 4 * i;
     triangle[n - 1].name[2] = 4 * i + 3;
   }
-  add(100, 1000, (const double[3][3]){{0, 0, 0}, {0, 0, 1}, {0.1, 0.7, 0.2}});
+  add(1000, 1000, (const double[3][3]){{0, 0, 0}, {0, 0, 1}, {0.1, 0.7, 0.2}});
   sg_bvh_hits hits = added();
-  bool seen[41] = {false};
+  bool seen[2 * POLYGONS + 1] = {false};
 
   for (size_t i = 0; i < hits.n; i++) {
-    seen[hits.hit[i].a] = seen[hits.hit[i].a] || hits.hit[i].b == 40;
+    seen[hits.hit[i].a] = seen[hits.hit[i].a] || hits.hit[i].b == 2 * POLYGONS;
   }
   bool all = true;
 
-  for (size_t i = 0; i < 40; i++) {
+  for (size_t i = 0; i < 2 * POLYGONS; i++) {
     all = all && seen[i];
   }
   CHECK("each chord with the edge", all);
