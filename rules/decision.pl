@@ -413,6 +413,10 @@ load_rules(Text, File, Module, Id) :-
 system:term_expansion(Clause, _) :-
     watching,
     one_clause_more,
+    ends_program(Clause),
+    throw(error(ends_program, _)).
+system:term_expansion(Clause, _) :-
+    watching,
     clause_of(Clause, Module:Head),
     \+ prolog_load_context(module, Module),
     predicate_property(Module:Head, defined),
@@ -420,6 +424,12 @@ system:term_expansion(Clause, _) :-
     \+ predicate_property(Module:Head, multifile),
     functor(Head, Name, Arity),
     throw(error(defined_elsewhere(Module:Name/Arity), _)).
+
+ends_program(Clause) :-
+    nonvar(Clause),
+    ( Clause = (:- Goal) ; Clause = (?- Goal) ),
+    nonvar(Goal),
+    memberchk(Goal, [halt,halt(_)]).
 
 %   one_clause_more: not above the limit, else the file is read no further.
 
@@ -469,8 +479,7 @@ user:message_hook(Error, error, _) :-
     watching,
     (   first_error(_)
     ->  true
-    ;   Error = error(_, Context),
-        \+ ( nonvar(Context), error_place(Context, _, _) ),
+    ;   \+ placed(Error, _, _, _),
         source_location(_, Line)
     ->  assertz(first_error(at(Error, Line)))
     ;   assertz(first_error(Error))
@@ -483,26 +492,26 @@ to_end_of_file :-
     ;   true
     ).
 
-%   with_first_error(:Goal, -Error): Error is unbound when there was none.
+%   with_first_error(:Goal, -Error): Error is unbound when there was none. What
+%   ends a load may be told, with its place, and thrown.
 
 with_first_error(Goal, Error) :-
     setup_call_cleanup(
         asserta(watching),
-        catch(Goal, Error, true),
+        catch(Goal, Thrown, true),
         retractall(watching)),
     (   retract(first_error(First))
     ->  Error = First
-    ;   true
+    ;   Error = Thrown
     ).
 
 throw_rules_error(Error, File) :-
-    (   Error = error(Formal, Context),
-        nonvar(Context),
-        error_place(Context, Line, Column)
+    (   placed(Error, Formal, Line, Column)
     ->  true
-    ;   Error = at(error(Formal, _), Line)
-    ->  Column = 0
-    ;   Formal = Error,
+    ;   Error = at(Ball, Line)
+    ->  ball_formal(Ball, Formal),
+        Column = 0
+    ;   ball_formal(Error, Formal),
         Line = 0,
         Column = 0
     ),
@@ -511,6 +520,14 @@ throw_rules_error(Error, File) :-
     ;   What = rules(Formal)
     ),
     throw(error(model_error(What), location(File, Line, Column))).
+
+placed(error(Formal, Context), Formal, Line, Column) :-
+    nonvar(Context),
+    error_place(Context, Line, Column).
+
+ball_formal(error(Formal, _), Formal) :-
+    !.
+ball_formal(Ball, thrown(Ball)).
 
 error_place(file(_, Line, Column, _), Line, Column).
 error_place(file(_, Line), Line, 0).

@@ -244,6 +244,9 @@ plain_syntax(comma_or_close_expected, 'Comma or } expected').
 loading_fault(_, syntax_error(What)) -->
     !,
     syntax_words(What).
+loading_fault(_, thrown(Ball)) -->
+    '$messages':prolog_message(Ball),
+    !.
 loading_fault(Words, Formal) -->
     call(Words, Formal, _),
     !.

@@ -626,9 +626,12 @@ fault_en(rules(module_file)) -->
 fault_en(rules(defined_elsewhere(M:PI))) -->
     [ '~q is defined elsewhere, and the program needs it as it is'-[M:PI], nl,
       '  Define a predicate of your own, without ~w:'-[M] ].
+fault_en(rules(ends_program)) -->
+    [ 'a rule file does not end the program', nl,
+      '  Remove the directive :- halt.' ].
 fault_en(rules(Formal)) -->
     { \+ memberchk(Formal, [ no_decision(_), no_decisions, module_file,
-                             defined_elsewhere(_)
+                             defined_elsewhere(_), ends_program
                            ]) },
     [ 'this rule file cannot be loaded: ' ],
     loading_fault(prolog_en, Formal),

@@ -399,9 +399,12 @@ fault_ko(rules(module_file)) -->
 fault_ko(rules(defined_elsewhere(M:PI))) -->
     [ '~q: 다른 곳에서 정의되었고, 프로그램에 그대로 필요합니다'-[M:PI], nl,
       '  ~w:을 빼고 자신의 술어를 정의하십시오.'-[M] ].
+fault_ko(rules(ends_program)) -->
+    [ '규칙 파일은 프로그램을 끝내지 않습니다', nl,
+      '  지시문 :- halt를 지우십시오.' ].
 fault_ko(rules(Formal)) -->
     { \+ memberchk(Formal, [ no_decision(_), no_decisions, module_file,
-                             defined_elsewhere(_)
+                             defined_elsewhere(_), ends_program
                            ]) },
     [ '이 규칙 파일을 읽을 수 없습니다: ' ],
     loading_fault(prolog_ko, Formal),

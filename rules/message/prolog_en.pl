@@ -62,6 +62,8 @@ prolog_en(syntax_error(What), _) -->
     [ 'this is no Prolog text: ~w'-[What] ].
 prolog_en(timeout_error(Action, _), _) -->
     [ 'it took too long: ~w'-[Action] ].
+prolog_en(thrown(Ball), _) -->
+    [ '~p was thrown'-[Ball] ].
 prolog_en(warning(once(Names)), _) -->
     [ 'a variable stands once only: ~w'-[Names], nl,
       '  Write _ where its value does not matter.' ].

@@ -62,6 +62,8 @@ prolog_ko(syntax_error(What), _) -->
     korean_syntax(What).
 prolog_ko(timeout_error(Action, _), _) -->
     [ '시간이 너무 오래 걸렸습니다: ~w'-[Action] ].
+prolog_ko(thrown(Ball), _) -->
+    [ '~p: 처리되지 않은 예외입니다'-[Ball] ].
 prolog_ko(warning(once(Names)), _) -->
     [ '한 번만 나오는 변수: ~w'-[Names], nl,
       '  값이 쓰이지 않으면 _ 로 쓰십시오.' ].

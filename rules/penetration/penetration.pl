@@ -6,7 +6,7 @@
             penetration_chains/1,       % -Chains
             penetration_chains/3,       % +Pairs, +Options, -Chains
             leaf_lines/4,               % +Pairs, +Wanted, +Tolerance, :Goal
-            touching/2,                 % +Options, -Tolerance
+            touching/3,                 % +Options, +Segments, -Tolerance
             touches/2                   % ?S1, ?S2
           ]).
 :- use_module('../csg/csg_record', [joined_segment/1]).
@@ -21,7 +21,7 @@
                 cut_without_coincident/1, cut_few_sheets/1, cut_find/1,
                 near_segments/3, segment_copies_dropped/2,
                 cut_seal/1, cut_chains/2, cut_polygons/2, cut_write_lines/1,
-                cut_polygons_of/3, model_tolerance/1,
+                cut_polygons_of/3, model_tolerance/1, segments_tolerance/3,
                 segments_meeting_themselves/2, segment_sewn/2
               ]).
 :- use_module('../csg/leaf',
@@ -133,6 +133,7 @@ penetrate(Pairs) :-
 %   @error type_error(list, Which) or of Options
 %   @error geometry_error(polygon_edge(S, P, V1, V2)): with its lines,
 %          polygon P cannot be triangulated
+%   @error geometry_error(tolerance(T, Most)), as touching/3
 
 penetrate(Which, Options) :-
     must_be(list, Options),
@@ -150,7 +151,8 @@ penetrate(Which, Options) :-
 %   penetrated(Which, Options, Sheets): Sheets is `few` if it is for a picture.
 
 penetrated(Which, Options, Sheets) :-
-    touching(Options, Tolerance),
+    asked_segments(Which, Segments),
+    touching(Options, Segments, Tolerance),
     pairs_to_cut(Which, Tolerance, Pairs0),
     (   Which == all,
         option(themselves(true), Options)
@@ -196,21 +198,51 @@ pairs_to_cut(all, Tolerance, Pairs) :-
             Pairs).
 pairs_to_cut(Pairs, _, Pairs).
 
-%!  touching(+Options:list, -Tolerance) is det.
+%   asked_segments(+Which, -Segments): a set.
+
+asked_segments(all, Segments) :-
+    !,
+    aside_segments(Aside),
+    findall(S, ( segment(S, Kind, _), Kind \== curve ), All0),
+    sort(All0, All),
+    ord_subtract(All, Aside, Segments).
+asked_segments(Pairs, Segments) :-
+    findall(S, ( member(S1-S2, Pairs), member(S, [S1,S2]) ), All),
+    sort(All, Segments).
+
+%!  touching(+Options:list, +Segments:list, -Tolerance) is det.
 %
 %   Tolerance is what option tolerance(T) says, or else model_tolerance/1 and no
 %   more than what is said of two segments (tolerance_reach/2).
+%
+%   @error geometry_error(tolerance(T, Most)): T is more than a sixteenth of the
+%          smallest of Segments. With a tolerance as large as the parts,
+%          everything is one point.
 
-touching(Options, Tolerance) :-
+touching(Options, Segments, Tolerance) :-
     (   option(tolerance(Tolerance), Options)
     ->  tolerance_reach(Tolerance, Reach),
         must_be(number, Reach),
         (   Reach >= 0
         ->  true
         ;   domain_error(not_less_than_zero, Tolerance)
-        )
+        ),
+        refuse_large(Tolerance, Segments)
     ;   model_tolerance(Reach),
         Tolerance = own(Reach)
+    ).
+
+refuse_large(own(_), _) :-
+    !.
+refuse_large(_, []) :-
+    !.
+refuse_large(Tolerance, Segments) :-
+    segments_tolerance(Segments, _, Smallest),
+    Most is Smallest/16,
+    (   Tolerance > Most,
+        Tolerance > 0
+    ->  throw(error(geometry_error(tolerance(Tolerance, Most)), _))
+    ;   true
     ).
 
 %!  touches(?S1, ?S2) is nondet.
@@ -226,7 +258,7 @@ touches(S1, S2) :-
 
 pairs_touching(S1, S2, Met) :-
     new_segments_complete,
-    touching([], Tolerance),
+    touching([], [], Tolerance),
     tolerance_reach(Tolerance, Reach),
     findall(Low-High,
             ( near_segments(Reach, Low, High), asked_pair(S1, S2, Low-High) ),
@@ -368,7 +400,8 @@ penetration_chains(Chains) :-
     penetration_chains(all, [], Chains).
 
 penetration_chains(Which, Options, Chains) :-
-    touching(Options, Tolerance),
+    asked_segments(Which, Segments),
+    touching(Options, Segments, Tolerance),
     pairs_to_cut(Which, Tolerance, Pairs),
     facts_snapshot(
         sg_penetration:chains_of_leaves(Pairs, Tolerance, Chains)).

@@ -26,7 +26,7 @@
 :- use_module('../penetration/entering',
               [enter_polygons/4, close_works/1, stays_entered/1]).
 :- use_module('../csg/leaf', [were_cut/2]).
-:- use_module('../penetration/penetration', [leaf_lines/4, touching/2]).
+:- use_module('../penetration/penetration', [leaf_lines/4, touching/3]).
 :- use_module('../penetration/resolve', [tolerance_reach/2]).
 :- use_module('../stage', [stage/2]).
 :- use_module('../store',
@@ -121,7 +121,7 @@ undivided(Fault, Context, _) :-
 
 leaves_tolerance(Leaves, Options, Tolerance) :-
     (   option(tolerance(_), Options)
-    ->  touching(Options, Tolerance)
+    ->  touching(Options, Leaves, Tolerance)
     ;   segments_tolerance(Leaves, Reach, _),
         Tolerance = own(Reach)
     ).

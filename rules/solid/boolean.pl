@@ -24,6 +24,7 @@
               ]).
 :- use_module(operand, [checked_operand/1]).
 :- use_module('../polygon/triangulation', [new_segments_complete/0]).
+:- use_module('../penetration/penetration', [touching/3]).
 :- use_module('../penetration/resolve',
               [held_said/1, holding_said/2, tolerance_reach/2]).
 :- use_module('../csg/csg_rows', [drop_boundary/1]).
@@ -163,23 +164,11 @@ all_replaced(FirstOf, Es0, Es) :-
 %   @error geometry_error(tolerance(T, Most)), as boolean/3
 
 boolean_tolerance(Leaves, Options0, Options) :-
-    segments_tolerance(Leaves, Tolerance, Smallest),
-    (   option(tolerance(Given), Options0)
-    ->  refuse_large(Given, Smallest),
+    (   option(tolerance(_), Options0)
+    ->  touching(Options0, Leaves, _),
         Options = Options0
-    ;   Options = [tolerance(own(Tolerance))|Options0]
-    ).
-
-%   With a tolerance as large as the parts, everything is one point.
-
-refuse_large(own(_), _) :-
-    !.
-refuse_large(Tolerance, Smallest) :-
-    Most is Smallest/16,
-    (   Tolerance > Most,
-        Tolerance > 0
-    ->  throw(error(geometry_error(tolerance(Tolerance, Most)), _))
-    ;   true
+    ;   segments_tolerance(Leaves, Tolerance, _),
+        Options = [tolerance(own(Tolerance))|Options0]
     ).
 
 %   made(+Expression, +Leaves, +Options, -Solid, -Contacts, -Numbers): it must
@@ -196,7 +185,7 @@ made(Expression, Leaves, Options, Solid, Contacts, Numbers) :-
     (   is_open(Leaves, Solid0)
     ->  solid_close(Solid0),
         not_said(Held),
-        maplist(checked_leaf, Leaves),
+        maplist(checked_operand, Leaves),
         fail
     ;   What == first
     ->  true
@@ -253,12 +242,6 @@ is_open(Leaves, Solid) :-
     \+ ( member(S, Leaves),
          is_surface(S)
        ).
-
-checked_leaf(S) :-
-    (   is_surface(S)
-    ->  true
-    ;   checked_operand(S)
-    ).
 
 merged(Solid, Options) :-
     (   option(faces(pieces), Options)

@@ -452,4 +452,44 @@ random_solid(at([translate(X,Y,Z)|Turns], Shape)) :-
                     rectangle(size(A,B))
                   ]).
 
+:- multifile user:message_hook/3.
+
+user:message_hook(sanggwan(tight(_, _, _, 0.125, 0.125, _)), warning, _).
+
+%   A tolerance up to a sixteenth of the smallest of what is asked for makes a
+%   gap touch; with a larger one nothing would be left of a part.
+
+box_row(Sizes, Gap) :-
+    foldl(box_added(Gap), Sizes, 0, _),
+    complete_segments.
+
+box_added(Gap, Size, X0, X) :-
+    X is X0 + Size + Gap,
+    At is X0 + Size/2,
+    add_primitive(at([translate(At,0,0)], box(size(Size,Size,4))), _).
+
+:- meta_predicate in_box_row(+, +, 0).
+
+in_box_row(Sizes, Gap, Goal) :-
+    new_world(World),
+    in_world(World, ( box_row(Sizes, Gap), Goal )).
+
+test(tolerance, true(Lines > 0)) :-
+    in_box_row([4,4], 0.125,
+               ( penetrate(all, [tolerance(0.25)]), lines(Lines) )).
+test(large_tolerance, error(geometry_error(tolerance(0.26, 0.25)))) :-
+    in_box_row([4,4], 0.125, penetrate(all, [tolerance(0.26)])).
+test(large_tolerance_chains, error(geometry_error(tolerance(0.26, 0.25)))) :-
+    in_box_row([4,4], 0.125, penetration_chains(all, [tolerance(0.26)], _)).
+test(small_part, error(geometry_error(tolerance(0.5, 0.25)))) :-
+    in_box_row([16,16,4], 0.125, penetrate(all, [tolerance(0.5)])).
+test(small_part_elsewhere, true(Lines > 0)) :-
+    in_box_row([16,16,4], 0.125,
+               ( penetrate([1-2], [tolerance(0.5)]), lines(Lines) )).
+test(negative_tolerance, error(domain_error(not_less_than_zero, -1))) :-
+    in_box_row([4,4], 0.125, penetrate(all, [tolerance(-1)])).
+
+lines(N) :-
+    aggregate_all(count, line(_,_,_,_,_,_,_,_,_), N).
+
 :- end_tests(penetration).

@@ -220,6 +220,25 @@ test(no_such_operation, [error(type_error(expression, glue([1])))]) :-
 test(no_operands, [error(domain_error(operands, []))]) :-
     result([box(size(1, 1, 1))], union([]), _, _).
 
+%   What is open is named.
+
+test(open_operand, error(geometry_error(operand(2, [open_edges(4, _)])))) :-
+    boxes(Boxes),
+    new_world(World),
+    in_world(World,
+             ( maplist(added, Boxes),
+               complete_segments,
+               facts_transaction(a_face_gone(2)),
+               boolean(union([1,2]), 3)
+             )).
+
+a_face_gone(S) :-
+    once(p(S, P, Es)),
+    retractall_facts(t(S, P, _, _, _, _)),
+    retractall_facts(plane(S, P, _, _, _, _)),
+    retractall_facts(p(S, P, _)),
+    forall(member(E, Es), retractall_facts(e(S, E, _, _, _))).
+
 %   Deeper than the stack of C.
 
 test(deep_expression, [true(Polygons == 6)]) :-
