@@ -83,7 +83,8 @@ decision(Decision, _) :-
     throw(error(permission_error(call, directive, decision(Decision)), _)).
 
 :- thread_local watching/0, first_error/1.
-:- public decision_clauses/4, default_clause/3, clause_of/2, one_clause_more/0.
+:- public decision_clauses/4, default_clause/3, clause_of/2, ends_program/1,
+          one_clause_more/0.
 
 system:term_expansion((:- decision(Decision, Doc)), Clauses) :-
     prolog_load_context(module, Module),
@@ -413,17 +414,19 @@ load_rules(Text, File, Module, Id) :-
 system:term_expansion(Clause, _) :-
     watching,
     one_clause_more,
-    ends_program(Clause),
-    throw(error(ends_program, _)).
-system:term_expansion(Clause, _) :-
-    watching,
-    clause_of(Clause, Module:Head),
-    \+ prolog_load_context(module, Module),
-    predicate_property(Module:Head, defined),
-    \+ predicate_property(Module:Head, dynamic),
-    \+ predicate_property(Module:Head, multifile),
-    functor(Head, Name, Arity),
-    throw(error(defined_elsewhere(Module:Name/Arity), _)).
+    (   ends_program(Clause)
+    ->  Why = ends_program
+    ;   clause_of(Clause, Module:Head),
+        \+ prolog_load_context(module, Module),
+        predicate_property(Module:Head, defined),
+        \+ predicate_property(Module:Head, dynamic),
+        \+ predicate_property(Module:Head, multifile),
+        functor(Head, Name, Arity),
+        Why = defined_elsewhere(Module:Name/Arity)
+    ),
+    throw(error(Why, _)).
+
+%   ends_program(Clause): a directive that would end it, in silence.
 
 ends_program(Clause) :-
     nonvar(Clause),

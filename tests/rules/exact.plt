@@ -153,4 +153,29 @@ test(tilted, Bad-Derived == []-true) :-
     ;   Derived = Sum
     ).
 
+%   Prolog's large numbers, where those of one expression take more than 8 kB
+%   (engine/gmp4pl.c): sums of fractions with one denominator.
+
+test(large_numbers, Wrong == []) :-
+    findall(I, ( between(1, 400, I), \+ sums_agree(I) ), Wrong).
+
+sums_agree(I) :-
+    D is 3**(130 + 2*I//3) + 2*I,
+    findall(Q, ( between(1, 8, K), Q is (5**(90 + 3*I//7) + K*I) rdiv D ),
+            [A,B,C,E,F,G,H,J]),
+    Sum is A*B*C - 2*E*F*G + 2*A*H*J - 2*B*E*J + 2*B*C*H + F*G*J + 2*C*F*A
+           + 2*E*G*H,
+    foldl(product_added,
+          [[A,B,C],[-2,E,F,G],[2,A,H,J],[-2,B,E,J],[2,B,C,H],[F,G,J],[2,C,F,A],
+           [2,E,G,H]],
+          0, Sum1),
+    Sum =:= Sum1.
+
+product_added(Factors, Sum0, Sum) :-
+    foldl(times, Factors, 1, Product),
+    Sum is Sum0 + Product.
+
+times(F, P0, P) :-
+    P is P0*F.
+
 :- end_tests(exact).
