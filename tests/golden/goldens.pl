@@ -1,16 +1,21 @@
 :- module(test_goldens,
           [ golden/2,                   % ?Name, ?Words
             golden_file/2,              % +Name, -File
-            golden_drawn/2              % +Name, +File
+            golden_drawn/2,             % +Name, +File
+            left_over/1                 % -File
           ]).
 :- use_module(rules(command/cli), [sanggwan/2]).
+:- use_module(library(filesex), [directory_file_path/3]).
+:- use_module(library(lists), [append/3, member/2]).
 /** <module> Golden drawings: what `sanggwan draw` gave when somebody looked.
 
-tests/golden/NAME.svg is the drawing of `sanggwan draw WORDS`, or of `sanggwan
-unfold` if WORDS begin with that. Every line drawing of the gallery is one, and
-those listed here. Shaded pictures are held to numbers instead: their bytes are
-those of a library that packs (tests/rules/shading, tests/cli/render.sh). tests/rules/drawing/golden.plt compares the bytes; `make bless`
-(tools/bless.pl) writes them anew. LOOK at what changed before you commit it.
+NAME.svg is the drawing of `sanggwan draw WORDS`, or of `sanggwan unfold` if
+WORDS begin with that. Every line drawing of the gallery is one, docs/gallery/;
+those listed here stand in tests/golden/. Shaded pictures are held to numbers
+instead: their bytes are those of a library that packs (tests/rules/shading,
+tests/cli/render.sh). tests/rules/drawing/golden.plt compares the bytes; `make
+bless` (tools/bless.pl) writes them anew. LOOK at what changed before you commit
+it.
 */
 
 %!  golden(?Name, ?Words) is nondet.
@@ -57,8 +62,24 @@ own_golden(fig13_top, ['facts/figures/fig13.pl', '--view', top]).
 %   Where the golden drawing is kept, whether there is one or not.
 
 golden_file(Name, File) :-
-    format(atom(Path), 'tests/golden/~w.svg', [Name]),
+    (   own_golden(Name, _)
+    ->  Folder = 'tests/golden'
+    ;   Folder = 'docs/gallery'
+    ),
+    format(atom(Path), '~w/~w.svg', [Folder,Name]),
     absolute_file_name(sanggwan(Path), File).
+
+%!  left_over(-File) is nondet.
+%
+%   File is in tests/golden/ and no golden drawing.
+
+left_over(File) :-
+    absolute_file_name(sanggwan('tests/golden'), Folder),
+    directory_files(Folder, Files),
+    member(Base, Files),
+    file_name_extension(Name, svg, Base),
+    \+ own_golden(Name, _),
+    directory_file_path(Folder, Base, File).
 
 %!  golden_drawn(+Name, +File) is semidet.
 %

@@ -40,12 +40,7 @@ test(drawing, [ forall(golden(Name, _)),
     golden_file(Name, Golden),
     exists_file(Golden),
     same_drawing(Golden, New).
-test(none_left_over, true(Old == [])) :-
-    absolute_file_name(sanggwan('tests/golden'), Folder),
-    directory_files(Folder, Files),
-    findall(Name, ( member(File, Files),
-                    file_name_extension(Name, svg, File),
-                    \+ golden(Name, _) ),
-            Old).
+test(none_left_over, Files == []) :-
+    findall(File, left_over(File), Files).
 
 :- end_tests(golden).
