@@ -192,7 +192,7 @@ nothing_after(Text, Options) :-
     include(is_syntax, Options, Syntax),
     setup_call_cleanup(
         open_string(Text, Stream),
-        (   catch(read_term(Stream, _, Syntax), error(_, _), fail)
+        (   catch(read_term(Stream, _, Syntax), error(syntax_error(_), _), fail)
         ->  catch(read_term(Stream, Next, Syntax), error(_, _), true)
         ;   Next = end_of_file
         ),

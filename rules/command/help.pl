@@ -157,7 +157,7 @@ help_term(What, _) :-
 help_term(What, Term) :-
     ( string(What) ; atom(What) ),
     !,
-    (   catch(term_of_text(What, Term0, []), error(_, _), fail),
+    (   catch(term_of_text(What, Term0, []), error(syntax_error(_), _), fail),
         nonvar(Term0),
         named(Term0, _, _)
     ->  Term = Term0

@@ -92,7 +92,7 @@ flag_terms(Option, Text, Terms) :-
                           [ module(sg_model_syntax), cycles(false),
                             dotlists(false), variable_names(Names)
                           ]),
-              error(_, _), fail),
+              error(syntax_error(_), _), fail),
         is_list(Terms0),
         Terms0 = [_|_],
         maplist(named_as_written, Names),

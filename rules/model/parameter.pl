@@ -85,7 +85,7 @@ number_formula(Text, Formula) :-
     \+ ( member(Code, Codes),
          \+ code_type(Code, csym),
          \+ memberchk(Code, ` ()+-*/^.,`) ),
-    catch(term_of_text(Text, Formula, []), error(_, _), fail),
+    catch(term_of_text(Text, Formula, []), error(syntax_error(_), _), fail),
     ground(Formula),
     is_formula(Formula).
 

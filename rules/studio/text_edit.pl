@@ -213,7 +213,7 @@ edge_term(Text, Edge) :-
     (   catch(term_of_text(Text, Edge0,
                            [ module(sg_model_syntax), cycles(false),
                              dotlists(false) ]),
-              error(_, _), fail),
+              error(syntax_error(_), _), fail),
         ground(Edge0)
     ->  Edge = Edge0
     ;   edit_error(no_edge(Text))
