@@ -8,7 +8,7 @@
 :- use_module('../primitive/primitive_face', [surface_point/4]).
 :- use_module(true_shape, [edge_curve/4, key_place/4]).
 :- use_module(true_surface, [level_plane/3]).
-:- use_module(true_tip, [settled/5]).
+:- use_module(true_tip, [tips_cancelled/2]).
 :- use_module(library(apply), [foldl/5, foldl/6]).
 :- use_module(library(assoc), [get_assoc/3, put_assoc/4]).
 :- use_module(library(lists), [append/2, member/2, min_list/2, select/3]).
@@ -50,7 +50,7 @@ level_kept(Level, Facet0, Facets, Shape0, Shape) :-
     ->  foldl(half_parted(Level), Halves0, Lists, Shape0, Shape),
         append(Lists, Parts),
         without_beyond(Parts, Shape, Level, Halves1),
-        settled(Halves1, level(Level), Shape, Halves1, Halves),
+        tips_cancelled(Halves1, Halves),
         (   Halves == []
         ->  Facets = []
         ;   Facets = [facet(P, T1, T2, Halves)]

@@ -37,7 +37,7 @@
 :- use_module(true_parallel, [parallel_made/4]).
 :- use_module(true_resized, [term_enlarged/3]).
 :- use_module(true_part_loop, [facet_parted/3]).
-:- use_module(true_tip, [settled/5]).
+:- use_module(true_tip, [tips_cancelled/2]).
 :- use_module(library(apply),
               [foldl/4, include/3, maplist/2, maplist/3, partition/4]).
 :- use_module(library(assoc), [get_assoc/3, list_to_assoc/2]).
@@ -494,18 +494,18 @@ facets_as_drawn(S, Facets0, Shape, Facets) :-
     findall(D, member(drawn(D, _)-_, Groups), Ds0),
     sort(Ds0, Ds),
     include(stands_for_transition, Ds, Transitions),
-    maplist(put_together(Shape, Transitions), Groups, Lists),
+    maplist(put_together(Transitions), Groups, Lists),
     append(Lists, Facets2),
     maplist(facet_parted(Shape), Facets2, Parted),
     append(Parted, Facets1),
     sort(1, @=<, Facets1, Facets).
 
-%   put_together(Shape, Transitions, Drawn-Group, Facets): one for each
+%   put_together(Transitions, Drawn-Group, Facets): one for each
 %   connected part of the facet. Transitions are the segments of that kind.
 
-put_together(_, _, _-[Facet], [Facet]) :-
+put_together(_, _-[Facet], [Facet]) :-
     !.
-put_together(Shape, Transitions, drawn(D, PD)-Group, Facets) :-
+put_together(Transitions, drawn(D, PD)-Group, Facets) :-
     (   memberchk(D, Transitions)
     ->  facets_between(Group, T1, T2)
     ;   placed_face(D, PD, curved(_, [T1-T2|_]))
@@ -513,7 +513,7 @@ put_together(Shape, Transitions, drawn(D, PD)-Group, Facets) :-
     ;   Group = [facet(_, T1, T2, _)|_]         % of a flat part
     ),
     facets_connected(Group, Parts),
-    maplist(one_facet(Shape, T1, T2), Parts, Facets).
+    maplist(one_facet(T1, T2), Parts, Facets).
 
 %   Facets of a transition may stand for one that is a part of another cone.
 
@@ -522,23 +522,17 @@ stands_for_transition(S) :-
     innermost(Term, Inner, _, _),
     is_transition(Inner).
 
-one_facet(Shape, T1, T2, Part, facet(P, T1, T2, Halves)) :-
+%   one_facet(T1, T2, Part, Facet): a facet that is no plane is two triangles,
+%   one of which has a corner alone on the rim; so what goes along the rim in
+%   place of what was beyond it (true_border.pl) may be in one, and that piece
+%   of the rim in the other.
+
+one_facet(T1, T2, Part, facet(P, T1, T2, Halves)) :-
     findall(P0, member(facet(P0, _, _, _), Part), Ps),
     min_list(Ps, P),
-    outer_halves(Part, Halves1),
-    rim_settled(0.0, Shape, Halves1, Halves2),
-    rim_settled(1.0, Shape, Halves2, Halves).
+    outer_halves(Part, Halves0),
+    tips_cancelled(Halves0, Halves).
 
-%   rim_settled(Level, Shape, Halves0, Halves): a facet that is no plane is two
-%   triangles, one of which has a corner alone on the rim; so what goes along
-%   the rim in place of what was beyond it (true_border.pl) may be in one, and
-%   that piece of the rim in the other.
-
-rim_settled(Level, Shape, Halves0, Halves) :-
-    (   memberchk(half(_, _, tip), Halves0)
-    ->  settled(Halves0, level(Level), Shape, Halves0, Halves)
-    ;   Halves = Halves0
-    ).
 
                 /*******************************
                 *      PIECES OF ONE FACET     *

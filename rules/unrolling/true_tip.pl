@@ -1,6 +1,6 @@
 :- module(sg_true_tip,
           [ tips_moved/4,               % +Facets0, -Facets, +Shape0, -Shape
-            settled/5                   % +Halves0, +Line, +Shape, +All, -Halves
+            tips_cancelled/2            % +Halves0, -Halves
           ]).
 :- use_module('../near',
               [ tolerance/2, same_angle/2, before_angle/2,
@@ -363,58 +363,50 @@ tip_given(tip(T, Q, Turns, Chain, From, To), N, Facet0, Table0, Table, Shape) :-
     HalvesP1 = [half(From, To, tip)|Halves0],
     append(Chain, [half(To, From, tip)|HalvesQ0], HalvesQ1),
     append(HalvesP1, HalvesQ1, All),
-    settled(HalvesP1, generator(T), Shape, All, HalvesP),
-    settled(HalvesQ1, generator(T), Shape, All, HalvesQ),
+    settled(HalvesP1, T, Shape, All, HalvesP),
+    settled(HalvesQ1, T, Shape, All, HalvesQ),
     put_assoc(N, Table0, facet(P, T1, T2, HalvesP), Table1),
     Back is -Turns,
     shifted_facet(Back, facet(PQ, TQ1, TQ2, HalvesQ), FacetQ),
     put_assoc(Q, Table1, FacetQ, Table).
 
-%!  settled(+Halves0, +Line, +Shape, +All, -Halves) is det.
-%
-%   Halves are Halves0, where half-edges along Line, generator(T) or level(H),
-%   are divided at all ends of the half-edges All that lie on it; two that are
-%   opposite vanish, if one came with a tip.
+%   settled(Halves0, T, Shape, All, Halves): Halves are Halves0, where those
+%   along generator T are divided at all ends of the half-edges All that lie on
+%   it; two that are opposite vanish, if one came with a tip.
 
-settled(Halves0, Line, Shape, All, Halves) :-
-    line_keys(All, Line, Shape, Keys),
+settled(Halves0, T, Shape, All, Halves) :-
+    generator_keys(All, T, Shape, Keys),
     findall(Half,
             ( member(Half0, Halves0),
-              elementary(Half0, Line, Shape, Keys, Half) ),
+              elementary(Half0, T, Shape, Keys, Half) ),
             Halves1),
-    cancelled(Halves1, Halves).
+    tips_cancelled(Halves1, Halves).
 
-%   line_keys(Halves, Line, Shape, Keys): Place-Key of all on the line, in
+%   generator_keys(Halves, T, Shape, Keys): H-Key of all on generator T, in
 %   order.
 
-line_keys(Halves, Line, Shape, Keys) :-
-    findall(Place-Key,
+generator_keys(Halves, T, Shape, Keys) :-
+    findall(H-Key,
             ( member(half(A, B, _), Halves),
               ( Key = A ; Key = B ),
-              on_line(Shape, Line, Key, Place) ),
+              generator_height(Shape, T, Key, H) ),
             Keys0),
     sort(Keys0, Keys).
 
-%   on_line(Shape, Line, Key, Place): Key is on the line, at Place along it.
-
-on_line(Shape, generator(T), Key, H) :-
+generator_height(Shape, T, Key, H) :-
     on_generator(Shape, T, Key),
     Shape = shape(_, _, Nodes),
     key_place(Nodes, Key, _, H).
-on_line(shape(_, _, Nodes), level(H), Key, T) :-
-    key_place(Nodes, Key, T, H1),
-    T \== any,
-    same_part(H1, H).
 
-elementary(half(A, B, Label), Line, Shape, Keys, Half) :-
-    (   on_line(Shape, Line, A, Place1),
-        on_line(Shape, Line, B, Place2)
+elementary(half(A, B, Label), T, Shape, Keys, Half) :-
+    (   generator_height(Shape, T, A, H1),
+        generator_height(Shape, T, B, H2)
     ->  findall(Key,
-                ( member(Place-Key, Keys),
-                  Place > min(Place1, Place2),
-                  Place < max(Place1, Place2) ),
+                ( member(H-Key, Keys),
+                  H > min(H1, H2),
+                  H < max(H1, H2) ),
                 Between0),
-        (   Place1 =< Place2
+        (   H1 =< H2
         ->  Between = Between0
         ;   reverse(Between0, Between)
         ),
@@ -424,12 +416,14 @@ elementary(half(A, B, Label), Line, Shape, Keys, Half) :-
     ;   Half = half(A, B, Label)
     ).
 
-%   cancelled(Halves0, Halves): of a piece of the generator that came with a tip
-%   and one that was there.
+%!  tips_cancelled(+Halves0, -Halves) is det.
+%
+%   Halves are Halves0 without two that are opposite, if one of these came with
+%   a tip.
 
-cancelled(Halves0, Halves) :-
+tips_cancelled(Halves0, Halves) :-
     (   select(half(A, B, tip), Halves0, Halves1),
         select(half(B, A, _), Halves1, Halves2)
-    ->  cancelled(Halves2, Halves)
+    ->  tips_cancelled(Halves2, Halves)
     ;   Halves = Halves0
     ).
