@@ -173,10 +173,7 @@ copies_dropped :-
 %   pairs_with_themselves(-Pairs): S-S for what is to be cut by itself.
 
 pairs_with_themselves(Pairs) :-
-    aside_segments(Aside),
-    findall(S, ( segment(S, Kind, _), Kind \== curve ), All0),
-    sort(All0, All),
-    ord_subtract(All, Aside, Own),
+    asked_segments(all, Own),
     findall(S, ( member(S, Own), \+ were_cut(S, S) ), Ss),
     partition(joined_segment, Ss, Joins, Others),
     segments_meeting_themselves(Others, Meeting),
